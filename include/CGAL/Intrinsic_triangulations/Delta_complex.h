@@ -1,0 +1,400 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// the point of a vertex that has no position.
+struct No_point
+{};
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// a triangulated surface, with or without boundary, in which loops and parallel edges are ordinary
+/// (Section 2.3.1). It has no geometry. As everywhere in `CGAL::Surface_mesh`, `halfedge(v)` is an
+/// incoming halfedge, and a border halfedge if `v` is on the boundary.
+typedef CGAL::Surface_mesh<No_point> Delta_complex;
+
+typedef Delta_complex::Vertex_index Vertex_index;
+typedef Delta_complex::Halfedge_index Halfedge_index;
+typedef Delta_complex::Edge_index Edge_index;
+typedef Delta_complex::Face_index Face_index;
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// says whether an operation on a Delta-complex is possible, and if not, why.
+enum class Operation_status
+{
+  possible,           ///< nothing stands against it
+  border_edge,        ///< the edge has a face on one side only
+  same_face,          ///< both sides of an edge at hand are in one face
+  wrong_degree,       ///< the vertex has not exactly three incident edges
+  self_edge           ///< an edge joins the vertex to itself
+};
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns a short sentence for `status`.
+inline const char* to_string(Operation_status status)
+{
+  switch(status) {
+    case Operation_status::possible: return "possible";
+    case Operation_status::border_edge: return "the edge is on the boundary";
+    case Operation_status::same_face: return "both sides of the edge are in one face";
+    case Operation_status::wrong_degree: return "the vertex is not of degree three";
+    case Operation_status::self_edge: return "an edge joins the vertex to itself";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns the outgoing halfedge after `h` in counterclockwise order around the source of `h`.
+/// \pre `h` is not a border halfedge
+template <typename P>
+Halfedge_index next_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
+{
+  return mesh.opposite(mesh.prev(h));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns the outgoing halfedge before `h` in counterclockwise order around the source of `h`.
+/// \pre `opposite(h)` is not a border halfedge
+template <typename P>
+Halfedge_index previous_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
+{
+  return mesh.next(mesh.opposite(h));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns the first outgoing halfedge of `v`; at a boundary vertex the one with the boundary on its
+/// right, so that `next_spoke()` visits all of them.
+/// \pre `v` is not isolated
+template <typename P>
+Halfedge_index first_spoke(Vertex_index v, const Surface_mesh<P>& mesh)
+{
+  return mesh.opposite(mesh.halfedge(v));
+}
+
+namespace internal {
+
+template <typename P>
+void set_triangle(Halfedge_index a, Halfedge_index b, Halfedge_index c, Face_index f,
+                  Surface_mesh<P>& mesh)
+{
+  mesh.set_next(a, b);
+  mesh.set_next(b, c);
+  mesh.set_next(c, a);
+  for(Halfedge_index h : {a, b, c})
+    mesh.set_face(h, f);
+  mesh.set_halfedge(f, a);
+}
+
+// adds the edge from `source` to `target` and returns its halfedge with that direction
+template <typename P>
+Halfedge_index add_directed_edge(Vertex_index source, Vertex_index target, Surface_mesh<P>& mesh)
+{
+  const Halfedge_index h = mesh.add_edge();
+  mesh.set_target(h, target);
+  mesh.set_target(mesh.opposite(h), source);
+  return h;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// says whether the edge of `h` can be flipped. The edge of a degree-1 vertex cannot: its two sides are
+/// in one face. Complexity: constant.
+template <typename P>
+Operation_status flip_status(Halfedge_index h, const Surface_mesh<P>& mesh)
+{
+  const Face_index f = mesh.face(h), g = mesh.face(mesh.opposite(h));
+  if(f == Surface_mesh<P>::null_face() || g == Surface_mesh<P>::null_face())
+    return Operation_status::border_edge;
+  return f == g ? Operation_status::same_face : Operation_status::possible;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// turns the edge \f$ij\f$ of `h` counterclockwise into the other diagonal \f$kl\f$ of its two faces
+/// \f$ijk\f$ and \f$jil\f$: afterwards `h` leads from \f$l\f$ to \f$k\f$ and \f$i\f$ is on its left.
+/// Complexity: constant.
+/// \pre `flip_status(h, mesh) == Operation_status::possible`
+template <typename P>
+void flip_edge(Halfedge_index h, Surface_mesh<P>& mesh)
+{
+  CGAL_precondition(flip_status(h, mesh) == Operation_status::possible);
+  const Halfedge_index o = mesh.opposite(h);
+  const Halfedge_index jk = mesh.next(h), ki = mesh.prev(h);
+  const Halfedge_index il = mesh.next(o), lj = mesh.prev(o);
+  const Vertex_index i = mesh.target(o), j = mesh.target(h);
+
+  if(mesh.halfedge(i) == o)
+    mesh.set_halfedge(i, ki);
+  if(mesh.halfedge(j) == h)
+    mesh.set_halfedge(j, lj);
+  mesh.set_target(h, mesh.target(jk));
+  mesh.set_target(o, mesh.target(il));
+  internal::set_triangle(h, ki, il, mesh.face(h), mesh);
+  internal::set_triangle(o, lj, jk, mesh.face(o), mesh);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// inserts a vertex into the face of `h` and joins it to the three corners.
+/// Complexity: constant.
+/// \returns the halfedge from the target of `h` to the new vertex.
+/// \pre `h` is not a border halfedge
+template <typename P>
+Halfedge_index split_face(Halfedge_index h, Surface_mesh<P>& mesh)
+{
+  CGAL_precondition(!mesh.is_border(h));
+  const std::array<Halfedge_index, 3> side{h, mesh.next(h), mesh.prev(h)};
+  const std::array<Face_index, 3> face{mesh.face(h), mesh.add_face(), mesh.add_face()};
+  const Vertex_index m = mesh.add_vertex();
+  std::array<Halfedge_index, 3> inward; // from the target of side[s] to m
+  for(std::size_t s = 0; s < 3; ++s)
+    inward[s] = internal::add_directed_edge(mesh.target(side[s]), m, mesh);
+  for(std::size_t s = 0; s < 3; ++s)
+    internal::set_triangle(side[s], inward[s], mesh.opposite(inward[(s + 2) % 3]), face[s], mesh);
+  mesh.set_halfedge(m, inward[0]);
+  return inward[0];
+}
+
+namespace internal {
+
+// Cuts the two sides after `h` off its face, as a triangle that becomes a face of its own.
+template <typename P>
+void cut_ear(Halfedge_index h, Surface_mesh<P>& mesh)
+{
+  const Halfedge_index first = mesh.next(h), second = mesh.next(first), beyond = mesh.next(second);
+  const Halfedge_index cut = add_directed_edge(mesh.target(h), mesh.target(second), mesh);
+  mesh.set_next(h, cut);
+  mesh.set_next(cut, beyond);
+  mesh.set_face(cut, mesh.face(h));
+  mesh.set_halfedge(mesh.face(h), h);
+  set_triangle(first, second, mesh.opposite(cut), mesh.add_face(), mesh);
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// inserts a vertex into the edge of `h` and joins it to the opposite corner of each incident face. If
+/// both sides are in one face, which then winds around a degree-1 vertex, that vertex is cut off by a
+/// loop and the quadrangle that remains by a diagonal.
+/// Complexity: constant.
+/// \returns the halfedge from the source of `h` to the new vertex; `h` leads on from there.
+template <typename P>
+Halfedge_index split_edge(Halfedge_index h, Surface_mesh<P>& mesh)
+{
+  const Halfedge_index o = mesh.opposite(h);
+  const Halfedge_index before = mesh.prev(h), after = mesh.next(o);
+  const bool in_one_face = mesh.face(h) == mesh.face(o);
+  const bool winds_around_source = after == h;
+  const Vertex_index i = mesh.target(o), m = mesh.add_vertex();
+  const Halfedge_index first = internal::add_directed_edge(i, m, mesh);
+  const Halfedge_index back = mesh.opposite(first);
+
+  mesh.set_target(o, m);
+  mesh.set_next(o, back);
+  mesh.set_next(back, winds_around_source ? first : after);
+  if(!winds_around_source)
+    mesh.set_next(before, first);
+  mesh.set_next(first, h);
+  mesh.set_face(first, mesh.face(h));
+  mesh.set_face(back, mesh.face(o));
+  if(mesh.halfedge(i) == o)
+    mesh.set_halfedge(i, back);
+  mesh.set_halfedge(m, mesh.is_border(o) ? o : first);
+
+  const Halfedge_index pivot = winds_around_source ? o : first;
+  for(Halfedge_index x : {pivot, in_one_face ? pivot : o})
+    if(!mesh.is_border(x))
+      internal::cut_ear(x, mesh);
+  return first;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// says whether `v` can be removed by `remove_degree_3_vertex()`. Complexity: constant.
+template <typename P>
+Operation_status removal_status(Vertex_index v, const Surface_mesh<P>& mesh)
+{
+  if(mesh.is_isolated(v))
+    return Operation_status::wrong_degree;
+  Halfedge_index h = first_spoke(v, mesh);
+  for(int spoke = 0; spoke < 3; ++spoke) {
+    if(mesh.target(h) == v)
+      return Operation_status::self_edge;
+    const bool is_last = mesh.is_border(h);
+    h = is_last ? first_spoke(v, mesh) : next_spoke(h, mesh);
+    if((spoke == 2) != (h == first_spoke(v, mesh)))
+      return Operation_status::wrong_degree;
+  }
+  return Operation_status::possible;
+}
+
+namespace internal {
+
+template <typename P>
+void remove_vertex_with_edges(Vertex_index v, std::initializer_list<Halfedge_index> spokes,
+                              Surface_mesh<P>& mesh)
+{
+  for(Halfedge_index h : spokes)
+    mesh.remove_edge(mesh.edge(h));
+  mesh.remove_vertex(v);
+}
+
+// replaces the three faces around the interior vertex `v` by one
+template <typename P>
+Face_index remove_interior_vertex(Vertex_index v, Surface_mesh<P>& mesh)
+{
+  const Halfedge_index a = first_spoke(v, mesh);
+  const Halfedge_index b = next_spoke(a, mesh), c = next_spoke(b, mesh);
+  const Face_index f = mesh.face(a);
+  for(Halfedge_index spoke : {a, b, c})
+    if(mesh.halfedge(mesh.target(spoke)) == spoke)
+      mesh.set_halfedge(mesh.target(spoke), mesh.prev(mesh.opposite(spoke)));
+  const Halfedge_index ab = mesh.next(a), bc = mesh.next(b), ca = mesh.next(c);
+  mesh.remove_face(mesh.face(b));
+  mesh.remove_face(mesh.face(c));
+  set_triangle(ab, bc, ca, f, mesh);
+  remove_vertex_with_edges(v, {a, b, c}, mesh);
+  return f;
+}
+
+// replaces the two faces at the boundary vertex `v` by one; the first of its two border edges stays
+template <typename P>
+Face_index remove_boundary_vertex(Vertex_index v, Surface_mesh<P>& mesh)
+{
+  const Halfedge_index a = first_spoke(v, mesh); // a's right side and c's left side are border
+  const Halfedge_index b = next_spoke(a, mesh), c = next_spoke(b, mesh);
+  const Halfedge_index border = mesh.opposite(a); // from the target of a to v; is led on to c's
+  const Vertex_index vb = mesh.target(b), vc = mesh.target(c);
+  const Face_index f = mesh.face(a);
+  const Halfedge_index ab = mesh.next(a), bc = mesh.next(b), beyond = mesh.next(c);
+  if(mesh.halfedge(vb) == b)
+    mesh.set_halfedge(vb, ab);
+  mesh.set_halfedge(vc, border);
+  mesh.remove_face(mesh.face(b));
+  mesh.set_target(border, vc);
+  mesh.set_next(border, beyond);
+  set_triangle(a, ab, bc, f, mesh);
+  remove_vertex_with_edges(v, {b, c}, mesh);
+  return f;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// removes `v` with its three edges: an interior vertex leaves one face instead of three, a boundary
+/// vertex one face instead of two, with one border edge instead of two. Complexity: constant.
+/// \returns the face that takes the place.
+/// \pre `removal_status(v, mesh) == Operation_status::possible`
+template <typename P>
+Face_index remove_degree_3_vertex(Vertex_index v, Surface_mesh<P>& mesh)
+{
+  CGAL_precondition(removal_status(v, mesh) == Operation_status::possible);
+  return mesh.is_border(v) ? internal::remove_boundary_vertex(v, mesh)
+                           : internal::remove_interior_vertex(v, mesh);
+}
+
+namespace internal {
+
+template <typename P>
+std::string halfedge_defect(Halfedge_index h, const Surface_mesh<P>& mesh)
+{
+  const Halfedge_index n = mesh.next(h);
+  if(!mesh.has_valid_index(n) || mesh.is_removed(n) || mesh.prev(n) != h)
+    return "next and prev disagree";
+  if(mesh.source(n) != mesh.target(h))
+    return "the next halfedge starts elsewhere";
+  if(mesh.face(n) != mesh.face(h))
+    return "the next halfedge is in another face";
+  if(mesh.is_border(h))
+    return mesh.is_border(mesh.opposite(h)) ? "no face on either side" : "";
+  if(mesh.next(mesh.next(n)) != h)
+    return "its face is not a triangle";
+  return mesh.is_removed(mesh.face(h)) ? "its face is removed" : "";
+}
+
+// The number of halfedges with target `v` that are reached from halfedge(v), at most `limit` + 1.
+template <typename P>
+std::size_t umbrella_size(Vertex_index v, std::size_t limit, const Surface_mesh<P>& mesh)
+{
+  std::size_t count = 0;
+  Halfedge_index h = mesh.halfedge(v);
+  do {
+    h = mesh.opposite(mesh.next(h));
+    ++count;
+  } while(h != mesh.halfedge(v) && count <= limit);
+  return count;
+}
+
+template <typename P>
+std::string vertex_defect(Vertex_index v, std::size_t degree, bool on_boundary,
+                          const Surface_mesh<P>& mesh)
+{
+  if(mesh.is_isolated(v))
+    return degree == 0 ? "" : "it has edges but no halfedge";
+  const Halfedge_index h = mesh.halfedge(v);
+  if(!mesh.has_valid_index(h) || mesh.is_removed(h) || mesh.target(h) != v)
+    return "its halfedge does not lead to it";
+  if(on_boundary && !mesh.is_border(h))
+    return "it is on the boundary but its halfedge is not";
+  return umbrella_size(v, degree, mesh) == degree ? "" : "it has more than one umbrella";
+}
+
+// The first defect of `mesh` as a Delta-complex in words, empty if it is valid.
+template <typename P>
+std::string Delta_complex_defect(const Surface_mesh<P>& mesh)
+{
+  std::vector<std::size_t> degree(mesh.num_vertices(), 0);
+  std::vector<bool> on_boundary(mesh.num_vertices(), false);
+  for(Halfedge_index h : mesh.halfedges()) {
+    const std::string defect = halfedge_defect(h, mesh);
+    if(!defect.empty())
+      return "halfedge " + std::to_string(h.idx()) + ": " + defect;
+    ++degree[mesh.target(h).idx()];
+    if(mesh.is_border(h))
+      on_boundary[mesh.target(h).idx()] = true;
+  }
+  for(Face_index f : mesh.faces())
+    if(mesh.face(mesh.halfedge(f)) != f)
+      return "face " + std::to_string(f.idx()) + ": its halfedge is in another face";
+  for(Vertex_index v : mesh.vertices()) {
+    const std::string defect = vertex_defect(v, degree[v.idx()], on_boundary[v.idx()], mesh);
+    if(!defect.empty())
+      return "vertex " + std::to_string(v.idx()) + ": " + defect;
+  }
+  return {};
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// checks whether `mesh` is a triangulated surface: links in order, faces triangles, one umbrella at
+/// every vertex, border vertices with a border halfedge. Loops and parallel edges are allowed.
+/// Complexity: linear.
+/// \param verbose whether the first defect is written to `std::cerr`
+template <typename P>
+bool is_valid_Delta_complex(const Surface_mesh<P>& mesh, bool verbose = false)
+{
+  const std::string defect = internal::Delta_complex_defect(mesh);
+  if(verbose && !defect.empty())
+    std::cerr << defect << '\n';
+  return defect.empty();
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H

@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EUCLIDEAN_GEOMETRY_TRAITS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EUCLIDEAN_GEOMETRY_TRAITS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
+#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTraits
+/// the geometry of triangles that are flat and Euclidean.
+///
+/// With an exact number type every decision is exact. With a floating point type a decision is taken
+/// only where its sign is certain for the stored lengths; see `Is_locally_Delaunay`.
+///
+/// \tparam FT_ a model of `FieldWithSqrt`
+/// \tparam Integer_ the signed integer type of normal coordinates
+///
+/// \cgalModels `IntrinsicGeometryTraits`
+template <typename FT_ = double, typename Integer_ = std::int64_t>
+class Euclidean_geometry_traits
+{
+public:
+  typedef FT_ FT;
+  typedef Integer_ Integer;
+  typedef Euclidean_strip<FT> Geodesic_strip;
+
+  /// computes the length of the edge \f$kl\f$ that replaces \f$ij\f$. Both triangles are laid out in the
+  /// plane along \f$ij\f$.
+  struct Compute_flipped_length
+  {
+    FT operator()(const Diamond<FT>& length) const
+    {
+      const FT x = foot(length.ij, length.jk, length.ki) - foot(length.ij, length.lj, length.il);
+      const FT y = height(length.ij, length.jk, length.ki) + height(length.ij, length.lj, length.il);
+      return CGAL::sqrt(x * x + y * y);
+    }
+  };
+
+  /// decides whether the edge \f$ij\f$ satisfies the local Delaunay condition (Equation 2.6).
+  ///
+  /// The sign of \f$\sin(\theta_k + \theta_l)\f$ is that of
+  /// \f$(\ell_{jk}^2 + \ell_{ki}^2 - \ell_{ij}^2) A_l + (\ell_{lj}^2 + \ell_{il}^2 - \ell_{ij}^2) A_k\f$,
+  /// with \f$A\f$ the areas. In floating point an edge counts as non-Delaunay when this is below minus
+  /// the bound of its rounding error; so four cocircular points are a tie, and ties are kept.
+  struct Is_locally_Delaunay
+  {
+    bool operator()(const Diamond<FT>& length) const
+    {
+      const FT ij = length.ij * length.ij;
+      const FT sides_k = length.jk * length.jk + length.ki * length.ki;
+      const FT sides_l = length.lj * length.lj + length.il * length.il;
+      const FT cos_k = sides_k - ij, cos_l = sides_l - ij;
+      if(!(cos_k < 0) && !(cos_l < 0))
+        return true;
+      const FT area_k = quadrupled_area(length.ij, length.jk, length.ki);
+      const FT area_l = quadrupled_area(length.ij, length.lj, length.il);
+      const FT rounding = rounding_unit<FT>() * ((sides_k + ij) * area_l + (sides_l + ij) * area_k);
+      return !(cos_k * area_l + cos_l * area_k < -rounding);
+    }
+  };
+
+  /// decides whether the diamond is strictly convex at \f$i\f$ and \f$j\f$, so that \f$ij\f$ can be
+  /// flipped; in floating point, whether this is certain for the stored lengths.
+  struct Is_convex
+  {
+    bool operator()(const Diamond<FT>& length) const
+    {
+      const FT foot_k = foot(length.ij, length.jk, length.ki);
+      const FT foot_l = foot(length.ij, length.lj, length.il);
+      const FT height_k = height(length.ij, length.jk, length.ki);
+      const FT height_l = height(length.ij, length.lj, length.il);
+      // kl crosses ij at this distance from its midpoint, times the sum of the heights
+      const FT crossing = CGAL::abs(foot_k * height_l + foot_l * height_k);
+      const FT half = length.ij * (height_k + height_l) / 2;
+      return crossing < half - rounding_unit<FT>() * half;
+    }
+  };
+
+  /// decides whether a number can be the length of an edge: it is positive and finite, and so is its
+  /// fourth power, to which the formulas above go up.
+  struct Is_length
+  {
+    bool operator()(const FT& length) const
+    {
+      if constexpr(std::numeric_limits<FT>::is_iec559) {
+        const FT power = length * length * length * length;
+        return length > 0 && power >= (std::numeric_limits<FT>::min)() &&
+               power <= (std::numeric_limits<FT>::max)();
+      }
+      else
+        return length > 0;
+    }
+  };
+
+  /// decides whether three lengths obey the triangle inequality; equality, to within the
+  /// rounding of the lengths, is a degenerate triangle and allowed.
+  struct Is_triangle
+  {
+    bool operator()(const FT& a, const FT& b, const FT& c) const
+    {
+      const FT slack = (std::min)({b + c - a, c + a - b, a + b - c});
+      return !(slack < -rounding_unit<FT>() * (a + b + c));
+    }
+  };
+
+  Compute_flipped_length compute_flipped_length_object() const { return {}; }
+  Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
+  Is_convex is_convex_object() const { return {}; }
+  Is_length is_length_object() const { return {}; }
+  Is_triangle is_triangle_object() const { return {}; }
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EUCLIDEAN_GEOMETRY_TRAITS_H

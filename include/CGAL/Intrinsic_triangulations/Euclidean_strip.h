@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EUCLIDEAN_STRIP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EUCLIDEAN_STRIP_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTraits
+/// lays out a strip of Euclidean triangles in the plane and intersects its inner edges with the straight
+/// line between its ends (Algorithm 3).
+///
+/// The strip leaves the corner \f$a\f$ of a first triangle through the opposite side
+/// \f$\overrightarrow{ij}\f$, goes on from triangle to triangle and ends at a corner \f$b\f$. Directions
+/// of edges are turned by corner angles instead of being taken from differences of positions, so that a
+/// short edge in the strip does not spoil what follows. An object can be used again; it then allocates
+/// no memory.
+///
+/// \cgalModels `GeodesicStrip`
+template <typename FT>
+class Euclidean_strip
+{
+  struct Vector
+  {
+    FT x, y;
+
+    friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
+    friend Vector operator-(const Vector& v, const Vector& w) { return {v.x - w.x, v.y - w.y}; }
+    friend Vector operator*(const FT& s, const Vector& v) { return {s * v.x, s * v.y}; }
+    friend FT dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
+    friend FT cross(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
+
+    // turned counterclockwise by the angle with this cosine and sine
+    Vector turned(const FT& cos, const FT& sin) const
+    {
+      return {cos * x - sin * y, sin * x + cos * y};
+    }
+  };
+
+  struct Segment
+  {
+    Vector source, target;
+  };
+
+public:
+  /// a crossing of the line with an inner edge: `along_line` is the barycentric coordinate on the line
+  /// from \f$a\f$ to \f$b\f$, `along_edge` that on \f$\overrightarrow{ij}\f$ (Equation 3.6). Both are in
+  /// \f$[0,1]\f$.
+  struct Crossing
+  {
+    FT along_line, along_edge;
+  };
+
+  /// starts a new strip in the triangle \f$aij\f$ that is left through \f$\overrightarrow{ij}\f$.
+  void start(const FT& ai, const FT& ij, const FT& ja)
+  {
+    m_edges.clear();
+    const Vector i{ai, FT(0)};
+    m_direction = Vector{-cosine(ai, ij, ja), sine(ai, ij, ja)};
+    m_edges.push_back({i, i + ij * m_direction});
+  }
+
+  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
+  /// through \f$\overrightarrow{il}\f$.
+  void turn_around_source(const FT& ij, const FT& jl, const FT& li)
+  {
+    const Vector i = m_edges.back().source;
+    m_direction = direction_at_source(ij, jl, li);
+    m_edges.push_back({i, i + li * m_direction});
+  }
+
+  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
+  /// through \f$\overrightarrow{lj}\f$.
+  void turn_around_target(const FT& ij, const FT& jl, const FT& li)
+  {
+    const Vector j = m_edges.back().target;
+    m_direction = m_direction.turned(cosine(ij, jl, li), sine(ij, jl, li));
+    m_edges.push_back({j - jl * m_direction, j});
+  }
+
+  /// ends the strip at the corner \f$l\f$ of the triangle \f$jil\f$ beyond the last edge
+  /// \f$\overrightarrow{ij}\f$.
+  void finish(const FT& ij, const FT& jl, const FT& li)
+  {
+    m_end = m_edges.back().source + li * direction_at_source(ij, jl, li);
+    m_squared_length = dot(m_end, m_end);
+  }
+
+  /// the number of inner edges.
+  std::size_t size() const { return m_edges.size(); }
+
+  /// the length of the line. \pre `finish()` has been called
+  FT length() const { return CGAL::sqrt(m_squared_length); }
+
+  /// the crossing of the line with inner edge `m`. \pre `finish()` has been called
+  Crossing crossing(std::size_t m) const
+  {
+    const Segment& edge = m_edges[m];
+    const FT right = -cross(m_end, edge.source), left = cross(m_end, edge.target);
+    const FT t = right > 0 ? (left > 0 ? right / (right + left) : FT(1)) : FT(0);
+    const Vector p = edge.source + t * (edge.target - edge.source);
+    return {clamped(dot(m_end, p) / m_squared_length), t};
+  }
+
+private:
+  // of the corner between the sides `p` and `q`
+  static FT cosine(const FT& p, const FT& q, const FT& opposite)
+  {
+    return (p * p + (q - opposite) * (q + opposite)) / (2 * p * q);
+  }
+
+  static FT sine(const FT& p, const FT& q, const FT& opposite)
+  {
+    return quadrupled_area(p, q, opposite) / (2 * p * q);
+  }
+
+  // of i->l in the triangle jil
+  Vector direction_at_source(const FT& ij, const FT& jl, const FT& li) const
+  {
+    return m_direction.turned(cosine(li, ij, jl), -sine(li, ij, jl));
+  }
+
+  static FT clamped(const FT& s) { return s < 0 ? FT(0) : s > 1 ? FT(1) : s; }
+
+  std::vector<Segment> m_edges;
+  Vector m_direction{}; // of the last edge
+  Vector m_end{};
+  FT m_squared_length{};
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EUCLIDEAN_STRIP_H

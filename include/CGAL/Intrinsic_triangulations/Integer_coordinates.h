@@ -1,0 +1,282 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTEGER_COORDINATES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTEGER_COORDINATES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
+/// the normal coordinates \f$n\f$ and roundabouts \f$r\f$ of Section 3.1, as property maps on the edges
+/// and halfedges of a triangulation \f$T_2\f$, which encode how the edges of a triangulation \f$T_1\f$
+/// of the same surface run over it. They know no lengths; all their answers are exact.
+///
+/// The curves of \f$T_1\f$ that cross a halfedge are numbered from its source, starting with 0.
+///
+/// \tparam Integer_ a signed integer type; a bounded one is checked for overflow.
+template <typename Integer_>
+class Integer_coordinates
+{
+public:
+  typedef Integer_ Integer;
+  typedef Vertex_spokes::size_type size_type;
+  typedef Delta_complex::Property_map<Edge_index, Integer> Normal_coordinate_map;
+  typedef Delta_complex::Property_map<Halfedge_index, size_type> Roundabout_map;
+
+  /// a crossing \f$\zeta\f$ of a curve of \f$T_1\f$ that leaves the face of `halfedge` through it; it is
+  /// crossing `number` as counted from the source of `halfedge`.
+  struct Crossing
+  {
+    Halfedge_index halfedge;
+    Integer number;
+  };
+
+  /// how a curve goes on in the face beyond a crossing \f$\overrightarrow{ij}\f$ (Figure 3.6).
+  enum class Turn
+  {
+    around_source, ///< it cuts off the corner at \f$i\f$
+    around_target, ///< it cuts off the corner at \f$j\f$
+    ends           ///< it ends at the opposite corner
+  };
+
+  Integer_coordinates() = default;
+
+  /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`; they are created when the
+  /// mesh has none.
+  explicit Integer_coordinates(Delta_complex& mesh)
+    : m_n(mesh.template add_property_map<Edge_index, Integer>("e:normal_coordinate", -1).first),
+      m_r(mesh.template add_property_map<Halfedge_index, size_type>("h:roundabout", 0).first)
+  {}
+
+  /// makes `mesh` and \f$T_1\f$ the same: every edge is shared. Complexity: linear.
+  void set_identity(const Delta_complex& mesh, const Vertex_spokes& spokes)
+  {
+    for(Edge_index e : mesh.edges())
+      m_n[e] = -1;
+    for(Halfedge_index h : mesh.halfedges())
+      m_r[h] = spokes.number(h);
+  }
+
+  /// \name Access
+  /// @{
+
+  /// the normal coordinate \f$n\f$ of `e`: -1 if the edge is in \f$T_1\f$ too, otherwise the number of
+  /// its crossings with edges of \f$T_1\f$.
+  const Integer& normal_coordinate(Edge_index e) const { return m_n[e]; }
+
+  /// the roundabout \f$r\f$ of `h`: the number of the first spoke of \f$T_1\f$ at or counterclockwise
+  /// from `h` around its source.
+  size_type roundabout(Halfedge_index h) const { return m_r[h]; }
+
+  /// whether the edge of `h` is in \f$T_1\f$ too.
+  bool is_shared(Edge_index e) const { return m_n[e] < 0; }
+
+  /// the number \f$n^+\f$ of crossings on the edge of `h`.
+  Integer crossings(Halfedge_index h) const
+  {
+    return Intrinsic_triangulations::crossings(m_n[edge_of(h)]);
+  }
+
+  const Normal_coordinate_map& normal_coordinate_map() const { return m_n; }
+  const Roundabout_map& roundabout_map() const { return m_r; }
+
+  /// @}
+  /// \name Corners
+  /// @{
+
+  /// the number \f$e\f$ of curves that start at the corner opposite to `h` and cross `h` (Equation 3.1).
+  /// \pre `h` is not a border halfedge
+  Integer curves_leaving(Halfedge_index h, const Delta_complex& mesh) const
+  {
+    return Intrinsic_triangulations::curves_leaving(crossings(h), crossings(mesh.prev(h)),
+                                                    crossings(mesh.next(h)));
+  }
+
+  /// the number \f$c\f$ of curves that cut off the corner opposite to `h` (Equation 3.2).
+  /// \pre `h` is not a border halfedge
+  Integer curves_around(Halfedge_index h, const Delta_complex& mesh) const
+  {
+    return Intrinsic_triangulations::curves_around(crossings(h), crossings(mesh.prev(h)),
+                                                   crossings(mesh.next(h)));
+  }
+
+  /// the number of spokes of \f$T_1\f$ at or counterclockwise from `h` and before the next spoke of
+  /// \f$T_2\f$: those that start in the corner at the source of `h`, and the one along `h`.
+  Integer spokes_from(Halfedge_index h, const Delta_complex& mesh) const
+  {
+    const int along = Intrinsic_triangulations::is_shared(m_n[edge_of(h)]);
+    return mesh.is_border(h) ? Integer(along) : curves_leaving(mesh.next(h), mesh) + along;
+  }
+
+  /// @}
+  /// \name Tracing
+  /// Algorithms 1 and 2.
+  /// @{
+
+  /// the first crossing of the curve that leaves the source of `spoke`, counted from `spoke` as number
+  /// `k` of those that start inside its corner. \pre `k < curves_leaving(next(spoke))`
+  Crossing first_crossing(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh) const
+  {
+    const Halfedge_index opposite_side = mesh.next(spoke);
+    return {opposite_side, curves_around(mesh.prev(spoke), mesh) + k};
+  }
+
+  /// moves `c` to the next crossing of its curve; leaves it unchanged if the curve ends.
+  Turn advance(Crossing& c, const Delta_complex& mesh) const
+  {
+    const Halfedge_index ji = mesh.opposite(c.halfedge);
+    const Halfedge_index ik = mesh.next(ji), kj = mesh.prev(ji);
+    if(c.number < curves_around(kj, mesh)) {
+      c.halfedge = ik;
+      return Turn::around_source;
+    }
+    const Integer from_target = crossings(ji) - c.number;
+    if(from_target <= curves_around(ik, mesh)) {
+      c = Crossing{kj, crossings(kj) - from_target};
+      return Turn::around_target;
+    }
+    return Turn::ends;
+  }
+
+  /// the spoke of \f$T_1\f$ along which the curve that ends beyond `c` runs, seen from its end.
+  /// \pre `advance(c)` says that the curve ends
+  Halfedge_index spoke_at_end(const Crossing& c, const Delta_complex& mesh,
+                              const Vertex_spokes& spokes) const
+  {
+    const Halfedge_index ji = mesh.opposite(c.halfedge);
+    const Halfedge_index spoke = mesh.prev(ji);
+    const Integer from_j = crossings(ji) - 1 - c.number;
+    return spoke_in_corner(spoke, from_j - curves_around(mesh.next(ji), mesh), mesh, spokes);
+  }
+
+  /// the spoke of \f$T_1\f$ that is number `k` of those that start inside the corner at the source of
+  /// `spoke`.
+  Halfedge_index spoke_in_corner(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh,
+                                 const Vertex_spokes& spokes) const
+  {
+    const Vertex_index v = mesh.source(spoke);
+    const size_type along = static_cast<size_type>(is_shared(edge_of(spoke)));
+    return spokes.halfedge(v, wrap(m_r[spoke] + along + static_cast<size_type>(k), spokes.degree(v)));
+  }
+
+  /// the halfedge of \f$T_1\f$ that coincides with `h`. \pre `is_shared(edge(h))`
+  Halfedge_index shared_halfedge(Halfedge_index h, const Delta_complex& mesh,
+                                 const Vertex_spokes& spokes) const
+  {
+    return spokes.halfedge(mesh.source(h), m_r[h]);
+  }
+
+  /// @}
+  /// \name Modification
+  /// @{
+
+  /// turns the edge of `h` as `flip_edge()` does and updates its normal coordinate (Equation 3.4) and
+  /// the roundabouts of its halfedges (Equation 3.5). Complexity: constant.
+  /// \throws Overflow_error if the new normal coordinate is out of range; nothing has changed then.
+  /// \pre `flip_status(h, mesh) == Operation_status::possible`
+  void flip(Halfedge_index h, Delta_complex& mesh, const Vertex_spokes& spokes)
+  {
+    const Integer n = flipped_normal_coordinate(diamond(m_n, h, mesh));
+    internal::check_range(n);
+    flip_edge(h, mesh);
+    m_n[edge_of(h)] = n;
+    update_roundabout(h, mesh, spokes);
+    update_roundabout(mesh.opposite(h), mesh, spokes);
+  }
+
+  /// sets the coordinates as they come from a file.
+  void set(Edge_index e, const Integer& n) { m_n[e] = n; }
+  /// sets the coordinates as they come from a file.
+  void set(Halfedge_index h, size_type r) { m_r[h] = r; }
+
+  /// @}
+
+  /// checks the numbers against each other: crossings possible in each face, boundary edges shared, and
+  /// the spokes of both triangulations in step around every vertex. Complexity: linear.
+  bool is_valid(const Delta_complex& mesh, const Vertex_spokes& spokes) const
+  {
+    for(Edge_index e : mesh.edges())
+      if(m_n[e] < -1 || (mesh.is_border(e) && m_n[e] != -1))
+        return false;
+    for(Face_index f : mesh.faces())
+      if(!has_valid_crossings(mesh.halfedge(f), mesh))
+        return false;
+    for(Vertex_index v : mesh.vertices())
+      if(!mesh.is_isolated(v) && !has_valid_roundabouts(v, mesh, spokes))
+        return false;
+    return true;
+  }
+
+private:
+  static Edge_index edge_of(Halfedge_index h) { return Edge_index(h); }
+
+  // `position` has gone less than one round too far
+  static size_type wrap(size_type position, size_type degree)
+  {
+    return position < degree ? position : position - degree;
+  }
+
+  // Equation 3.5 for the halfedge k->l, from the spoke k->i before it
+  void update_roundabout(Halfedge_index kl, const Delta_complex& mesh, const Vertex_spokes& spokes)
+  {
+    const Halfedge_index ki = previous_spoke(kl, mesh);
+    const size_type passed = static_cast<size_type>(spokes_from(ki, mesh));
+    m_r[kl] = wrap(m_r[ki] + passed, spokes.degree(mesh.source(kl)));
+  }
+
+  bool has_valid_crossings(Halfedge_index h, const Delta_complex& mesh) const
+  {
+    return are_valid_crossings(crossings(h), crossings(mesh.next(h)), crossings(mesh.prev(h)));
+  }
+
+  bool has_valid_roundabouts(Vertex_index v, const Delta_complex& mesh,
+                             const Vertex_spokes& spokes) const
+  {
+    const size_type degree = spokes.degree(v);
+    const Halfedge_index first = first_spoke(v, mesh);
+    Integer total(0);
+    for(Halfedge_index h = first; ; h = next_spoke(h, mesh)) {
+      if(m_r[h] >= degree)
+        return false;
+      total += spokes_from(h, mesh);
+      if(mesh.is_border(h))
+        return m_r[h] == degree - 1 && total == Integer(degree);
+      const Halfedge_index following = next_spoke(h, mesh);
+      if(total > Integer(degree) ||
+         m_r[following] != wrap(m_r[h] + static_cast<size_type>(spokes_from(h, mesh)), degree))
+        return false;
+      if(following == first)
+        return total == Integer(degree);
+    }
+  }
+
+  Normal_coordinate_map m_n;
+  Roundabout_map m_r;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
+/// collects the values of the edge map `map` on the diamond around the edge of `h`.
+/// \pre `h` and its opposite are not border halfedges
+template <typename EdgeMap>
+Diamond<typename boost::property_traits<EdgeMap>::value_type>
+diamond(const EdgeMap& map, Halfedge_index h, const Delta_complex& mesh)
+{
+  const Halfedge_index o = mesh.opposite(h);
+  return {map[mesh.edge(h)], map[mesh.edge(mesh.next(h))], map[mesh.edge(mesh.prev(h))],
+          map[mesh.edge(mesh.next(o))], map[mesh.edge(mesh.prev(o))]};
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTEGER_COORDINATES_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXCEPTIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXCEPTIONS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsExceptions
+/// base of all exceptions of the package; `what()` says what is wrong and where.
+class Error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsExceptions
+/// the input violates a precondition; `what()` names the defect and the element that has it.
+class Invalid_input : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsExceptions
+/// a length or position came out as infinite or not a number.
+class Numerical_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsExceptions
+/// a normal coordinate would exceed the range of its integer type; nothing was changed.
+class Overflow_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsExceptions
+/// flipping used up the number of flips it was allowed.
+class Flip_limit_exceeded : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsExceptions
+/// a file does not hold what its format asks for; `line()` says where reading stopped.
+class File_format_error : public Error
+{
+  std::size_t m_line;
+
+public:
+  File_format_error(const std::string& message, std::size_t line)
+    : Error("line " + std::to_string(line) + ": " + message), m_line(line)
+  {}
+
+  /// the number of the offending line, starting from 1.
+  std::size_t line() const { return m_line; }
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXCEPTIONS_H

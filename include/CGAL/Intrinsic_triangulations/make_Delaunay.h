@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELAUNAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELAUNAY_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
+///
+/// \cgalModels `FlipVisitor`
+struct Default_flip_visitor
+{
+  /// is called after the edge of `h` has been flipped.
+  void after_flip(Halfedge_index /* h */) {}
+};
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// says whether every edge of `tri` that could be flipped is Delaunay (Equation 2.6).
+/// Complexity: linear.
+template <typename Traits>
+bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
+{
+  for(Edge_index e : tri.mesh().edges())
+    if(!tri.is_Delaunay(e))
+      return false;
+  return true;
+}
+
+namespace internal {
+
+// Edges that wait to be looked at, each at most once.
+class Edge_stack
+{
+public:
+  explicit Edge_stack(std::size_t number_of_edges) : m_waits(number_of_edges, 0) {}
+
+  bool empty() const { return m_edges.empty(); }
+
+  void push(Edge_index e)
+  {
+    if(!m_waits[e.idx()]) {
+      m_waits[e.idx()] = 1;
+      m_edges.push_back(e);
+    }
+  }
+
+  Edge_index pop()
+  {
+    const Edge_index e = m_edges.back();
+    m_edges.pop_back();
+    m_waits[e.idx()] = 0;
+    return e;
+  }
+
+private:
+  std::vector<Edge_index> m_edges;
+  std::vector<char> m_waits;
+};
+
+// More flips than an intrinsic triangulation of real data has ever been seen to need: each edge is
+// allowed a thousand, and small triangulations that are sheared far a million.
+inline std::size_t default_flip_limit(std::size_t number_of_edges)
+{
+  return 1000000 + 1000 * number_of_edges;
+}
+
+template <typename Traits>
+void push_sides(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri, Edge_stack& stack)
+{
+  const Delta_complex& mesh = tri.mesh();
+  for(Halfedge_index x : {h, mesh.opposite(h)}) {
+    stack.push(mesh.edge(mesh.next(x)));
+    stack.push(mesh.edge(mesh.prev(x)));
+  }
+}
+
+template <typename Traits, typename Visitor>
+std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
+{
+  const Delta_complex& mesh = tri.mesh();
+  Edge_stack stack(mesh.num_edges());
+  for(Edge_index e : mesh.edges())
+    if(!tri.is_Delaunay(e))
+      stack.push(e);
+  std::size_t flips = 0;
+  while(!stack.empty()) {
+    const Edge_index e = stack.pop();
+    if(tri.is_Delaunay(e))
+      continue;
+    if(flips == limit)
+      throw Flip_limit_exceeded("not Delaunay after " + std::to_string(limit) + " flips");
+    const Halfedge_index h = mesh.halfedge(e);
+    tri.flip(h);
+    ++flips;
+    push_sides(h, tri, stack);
+    visitor.after_flip(h);
+  }
+  return flips;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
+///
+/// \tparam Traits a model of `IntrinsicGeometryTraits`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param tri the triangulation
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the number of flips that are allowed}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{a thousand for each edge, and one million}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told every flip; an exception that it throws stops the flipping and
+///                           leaves `tri` valid}
+///     \cgalParamType{a model of `FlipVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamDefault{`Default_flip_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// Complexity: linear in the edges and flips. The number of flips has no bound in the number of edges,
+/// since a geodesic triangulation can be sheared without end; on real meshes it is about the number of
+/// edges. Two stacks of at most one entry for each edge are allocated.
+/// \returns the number of flips
+/// \throws Flip_limit_exceeded if more flips than allowed were needed
+/// \throws Numerical_error if a flipped length is not positive and finite
+/// \throws Overflow_error if a normal coordinate is out of range
+/// After an exception `tri` is a valid triangulation of the same surface.
+/// \post `is_Delaunay(tri)`
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
+                          const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  const Delta_complex& mesh = tri.mesh();
+  const std::size_t limit =
+    choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                     internal::default_flip_limit(mesh.number_of_edges()));
+  Default_flip_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  return internal::make_Delaunay(tri, limit, visitor);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELAUNAY_H
