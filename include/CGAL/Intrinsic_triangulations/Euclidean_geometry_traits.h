@@ -52,27 +52,52 @@ public:
   ///
   /// The sign of \f$\sin(\theta_k + \theta_l)\f$ is that of
   /// \f$(\ell_{jk}^2 + \ell_{ki}^2 - \ell_{ij}^2) A_l + (\ell_{lj}^2 + \ell_{il}^2 - \ell_{ij}^2) A_k\f$,
-  /// with \f$A\f$ the areas. In floating point an edge counts as non-Delaunay when this is below minus
-  /// the bound of its rounding error; so four cocircular points are a tie, and ties are kept.
+  /// with \f$A\f$ the areas. In floating point an edge counts as non-Delaunay only if it is so for all
+  /// lengths within `rounding_unit()` of the stored ones. So four cocircular points are a tie and ties
+  /// are kept, an edge that has just been flipped is never flipped back, and a triangle of zero area
+  /// over its long side gives way.
   struct Is_locally_Delaunay
   {
     bool operator()(const Diamond<FT>& length) const
     {
-      const FT ij = length.ij * length.ij;
+      const FT squared = length.ij * length.ij;
       const FT sides_k = length.jk * length.jk + length.ki * length.ki;
       const FT sides_l = length.lj * length.lj + length.il * length.il;
-      const FT cos_k = sides_k - ij, cos_l = sides_l - ij;
-      if(!(cos_k < 0) && !(cos_l < 0))
+      if(!(sides_k < squared) && !(sides_l < squared))
         return true;
-      const FT area_k = quadrupled_area(length.ij, length.jk, length.ki);
-      const FT area_l = quadrupled_area(length.ij, length.lj, length.il);
-      const FT rounding = rounding_unit<FT>() * ((sides_k + ij) * area_l + (sides_l + ij) * area_k);
-      return !(cos_k * area_l + cos_l * area_k < -rounding);
+      const Corner k{sides_k, squared, length.jk, length.ki}, l{sides_l, squared, length.lj, length.il};
+      return sides_k < sides_l ? !exceeds_pi(k, l, length.ij) : !exceeds_pi(l, k, length.ij);
+    }
+
+  private:
+    // the corner opposite to ij, with the sum of its squared sides, the square of ij, and the sides
+    struct Corner
+    {
+      FT sides, squared, p, q;
+
+      FT cosine(const FT& error) const { return sides - squared + error * (sides + squared); }
+      FT sine(const FT& ij, const FT& error) const
+      {
+        return quadrupled_area(ij, p, q, error * (ij + p + q));
+      }
+    };
+
+    // whether two angles, the first of them obtuse, add up to more than pi for certain; sines and
+    // cosines have a common positive factor in each corner
+    static bool exceeds_pi(const Corner& obtuse, const Corner& other, const FT& ij)
+    {
+      const FT u = rounding_unit<FT>();
+      const FT cos_obtuse = obtuse.cosine(u), cos_other = other.cosine(u);
+      if(!(cos_obtuse < 0))
+        return false;
+      if(cos_other < 0)
+        return true;
+      return cos_other * obtuse.sine(ij, u) < -cos_obtuse * other.sine(ij, -u);
     }
   };
 
   /// decides whether the diamond is strictly convex at \f$i\f$ and \f$j\f$, so that \f$ij\f$ can be
-  /// flipped; in floating point, whether this is certain for the stored lengths.
+  /// flipped; in floating point, whether this is certain in spite of rounding.
   struct Is_convex
   {
     bool operator()(const Diamond<FT>& length) const
@@ -84,7 +109,8 @@ public:
       // kl crosses ij at this distance from its midpoint, times the sum of the heights
       const FT crossing = CGAL::abs(foot_k * height_l + foot_l * height_k);
       const FT half = length.ij * (height_k + height_l) / 2;
-      return crossing < half - rounding_unit<FT>() * half;
+      const FT sum = CGAL::abs(foot_k) * height_l + CGAL::abs(foot_l) * height_k + half;
+      return crossing < half - rounding_unit<FT>() * sum;
     }
   };
 

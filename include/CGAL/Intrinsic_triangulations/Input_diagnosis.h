@@ -139,7 +139,8 @@ public:
     double min_angle = std::numeric_limits<double>::infinity();
     /// smallest finite edge length, infinite if there is none
     double min_edge_length = std::numeric_limits<double>::infinity();
-    double max_edge_length = 0; ///< largest finite edge length
+    /// largest finite edge length, minus infinity if there is none
+    double max_edge_length = -std::numeric_limits<double>::infinity();
   };
 
   /// returns how often a defect of kind `kind` occurs. Takes constant time.

@@ -237,6 +237,16 @@ public:
     return m_coordinates.shared_halfedge(h, m_mesh, m_spokes);
   }
 
+  /// the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around its source.
+  Halfedge_index input_spoke_before(Halfedge_index h) const
+  {
+    const Vertex_index v = m_mesh.source(h);
+    const size_type r = m_coordinates.roundabout(h);
+    if(m_coordinates.is_shared(m_mesh.edge(h)))
+      return m_spokes.halfedge(v, r);
+    return m_spokes.halfedge(v, (r == 0 ? m_spokes.degree(v) : r) - 1);
+  }
+
   /// checks everything: connectivity, lengths, integer coordinates, and that every edge of \f$T_1\f$ runs
   /// over \f$T_2\f$ to its other end. Complexity: linear in the elements and crossings.
   bool is_valid(bool verbose = false) const

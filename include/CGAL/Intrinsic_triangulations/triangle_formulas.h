@@ -16,9 +16,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the one tolerance of the package: a bound, relative to the terms that are added up, for the rounding
-/// of the formulas in a triangle. Zero for exact number types; for floating point 16 units in the last
-/// place, while the formulas take fewer than ten roundings each.
+/// the one tolerance of the package: the relative error that a decision grants to every length. Zero for
+/// exact number types; for floating point 16 units in the last place, while a length comes from fewer
+/// than ten roundings.
 template <typename FT>
 constexpr FT rounding_unit()
 {
@@ -31,17 +31,18 @@ constexpr FT rounding_unit()
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// four times the area of the triangle with sides `a`, `b`, `c`, by Kahan's form of Heron's formula,
 /// which loses no digits on needles. A triangle that rounding has pressed beyond flat counts as flat.
+/// \param extra is added to the slack \f$b + c - a\f$ of each of the three triangle inequalities
 template <typename FT>
-FT quadrupled_area(FT a, FT b, FT c)
+FT quadrupled_area(FT a, FT b, FT c, const FT& extra = FT(0))
 {
   using std::swap;
   if(a < b) swap(a, b);
   if(b < c) swap(b, c);
   if(a < b) swap(a, b);
-  const FT slack = c - (a - b);
-  if(!(slack > 0))
+  const FT slack_a = c - (a - b) + extra, slack_b = c + (a - b) + extra, slack_c = a + (b - c) + extra;
+  if(!(slack_a > 0) || !(slack_b > 0))
     return FT(0);
-  return CGAL::sqrt((a + (b + c)) * slack * (c + (a - b)) * (a + (b - c)));
+  return CGAL::sqrt((a + (b + c)) * slack_a * slack_b * slack_c);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas

@@ -10,6 +10,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
 #include <CGAL/Intrinsic_triangulations/internal/diagnose_complex.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -25,9 +25,6 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
-
-// Lengths that were rounded to double may miss the triangle inequality by this much, relatively.
-inline constexpr double length_rounding = 4 * std::numeric_limits<double>::epsilon();
 
 // Degrees of the angle opposite the shortest side (Kahan's formula, stable for needles).
 inline double smallest_angle(std::array<double, 3> sides)
@@ -39,11 +36,11 @@ inline double smallest_angle(std::array<double, 3> sides)
   return t > 0 ? degrees_per_radian * 2 * std::atan(std::sqrt(t)) : 0;
 }
 
-// By how much the longest side exceeds the other two together, relatively to itself.
+// By how much the longest side exceeds the other two together, relatively to the perimeter.
 inline double triangle_inequality_excess(std::array<double, 3> sides)
 {
   std::sort(sides.begin(), sides.end());
-  return ((sides[2] - sides[1]) - sides[0]) / sides[2];
+  return ((sides[2] - sides[1]) - sides[0]) / (sides[0] + sides[1] + sides[2]);
 }
 
 // The embedding, rounded to double.
@@ -133,9 +130,10 @@ public:
   void check_shape(std::size_t f, const std::array<double, 3>& sides)
   {
     const double excess = triangle_inequality_excess(sides);
-    if (excess > length_rounding)
+    const double rounding = rounding_unit<double>();
+    if (excess > rounding)
       m_diagnosis.add(Defect_kind::TRIANGLE_INEQUALITY_VIOLATED, m_complex.face(f));
-    else if (excess >= -length_rounding)
+    else if (excess >= -rounding)
       m_diagnosis.add(Defect_kind::DEGENERATE_FACE, m_complex.face(f));
     else if (smallest_angle(sides) < needle_angle_in_degrees)
       m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));

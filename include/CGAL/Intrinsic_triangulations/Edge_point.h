@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EDGE_POINT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_POINT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <array>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// a point on an edge of a triangulation: \f$(1-t)\f$ times the source plus \f$t\f$ times the target of
+/// a halfedge. The ends of the edge are `t == 0` and `t == 1`, exactly.
+template <typename FT>
+struct Edge_point
+{
+  Halfedge_index halfedge;
+  FT t;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// the same point seen from the other side of its edge.
+template <typename FT>
+Edge_point<FT> reversed(const Edge_point<FT>& p, const Delta_complex& mesh)
+{
+  return {mesh.opposite(p.halfedge), 1 - p.t};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// a point in a face, with barycentric coordinates that sum up to one and belong to the source of
+/// `halfedge(f)`, its target, and the target of the next halfedge, as in `CGAL::Polygon_mesh_processing`.
+/// A point on an edge or at a vertex has coordinates that are exactly zero.
+template <typename FT>
+using Face_location = std::pair<Face_index, std::array<FT, 3>>;
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// a point where an edge of \f$T_1\f$ and an edge of \f$T_2\f$ meet: its place on both.
+template <typename FT>
+struct Trace_point
+{
+  Edge_point<FT> on_input;
+  Edge_point<FT> on_intrinsic;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// names one of the two triangulations of a surface.
+enum class Side
+{
+  input,    ///< \f$T_1\f$
+  intrinsic ///< \f$T_2\f$
+};
+
+namespace internal {
+
+// the halfedges of a face in the order of its barycentric coordinates: side s leads from corner s to
+// corner s + 1
+inline std::array<Halfedge_index, 3> sides(Face_index f, const Delta_complex& mesh)
+{
+  const Halfedge_index h = mesh.halfedge(f);
+  return {h, mesh.next(h), mesh.prev(h)};
+}
+
+// the barycentric coordinates of a point at `t` along side `s` of a face
+template <typename FT>
+std::array<FT, 3> barycentric_coordinates(std::size_t s, const FT& t)
+{
+  std::array<FT, 3> b{FT(0), FT(0), FT(0)};
+  b[s] = 1 - t;
+  b[(s + 1) % 3] = t;
+  return b;
+}
+
+// the place of `p` in the face of its halfedge
+template <typename FT>
+Face_location<FT> face_location(const Edge_point<FT>& p, const Delta_complex& mesh)
+{
+  const Face_index f = mesh.face(p.halfedge);
+  const auto side = sides(f, mesh);
+  const std::size_t s = p.halfedge == side[0] ? 0 : p.halfedge == side[1] ? 1 : 2;
+  return {f, barycentric_coordinates(s, p.t)};
+}
+
+} // namespace internal
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_POINT_H

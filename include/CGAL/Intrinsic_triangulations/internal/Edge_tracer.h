@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EDGE_TRACER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EDGE_TRACER_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Follows edges of T1 over T2, first through the crossings (Algorithm 2), then along the straight line
+// in the strip of triangles (Algorithm 3). One object traces many edges and allocates no memory for
+// those that are no longer than the ones before.
+template <typename Traits>
+class Edge_tracer
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Integer Integer;
+  typedef typename Triangulation::Coordinates Coordinates;
+  typedef typename Coordinates::Turn Turn;
+
+public:
+  typedef typename Coordinates::Crossing Crossing;
+
+  explicit Edge_tracer(const Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
+
+  // Traces curve number `k` of those that start in the corner of `spoke`.
+  void trace(Halfedge_index spoke, const Integer& k)
+  {
+    m_crossings.clear();
+    Crossing c = m_tri.coordinates().first_crossing(spoke, k, m_mesh);
+    m_strip.start(length(spoke), length(c.halfedge), length(m_mesh.prev(spoke)));
+    do
+      m_crossings.push_back(c);
+    while(advance(c));
+    recover_positions();
+  }
+
+  std::size_t size() const { return m_crossings.size(); }
+
+  // Crossing number `m` of the curve: it leaves the face of the halfedge there.
+  const Crossing& crossing(std::size_t m) const { return m_crossings[m]; }
+
+  // The barycentric coordinates of that crossing along the curve (they never decrease) and along the
+  // halfedge.
+  const typename Traits::Geodesic_strip::Crossing& position(std::size_t m) const
+  {
+    return m_positions[m];
+  }
+
+private:
+  const FT& length(Halfedge_index h) const { return m_tri.length(m_mesh.edge(h)); }
+
+  bool advance(Crossing& c)
+  {
+    const Halfedge_index ij = c.halfedge, ji = m_mesh.opposite(ij);
+    const FT &l_ij = length(ij), &l_il = length(m_mesh.next(ji)), &l_lj = length(m_mesh.prev(ji));
+    switch(m_tri.coordinates().advance(c, m_mesh)) {
+      case Turn::around_source: m_strip.turn_around_source(l_ij, l_lj, l_il); return true;
+      case Turn::around_target: m_strip.turn_around_target(l_ij, l_lj, l_il); return true;
+      default: m_strip.finish(l_ij, l_lj, l_il); return false;
+    }
+  }
+
+  // The order along the curve is known: rounding may move a crossing, but never past another.
+  void recover_positions()
+  {
+    if(!m_tri.traits().is_length_object()(m_strip.length()))
+      throw Numerical_error("the strip of an edge of the input from vertex " +
+                            std::to_string(first_vertex().idx()) + " has no positive finite length");
+    m_positions.clear();
+    FT along_line(0);
+    for(std::size_t m = 0; m < size(); ++m) {
+      m_positions.push_back(m_strip.crossing(m));
+      FT& s = m_positions.back().along_line;
+      along_line = s = (std::max)(along_line, s);
+    }
+  }
+
+  Vertex_index first_vertex() const
+  {
+    return m_mesh.target(m_mesh.next(m_crossings.front().halfedge));
+  }
+
+  const Triangulation& m_tri;
+  const Delta_complex& m_mesh;
+  typename Traits::Geodesic_strip m_strip;
+  std::vector<Crossing> m_crossings;
+  std::vector<typename Traits::Geodesic_strip::Crossing> m_positions;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_EDGE_TRACER_H
