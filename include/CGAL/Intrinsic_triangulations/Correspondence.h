@@ -105,7 +105,7 @@ public:
   Trace_point<FT> crossing(size_type id) const
   {
     const Record& record = m_records[id];
-    return {{even(record.input), record.s}, {m_tri.mesh().halfedge(record.intrinsic), record.t}};
+    return {{even(record.input), record.s}, {first_halfedge(record.intrinsic), record.t}};
   }
 
   /// the number of crossing `id` along the edge of \f$T_1\f$ on which it lies, from the source of its
@@ -135,6 +135,8 @@ private:
   static bool is_even(Halfedge_index h) { return h.idx() % 2 == 0; }
   static Halfedge_index even(Halfedge_index h) { return Halfedge_index(h.idx() & ~size_type(1)); }
   static Halfedge_index twin(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
+  // mesh.halfedge(e) is the halfedge that `e` was made from
+  static Halfedge_index first_halfedge(Edge_index e) { return Halfedge_index(2 * e.idx()); }
   static Edge_point<FT> on(Halfedge_index h, const FT& t) { return {h, is_even(h) ? t : FT(1 - t)}; }
 
   Crossing seen_from_intrinsic(Halfedge_index h, size_type id) const
@@ -148,7 +150,7 @@ private:
   Crossing seen_from_input(Halfedge_index h, size_type id) const
   {
     const Record& r = m_records[id];
-    const Halfedge_index first = m_tri.mesh().halfedge(r.intrinsic);
+    const Halfedge_index first = first_halfedge(r.intrinsic);
     return {id, on(h, r.s), on(h == r.input ? twin(first) : first, r.t)};
   }
 

@@ -156,7 +156,7 @@ public:
   std::size_t number_of_fatal_defects() const
   {
     std::size_t n = 0;
-    for (const Defect_description& d : defect_descriptions)
+    for(const Defect_description& d : defect_descriptions)
       n += d.is_fatal ? count(d.kind) : 0;
     return n;
   }
@@ -182,8 +182,8 @@ public:
   std::string message() const
   {
     std::string result;
-    for (const Defect_description& d : defect_descriptions)
-      if (d.is_fatal && count(d.kind) > 0)
+    for(const Defect_description& d : defect_descriptions)
+      if(d.is_fatal && count(d.kind) > 0)
         result += (result.empty() ? "" : "; ") + message(d.kind);
     return result;
   }
@@ -191,8 +191,8 @@ public:
   /// writes one line per kind of defect that was found, fatal ones first.
   friend std::ostream& operator<<(std::ostream& out, const Input_diagnosis& diagnosis)
   {
-    for (const Defect_description& d : defect_descriptions)
-      if (diagnosis.count(d.kind) > 0)
+    for(const Defect_description& d : defect_descriptions)
+      if(diagnosis.count(d.kind) > 0)
         out << (d.is_fatal ? "error: " : "note: ") << diagnosis.message(d.kind) << " - "
             << d.sentence << '\n';
     return out;
@@ -203,7 +203,7 @@ public:
   {
     Record& r = m_records[static_cast<std::size_t>(kind)];
     ++r.count;
-    if (r.occurrences.size() < maximal_number_of_occurrences)
+    if(r.occurrences.size() < maximal_number_of_occurrences)
       r.occurrences.push_back(occurrence);
   }
 
@@ -221,13 +221,13 @@ private:
 
   static void write_place(std::ostream& out, Defect_element element, const Occurrence& o)
   {
-    if (element == Defect_element::FACE)
+    if(element == Defect_element::FACE)
       out << "at face " << o.face;
-    else if (element == Defect_element::VERTEX)
+    else if(element == Defect_element::VERTEX)
       out << "at vertex " << o.vertices[0];
     else
       out << "between vertices " << o.vertices[0] << " and " << o.vertices[1];
-    if (element == Defect_element::EDGE && o.face != none)
+    if(element == Defect_element::EDGE && o.face != none)
       out << " (face " << o.face << ")";
   }
 

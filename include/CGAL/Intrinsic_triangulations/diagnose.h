@@ -52,7 +52,7 @@ void diagnose_graph_points(const Graph& g, const Diagnosis_complex& complex,
   using Point = typename boost::property_traits<std::decay_t<decltype(vpm)>>::value_type;
   std::vector<Point> points;
   points.reserve(complex.number_of_vertices);
-  for (const auto v : vertices(g))
+  for(const auto v : vertices(g))
     points.push_back(get(vpm, v));
   diagnose_embedded(complex, points, diagnosis);
 }
@@ -63,7 +63,7 @@ void diagnose_graph_lengths(const Graph& g, const Diagnosis_complex& complex, co
 {
   std::vector<double> lengths;
   lengths.reserve(complex.number_of_edges());
-  for (const auto e : edges(g))
+  for(const auto e : edges(g))
     lengths.push_back(CGAL::to_double(get(map, e)));
   diagnose_lengths(complex, lengths, diagnosis);
 }
@@ -135,7 +135,7 @@ Input_diagnosis diagnose(const Graph& g,
   const internal::Diagnosis_complex complex = internal::Graph_complex_builder<Graph>(g)();
   using Is_embedded =
     CGAL::parameters::is_default_parameter<NamedParameters, internal_np::edge_length_map_t>;
-  if constexpr (Is_embedded::value)
+  if constexpr(Is_embedded::value)
     internal::diagnose_graph_points(g, complex, np, result);
   else
     internal::diagnose_graph_lengths(

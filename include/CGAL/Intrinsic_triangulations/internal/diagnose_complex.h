@@ -122,7 +122,7 @@ public:
   template <class PolygonRange>
   Diagnosis_complex operator()(const PolygonRange& polygons)
   {
-    for (const auto& polygon : polygons)
+    for(const auto& polygon : polygons)
       add_face(polygon);
     add_edges();
     return std::move(m_complex);
@@ -132,8 +132,8 @@ private:
   template <class Polygon>
   void add_face(const Polygon& polygon)
   {
-    if (is_usable(polygon))
-      for (const auto& v : polygon)
+    if(is_usable(polygon))
+      for(const auto& v : polygon)
         m_complex.add_corner(static_cast<std::size_t>(v));
     m_complex.close_face();
   }
@@ -143,9 +143,9 @@ private:
   {
     const std::size_t f = m_complex.number_of_faces();
     bool in_range = true, distinct = true;
-    for (const auto& index : polygon) {
+    for(const auto& index : polygon) {
       const std::size_t v = static_cast<std::size_t>(index);
-      if (v >= m_complex.number_of_vertices) {
+      if(v >= m_complex.number_of_vertices) {
         in_range = false;
         continue;
       }
@@ -153,11 +153,11 @@ private:
       m_last_face[v] = f;
       m_complex.is_mentioned[v] = true;
     }
-    if (!in_range)
+    if(!in_range)
       m_diagnosis.add(Defect_kind::FACE_INDEX_OUT_OF_RANGE, m_complex.face(f));
-    if (!distinct)
+    if(!distinct)
       m_diagnosis.add(Defect_kind::REPEATED_VERTEX_IN_FACE, m_complex.face(f));
-    if (polygon.size() == 0)
+    if(polygon.size() == 0)
       m_diagnosis.add(Defect_kind::NON_TRIANGULAR_FACE, m_complex.face(f));
     return in_range && distinct;
   }
@@ -179,12 +179,12 @@ private:
   std::vector<std::size_t> sorted_by(const Key& key, const std::vector<std::size_t>& order) const
   {
     std::vector<std::size_t> position(m_complex.number_of_vertices + 1, 0);
-    for (const std::size_t corner : order)
+    for(const std::size_t corner : order)
       ++position[key(corner) + 1];
-    for (std::size_t v = 0; v < m_complex.number_of_vertices; ++v)
+    for(std::size_t v = 0; v < m_complex.number_of_vertices; ++v)
       position[v + 1] += position[v];
     std::vector<std::size_t> result(order.size());
-    for (const std::size_t corner : order)
+    for(const std::size_t corner : order)
       result[position[key(corner)]++] = corner;
     return result;
   }
@@ -192,13 +192,13 @@ private:
   void add_edges()
   {
     std::vector<std::size_t> order(m_complex.corner_vertex.size());
-    for (std::size_t c = 0; c < order.size(); ++c)
+    for(std::size_t c = 0; c < order.size(); ++c)
       order[c] = c;
     order = sorted_by([this](std::size_t c) { return larger_end(c); }, order);
     order = sorted_by([this](std::size_t c) { return smaller_end(c); }, order);
-    for (const std::size_t corner : order) {
+    for(const std::size_t corner : order) {
       const std::array<std::size_t, 2> ends = {smaller_end(corner), larger_end(corner)};
-      if (m_complex.edge_ends.empty() || m_complex.edge_ends.back() != ends)
+      if(m_complex.edge_ends.empty() || m_complex.edge_ends.back() != ends)
         m_complex.add_edge(ends[0], ends[1]);
       m_complex.add_side_of_last_edge(corner, m_complex.corner_vertex[corner] == ends[0]);
     }
@@ -227,12 +227,12 @@ public:
   Diagnosis_complex operator()()
   {
     std::size_t n = 0;
-    for (const vertex_descriptor v : vertices(m_graph))
+    for(const vertex_descriptor v : vertices(m_graph))
       put(m_vertex_index, v, n++);
     m_complex.add_vertices(n);
-    for (const auto f : faces(m_graph))
+    for(const auto f : faces(m_graph))
       add_face(halfedge(f, m_graph));
-    for (const auto e : edges(m_graph))
+    for(const auto e : edges(m_graph))
       add_edge(halfedge(e, m_graph));
     return std::move(m_complex);
   }
@@ -250,7 +250,7 @@ private:
       put(m_corner, h, m_complex.corner_vertex.size());
       m_complex.add_corner(index_of_source(h));
       h = next(h, m_graph);
-    } while (h != first);
+    } while(h != first);
     m_complex.close_face();
   }
 
@@ -258,16 +258,13 @@ private:
   {
     const halfedge_descriptor o = opposite(h, m_graph);
     m_complex.add_edge(index_of_source(h), index_of_source(o));
-    if (has_face(h))
+    if(has_face(h))
       m_complex.add_side_of_last_edge(get(m_corner, h), true);
-    if (has_face(o))
+    if(has_face(o))
       m_complex.add_side_of_last_edge(get(m_corner, o), false);
   }
 
-  bool has_face(halfedge_descriptor h) const
-  {
-    return face(h, m_graph) != Traits::null_face();
-  }
+  bool has_face(halfedge_descriptor h) const { return face(h, m_graph) != Traits::null_face(); }
 
   const Graph& m_graph;
   Diagnosis_complex m_complex;

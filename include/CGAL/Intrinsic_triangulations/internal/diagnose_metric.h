@@ -48,7 +48,8 @@ template <class Points>
 class Embedded_metric
 {
 public:
-  Embedded_metric(const Diagnosis_complex& complex, const Points& points, Input_diagnosis& diagnosis)
+  Embedded_metric(const Diagnosis_complex& complex, const Points& points,
+                  Input_diagnosis& diagnosis)
     : m_complex(complex), m_points(points), m_diagnosis(diagnosis)
   {}
 
@@ -64,10 +65,10 @@ public:
   void check_vertices()
   {
     m_is_finite.assign(m_complex.number_of_vertices, true);
-    for (std::size_t v = 0; v < m_complex.number_of_vertices; ++v) {
+    for(std::size_t v = 0; v < m_complex.number_of_vertices; ++v) {
       const Exact_point p = point(v);
       m_is_finite[v] = std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-      if (!m_is_finite[v])
+      if(!m_is_finite[v])
         m_diagnosis.add(Defect_kind::NON_FINITE_COORDINATE, m_complex.vertex(v));
     }
   }
@@ -83,9 +84,9 @@ public:
   void check_shape(std::size_t f, const std::array<double, 3>& sides)
   {
     const std::size_t c = m_complex.first_corner[f];
-    if (collinear(corner_point(c), corner_point(c + 1), corner_point(c + 2)))
+    if(collinear(corner_point(c), corner_point(c + 1), corner_point(c + 2)))
       m_diagnosis.add(Defect_kind::DEGENERATE_FACE, m_complex.face(f));
-    else if (smallest_angle(sides) < needle_angle_in_degrees)
+    else if(smallest_angle(sides) < needle_angle_in_degrees)
       m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));
   }
 
@@ -131,11 +132,11 @@ public:
   {
     const double excess = triangle_inequality_excess(sides);
     const double rounding = rounding_unit<double>();
-    if (excess > rounding)
+    if(excess > rounding)
       m_diagnosis.add(Defect_kind::TRIANGLE_INEQUALITY_VIOLATED, m_complex.face(f));
-    else if (excess >= -rounding)
+    else if(excess >= -rounding)
       m_diagnosis.add(Defect_kind::DEGENERATE_FACE, m_complex.face(f));
-    else if (smallest_angle(sides) < needle_angle_in_degrees)
+    else if(smallest_angle(sides) < needle_angle_in_degrees)
       m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));
   }
 
@@ -160,10 +161,10 @@ public:
   void operator()()
   {
     m_metric.check_vertices();
-    for (std::size_t e = 0; e < m_complex.number_of_edges(); ++e)
+    for(std::size_t e = 0; e < m_complex.number_of_edges(); ++e)
       check_edge(e);
-    for (std::size_t f = 0; f < m_complex.number_of_faces(); ++f)
-      if (m_complex.degree(f) == 3)
+    for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f)
+      if(m_complex.degree(f) == 3)
         check_triangle(f);
   }
 
@@ -171,13 +172,13 @@ private:
   void check_edge(std::size_t e)
   {
     const double length = m_metric.length(e);
-    for (std::size_t i = m_complex.first_side[e]; i < m_complex.first_side[e + 1]; ++i)
+    for(std::size_t i = m_complex.first_side[e]; i < m_complex.first_side[e + 1]; ++i)
       m_corner_length[m_complex.sides[i].corner] = length;
-    if (!m_metric.is_measurable(e))
+    if(!m_metric.is_measurable(e))
       return;
-    if (length == 0)
+    if(length == 0)
       m_diagnosis.add(Defect_kind::ZERO_LENGTH_EDGE, m_complex.edge(e));
-    if (is_length(length))
+    if(is_length(length))
       note_length(length);
     else
       m_diagnosis.add(Defect_kind::INVALID_LENGTH, m_complex.edge(e));
@@ -198,7 +199,7 @@ private:
     const std::size_t c = m_complex.first_corner[f];
     const std::array<double, 3> sides = {m_corner_length[c], m_corner_length[c + 1],
                                          m_corner_length[c + 2]};
-    if (!std::all_of(sides.begin(), sides.end(), [](double l) { return is_length(l) && l > 0; }))
+    if(!std::all_of(sides.begin(), sides.end(), [](double l) { return is_length(l) && l > 0; }))
       return;
     Input_diagnosis::Statistics& s = m_diagnosis.statistics();
     s.min_angle = (std::min)(s.min_angle, smallest_angle(sides));

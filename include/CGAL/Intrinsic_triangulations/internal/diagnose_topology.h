@@ -35,7 +35,7 @@ public:
   void operator()()
   {
     check_face_degrees();
-    for (std::size_t e = 0; e < m_complex.number_of_edges(); ++e) {
+    for(std::size_t e = 0; e < m_complex.number_of_edges(); ++e) {
       check_edge(e);
       glue_faces_along(e);
     }
@@ -54,27 +54,27 @@ private:
   // Faces that have no corner were reported when they were left out.
   void check_face_degrees()
   {
-    for (std::size_t f = 0; f < m_complex.number_of_faces(); ++f)
-      if (m_complex.degree(f) != 3 && m_complex.degree(f) != 0)
+    for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f)
+      if(m_complex.degree(f) != 3 && m_complex.degree(f) != 0)
         m_diagnosis.add(Defect_kind::NON_TRIANGULAR_FACE, m_complex.face(f));
   }
 
   void check_edge(std::size_t e)
   {
     const std::size_t n = m_complex.sides_of(e);
-    if (n == 0 || n > 2)
+    if(n == 0 || n > 2)
       m_diagnosis.add(Defect_kind::NON_MANIFOLD_EDGE, m_complex.edge(e));
-    else if (n == 2 && side(e, 0).forward == side(e, 1).forward)
+    else if(n == 2 && side(e, 0).forward == side(e, 1).forward)
       m_diagnosis.add(Defect_kind::INCONSISTENT_ORIENTATION, m_complex.edge(e));
   }
 
   void glue_faces_along(std::size_t e)
   {
-    for (std::size_t i = 1; i < m_complex.sides_of(e); ++i) {
+    for(std::size_t i = 1; i < m_complex.sides_of(e); ++i) {
       const Edge_side& s = side(e, 0);
       const Edge_side& t = side(e, i);
       m_components.union_set(m_complex.corner_face[s.corner], m_complex.corner_face[t.corner]);
-      for (const int end : {0, 1})
+      for(const int end : {0, 1})
         m_umbrellas.union_set(m_complex.corner_at(s, end), m_complex.corner_at(t, end));
     }
   }
@@ -82,13 +82,13 @@ private:
   void check_vertices()
   {
     std::vector<std::size_t> umbrellas(m_complex.number_of_vertices, 0);
-    for (std::size_t c = 0; c < m_complex.corner_vertex.size(); ++c)
-      if (m_umbrellas.find_set(c) == c)
+    for(std::size_t c = 0; c < m_complex.corner_vertex.size(); ++c)
+      if(m_umbrellas.find_set(c) == c)
         ++umbrellas[m_complex.corner_vertex[c]];
-    for (std::size_t v = 0; v < umbrellas.size(); ++v) {
-      if (umbrellas[v] > 1)
+    for(std::size_t v = 0; v < umbrellas.size(); ++v) {
+      if(umbrellas[v] > 1)
         m_diagnosis.add(Defect_kind::NON_MANIFOLD_VERTEX, m_complex.vertex(v));
-      if (!m_complex.is_mentioned[v])
+      if(!m_complex.is_mentioned[v])
         m_diagnosis.add(Defect_kind::ISOLATED_VERTEX, m_complex.vertex(v));
     }
   }
@@ -97,15 +97,15 @@ private:
   {
     std::vector<std::size_t> first_faces;
     std::vector<bool> is_met(m_complex.number_of_faces(), false);
-    for (std::size_t f = 0; f < m_complex.number_of_faces(); ++f) {
+    for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f) {
       const std::size_t root = m_components.find_set(f);
-      if (m_complex.degree(f) > 0 && !is_met[root])
+      if(m_complex.degree(f) > 0 && !is_met[root])
         first_faces.push_back(f);
       is_met[root] = true;
     }
     m_diagnosis.statistics().components = first_faces.size();
-    if (first_faces.size() > 1)
-      for (const std::size_t f : first_faces)
+    if(first_faces.size() > 1)
+      for(const std::size_t f : first_faces)
         m_diagnosis.add(Defect_kind::SEVERAL_COMPONENTS, m_complex.face(f));
   }
 
@@ -126,10 +126,10 @@ private:
     std::vector<std::size_t> boundary_corner(m_complex.corner_vertex.size(), Input_diagnosis::none);
     Sets loops(m_complex.number_of_edges());
     std::size_t n = 0;
-    for (std::size_t e = 0; e < m_complex.number_of_edges(); ++e)
-      if (m_complex.sides_of(e) == 1) {
+    for(std::size_t e = 0; e < m_complex.number_of_edges(); ++e)
+      if(m_complex.sides_of(e) == 1) {
         ++n;
-        for (const int end : {0, 1})
+        for(const int end : {0, 1})
           n -= join_at(m_umbrellas.find_set(m_complex.corner_at(side(e, 0), end)), e,
                        boundary_corner, loops);
       }
@@ -140,10 +140,10 @@ private:
   static std::size_t join_at(std::size_t umbrella, std::size_t e, std::vector<std::size_t>& edge_at,
                              Sets& loops)
   {
-    if (edge_at[umbrella] == Input_diagnosis::none)
+    if(edge_at[umbrella] == Input_diagnosis::none)
       edge_at[umbrella] = e;
     const std::size_t a = loops.find_set(e), b = loops.find_set(edge_at[umbrella]);
-    if (a == b)
+    if(a == b)
       return 0;
     loops.link(a, b);
     return 1;

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_POINT_ACROSS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_POINT_ACROSS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/trace.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// the sides of a face as a correspondence has them
+template <typename Traits>
+class Correspondence_marks
+{
+  typedef typename Traits::FT FT;
+  typedef Delta_complex::size_type size_type;
+
+public:
+  Correspondence_marks(Side side, Face_index f, const Correspondence<Traits>& correspondence)
+    : m_side(side), m_halfedge(sides(f, correspondence.mesh(side))), m_correspondence(correspondence)
+  {}
+
+  std::size_t crossings(std::size_t s) const
+  {
+    return m_correspondence.number_of_crossings(m_side, Edge_index(m_halfedge[s]));
+  }
+  FT here(std::size_t s, std::size_t p) const { return crossing(s, p).here.t; }
+  Edge_point<FT> across(std::size_t s, std::size_t p) const { return crossing(s, p).across; }
+  Halfedge_index spoke_before(std::size_t s) const
+  {
+    return m_correspondence.spoke_before(m_side, m_halfedge[s]);
+  }
+
+private:
+  auto crossing(std::size_t s, std::size_t p) const
+  {
+    return m_correspondence.crossing(m_side, m_halfedge[s], static_cast<size_type>(p));
+  }
+
+  Side m_side;
+  std::array<Halfedge_index, 3> m_halfedge;
+  const Correspondence<Traits>& m_correspondence;
+};
+
+// the sides of a face, traced one by one
+template <typename Traits>
+class Traced_marks
+{
+  typedef typename Traits::FT FT;
+
+public:
+  Traced_marks(Side side, Face_index f, const Intrinsic_triangulation<Traits>& tri) : m_side(side)
+  {
+    const bool is_input = side == Side::input;
+    const auto halfedge = sides(f, is_input ? tri.input_mesh() : tri.mesh());
+    for(std::size_t s = 0; s < 3; ++s)
+      m_trace[s] = is_input ? trace_input_edge(halfedge[s], tri)
+                            : trace_intrinsic_edge(halfedge[s], tri);
+    m_other = is_input ? &tri.mesh() : &tri.input_mesh();
+  }
+
+  // an edge has two ends, and so has its trace
+  std::size_t crossings(std::size_t s) const { return m_trace[s].size() - 2; }
+  FT here(std::size_t s, std::size_t p) const
+  {
+    const Trace_point<FT>& point = m_trace[s][p + 1];
+    return m_side == Side::input ? point.on_input.t : point.on_intrinsic.t;
+  }
+  Edge_point<FT> across(std::size_t s, std::size_t p) const
+  {
+    return reversed(there(s, p + 1), *m_other);
+  }
+  Halfedge_index spoke_before(std::size_t s) const { return there(s, 0).halfedge; }
+
+private:
+  const Edge_point<FT>& there(std::size_t s, std::size_t point) const
+  {
+    const Trace_point<FT>& p = m_trace[s][point];
+    return m_side == Side::input ? p.on_intrinsic : p.on_input;
+  }
+
+  Side m_side;
+  std::array<std::vector<Trace_point<FT>>, 3> m_trace;
+  const Delta_complex* m_other;
+};
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// finds the point `p` of one triangulation on the other.
+///
+/// The map is linear on the regions of the common subdivision and continuous; a vertex goes to the
+/// vertex, exactly, and a point of a shared edge to that edge. There and back is the identity but for
+/// rounding.
+/// \param side the triangulation on which `p` lies
+/// \param p a point with barycentric coordinates that are not negative and sum up to one
+/// \param correspondence the crossings of both
+/// Complexity: logarithmic in the number of crossings on the sides of the face.
+template <typename Traits>
+Face_location<typename Traits::FT> point_across(Side side, const Face_location<typename Traits::FT>& p,
+                                                const Correspondence<Traits>& correspondence)
+{
+  typedef internal::Correspondence_marks<Traits> Marks;
+  const Marks marks(side, p.first, correspondence);
+  const Delta_complex& other =
+    correspondence.mesh(side == Side::input ? Side::intrinsic : Side::input);
+  return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// the same for a single point, without a correspondence: the sides of the face of `p` are traced.
+/// Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for these sides.
+template <typename Traits>
+Face_location<typename Traits::FT> point_across(Side side, const Face_location<typename Traits::FT>& p,
+                                                const Intrinsic_triangulation<Traits>& tri)
+{
+  typedef internal::Traced_marks<Traits> Marks;
+  const Marks marks(side, p.first, tri);
+  const Delta_complex& other = side == Side::input ? tri.mesh() : tri.input_mesh();
+  return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_POINT_ACROSS_H
