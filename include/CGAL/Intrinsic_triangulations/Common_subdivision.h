@@ -70,23 +70,6 @@ public:
   /// the edge of `side` of which `e` is a part, or a null edge.
   Edge_index parent_edge(Side side, Edge_index e) const { return m_parent_edge[index(side)][e]; }
 
-  /// sets the points of the mesh by linear interpolation from those of the input.
-  /// \param point a readable property map from the vertices of \f$T_1\f$ to points; `Point` must be a
-  ///        point of a kernel
-  /// \param tri the triangulation of which this is a subdivision
-  template <typename PointMap>
-  void set_points(const PointMap& point, const Intrinsic_triangulation<Traits>& tri)
-  {
-    const Delta_complex& input = tri.input_mesh();
-    for(Vertex_index v : m_mesh.vertices()) {
-      const Edge_point<FT>& p = m_place[v].on_input;
-      m_mesh.point(v) = is_input_vertex(v)
-                          ? get(point, v)
-                          : between(get(point, input.source(p.halfedge)),
-                                    get(point, input.target(p.halfedge)), CGAL::to_double(p.t));
-    }
-  }
-
   /// cuts every polygon into triangles; the parts keep the parents. Complexity: linear.
   void triangulate()
   {
@@ -100,12 +83,6 @@ private:
   typedef typename Mesh::template Property_map<Edge_index, Edge_index> Parent_edge_map;
 
   static std::size_t index(Side side) { return side == Side::input ? 0 : 1; }
-
-  template <typename P>
-  static P between(const P& p, const P& q, double t)
-  {
-    return p + t * (q - p);
-  }
 
   void triangulate(Face_index f)
   {
@@ -238,7 +215,8 @@ private:
   {
     for(Vertex_index v : m_input.vertices())
       if(!m_input.is_isolated(v))
-        m_result.m_place[v] = {{first_spoke(v, m_input), FT(0)}, {first_spoke(v, m_intrinsic), FT(0)}};
+        m_result.m_place[v] = {{first_spoke(v, m_input), FT(0)},
+                               {first_spoke(v, m_intrinsic), FT(0)}};
     for(size_type c = 0; c < m_correspondence.number_of_crossings(); ++c)
       m_result.m_place[crossing_vertex(c)] = m_correspondence.crossing(c);
   }
@@ -280,8 +258,7 @@ private:
       if(region[c].arc_follows) {
         const Halfedge_index arc = input_arc(region[c], region.next(c), side, halfedge[c]);
         input_face = m_input.face(arc);
-      }
-      else
+      } else
         halfedge[c] = piece(Side::intrinsic, side[region[c].side],
                             static_cast<size_type>(region[c].is_vertex() ? 0 : region[c].mark + 1));
     for(std::size_t c = 0; c < region.size(); ++c) {

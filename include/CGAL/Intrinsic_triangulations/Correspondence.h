@@ -43,10 +43,10 @@ public:
   /// a crossing as seen from a halfedge of one side.
   struct Crossing
   {
-    size_type id;                 ///< its number among all crossings
-    Edge_point<FT> here;          ///< its place on the halfedge from which it is seen
-    Edge_point<FT> across;        ///< its place on the halfedge of the other side that leaves the face of
-                                  ///< the first one there
+    size_type id;          ///< its number among all crossings
+    Edge_point<FT> here;   ///< its place on the halfedge from which it is seen
+    Edge_point<FT> across; ///< its place on the halfedge of the other side that leaves the face of
+                           ///< the first one there
   };
 
   /// traces all edges of \f$T_1\f$ over \f$T_2\f$.
@@ -126,10 +126,10 @@ private:
 
   struct Record
   {
-    Halfedge_index input;  // leaves the face of the first halfedge of the intrinsic edge
+    Halfedge_index input; // leaves the face of the first halfedge of the intrinsic edge
     Edge_index intrinsic;
-    size_type rank;        // along the first halfedge of the input edge
-    FT s, t;               // along the first halfedges of the input edge and the intrinsic edge
+    size_type rank; // along the first halfedge of the input edge
+    FT s, t;        // along the first halfedges of the input edge and the intrinsic edge
   };
 
   static bool is_even(Halfedge_index h) { return h.idx() % 2 == 0; }
@@ -137,7 +137,10 @@ private:
   static Halfedge_index twin(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
   // mesh.halfedge(e) is the halfedge that `e` was made from
   static Halfedge_index first_halfedge(Edge_index e) { return Halfedge_index(2 * e.idx()); }
-  static Edge_point<FT> on(Halfedge_index h, const FT& t) { return {h, is_even(h) ? t : FT(1 - t)}; }
+  static Edge_point<FT> on(Halfedge_index h, const FT& t)
+  {
+    return {h, is_even(h) ? t : FT(1 - t)};
+  }
 
   Crossing seen_from_intrinsic(Halfedge_index h, size_type id) const
   {
@@ -211,8 +214,8 @@ private:
       const Edge_index crossed(c.halfedge);
       const size_type p = static_cast<size_type>(c.number);
       const bool forward = is_even(c.halfedge);
-      const size_type id =
-        forward ? m_first_on_intrinsic[crossed] + p : m_first_on_intrinsic[crossed.idx() + 1] - 1 - p;
+      const size_type id = forward ? m_first_on_intrinsic[crossed] + p
+                                   : m_first_on_intrinsic[crossed.idx() + 1] - 1 - p;
       m_records[id] = {forward ? start : twin(start), crossed, m, position.along_line,
                        on(c.halfedge, position.along_edge).t};
       m_order_on_input.push_back(id);
@@ -232,7 +235,8 @@ private:
   std::vector<size_type> m_count_on_input;
   std::vector<size_type> m_order_on_input; // crossings along each edge of T1
   std::vector<Halfedge_index> m_spoke_before;
-  std::vector<size_type> m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
+  std::vector<size_type>
+    m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
   std::vector<Record> m_records;
 };
 
@@ -240,8 +244,8 @@ private:
 /// the trace of the halfedge `h` of `side` over the other triangulation, as `trace_input_edge()` and
 /// `trace_intrinsic_edge()` give it. Complexity: linear in its crossings.
 template <typename Traits>
-std::vector<Trace_point<typename Traits::FT>> trace_edge(Side side, Halfedge_index h,
-                                                         const Correspondence<Traits>& correspondence)
+std::vector<Trace_point<typename Traits::FT>>
+trace_edge(Side side, Halfedge_index h, const Correspondence<Traits>& correspondence)
 {
   typedef typename Traits::FT FT;
   typedef Delta_complex::size_type size_type;

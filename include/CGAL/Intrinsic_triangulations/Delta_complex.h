@@ -38,11 +38,11 @@ typedef Delta_complex::Face_index Face_index;
 /// says whether an operation on a Delta-complex is possible, and if not, why.
 enum class Operation_status
 {
-  possible,           ///< nothing stands against it
-  border_edge,        ///< the edge has a face on one side only
-  same_face,          ///< both sides of an edge at hand are in one face
-  wrong_degree,       ///< the vertex has not exactly three incident edges
-  self_edge           ///< an edge joins the vertex to itself
+  possible,     ///< nothing stands against it
+  border_edge,  ///< the edge has a face on one side only
+  same_face,    ///< both sides of an edge at hand are in one face
+  wrong_degree, ///< the vertex has not exactly three incident edges
+  self_edge     ///< an edge joins the vertex to itself
 };
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
@@ -340,7 +340,7 @@ std::size_t umbrella_size(Vertex_index v, std::size_t limit, const Surface_mesh<
 }
 
 template <typename P>
-std::string vertex_defect(Vertex_index v, std::size_t degree, bool on_boundary,
+std::string vertex_defect(Vertex_index v, std::size_t degree, std::size_t border_degree,
                           const Surface_mesh<P>& mesh)
 {
   if(mesh.is_isolated(v))
@@ -348,30 +348,31 @@ std::string vertex_defect(Vertex_index v, std::size_t degree, bool on_boundary,
   const Halfedge_index h = mesh.halfedge(v);
   if(!mesh.has_valid_index(h) || mesh.is_removed(h) || mesh.target(h) != v)
     return "its halfedge does not lead to it";
-  if(on_boundary && !mesh.is_border(h))
+  if(border_degree == 1 && !mesh.is_border(h))
     return "it is on the boundary but its halfedge is not";
-  return umbrella_size(v, degree, mesh) == degree ? "" : "it has more than one umbrella";
+  if(border_degree > 1 || umbrella_size(v, degree, mesh) != degree)
+    return "it has more than one umbrella";
+  return {};
 }
 
 // The first defect of `mesh` as a Delta-complex in words, empty if it is valid.
 template <typename P>
 std::string Delta_complex_defect(const Surface_mesh<P>& mesh)
 {
-  std::vector<std::size_t> degree(mesh.num_vertices(), 0);
-  std::vector<bool> on_boundary(mesh.num_vertices(), false);
+  std::vector<std::size_t> degree(mesh.num_vertices(), 0), border_degree(degree);
   for(Halfedge_index h : mesh.halfedges()) {
     const std::string defect = halfedge_defect(h, mesh);
     if(!defect.empty())
       return "halfedge " + std::to_string(h.idx()) + ": " + defect;
     ++degree[mesh.target(h).idx()];
     if(mesh.is_border(h))
-      on_boundary[mesh.target(h).idx()] = true;
+      ++border_degree[mesh.target(h).idx()];
   }
   for(Face_index f : mesh.faces())
     if(mesh.face(mesh.halfedge(f)) != f)
       return "face " + std::to_string(f.idx()) + ": its halfedge is in another face";
   for(Vertex_index v : mesh.vertices()) {
-    const std::string defect = vertex_defect(v, degree[v.idx()], on_boundary[v.idx()], mesh);
+    const std::string defect = vertex_defect(v, degree[v.idx()], border_degree[v.idx()], mesh);
     if(!defect.empty())
       return "vertex " + std::to_string(v.idx()) + ": " + defect;
   }

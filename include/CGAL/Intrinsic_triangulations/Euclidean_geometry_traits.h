@@ -43,7 +43,8 @@ public:
     FT operator()(const Diamond<FT>& length) const
     {
       const FT x = foot(length.ij, length.jk, length.ki) - foot(length.ij, length.lj, length.il);
-      const FT y = height(length.ij, length.jk, length.ki) + height(length.ij, length.lj, length.il);
+      const FT y =
+        height(length.ij, length.jk, length.ki) + height(length.ij, length.lj, length.il);
       return CGAL::sqrt(x * x + y * y);
     }
   };
@@ -65,7 +66,8 @@ public:
       const FT sides_l = length.lj * length.lj + length.il * length.il;
       if(!(sides_k < squared) && !(sides_l < squared))
         return true;
-      const Corner k{sides_k, squared, length.jk, length.ki}, l{sides_l, squared, length.lj, length.il};
+      const Corner k{sides_k, squared, length.jk, length.ki},
+        l{sides_l, squared, length.lj, length.il};
       return sides_k < sides_l ? !exceeds_pi(k, l, length.ij) : !exceeds_pi(l, k, length.ij);
     }
 
@@ -124,8 +126,7 @@ public:
         const FT power = length * length * length * length;
         return length > 0 && power >= (std::numeric_limits<FT>::min)() &&
                power <= (std::numeric_limits<FT>::max)();
-      }
-      else
+      } else
         return length > 0;
     }
   };

@@ -166,7 +166,8 @@ public:
   {
     const Vertex_index v = mesh.source(spoke);
     const size_type along = static_cast<size_type>(is_shared(edge_of(spoke)));
-    return spokes.halfedge(v, wrap(m_r[spoke] + along + static_cast<size_type>(k), spokes.degree(v)));
+    return spokes.halfedge(v,
+                           wrap(m_r[spoke] + along + static_cast<size_type>(k), spokes.degree(v)));
   }
 
   /// the halfedge of \f$T_1\f$ that coincides with `h`. \pre `is_shared(edge(h))`
@@ -245,7 +246,7 @@ private:
     const size_type degree = spokes.degree(v);
     const Halfedge_index first = first_spoke(v, mesh);
     Integer total(0);
-    for(Halfedge_index h = first; ; h = next_spoke(h, mesh)) {
+    for(Halfedge_index h = first;; h = next_spoke(h, mesh)) {
       if(m_r[h] >= degree)
         return false;
       total += spokes_from(h, mesh);

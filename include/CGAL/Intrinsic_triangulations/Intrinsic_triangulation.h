@@ -11,13 +11,11 @@
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
+#include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/flip_to_shared.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
-
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/NT_converter.h>
 
 #include <string>
 #include <utility>
@@ -91,8 +89,8 @@ public:
   /// \throws Invalid_input if a face is not a triangle, an edge has no face, a vertex has more than one
   ///         umbrella, a length is not positive and finite, or the triangle inequality fails in a face
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  explicit Intrinsic_triangulation(
-    const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())
+  explicit Intrinsic_triangulation(const Graph& g,
+                                   const NamedParameters& np = CGAL::parameters::default_values())
     : m_traits(CGAL::parameters::choose_parameter(
         CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Traits()))
   {
@@ -131,7 +129,10 @@ public:
 
   /// copies everything. Complexity: linear.
   Intrinsic_triangulation(const Self& other)
-    : m_traits(other.m_traits), m_input(other.m_input), m_spokes(other.m_spokes), m_mesh(other.m_mesh)
+    : m_traits(other.m_traits),
+      m_input(other.m_input),
+      m_spokes(other.m_spokes),
+      m_mesh(other.m_mesh)
   {
     attach();
   }
@@ -294,8 +295,7 @@ private:
     for(Vertex_index v : m_input.vertices())
       seen += m_spokes.degree(v);
     if(seen != m_input.number_of_halfedges())
-      throw Invalid_input("a vertex has more than one umbrella: " +
-                          internal::Delta_complex_defect(m_input));
+      throw Invalid_input(internal::Delta_complex_defect(m_input));
   }
 
   template <typename Graph, typename Numbering, typename NamedParameters>
@@ -307,12 +307,11 @@ private:
     if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_length_map_t>::value) {
       const auto length = get_parameter(np, internal_np::edge_length_map);
       set_input_lengths(g, numbering, [&](auto e) { return FT(get(length, e)); });
-    }
-    else {
+    } else {
       const auto point = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, g));
       set_input_lengths(g, numbering, [&](auto e) {
-        return distance(get(point, source(e, g)), get(point, target(e, g)));
+        return internal::distance<FT>(get(point, source(e, g)), get(point, target(e, g)));
       });
     }
   }
@@ -324,14 +323,6 @@ private:
       m_input_length[m_input.edge(numbering.halfedge_of(halfedge(e, g)))] = length(e);
   }
 
-  template <typename Point>
-  static FT distance(const Point& p, const Point& q)
-  {
-    typedef typename Kernel_traits<Point>::Kernel Kernel;
-    const auto squared = typename Kernel::Compute_squared_distance_3()(p, q);
-    return CGAL::sqrt(NT_converter<typename Kernel::FT, FT>()(squared));
-  }
-
   template <typename Graph, typename Numbering, typename NamedParameters>
   void copy_constraints(const Graph& g, const Numbering& numbering, const NamedParameters& np)
   {
@@ -341,7 +332,8 @@ private:
     if constexpr(!is_default_parameter<NamedParameters, Tag>::value) {
       const auto is_constrained = get_parameter(np, CGAL::internal_np::edge_is_constrained);
       for(auto e : edges(g))
-        m_is_constrained[m_mesh.edge(numbering.halfedge_of(halfedge(e, g)))] = get(is_constrained, e);
+        m_is_constrained[m_mesh.edge(numbering.halfedge_of(halfedge(e, g)))] =
+          get(is_constrained, e);
     }
   }
 

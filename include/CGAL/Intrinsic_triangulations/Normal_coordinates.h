@@ -58,7 +58,8 @@ Integer curves_around(const Integer& opposite, const Integer& right, const Integ
   const Integer excess = right + left - opposite;
   if(!(excess > 0))
     return Integer(0);
-  return (excess - curves_leaving(right, left, opposite) - curves_leaving(left, opposite, right)) / 2;
+  return (excess - curves_leaving(right, left, opposite) - curves_leaving(left, opposite, right)) /
+         2;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates

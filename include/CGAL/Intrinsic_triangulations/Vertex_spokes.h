@@ -61,7 +61,7 @@ private:
     const Halfedge_index first = first_spoke(v, mesh);
     const size_type start = m_first[v];
     size_type position = start;
-    for(Halfedge_index h = first; ; h = next_spoke(h, mesh)) {
+    for(Halfedge_index h = first;; h = next_spoke(h, mesh)) {
       m_number[h] = position - start;
       m_halfedge[position++] = h;
       if(mesh.is_border(h) || next_spoke(h, mesh) == first)

@@ -14,7 +14,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 namespace internal_np {
-enum edge_length_map_t { edge_length_map };
+enum edge_length_map_t
+{
+  edge_length_map
+};
 } // namespace internal_np
 
 namespace parameters {
@@ -33,7 +36,8 @@ auto edge_length_map(const Map& map)
 template <typename Map, typename NamedParameters>
 auto edge_length_map(const Map& map, const NamedParameters& np)
 {
-  return CGAL::Named_function_parameters<Map, internal_np::edge_length_map_t, NamedParameters>(map, np);
+  return CGAL::Named_function_parameters<Map, internal_np::edge_length_map_t, NamedParameters>(map,
+                                                                                               np);
 }
 
 } // namespace parameters

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 
@@ -19,40 +20,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 namespace internal {
-
-// the sides of a face as a correspondence has them
-template <typename Traits>
-class Correspondence_marks
-{
-  typedef typename Traits::FT FT;
-  typedef Delta_complex::size_type size_type;
-
-public:
-  Correspondence_marks(Side side, Face_index f, const Correspondence<Traits>& correspondence)
-    : m_side(side), m_halfedge(sides(f, correspondence.mesh(side))), m_correspondence(correspondence)
-  {}
-
-  std::size_t crossings(std::size_t s) const
-  {
-    return m_correspondence.number_of_crossings(m_side, Edge_index(m_halfedge[s]));
-  }
-  FT here(std::size_t s, std::size_t p) const { return crossing(s, p).here.t; }
-  Edge_point<FT> across(std::size_t s, std::size_t p) const { return crossing(s, p).across; }
-  Halfedge_index spoke_before(std::size_t s) const
-  {
-    return m_correspondence.spoke_before(m_side, m_halfedge[s]);
-  }
-
-private:
-  auto crossing(std::size_t s, std::size_t p) const
-  {
-    return m_correspondence.crossing(m_side, m_halfedge[s], static_cast<size_type>(p));
-  }
-
-  Side m_side;
-  std::array<Halfedge_index, 3> m_halfedge;
-  const Correspondence<Traits>& m_correspondence;
-};
 
 // the sides of a face, traced one by one
 template <typename Traits>
@@ -66,8 +33,8 @@ public:
     const bool is_input = side == Side::input;
     const auto halfedge = sides(f, is_input ? tri.input_mesh() : tri.mesh());
     for(std::size_t s = 0; s < 3; ++s)
-      m_trace[s] = is_input ? trace_input_edge(halfedge[s], tri)
-                            : trace_intrinsic_edge(halfedge[s], tri);
+      m_trace[s] =
+        is_input ? trace_input_edge(halfedge[s], tri) : trace_intrinsic_edge(halfedge[s], tri);
     m_other = is_input ? &tri.mesh() : &tri.input_mesh();
   }
 
@@ -109,7 +76,8 @@ private:
 /// \param correspondence the crossings of both
 /// Complexity: logarithmic in the number of crossings on the sides of the face.
 template <typename Traits>
-Face_location<typename Traits::FT> point_across(Side side, const Face_location<typename Traits::FT>& p,
+Face_location<typename Traits::FT> point_across(Side side,
+                                                const Face_location<typename Traits::FT>& p,
                                                 const Correspondence<Traits>& correspondence)
 {
   typedef internal::Correspondence_marks<Traits> Marks;
@@ -123,7 +91,8 @@ Face_location<typename Traits::FT> point_across(Side side, const Face_location<t
 /// the same for a single point, without a correspondence: the sides of the face of `p` are traced.
 /// Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for these sides.
 template <typename Traits>
-Face_location<typename Traits::FT> point_across(Side side, const Face_location<typename Traits::FT>& p,
+Face_location<typename Traits::FT> point_across(Side side,
+                                                const Face_location<typename Traits::FT>& p,
                                                 const Intrinsic_triangulation<Traits>& tri)
 {
   typedef internal::Traced_marks<Traits> Marks;

@@ -36,10 +36,14 @@ template <typename FT>
 FT quadrupled_area(FT a, FT b, FT c, const FT& extra = FT(0))
 {
   using std::swap;
-  if(a < b) swap(a, b);
-  if(b < c) swap(b, c);
-  if(a < b) swap(a, b);
-  const FT slack_a = c - (a - b) + extra, slack_b = c + (a - b) + extra, slack_c = a + (b - c) + extra;
+  if(a < b)
+    swap(a, b);
+  if(b < c)
+    swap(b, c);
+  if(a < b)
+    swap(a, b);
+  const FT slack_a = c - (a - b) + extra, slack_b = c + (a - b) + extra,
+           slack_c = a + (b - c) + extra;
   if(!(slack_a > 0) || !(slack_b > 0))
     return FT(0);
   return CGAL::sqrt((a + (b + c)) * slack_a * slack_b * slack_c);

@@ -78,7 +78,8 @@ private:
   {
     if(!m_tri.traits().is_length_object()(m_strip.length()))
       throw Numerical_error("the strip of an edge of the input from vertex " +
-                            std::to_string(first_vertex().idx()) + " has no positive finite length");
+                            std::to_string(first_vertex().idx()) +
+                            " has no positive finite length");
     m_positions.clear();
     FT along_line(0);
     for(std::size_t m = 0; m < size(); ++m) {

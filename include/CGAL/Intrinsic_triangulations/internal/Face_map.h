@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -45,6 +46,10 @@ public:
     m_corner[m_size] = corner;
     m_image[m_size++] = image;
   }
+
+  std::size_t size() const { return m_size; }
+  const Coordinates& corner(std::size_t c) const { return m_corner[c]; }
+  const Coordinates& image(std::size_t c) const { return m_image[c]; }
 
   // the image of a point of the polygon, with coordinates that sum up to one
   Coordinates operator()(const Coordinates& p) const
@@ -128,7 +133,8 @@ class Face_map
 
 public:
   Face_map(const Marks& marks, const Delta_complex& other)
-    : m_marks(marks), m_other(other),
+    : m_marks(marks),
+      m_other(other),
       m_regions({marks.crossings(0), marks.crossings(1), marks.crossings(2)})
   {}
 
@@ -137,15 +143,23 @@ public:
     for(std::size_t s = 0; s < 3; ++s)
       if(p[(s + 1) % 3] == 0 && p[(s + 2) % 3] == 0)
         return face_location<FT>({m_marks.spoke_before(s), FT(0)}, m_other);
-    const Region region = m_regions[region_of(p)];
-    Polygon_map<FT> map;
-    Face_index f;
+    const auto [f, map] = region_map(region_of(p));
+    return {f, map(p)};
+  }
+
+  std::size_t number_of_regions() const { return m_regions.size(); }
+
+  // the face of the other triangulation in which region `m` lies, and the map of the region to it
+  std::pair<Face_index, Polygon_map<FT>> region_map(std::size_t m) const
+  {
+    const Region region = m_regions[m];
+    std::pair<Face_index, Polygon_map<FT>> result;
     for(std::size_t c = 0; c < region.size(); ++c) {
       const Face_location<FT> image = face_location(corner_across(region, c), m_other);
-      f = image.first;
-      map.add_corner(coordinates(region[c]), image.second);
+      result.first = image.first;
+      result.second.add_corner(coordinates(region[c]), image.second);
     }
-    return {f, map(p)};
+    return result;
   }
 
 private:

@@ -36,7 +36,10 @@ public:
   std::size_t size() const { return m_size; }
   const Region_corner& operator[](std::size_t c) const { return m_corners[c]; }
   const Region_corner& next(std::size_t c) const { return m_corners[c + 1 == m_size ? 0 : c + 1]; }
-  const Region_corner& previous(std::size_t c) const { return m_corners[(c == 0 ? m_size : c) - 1]; }
+  const Region_corner& previous(std::size_t c) const
+  {
+    return m_corners[(c == 0 ? m_size : c) - 1];
+  }
 
   void add_vertex(std::size_t corner, bool arc_follows)
   {
@@ -61,7 +64,9 @@ public:
   explicit Face_regions(const std::array<std::size_t, 3>& crossings) : m_crossings(crossings)
   {
     for(std::size_t s = 0; s < 3; ++s) {
-      const auto n = [&](std::size_t k) { return static_cast<std::ptrdiff_t>(crossings[(s + k) % 3]); };
+      const auto n = [&](std::size_t k) {
+        return static_cast<std::ptrdiff_t>(crossings[(s + k) % 3]);
+      };
       m_around[s] = static_cast<std::size_t>(curves_around(n(1), n(0), n(2)));
       const std::ptrdiff_t leaving = curves_leaving(n(1), n(0), n(2));
       if(leaving > 0) {

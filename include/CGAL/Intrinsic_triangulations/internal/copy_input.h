@@ -81,8 +81,7 @@ inline void check_input_halfedge(Halfedge_index h, const Delta_complex& mesh)
   if(mesh.is_border(h)) {
     if(mesh.is_border(mesh.opposite(h)))
       throw Invalid_input("edge " + std::to_string(h.idx() / 2) + " has no face");
-  }
-  else if(mesh.next(mesh.next(mesh.next(h))) != h)
+  } else if(mesh.next(mesh.next(mesh.next(h))) != h)
     throw Invalid_input("face " + std::to_string(mesh.face(h).idx()) + " is not a triangle");
 }
 
@@ -106,9 +105,11 @@ void copy_connectivity(const Graph& g, const Numbering& numbering, Delta_complex
 }
 
 template <typename Graph>
-struct Is_surface_mesh : std::false_type {};
+struct Is_surface_mesh : std::false_type
+{};
 template <typename P>
-struct Is_surface_mesh<Surface_mesh<P>> : std::true_type {};
+struct Is_surface_mesh<Surface_mesh<P>> : std::true_type
+{};
 
 // Calls `copy` with the numbering of `g`, after `mesh` has been given its size.
 template <typename Graph, typename Copy>

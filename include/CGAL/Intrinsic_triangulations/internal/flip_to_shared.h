@@ -58,7 +58,8 @@ bool ends_at_twin(Halfedge_index spoke, const Integer& k,
   typedef typename Integer_coordinates<Integer>::Turn Turn;
   const Halfedge_index start = coordinates.spoke_in_corner(spoke, k, mesh, spokes);
   auto crossing = coordinates.first_crossing(spoke, k, mesh);
-  while(coordinates.advance(crossing, mesh) != Turn::ends) {}
+  while(coordinates.advance(crossing, mesh) != Turn::ends) {
+  }
   return coordinates.spoke_at_end(crossing, mesh, spokes) == input.opposite(start);
 }
 

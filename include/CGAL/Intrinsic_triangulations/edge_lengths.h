@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTHS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTHS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/NT_converter.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+namespace internal {
+
+template <typename FT, typename Point>
+FT distance(const Point& p, const Point& q)
+{
+  typedef typename Kernel_traits<Point>::Kernel Kernel;
+  const auto squared = typename Kernel::Compute_squared_distance_3()(p, q);
+  return CGAL::sqrt(NT_converter<typename Kernel::FT, FT>()(squared));
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// computes the edge lengths of a mesh from the positions of its vertices. Complexity: linear.
+///
+/// \param g a model of `EdgeListGraph`
+/// \param length a writable property map from the edges of `g` to a number type with square roots
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the positions of the vertices}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, g)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+template <typename Graph, typename LengthMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+void compute_edge_lengths(const Graph& g, LengthMap length,
+                          const NamedParameters& np = CGAL::parameters::default_values())
+{
+  typedef typename boost::property_traits<LengthMap>::value_type FT;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto point = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, g));
+  for(auto e : edges(g))
+    put(length, e, internal::distance<FT>(get(point, source(e, g)), get(point, target(e, g))));
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTHS_H

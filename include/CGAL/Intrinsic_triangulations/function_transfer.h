@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION_TRANSFER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION_TRANSFER_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/Correspondence_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// the matrix that takes the values of a function that is linear on the faces of `side`, at the
+/// vertices of the triangulations, to its values at the vertices of the subdivision. Rows sum up to one
+/// and have at most two entries, which are not negative. Complexity: linear.
+/// \param side the triangulation on whose faces the function is linear
+/// \param subdivision the subdivision
+/// \param tri the triangulation of which it is the subdivision
+template <typename Traits, typename Point>
+Eigen::SparseMatrix<typename Traits::FT>
+interpolation_matrix(Side side, const Common_subdivision<Traits, Point>& subdivision,
+                     const Intrinsic_triangulation<Traits>& tri)
+{
+  typedef typename Traits::FT FT;
+  const Delta_complex& mesh = side == Side::input ? tri.input_mesh() : tri.mesh();
+  std::vector<Eigen::Triplet<FT>> entries;
+  const auto add = [&](Vertex_index row, Vertex_index column, const FT& value) {
+    entries.emplace_back(static_cast<int>(row.idx()), static_cast<int>(column.idx()), value);
+  };
+  for(Vertex_index v : subdivision.mesh().vertices()) {
+    if(subdivision.is_input_vertex(v)) {
+      add(v, v, FT(1));
+      continue;
+    }
+    const auto& p = subdivision.place(side, v);
+    add(v, mesh.source(p.halfedge), 1 - p.t);
+    add(v, mesh.target(p.halfedge), p.t);
+  }
+  Eigen::SparseMatrix<FT> matrix(static_cast<int>(subdivision.mesh().number_of_vertices()),
+                                 static_cast<int>(mesh.number_of_vertices()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+namespace internal {
+
+template <typename FT>
+using Corner_matrix = Eigen::Matrix<FT, 3, 3>;
+
+// The integrals over a triangle of unit area of products of two linear functions with these values at
+// its corners: row a of `f` has the values of the functions f at corner a.
+template <typename FT>
+Corner_matrix<FT> integrals_of_products(const Corner_matrix<FT>& f, const Corner_matrix<FT>& g)
+{
+  const Corner_matrix<FT> ones = Corner_matrix<FT>::Constant(FT(1));
+  return f.transpose() * (ones + Corner_matrix<FT>::Identity()) * g / FT(12);
+}
+
+template <typename FT>
+Corner_matrix<FT> rows(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& b,
+                       const Barycentric_coordinates<FT>& c)
+{
+  Corner_matrix<FT> m;
+  m << a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2];
+  return m;
+}
+
+// The integrals of products of barycentric coordinates of both triangulations over a region, relative to
+// the area of the face.
+template <typename FT>
+Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& region)
+{
+  Corner_matrix<FT> sum = Corner_matrix<FT>::Zero();
+  for(std::size_t c = 1; c + 1 < region.size(); ++c) {
+    const FT area = orientation(region.corner(0), region.corner(c), region.corner(c + 1));
+    sum += area *
+           integrals_of_products<FT>(rows(region.corner(0), region.corner(c), region.corner(c + 1)),
+                                     rows(region.image(0), region.image(c), region.image(c + 1)));
+  }
+  return sum;
+}
+
+template <typename FT>
+class Matrix_assembly
+{
+public:
+  void add(Face_index row_face, const Delta_complex& row_mesh, Face_index column_face,
+           const Delta_complex& column_mesh, const Corner_matrix<FT>& values)
+  {
+    const auto row = sides(row_face, row_mesh), column = sides(column_face, column_mesh);
+    for(int a = 0; a < 3; ++a)
+      for(int b = 0; b < 3; ++b)
+        m_entries.emplace_back(
+          static_cast<int>(row_mesh.source(row[static_cast<std::size_t>(a)]).idx()),
+          static_cast<int>(column_mesh.source(column[static_cast<std::size_t>(b)]).idx()),
+          values(a, b));
+  }
+
+  Eigen::SparseMatrix<FT> matrix(std::size_t rows, std::size_t columns) const
+  {
+    Eigen::SparseMatrix<FT> result(static_cast<int>(rows), static_cast<int>(columns));
+    result.setFromTriplets(m_entries.begin(), m_entries.end());
+    return result;
+  }
+
+private:
+  std::vector<Eigen::Triplet<FT>> m_entries;
+};
+
+template <typename Traits>
+typename Traits::FT area(Face_index f, Side side, const Intrinsic_triangulation<Traits>& tri)
+{
+  const bool is_input = side == Side::input;
+  const Delta_complex& mesh = is_input ? tri.input_mesh() : tri.mesh();
+  const auto& length = is_input ? tri.input_length_map() : tri.length_map();
+  const auto h = sides(f, mesh);
+  return quadrupled_area(length[mesh.edge(h[0])], length[mesh.edge(h[1])],
+                         length[mesh.edge(h[2])]) /
+         4;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// the integrals \f$\int \varphi_i \varphi_j\f$ of products of hat functions of one triangulation (its
+/// consistent mass matrix). Complexity: linear.
+template <typename Traits>
+Eigen::SparseMatrix<typename Traits::FT> mass_matrix(Side side,
+                                                     const Intrinsic_triangulation<Traits>& tri)
+{
+  typedef typename Traits::FT FT;
+  const Delta_complex& mesh = side == Side::input ? tri.input_mesh() : tri.mesh();
+  const internal::Corner_matrix<FT> identity = internal::Corner_matrix<FT>::Identity();
+  internal::Matrix_assembly<FT> assembly;
+  for(Face_index f : mesh.faces())
+    assembly.add(f, mesh, f, mesh,
+                 internal::area(f, side, tri) *
+                   internal::integrals_of_products<FT>(identity, identity));
+  return assembly.matrix(mesh.number_of_vertices(), mesh.number_of_vertices());
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// the integrals \f$\int \varphi_i \psi_j\f$ of products of hat functions \f$\varphi_i\f$ of
+/// \f$T_2\f$ (rows) and \f$\psi_j\f$ of \f$T_1\f$ (columns). They are exact but for rounding, since the
+/// products are integrated over the regions of the common subdivision.
+/// Complexity: linear in the faces and crossings.
+template <typename Traits>
+Eigen::SparseMatrix<typename Traits::FT>
+mixed_mass_matrix(const Correspondence<Traits>& correspondence)
+{
+  typedef typename Traits::FT FT;
+  typedef internal::Correspondence_marks<Traits> Marks;
+  const auto& tri = correspondence.triangulation();
+  internal::Matrix_assembly<FT> assembly;
+  for(Face_index f : tri.mesh().faces()) {
+    const Marks marks(Side::intrinsic, f, correspondence);
+    const internal::Face_map<FT, Marks> face_map(marks, tri.input_mesh());
+    const FT area = internal::area(f, Side::intrinsic, tri);
+    for(std::size_t m = 0; m < face_map.number_of_regions(); ++m) {
+      const auto [input_face, region] = face_map.region_map(m);
+      assembly.add(f, tri.mesh(), input_face, tri.input_mesh(),
+                   area * internal::integrals_on_region(region));
+    }
+  }
+  return assembly.matrix(tri.mesh().number_of_vertices(), tri.input_mesh().number_of_vertices());
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// finds the function that is linear on the faces of the other triangulation and closest, in the
+/// \f$L^2\f$ norm, to one that is linear on the faces of `from`. It has the same integral, and is the
+/// same function where that is possible. An isolated vertex keeps its value.
+/// Complexity: linear in the faces and crossings, and a sparse Cholesky factorization.
+/// \param from the triangulation on whose faces `values` is linear
+/// \param values the values at the vertices
+/// \param correspondence the crossings of both
+/// \throws Numerical_error if the mass matrix cannot be factorized, as happens when all faces at a
+///         vertex have zero area
+template <typename Traits>
+Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>
+transfer_function(Side from, const Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>& values,
+                  const Correspondence<Traits>& correspondence)
+{
+  typedef typename Traits::FT FT;
+  typedef Eigen::SparseMatrix<FT> Matrix;
+  const auto& tri = correspondence.triangulation();
+  const Side to = from == Side::input ? Side::intrinsic : Side::input;
+  Matrix mass = mass_matrix(to, tri);
+  Matrix mixed = mixed_mass_matrix(correspondence);
+  if(from == Side::intrinsic)
+    mixed = Matrix(mixed.transpose());
+  Eigen::Matrix<FT, Eigen::Dynamic, 1> moments = mixed * values;
+  for(Vertex_index v : tri.mesh().vertices())
+    if(tri.mesh().is_isolated(v)) {
+      const int i = static_cast<int>(v.idx());
+      mass.coeffRef(i, i) = FT(1);
+      moments[i] = values[i];
+    }
+  const Eigen::SimplicialLDLT<Matrix> factorization(mass);
+  if(factorization.info() != Eigen::Success || !(factorization.vectorD().minCoeff() > 0))
+    throw Numerical_error("the mass matrix is singular: all faces at a vertex have zero area");
+  return factorization.solve(moments);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION_TRANSFER_H
