@@ -37,15 +37,15 @@ public:
   typedef Euclidean_strip<FT> Geodesic_strip;
 
   /// computes the length of the edge \f$kl\f$ that replaces \f$ij\f$. Both triangles are laid out in the
-  /// plane along \f$ij\f$.
+  /// plane along \f$ij\f$; lengths are multiplied by \f$2 \ell_{ij}\f$ until the end.
   struct Compute_flipped_length
   {
     FT operator()(const Diamond<FT>& length) const
     {
-      const FT x = foot(length.ij, length.jk, length.ki) - foot(length.ij, length.lj, length.il);
-      const FT y =
-        height(length.ij, length.jk, length.ki) + height(length.ij, length.lj, length.il);
-      return CGAL::sqrt(x * x + y * y);
+      const FT x = scaled_foot(length.jk, length.ki) - scaled_foot(length.lj, length.il);
+      const FT y = quadrupled_area(length.ij, length.jk, length.ki) +
+                   quadrupled_area(length.ij, length.lj, length.il);
+      return CGAL::sqrt(x * x + y * y) / (2 * length.ij);
     }
   };
 
@@ -78,9 +78,9 @@ public:
       FT sides, squared, p, q;
 
       FT cosine(const FT& error) const { return sides - squared + error * (sides + squared); }
-      FT sine(const FT& ij, const FT& error) const
+      FT squared_sine(const FT& ij, const FT& error) const
       {
-        return quadrupled_area(ij, p, q, error * (ij + p + q));
+        return squared_quadrupled_area(ij, p, q, error * (ij + p + q));
       }
     };
 
@@ -94,7 +94,8 @@ public:
         return false;
       if(cos_other < 0)
         return true;
-      return cos_other * obtuse.sine(ij, u) < -cos_obtuse * other.sine(ij, -u);
+      return cos_other * cos_other * obtuse.squared_sine(ij, u) <
+             cos_obtuse * cos_obtuse * other.squared_sine(ij, -u);
     }
   };
 
@@ -104,26 +105,26 @@ public:
   {
     bool operator()(const Diamond<FT>& length) const
     {
-      const FT foot_k = foot(length.ij, length.jk, length.ki);
-      const FT foot_l = foot(length.ij, length.lj, length.il);
-      const FT height_k = height(length.ij, length.jk, length.ki);
-      const FT height_l = height(length.ij, length.lj, length.il);
-      // kl crosses ij at this distance from its midpoint, times the sum of the heights
+      const FT foot_k = scaled_foot(length.jk, length.ki);
+      const FT foot_l = scaled_foot(length.lj, length.il);
+      const FT height_k = quadrupled_area(length.ij, length.jk, length.ki);
+      const FT height_l = quadrupled_area(length.ij, length.lj, length.il);
+      // kl crosses ij at this distance from its midpoint, times a common factor
       const FT crossing = CGAL::abs(foot_k * height_l + foot_l * height_k);
-      const FT half = length.ij * (height_k + height_l) / 2;
+      const FT half = length.ij * length.ij * (height_k + height_l);
       const FT sum = CGAL::abs(foot_k) * height_l + CGAL::abs(foot_l) * height_k + half;
       return crossing < half - rounding_unit<FT>() * sum;
     }
   };
 
   /// decides whether a number can be the length of an edge: it is positive and finite, and so is its
-  /// fourth power, to which the formulas above go up.
+  /// eighth power, to which the formulas above go up.
   struct Is_length
   {
     bool operator()(const FT& length) const
     {
       if constexpr(std::numeric_limits<FT>::is_iec559) {
-        const FT power = length * length * length * length;
+        const FT square = length * length, power = square * square * square * square;
         return length > 0 && power >= (std::numeric_limits<FT>::min)() &&
                power <= (std::numeric_limits<FT>::max)();
       } else

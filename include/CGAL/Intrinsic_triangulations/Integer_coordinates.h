@@ -51,21 +51,13 @@ public:
 
   Integer_coordinates() = default;
 
-  /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`; they are created when the
-  /// mesh has none.
+  /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`. When the mesh has none they
+  /// are created, with every edge shared; if `mesh` is \f$T_1\f$, its roundabouts are the numbers of its
+  /// own spokes.
   explicit Integer_coordinates(Delta_complex& mesh)
     : m_n(mesh.template add_property_map<Edge_index, Integer>("e:normal_coordinate", -1).first),
       m_r(mesh.template add_property_map<Halfedge_index, size_type>("h:roundabout", 0).first)
   {}
-
-  /// makes `mesh` and \f$T_1\f$ the same: every edge is shared. Complexity: linear.
-  void set_identity(const Delta_complex& mesh, const Vertex_spokes& spokes)
-  {
-    for(Edge_index e : mesh.edges())
-      m_n[e] = -1;
-    for(Halfedge_index h : mesh.halfedges())
-      m_r[h] = spokes.number(h);
-  }
 
   /// \name Access
   /// @{
@@ -269,7 +261,7 @@ private:
 /// collects the values of the edge map `map` on the diamond around the edge of `h`.
 /// \pre `h` and its opposite are not border halfedges
 template <typename EdgeMap>
-Diamond<typename boost::property_traits<EdgeMap>::value_type>
+inline Diamond<typename boost::property_traits<EdgeMap>::value_type>
 diamond(const EdgeMap& map, Halfedge_index h, const Delta_complex& mesh)
 {
   const Halfedge_index o = mesh.opposite(h);

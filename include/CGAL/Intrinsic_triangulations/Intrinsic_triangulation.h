@@ -101,11 +101,10 @@ public:
       internal::copy_connectivity(g, numbering, m_input);
       copy_lengths(g, numbering, np);
     });
-    number_spokes();
     check_lengths();
     m_mesh = m_input;
     attach();
-    m_coordinates.set_identity(m_mesh, m_spokes);
+    m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
     internal::with_numbering(g, [&](const auto& numbering) { copy_constraints(g, numbering, np); });
   }
 
@@ -120,7 +119,7 @@ public:
     for(const Delta_complex* complex : {&m_input, &m_mesh})
       if(!is_valid_Delta_complex(*complex))
         throw Invalid_input(internal::Delta_complex_defect(*complex));
-    number_spokes();
+    m_spokes = Vertex_spokes(m_input, boost::dummy_property_map());
     check_lengths();
     const std::string defect = this->defect();
     if(!defect.empty())
@@ -286,16 +285,6 @@ private:
   const FT& input_length_along(Halfedge_index h) const
   {
     return m_input_length[m_input.edge(input_halfedge(h))];
-  }
-
-  void number_spokes()
-  {
-    m_spokes = Vertex_spokes(m_input);
-    size_type seen = 0;
-    for(Vertex_index v : m_input.vertices())
-      seen += m_spokes.degree(v);
-    if(seen != m_input.number_of_halfedges())
-      throw Invalid_input(internal::Delta_complex_defect(m_input));
   }
 
   template <typename Graph, typename Numbering, typename NamedParameters>

@@ -8,7 +8,12 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <numeric>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -18,7 +23,7 @@ namespace Intrinsic_triangulations {
 /// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex, numbered from 0 in
 /// counterclockwise order. Roundabouts are such numbers (Section 3.1.2). At a boundary vertex the
 /// numbering starts at the spoke with the boundary on its right and ends at the border halfedge.
-/// Memory: four bytes per vertex and eight per halfedge.
+/// Memory: four bytes per vertex and per halfedge.
 class Vertex_spokes
 {
 public:
@@ -27,20 +32,20 @@ public:
   /// creates the numbering of an empty complex.
   Vertex_spokes() = default;
 
-  /// numbers the spokes of `mesh`. Complexity: linear.
-  /// \pre `mesh` is a valid Delta-complex without removed elements
-  explicit Vertex_spokes(const Delta_complex& mesh)
-    : m_first(mesh.number_of_vertices() + 1, 0),
-      m_halfedge(mesh.number_of_halfedges()),
-      m_number(mesh.number_of_halfedges())
+  /// numbers the spokes of `mesh` and writes the number of every halfedge to `number`.
+  /// Complexity: linear.
+  /// \param mesh a valid Delta-complex without removed elements
+  /// \param number a writable property map from halfedges to numbers
+  /// \throws Invalid_input if an interior vertex has more than one umbrella
+  template <typename NumberMap>
+  Vertex_spokes(const Delta_complex& mesh, NumberMap number)
+    : m_first(mesh.number_of_vertices() + 1, 0), m_halfedge(mesh.number_of_halfedges())
   {
-    size_type position = 0;
-    for(Vertex_index v : mesh.vertices()) {
-      m_first[v] = position;
-      if(!mesh.is_isolated(v))
-        position = number_spokes(v, mesh);
-    }
-    m_first.back() = position;
+    for(Halfedge_index h : mesh.halfedges())
+      ++m_first[mesh.target(h) + 1];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    for(Vertex_index v : mesh.vertices())
+      number_spokes(v, mesh, number);
   }
 
   /// returns the number of edges at `v`, a self-edge counted twice.
@@ -52,26 +57,34 @@ public:
     return m_halfedge[m_first[v] + number];
   }
 
-  /// returns the number of `h` among the spokes of its source.
-  size_type number(Halfedge_index h) const { return m_number[h]; }
+  /// returns the number of the spoke `h` of `v`. Complexity: linear in the degree.
+  size_type number(Vertex_index v, Halfedge_index h) const
+  {
+    size_type number = 0;
+    while(halfedge(v, number) != h)
+      ++number;
+    return number;
+  }
 
 private:
-  size_type number_spokes(Vertex_index v, const Delta_complex& mesh)
+  template <typename NumberMap>
+  void number_spokes(Vertex_index v, const Delta_complex& mesh, NumberMap& number)
   {
-    const Halfedge_index first = first_spoke(v, mesh);
-    const size_type start = m_first[v];
-    size_type position = start;
-    for(Halfedge_index h = first;; h = next_spoke(h, mesh)) {
-      m_number[h] = position - start;
-      m_halfedge[position++] = h;
-      if(mesh.is_border(h) || next_spoke(h, mesh) == first)
-        return position;
+    const size_type degree = this->degree(v);
+    if(degree == 0)
+      return;
+    Halfedge_index h = first_spoke(v, mesh);
+    for(size_type i = 0; i < degree; ++i) {
+      m_halfedge[m_first[v] + i] = h;
+      put(number, h, i);
+      h = next_spoke(h, mesh);
     }
+    if(h != first_spoke(v, mesh))
+      throw Invalid_input("vertex " + std::to_string(v.idx()) + " has more than one umbrella");
   }
 
   std::vector<size_type> m_first;
   std::vector<Halfedge_index> m_halfedge;
-  std::vector<size_type> m_number;
 };
 
 } // namespace Intrinsic_triangulations

@@ -77,14 +77,16 @@ inline std::size_t default_flip_limit(std::size_t number_of_edges)
   return 1000000 + 1000 * number_of_edges;
 }
 
+// Edges after `last` will be looked at anyway.
 template <typename Traits>
-void push_sides(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri, Edge_stack& stack)
+void push_sides(Halfedge_index h, Edge_index last, const Intrinsic_triangulation<Traits>& tri,
+                Edge_stack& stack)
 {
   const Delta_complex& mesh = tri.mesh();
-  for(Halfedge_index x : {h, mesh.opposite(h)}) {
-    stack.push(mesh.edge(mesh.next(x)));
-    stack.push(mesh.edge(mesh.prev(x)));
-  }
+  const Halfedge_index o = mesh.opposite(h);
+  for(Halfedge_index x : {mesh.next(h), mesh.prev(h), mesh.next(o), mesh.prev(o)})
+    if(!(last < mesh.edge(x)))
+      stack.push(mesh.edge(x));
 }
 
 template <typename Traits, typename Visitor>
@@ -92,22 +94,20 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 {
   const Delta_complex& mesh = tri.mesh();
   Edge_stack stack(mesh.num_edges());
-  for(Edge_index e : mesh.edges())
-    if(!tri.is_Delaunay(e))
-      stack.push(e);
   std::size_t flips = 0;
-  while(!stack.empty()) {
-    const Edge_index e = stack.pop();
-    if(tri.is_Delaunay(e))
-      continue;
-    if(flips == limit)
-      throw Flip_limit_exceeded("not Delaunay after " + std::to_string(limit) + " flips");
-    const Halfedge_index h = mesh.halfedge(e);
-    tri.flip(h);
-    ++flips;
-    push_sides(h, tri, stack);
-    visitor.after_flip(h);
-  }
+  for(Edge_index last : mesh.edges())
+    for(stack.push(last); !stack.empty();) {
+      const Edge_index e = stack.pop();
+      if(tri.is_Delaunay(e))
+        continue;
+      if(flips == limit)
+        throw Flip_limit_exceeded("not Delaunay after " + std::to_string(limit) + " flips");
+      const Halfedge_index h = mesh.halfedge(e);
+      tri.flip(h);
+      ++flips;
+      push_sides(h, last, tri, stack);
+      visitor.after_flip(h);
+    }
   return flips;
 }
 

@@ -37,7 +37,7 @@ Curve_start<typename Traits::Integer> find_curve(Halfedge_index h,
   const Delta_complex& mesh = tri.mesh();
   const auto& coordinates = tri.coordinates();
   const Vertex_index v = tri.input_mesh().source(h);
-  const auto degree = tri.spokes().degree(v), number = tri.spokes().number(h);
+  const auto degree = tri.spokes().degree(v), number = tri.spokes().number(v, h);
   Halfedge_index spoke = first_spoke(v, mesh);
   for(;;) {
     const auto r = coordinates.roundabout(spoke);

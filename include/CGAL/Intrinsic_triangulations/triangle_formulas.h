@@ -9,8 +9,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -29,41 +29,37 @@ constexpr FT rounding_unit()
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// four times the area of the triangle with sides `a`, `b`, `c`, by Kahan's form of Heron's formula,
-/// which loses no digits on needles. A triangle that rounding has pressed beyond flat counts as flat.
+/// 16 times the squared area of the triangle with sides `a`, `b`, `c`, by Kahan's form of Heron's
+/// formula, which loses no digits on needles. A triangle that rounding has pressed beyond flat counts as
+/// flat.
 /// \param extra is added to the slack \f$b + c - a\f$ of each of the three triangle inequalities
 template <typename FT>
-FT quadrupled_area(FT a, FT b, FT c, const FT& extra = FT(0))
+FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c, const FT& extra = FT(0))
 {
-  using std::swap;
-  if(a < b)
-    swap(a, b);
-  if(b < c)
-    swap(b, c);
-  if(a < b)
-    swap(a, b);
-  const FT slack_a = c - (a - b) + extra, slack_b = c + (a - b) + extra,
-           slack_c = a + (b - c) + extra;
-  if(!(slack_a > 0) || !(slack_b > 0))
+  const FT p = (std::max)(a, b), q = (std::min)(a, b), r = (std::min)(p, c);
+  const FT greatest = (std::max)(p, c), middle = (std::max)(q, r), least = (std::min)(q, r);
+  const FT slack = least - (greatest - middle) + extra;
+  if(!(slack > 0))
     return FT(0);
-  return CGAL::sqrt((a + (b + c)) * slack_a * slack_b * slack_c);
+  return (greatest + (middle + least)) * slack * (least + (greatest - middle) + extra) *
+         (greatest + (middle - least) + extra);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the position of the foot of the height over the side `ij`, measured from the midpoint of that side
-/// towards \f$j\f$.
+/// four times the area of the triangle with sides `a`, `b`, `c`.
 template <typename FT>
-FT foot(const FT& ij, const FT& jk, const FT& ki)
+FT quadrupled_area(const FT& a, const FT& b, const FT& c)
 {
-  return (ki - jk) * (ki + jk) / (2 * ij);
+  return CGAL::sqrt(squared_quadrupled_area(a, b, c));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the height of the triangle over its side `ij`.
+/// the position of the foot of the height over a side \f$ij\f$, measured from the midpoint of that side
+/// towards \f$j\f$, times twice the length of the side. The height times that is `quadrupled_area()`.
 template <typename FT>
-FT height(const FT& ij, const FT& jk, const FT& ki)
+FT scaled_foot(const FT& jk, const FT& ki)
 {
-  return quadrupled_area(ij, jk, ki) / (2 * ij);
+  return (ki - jk) * (ki + jk);
 }
 
 } // namespace Intrinsic_triangulations

@@ -76,32 +76,49 @@ struct Surface_mesh_numbering
   Face_index face(Face_index f) const { return f; }
 };
 
-inline void check_input_halfedge(Halfedge_index h, const Delta_complex& mesh)
+[[noreturn]] inline void fail_at_halfedge(Halfedge_index h, const Delta_complex& mesh)
 {
-  if(mesh.is_border(h)) {
-    if(mesh.is_border(mesh.opposite(h)))
-      throw Invalid_input("edge " + std::to_string(h.idx() / 2) + " has no face");
-  } else if(mesh.next(mesh.next(mesh.next(h))) != h)
-    throw Invalid_input("face " + std::to_string(mesh.face(h).idx()) + " is not a triangle");
+  if(mesh.is_border(h))
+    throw Invalid_input("edge " + std::to_string(mesh.edge(h).idx()) + " has no face");
+  throw Invalid_input("face " + std::to_string(mesh.face(h).idx()) + " is not a triangle");
+}
+
+inline void set_border_halfedge(Vertex_index v, Halfedge_index h, Delta_complex& mesh)
+{
+  if(mesh.is_border(mesh.halfedge(v)))
+    throw Invalid_input("vertex " + std::to_string(v.idx()) + " has more than one umbrella");
+  mesh.set_halfedge(v, h);
+}
+
+template <typename Graph, typename Numbering>
+void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& mesh)
+{
+  for(auto h_in : halfedges(g)) {
+    const Halfedge_index h = numbering.halfedge_of(h_in);
+    const Vertex_index v = numbering.vertex(target(h_in, g));
+    mesh.set_next(h, numbering.halfedge_of(next(h_in, g)));
+    mesh.set_face(h, numbering.face(face(h_in, g)));
+    mesh.set_target(h, v);
+    if(mesh.is_isolated(v))
+      mesh.set_halfedge(v, h);
+    else if(mesh.is_border(h))
+      set_border_halfedge(v, h, mesh);
+  }
 }
 
 template <typename Graph, typename Numbering>
 void copy_connectivity(const Graph& g, const Numbering& numbering, Delta_complex& mesh)
 {
-  for(auto h_in : halfedges(g)) {
-    const Halfedge_index h = numbering.halfedge_of(h_in);
-    mesh.set_next(h, numbering.halfedge_of(next(h_in, g)));
-    mesh.set_face(h, numbering.face(face(h_in, g)));
-    mesh.set_target(h, numbering.vertex(target(h_in, g)));
+  copy_halfedges(g, numbering, mesh);
+  for(auto f_in : faces(g)) {
+    const Halfedge_index h = numbering.halfedge_of(halfedge(f_in, g));
+    if(mesh.next(mesh.next(mesh.next(h))) != h)
+      fail_at_halfedge(h, mesh);
+    mesh.set_halfedge(numbering.face(f_in), h);
   }
-  for(auto f : faces(g))
-    mesh.set_halfedge(numbering.face(f), numbering.halfedge_of(halfedge(f, g)));
-  for(Halfedge_index h : mesh.halfedges()) {
-    check_input_halfedge(h, mesh);
-    const Vertex_index v = mesh.target(h);
-    if(mesh.is_isolated(v) || mesh.is_border(h))
-      mesh.set_halfedge(v, h);
-  }
+  for(Edge_index e : mesh.edges())
+    if(mesh.is_border(mesh.halfedge(e)) && mesh.is_border(mesh.opposite(mesh.halfedge(e))))
+      fail_at_halfedge(mesh.halfedge(e), mesh);
 }
 
 template <typename Graph>
