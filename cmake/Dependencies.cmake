@@ -1,0 +1,50 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# CGAL is needed, everything else is used when it is found and its option is not turned off.
+
+option(WITH_GMP "Let CGAL use GMP and MPFR" ON)
+if(NOT WITH_GMP)
+  set(CGAL_DISABLE_GMP ON)
+endif()
+
+# No version here: CGAL 6 calls itself incompatible with every 5.x that is asked for.
+find_package(CGAL REQUIRED)
+if(CGAL_VERSION VERSION_LESS 5.5)
+  message(FATAL_ERROR "CGAL 5.5 or later is needed; found ${CGAL_VERSION} in ${CGAL_DIR}")
+endif()
+
+option(WITH_Eigen "Use Eigen" ON)
+if(WITH_Eigen)
+  find_package(Eigen3 3.3 QUIET NO_MODULE)
+  set(Eigen_FOUND ${Eigen3_FOUND})
+endif()
+
+# Sets <name>_FOUND if `header` is there.
+function(detect name header)
+  option(WITH_${name} "Look for ${name}" ON)
+  if(WITH_${name})
+    find_path(${name}_INCLUDE_DIR ${header} PATH_SUFFIXES suitesparse)
+    mark_as_advanced(${name}_INCLUDE_DIR)
+    if(${name}_INCLUDE_DIR)
+      set(${name}_FOUND TRUE PARENT_SCOPE)
+    endif()
+  endif()
+endfunction()
+
+detect(SuiteSparse cholmod.h)
+detect(Ceres ceres/ceres.h)
+detect(TBB tbb/version.h)
+
+message(STATUS "Dependency     option  found")
+message(STATUS "CGAL           needed  ${CGAL_VERSION}")
+foreach(name IN ITEMS GMP Eigen SuiteSparse Ceres TBB)
+  string(SUBSTRING "${name}               " 0 15 name_column)
+  string(SUBSTRING "${WITH_${name}}        " 0 8 option_column)
+  if(WITH_${name} AND ${name}_FOUND)
+    message(STATUS "${name_column}${option_column}yes")
+  else()
+    message(STATUS "${name_column}${option_column}no")
+  endif()
+endforeach()

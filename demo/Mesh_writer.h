@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_MESH_WRITER_H
+#define INTRINSIC_MESH_WRITER_H
+
+#include "Output_mesh.h"
+
+#include <string>
+
+// Text formats; PLY and VTP carry the attributes (VTP those of points and polygons).
+enum class Mesh_format
+{
+  OFF,
+  OBJ,
+  PLY,
+  VTP
+};
+
+// The format with the name or extension `name`, with or without dot, in any case.
+// Throws Program_error if there is none.
+Mesh_format mesh_format(const std::string& name);
+
+// The mesh as text; coordinates are the shortest that are read back as the same numbers.
+std::string text_of(const Output_mesh& mesh, Mesh_format format);
+
+#endif // INTRINSIC_MESH_WRITER_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Output.h"
+
+#include "Program_error.h"
+
+#include <iostream>
+#include <stdexcept>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool are_same(const fs::path& a, const fs::path& b)
+{
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored) || fs::weakly_canonical(a) == fs::weakly_canonical(b);
+}
+
+void check_can_be_created(const std::string& path)
+{
+  const fs::path folder = fs::absolute(path).parent_path();
+  if(fs::is_directory(path))
+    throw Program_error(path + ": is a directory");
+  if(!fs::is_directory(folder))
+    throw Program_error(path + ": there is no directory " + folder.string());
+}
+
+void check(const fs::path& input, const std::string& path)
+{
+  if(path.empty() || path == "-")
+    return;
+  if(are_same(input, path))
+    throw Program_error(path + ": is the input, which is never overwritten");
+  check_can_be_created(path);
+}
+
+} // namespace
+
+Output::Output(const fs::path& input, const std::vector<std::string>& paths)
+{
+  for(std::size_t i = 0; i < paths.size(); ++i) {
+    check(input, paths[i]);
+    for(std::size_t j = 0; j < i; ++j)
+      if(!paths[i].empty() && (paths[i] == paths[j] || are_same(paths[i], paths[j])))
+        throw Program_error(paths[i] + ": is named for two outputs");
+  }
+}
+
+void Output::add(const std::string& path, const std::string& content)
+{
+  if(path.empty())
+    return;
+  if(path == "-") {
+    m_standard_output += content;
+    return;
+  }
+  m_files.push_back(std::make_unique<Atomic_file>(path));
+  m_files.back()->stream() << content;
+}
+
+void Output::commit()
+{
+  for(const std::unique_ptr<Atomic_file>& file : m_files)
+    file->close();
+  if(!(std::cout << m_standard_output << std::flush))
+    throw std::runtime_error("standard output could not be written completely");
+  for(const std::unique_ptr<Atomic_file>& file : m_files)
+    file->commit();
+}

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_OUTPUT_MESH_H
+#define INTRINSIC_OUTPUT_MESH_H
+
+#include "Polygon_soup.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// One integer per vertex, edge or face.
+struct Attribute
+{
+  std::string name;
+  std::vector<std::int64_t> values;
+};
+
+// A mesh with what is known about its elements, ready to be written.
+struct Output_mesh
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 2>> edges;
+  std::vector<std::vector<std::size_t>> polygons;
+  std::vector<Attribute> point_data;
+  std::vector<Attribute> edge_data;
+  std::vector<Attribute> polygon_data;
+};
+
+#endif // INTRINSIC_OUTPUT_MESH_H

@@ -1,0 +1,17 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_PROGRAM_ERROR_H
+#define INTRINSIC_PROGRAM_ERROR_H
+
+#include <stdexcept>
+
+// The input or the call is wrong: exit code 2. Any other exception is a failed computation: 1.
+class Program_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+#endif // INTRINSIC_PROGRAM_ERROR_H

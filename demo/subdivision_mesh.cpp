@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "subdivision_mesh.h"
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+template <class Index>
+std::int64_t number_of(Index i)
+{
+  return i.is_valid() ? static_cast<std::int64_t>(i.idx()) : -1;
+}
+
+// The edge at whose interior the crossing `v` is, -1 if `v` is a vertex.
+std::int64_t crossed_edge(const Subdivision& subdivision, IT::Side side, IT::Vertex_index v)
+{
+  if(subdivision.is_input_vertex(v))
+    return -1;
+  return number_of(IT::Edge_index(subdivision.place(side, v).halfedge));
+}
+
+// One value per element of `range`.
+template <class Range, class Value>
+Attribute attribute(const char* name, const Range& range, const Value& value)
+{
+  Attribute result{name, {}};
+  for(const auto element : range)
+    result.values.push_back(value(element));
+  return result;
+}
+
+std::vector<Attribute> point_data(const Subdivision& subdivision)
+{
+  const auto vertices = subdivision.mesh().vertices();
+  return {
+    attribute("kind", vertices,
+              [&](IT::Vertex_index v) { return subdivision.is_input_vertex(v) ? 0 : 1; }),
+    attribute(
+      "input_vertex", vertices,
+      [&](IT::Vertex_index v) { return subdivision.is_input_vertex(v) ? number_of(v) : -1; }),
+    attribute("input_edge", vertices,
+              [&](IT::Vertex_index v) { return crossed_edge(subdivision, IT::Side::input, v); }),
+    attribute("intrinsic_edge", vertices, [&](IT::Vertex_index v) {
+      return crossed_edge(subdivision, IT::Side::intrinsic, v);
+    })};
+}
+
+Attribute parent_edges(const Subdivision& subdivision, const char* name, IT::Side side)
+{
+  return attribute(name, subdivision.mesh().edges(),
+                   [&](IT::Edge_index e) { return number_of(subdivision.parent_edge(side, e)); });
+}
+
+Attribute parent_faces(const Subdivision& subdivision, const char* name, IT::Side side)
+{
+  return attribute(name, subdivision.mesh().faces(),
+                   [&](IT::Face_index f) { return number_of(subdivision.parent_face(side, f)); });
+}
+
+} // namespace
+
+Output_mesh subdivision_mesh(const Subdivision& subdivision)
+{
+  const Mesh& mesh = subdivision.mesh();
+  Output_mesh result;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    result.points.push_back(mesh.point(v));
+  for(const Mesh::Edge_index e : mesh.edges())
+    result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  for(const Mesh::Face_index f : mesh.faces()) {
+    result.polygons.emplace_back();
+    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      result.polygons.back().push_back(v);
+  }
+  result.point_data = point_data(subdivision);
+  result.edge_data = {parent_edges(subdivision, "input_edge", IT::Side::input),
+                      parent_edges(subdivision, "intrinsic_edge", IT::Side::intrinsic)};
+  result.polygon_data = {parent_faces(subdivision, "input_face", IT::Side::input),
+                         parent_faces(subdivision, "intrinsic_face", IT::Side::intrinsic)};
+  return result;
+}

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \ingroup PkgIntrinsicTriangulationsConcepts
+/// \cgalConcept
+///
+/// is what an intrinsic triangulation needs to know of its geometry: numbers, how the length of an edge
+/// comes out of a flip, when an edge is Delaunay, and how a strip of triangles is laid out.
+///
+/// A model is default constructible, copy constructible and assignable. The function objects are
+/// obtained from a constant object and called through a constant reference. `Diamond<FT>` holds the
+/// lengths of an edge \f$ij\f$ and of the four other sides of its faces \f$ijk\f$ and \f$jil\f$.
+///
+/// \cgalHasModel `CGAL::Intrinsic_triangulations::Euclidean_geometry_traits`
+///
+/// \sa `CGAL::Intrinsic_triangulations::Intrinsic_triangulation`
+class IntrinsicGeometryTraits
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the type of lengths and barycentric coordinates: a model of `FieldWithSqrt` and `RealEmbeddable`.
+  /// Only saving and loading asks for a floating point type.
+  typedef unspecified_type FT;
+
+  /// the signed integer type of normal coordinates. If `std::numeric_limits<Integer>::is_bounded`,
+  /// values up to a sixteenth of its greatest are used, and overflow is reported.
+  typedef unspecified_type Integer;
+
+  /// a model of `GeodesicStrip` with the same `FT`.
+  typedef unspecified_type Geodesic_strip;
+
+  /// provides `FT operator()(const Diamond<FT>& length) const`, which returns the length of the edge
+  /// \f$kl\f$ that replaces \f$ij\f$. A result that is no length is allowed; it is refused later.
+  typedef unspecified_type Compute_flipped_length;
+
+  /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the edge
+  /// \f$ij\f$ satisfies the local Delaunay condition. It must hold of ties, and of an edge that has just
+  /// been made by flipping one for which it does not hold; otherwise `make_Delaunay()` may use up its
+  /// flips.
+  typedef unspecified_type Is_locally_Delaunay;
+
+  /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the union of
+  /// the two triangles is strictly convex at \f$i\f$ and \f$j\f$.
+  typedef unspecified_type Is_convex;
+
+  /// provides `bool operator()(const FT& length) const`, which returns whether a number can be the length
+  /// of an edge.
+  typedef unspecified_type Is_length;
+
+  /// provides `bool operator()(const FT& a, const FT& b, const FT& c) const`, which returns whether three
+  /// lengths can be those of the sides of a triangle.
+  typedef unspecified_type Is_triangle;
+
+  /// @}
+  /// \name Operations
+  /// @{
+
+  /// returns the function object.
+  Compute_flipped_length compute_flipped_length_object() const;
+  /// returns the function object.
+  Is_locally_Delaunay is_locally_Delaunay_object() const;
+  /// returns the function object.
+  Is_convex is_convex_object() const;
+  /// returns the function object.
+  Is_length is_length_object() const;
+  /// returns the function object.
+  Is_triangle is_triangle_object() const;
+
+  /// @}
+};

@@ -1,0 +1,517 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_TRIANGULATIONS_TEST_GENERATORS_H
+#define INTRINSIC_TRIANGULATIONS_TEST_GENERATORS_H
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/convex_hull_3.h>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+// Surfaces to test with, all small, all from a seed.
+namespace Test_surfaces {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Delta_complex;
+using IT::Edge_index;
+using IT::Face_index;
+using IT::Halfedge_index;
+using IT::Vertex_index;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Triangles = std::vector<std::array<std::size_t, 3>>;
+
+// ---- Embedded meshes ----
+
+inline Mesh make_mesh(const std::vector<Point>& points, const Triangles& triangles)
+{
+  Mesh mesh;
+  for(const Point& p : points)
+    mesh.add_vertex(p);
+  for(const auto& [a, b, c] : triangles)
+    mesh.add_face(Vertex_index(static_cast<Mesh::size_type>(a)),
+                  Vertex_index(static_cast<Mesh::size_type>(b)),
+                  Vertex_index(static_cast<Mesh::size_type>(c)));
+  return mesh;
+}
+
+inline Mesh tetrahedron()
+{
+  return make_mesh({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}},
+                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+}
+
+inline Mesh octahedron()
+{
+  return make_mesh(
+    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+    {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
+}
+
+// Two triangles for each side.
+inline Mesh cube()
+{
+  std::vector<Point> points;
+  for(int i = 0; i < 8; ++i)
+    points.emplace_back(i & 1, (i >> 1) & 1, i >> 2);
+  return make_mesh(points, {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                            {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}});
+}
+
+// The convex hull of random points on the unit sphere.
+inline Mesh random_sphere(std::size_t n, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<Point> points;
+  while(points.size() < n) {
+    const Kernel::Vector_3 v(random.get_double(-1, 1), random.get_double(-1, 1),
+                             random.get_double(-1, 1));
+    if(const double length = std::sqrt(v.squared_length()); length > 0.1)
+      points.push_back(CGAL::ORIGIN + v / length);
+  }
+  Mesh mesh;
+  CGAL::convex_hull_3(points.begin(), points.end(), mesh);
+  return mesh;
+}
+
+// A ring of n points between two apexes; with height 0 a disk with two sides.
+inline Mesh bipyramid(std::size_t n, double height)
+{
+  std::vector<Point> points;
+  for(std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.) * static_cast<double>(i) / static_cast<double>(n);
+    points.emplace_back(std::cos(angle), std::sin(angle), 0);
+  }
+  points.emplace_back(0, 0, height);
+  points.emplace_back(0, 0, -height);
+  Triangles triangles;
+  for(std::size_t i = 0; i < n; ++i) {
+    triangles.push_back({i, (i + 1) % n, n});
+    triangles.push_back({(i + 1) % n, i, n + 1});
+  }
+  return make_mesh(points, triangles);
+}
+
+// m times n squares, each cut in two.
+inline Mesh grid(std::size_t m, std::size_t n, const std::function<Point(double, double)>& place)
+{
+  std::vector<Point> points;
+  for(std::size_t i = 0; i <= m; ++i)
+    for(std::size_t j = 0; j <= n; ++j)
+      points.push_back(place(static_cast<double>(i), static_cast<double>(j)));
+  Triangles triangles;
+  for(std::size_t i = 0; i < m; ++i)
+    for(std::size_t j = 0; j < n; ++j) {
+      const std::size_t k = i * (n + 1) + j, l = k + n + 1;
+      triangles.push_back({k, l, l + 1});
+      triangles.push_back({k, l + 1, k + 1});
+    }
+  return make_mesh(points, triangles);
+}
+
+inline Mesh embedded_torus(std::size_t m, std::size_t n)
+{
+  const double turn = 2 * std::acos(-1.);
+  std::vector<Point> points;
+  Triangles triangles;
+  for(std::size_t i = 0; i < m; ++i)
+    for(std::size_t j = 0; j < n; ++j) {
+      const double s = turn * static_cast<double>(i) / static_cast<double>(m);
+      const double t = turn * static_cast<double>(j) / static_cast<double>(n);
+      const double radius = 3 + std::cos(t);
+      points.emplace_back(radius * std::cos(s), radius * std::sin(s), std::sin(t));
+      const std::size_t k = i * n + j, l = (i + 1) % m * n + j;
+      const std::size_t k_up = i * n + (j + 1) % n, l_up = (i + 1) % m * n + (j + 1) % n;
+      triangles.push_back({k, l, l_up});
+      triangles.push_back({k, l_up, k_up});
+    }
+  return make_mesh(points, triangles);
+}
+
+inline Mesh perturbed(Mesh mesh, double amount, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for(Vertex_index v : mesh.vertices())
+    mesh.point(v) = mesh.point(v) + Kernel::Vector_3(random.get_double(-amount, amount),
+                                                     random.get_double(-amount, amount),
+                                                     random.get_double(-amount, amount));
+  return mesh;
+}
+
+// Without the given faces: one boundary loop for each if they are apart.
+inline Mesh punctured(Mesh mesh, const std::vector<std::size_t>& faces)
+{
+  Triangles rest;
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    if(std::find(faces.begin(), faces.end(), f.idx()) == faces.end())
+      rest.push_back(
+        {mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+  }
+  return make_mesh({mesh.points().begin(), mesh.points().end()}, rest);
+}
+
+// ---- Delta-complexes ----
+
+// Sides of triangles: 1, 2, ... are edges, -1, -2, ... the same edges backwards.
+using Sides = std::vector<std::array<int, 3>>;
+
+inline Halfedge_index halfedge_of(int side)
+{
+  return Halfedge_index(static_cast<Delta_complex::size_type>(side > 0 ? 2 * side - 2 : -2 * side - 1));
+}
+
+inline void close_border(Delta_complex& mesh)
+{
+  for(Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h)) {
+      Halfedge_index x = mesh.opposite(h);
+      while(!mesh.is_border(x))
+        x = mesh.opposite(mesh.prev(x));
+      mesh.set_next(h, x);
+    }
+}
+
+inline void add_vertices(Delta_complex& mesh)
+{
+  for(Halfedge_index h : mesh.halfedges()) {
+    if(mesh.target(h) != Delta_complex::null_vertex())
+      continue;
+    const Vertex_index v = mesh.add_vertex();
+    mesh.set_halfedge(v, h);
+    Halfedge_index x = h;
+    do {
+      mesh.set_target(x, v);
+      if(mesh.is_border(x))
+        mesh.set_halfedge(v, x);
+      x = mesh.opposite(mesh.next(x));
+    } while(x != h);
+  }
+}
+
+// Triangles glued along equal labels; halfedge_of(side) is the halfedge of a label.
+inline Delta_complex glue(const Sides& faces)
+{
+  int edges = 0;
+  for(const auto& face : faces)
+    for(int side : face)
+      edges = (std::max)(edges, std::abs(side));
+  Delta_complex mesh;
+  mesh.resize(0, static_cast<Delta_complex::size_type>(edges),
+              static_cast<Delta_complex::size_type>(faces.size()));
+  for(Face_index f : mesh.faces())
+    for(std::size_t s = 0; s < 3; ++s) {
+      const Halfedge_index h = halfedge_of(faces[f][s]);
+      mesh.set_next(h, halfedge_of(faces[f][(s + 1) % 3]));
+      mesh.set_face(h, f);
+      mesh.set_halfedge(f, h);
+    }
+  close_border(mesh);
+  add_vertices(mesh);
+  return mesh;
+}
+
+// One triangle with two sides glued: a disk with a vertex of degree 1 inside.
+inline Delta_complex cone(bool mirrored) { return glue({mirrored ? std::array{-1, 1, 2} : std::array{1, -1, 2}}); }
+
+// Two cones: a sphere with two vertices of degree 1 and one of degree 4.
+inline Delta_complex spindle() { return glue({{1, -1, 2}, {-2, -3, 3}}); }
+
+// A disk with an interior vertex of degree 2 and two boundary edges.
+inline Delta_complex bigon() { return glue({{1, 2, 3}, {-1, 4, -2}}); }
+
+// An octagon with its sides glued to the surface of genus 2 with one vertex.
+inline Delta_complex double_torus()
+{
+  return glue({{1, 2, 5}, {-5, -1, 6}, {-6, -2, 7}, {-7, 3, 8}, {-8, 4, 9}, {-9, -3, -4}});
+}
+
+// All lengths between 1 and 1.9: no triangle inequality can fail.
+inline std::vector<double> random_lengths(const Delta_complex& mesh, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<double> result(mesh.number_of_edges());
+  for(double& length : result)
+    length = random.get_double(1, 1.9);
+  return result;
+}
+
+template <typename Traits = IT::Euclidean_geometry_traits<>>
+IT::Intrinsic_triangulation<Traits> triangulation(const Delta_complex& mesh,
+                                                  const std::vector<double>& lengths)
+{
+  const auto map = boost::make_function_property_map<Edge_index>(
+    [&](Edge_index e) { return lengths[e.idx()]; });
+  return IT::Intrinsic_triangulation<Traits>(mesh, IT::parameters::edge_length_map(map));
+}
+
+// ---- Flat surfaces with exact coordinates ----
+
+struct Vector
+{
+  std::int64_t x, y;
+
+  friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
+  friend Vector operator-(const Vector& v, const Vector& w) { return {v.x - w.x, v.y - w.y}; }
+  friend Vector operator-(const Vector& v) { return {-v.x, -v.y}; }
+  friend Vector operator*(std::int64_t s, const Vector& v) { return {s * v.x, s * v.y}; }
+  friend bool operator==(const Vector& v, const Vector& w) { return v.x == w.x && v.y == w.y; }
+  friend std::int64_t dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
+  friend std::int64_t det(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
+};
+
+inline double length(const Vector& v) { return std::sqrt(static_cast<double>(dot(v, v))); }
+
+// A triangulation of a part of the plane modulo the lattice of a and b; a lattice wider than that part
+// changes nothing.
+struct Flat_surface
+{
+  Delta_complex mesh;
+  std::vector<Vector> vector; // of each halfedge
+  std::vector<Vector> point;  // a lift of each vertex
+  Vector a, b;
+
+  std::vector<double> lengths() const
+  {
+    std::vector<double> result;
+    for(Edge_index e : mesh.edges())
+      result.push_back(length(vector[mesh.halfedge(e)]));
+    return result;
+  }
+};
+
+template <typename Traits = IT::Euclidean_geometry_traits<>>
+IT::Intrinsic_triangulation<Traits> triangulation(const Flat_surface& surface)
+{
+  return triangulation<Traits>(surface.mesh, surface.lengths());
+}
+
+constexpr std::int64_t beyond = 1 << 20; // all planar coordinates
+
+// `place(label)` is the pair of end points of an edge.
+template <typename Place>
+Flat_surface flat_surface(const Sides& sides, const Place& place, const Vector& a, const Vector& b)
+{
+  Flat_surface result{glue(sides), {}, {}, a, b};
+  const Delta_complex& mesh = result.mesh;
+  result.vector.resize(mesh.number_of_halfedges());
+  result.point.resize(mesh.number_of_vertices());
+  for(int label = 1; label <= static_cast<int>(mesh.number_of_edges()); ++label) {
+    const auto [source, target] = place(label);
+    const Halfedge_index h = halfedge_of(label), o = mesh.opposite(h);
+    result.vector[h] = target - source;
+    result.vector[o] = source - target;
+    result.point[mesh.source(h)] = source;
+    result.point[mesh.target(h)] = target;
+  }
+  return result;
+}
+
+// m times n cells, each cut in two, their corners moved at random.
+inline Flat_surface flat_torus(int m, int n, unsigned int seed)
+{
+  const Vector right{1000, 130}, up{-270, 900};
+  CGAL::Random random(seed);
+  std::vector<Vector> shift;
+  for(int i = 0; i < m * n; ++i)
+    shift.push_back({random.get_int(-140, 141), random.get_int(-140, 141)});
+  const auto cell = [&](int i, int j) { return i % m * n + j % n; };
+  const auto label = [&](int i, int j, int kind) { return 3 * cell(i, j) + kind; };
+  const auto corner = [&](int i, int j) {
+    return i * right + j * up + shift[static_cast<std::size_t>(cell(i, j))];
+  };
+  Sides sides;
+  for(int i = 0; i < m; ++i)
+    for(int j = 0; j < n; ++j) {
+      sides.push_back({label(i, j, 1), label(i + 1, j, 2), -label(i, j, 3)});
+      sides.push_back({label(i, j, 3), -label(i, j + 1, 1), -label(i, j, 2)});
+    }
+  const auto place = [&](int edge) {
+    const int i = (edge - 1) / 3 / n, j = (edge - 1) / 3 % n, kind = (edge - 1) % 3 + 1;
+    return std::make_pair(corner(i, j), corner(i + (kind != 2), j + (kind != 1)));
+  };
+  return flat_surface(sides, place, m * right, n * up);
+}
+
+// n points on either boundary; the edges across wind around it `twists` times. No four points that
+// could be neighbours are on a circle.
+inline Flat_surface flat_cylinder(int n, int twists, int height = 700)
+{
+  const int width = 1000, shift = 300;
+  const auto bottom = [&](int i) { return i % n * 4 + 1; };
+  const auto top = [&](int i) { return i % n * 4 + 2; };
+  const auto across = [&](int i) { return i % n * 4 + 3; };
+  const auto diagonal = [&](int i) { return i % n * 4 + 4; };
+  Sides sides;
+  for(int i = 0; i < n; ++i) {
+    sides.push_back({bottom(i), across(i + 1), -diagonal(i)});
+    sides.push_back({diagonal(i), -top(i), -across(i)});
+  }
+  const auto place = [&](int edge) {
+    const int i = (edge - 1) / 4, kind = (edge - 1) % 4 + 1;
+    const Vector low{width * i, 0}, high{width * (i + n * twists) + shift, height}, step{width, 0};
+    return kind == 1   ? std::make_pair(low, low + step)
+           : kind == 2 ? std::make_pair(high, high + step)
+           : kind == 3 ? std::make_pair(low, high)
+                       : std::make_pair(low, high + step);
+  };
+  return flat_surface(sides, place, {width * n, 0}, {0, beyond});
+}
+
+// Adds the points from left to right and joins each to all it sees: long slivers.
+inline Triangles swept_triangles(const std::vector<Vector>& points)
+{
+  const auto sees = [&](std::size_t p, std::size_t u, std::size_t v) {
+    return det(points[v] - points[u], points[p] - points[u]) < 0;
+  };
+  std::vector<std::size_t> hull{0, 1, 2};
+  if(sees(2, 0, 1))
+    std::swap(hull[0], hull[1]);
+  Triangles triangles{{hull[0], hull[1], hull[2]}};
+  for(std::size_t p = 3; p < points.size(); ++p) {
+    std::vector<std::size_t> wider;
+    for(std::size_t i = 0; i < hull.size(); ++i) {
+      const std::size_t before = hull[(i + hull.size() - 1) % hull.size()];
+      const std::size_t u = hull[i], v = hull[(i + 1) % hull.size()];
+      const bool sees_before = sees(p, before, u), sees_after = sees(p, u, v);
+      if(!sees_before || !sees_after)
+        wider.push_back(u);
+      if(sees_after) {
+        triangles.push_back({u, p, v});
+        if(!sees_before)
+          wider.push_back(p);
+      }
+    }
+    hull = wider;
+  }
+  return triangles;
+}
+
+// Points with different x from left to right, the first three not on a line.
+inline std::vector<Vector> random_points(std::size_t n, int size, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::map<int, int> y_of_x;
+  while(y_of_x.size() < n)
+    y_of_x.emplace(random.get_int(0, size), random.get_int(0, size));
+  std::vector<Vector> points;
+  for(const auto& [x, y] : y_of_x)
+    points.push_back({x, y});
+  return points;
+}
+
+inline Flat_surface flat_polygon(const std::vector<Vector>& points)
+{
+  std::map<std::pair<std::size_t, std::size_t>, int> labels;
+  std::vector<std::pair<Vector, Vector>> ends;
+  const auto label = [&](std::size_t u, std::size_t v) {
+    const auto [entry, is_new] =
+      labels.emplace(std::minmax(u, v), static_cast<int>(labels.size()) + 1);
+    if(is_new)
+      ends.emplace_back(points[(std::min)(u, v)], points[(std::max)(u, v)]);
+    return u < v ? entry->second : -entry->second;
+  };
+  Sides sides;
+  for(const auto& [u, v, w] : swept_triangles(points))
+    sides.push_back({label(u, v), label(v, w), label(w, u)});
+  return flat_surface(
+    sides, [&](int edge) { return ends[static_cast<std::size_t>(edge - 1)]; }, {beyond, 0},
+    {0, beyond});
+}
+
+// The same in space, where it keeps the order of the points.
+inline Mesh planar_mesh(const std::vector<Vector>& points)
+{
+  std::vector<Point> placed;
+  for(const Vector& p : points)
+    placed.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y), 0);
+  return make_mesh(placed, swept_triangles(points));
+}
+
+// ---- Collections ----
+
+struct Named_mesh
+{
+  std::string name;
+  Mesh mesh;
+};
+
+inline std::vector<Named_mesh> meshes()
+{
+  const auto in_plane = [](double x, double y) { return Point(x, y, 0); };
+  return {{"tetrahedron", tetrahedron()},
+          {"octahedron", octahedron()},
+          {"cube", cube()},
+          {"random sphere", random_sphere(40, 1)},
+          {"bipyramid", bipyramid(30, 0.5)},
+          {"double disk", perturbed(bipyramid(7, 0), 0.2, 2)},
+          {"torus", embedded_torus(5, 4)},
+          {"rough torus", perturbed(embedded_torus(6, 5), 0.4, 3)},
+          {"grid", perturbed(grid(4, 3, in_plane), 0.3, 4)},
+          {"polygon", planar_mesh(random_points(25, 1000, 5))},
+          {"sphere with three holes", punctured(random_sphere(40, 6), {0, 20, 50})},
+          {"torus with a hole", punctured(embedded_torus(5, 4), {7})}};
+}
+
+struct Named_complex
+{
+  std::string name;
+  Delta_complex mesh;
+};
+
+// The connectivity of all of the above, and surfaces with loops and parallel edges.
+inline std::vector<Named_complex> complexes()
+{
+  std::vector<Named_complex> result;
+  for(const Named_mesh& m : meshes())
+    result.push_back({m.name, IT::Intrinsic_triangulation<>(m.mesh).mesh()});
+  result.push_back({"triangle", glue({{1, 2, 3}})});
+  result.push_back({"pillow", glue({{1, 2, 3}, {-3, -2, -1}})});
+  result.push_back({"cone", cone(false)});
+  result.push_back({"mirrored cone", cone(true)});
+  result.push_back({"spindle", spindle()});
+  result.push_back({"bigon", bigon()});
+  result.push_back({"double torus", double_torus()});
+  result.push_back({"torus with one vertex", flat_torus(1, 1, 0).mesh});
+  result.push_back({"torus with two vertices", flat_torus(2, 1, 0).mesh});
+  result.push_back({"annulus with two vertices", flat_cylinder(1, 0).mesh});
+  result.push_back({"annulus", flat_cylinder(4, 0).mesh});
+  return result;
+}
+
+// CGAL's own meshes, none where they are not installed.
+inline std::vector<std::string> data_meshes(std::uintmax_t largest_file)
+{
+  std::vector<std::string> result;
+  std::error_code none_there;
+  for(const auto& file :
+      std::filesystem::directory_iterator(CGAL::data_file_path("meshes"), none_there))
+    if(file.path().extension() == ".off" && file.file_size() <= largest_file)
+      result.push_back(file.path().string());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+} // namespace Test_surfaces
+
+#endif // INTRINSIC_TRIANGULATIONS_TEST_GENERATORS_H

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdlib>
+#include <iostream>
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+// A thin quadrilateral cut along its long diagonal: one flip makes it Delaunay.
+Mesh thin_quadrilateral()
+{
+  Mesh mesh;
+  const auto a = mesh.add_vertex(Point(-2, 0, 0));
+  const auto b = mesh.add_vertex(Point(0, -1, 0));
+  const auto c = mesh.add_vertex(Point(2, 0, 0));
+  const auto d = mesh.add_vertex(Point(0, 1, 0));
+  mesh.add_face(a, b, c);
+  mesh.add_face(a, c, d);
+  return mesh;
+}
+
+int main()
+{
+  const Mesh mesh = thin_quadrilateral();
+  CGAL::Intrinsic_triangulations::Intrinsic_triangulation<> tri(mesh);
+  const auto flips = CGAL::Intrinsic_triangulations::make_Delaunay(tri);
+  std::cout << flips << " flip\n";
+  const bool good = flips == 1 && CGAL::Intrinsic_triangulations::is_Delaunay(tri);
+  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,86 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Shared by the tests of the program, which get its path and the directory of CGAL's data files:
+# a scratch directory, which is the current one, and small meshes, good and broken.
+set -euo pipefail
+
+program=$(realpath "$1")
+data=${2:+$(realpath "$2")}
+shipped=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../../demo/data/slivers.off")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+# expect CODE ARGUMENTS...: runs the program; its output is left in out and err.
+expect()
+{
+  local code=$1 result=0
+  shift
+  "$program" "$@" >out 2>err || result=$?
+  [ "$result" -eq "$code" ] || fail "intrinsic $* gave $result instead of $code: $(cat err)"
+}
+
+# says TEXT: the last run wrote it to standard output or standard error.
+says()
+{
+  grep -qF -- "$1" out err || fail "expected '$1' in: $(cat out err)"
+}
+
+# expect_files NAMES...: there is nothing but these beside the meshes, hidden files included.
+expect_files()
+{
+  local found
+  found=$(find . -maxdepth 1 -type f ! -name '*.mesh.*' ! -name out ! -name err -printf '%f\n' | sort)
+  [ "$found" = "$(printf '%s\n' "$@" | sort)" ] || fail "unexpected files: $found"
+}
+
+# off NAME POINTS FACES: coordinates and indices are separated by spaces, elements by commas.
+off()
+{
+  local points faces
+  IFS=, read -ra points <<<"$2"
+  IFS=, read -ra faces <<<"$3"
+  {
+    printf 'OFF\n%d %d 0\n' "${#points[@]}" "${#faces[@]}"
+    printf '%s\n' "${points[@]}"
+    for face in "${faces[@]}"; do
+      echo "$(wc -w <<<"$face") $face"
+    done
+  } >"$1.mesh.off"
+}
+
+square='0 0 0,1 0 0,1 1 0,0 1 0'
+tetrahedron='0 0 0,1 0 0,0 1 0,0 0 1'
+tetrahedron_faces='0 2 1,0 1 3,1 2 3,2 0 3'
+
+off good "$tetrahedron" "$tetrahedron_faces"
+off isolated "9 9 9,$tetrahedron" '1 3 2,1 2 4,2 3 4,3 1 4'
+off two_components "$tetrahedron,5 0 0,6 0 0,5 1 0" "$tetrahedron_faces,4 5 6"
+off cap '0 0 0,1 0 0,2 0 0,1 1 0' '0 1 3,1 2 3,0 2 1'
+off needle '0 0 0,1 0 0,1 0.001 0' '0 1 2'
+
+off polygon "$square" '0 1 2 3'
+off repeated "$square" '0 1 2,0 2 2'
+off edge_of_three "$square,0 0 1" '0 1 2,1 0 3,0 1 4'
+off bow_tie "$square,5 5 5" '0 1 2,0 3 4'
+off zero_length '0 0 0,1 0 0,1 0 0,0 1 0' '0 1 3,1 2 3'
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n' >orientation.mesh.off
+printf 'OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n' >nan.mesh.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n' >index.mesh.off
+printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >truncated.mesh.off
+printf 'OFF\n3 1 0\n0 0 0\n1 oops 0\n0 1 0\n3 0 1 2\n' >garbage.mesh.off
+printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' >no_faces.mesh.off
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n' >index.mesh.obj
+printf 'v -1e308 0 0\nv 1e308 0 0\nv 0 1 0\nf 1 2 3\n' >overflow.mesh.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/2 3/3\n' >good.mesh.obj
+printf 'not a mesh\n' >words.mesh.obj
+: >empty.mesh.off
+printf 'something\n' >unknown.mesh.xyz

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Files, formats, statistics and exit codes of the command delaunay.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+cp "$shipped" slivers.mesh.off
+checksum=$(cksum <slivers.mesh.off)
+
+expect 0 delaunay slivers.mesh.off -o a.ply --stats a.json --save a.save
+[ ! -s out ] || fail 'standard output is not empty'
+expect_files a.json a.ply a.save
+
+# The same bytes once more, and in every format.
+for format in ply off obj vtp; do
+  expect 0 delaunay slivers.mesh.off -o "a.$format" --quiet
+  [ ! -s err ] || fail "not quiet: $(cat err)"
+  expect 0 delaunay slivers.mesh.off -o - --format "$format" --quiet
+  cmp "a.$format" out
+done
+expect 0 delaunay slivers.mesh.off -o b.ply --save b.save
+cmp a.ply b.ply
+cmp a.save b.save
+
+# The subdivision can be read again and covers the same surface.
+for format in ply off obj; do
+  "$program" info "a.$format" >out || true
+  grep -q 'Euler characteristic  0' out || fail "bad subdivision in a.$format: $(cat out)"
+done
+rm a.* b.*
+
+# keys FILE: the names in a JSON file, in their order.
+keys()
+{
+  sed -n 's/^ *"\([a-z_]*\)":.*/\1/p' "$1" | tr '\n' ' '
+}
+
+expect 0 delaunay slivers.mesh.off -o - --stats statistics.json
+expected='command input vertices edges faces euler_characteristic boundary_loops components flips '
+expected+='is_delaunay shared_edges crossings edge_length_sum min_angle_degrees subdivision vertices '
+expected+='edges faces seconds read build flip trace subdivide write peak_memory_bytes '
+[ "$(keys statistics.json)" = "$expected" ] || fail "keys: $(keys statistics.json)"
+grep -q '"is_delaunay": true' statistics.json
+grep -q '"vertices": 1320,' statistics.json
+rm statistics.json
+
+# Handled, not refused.
+expect 0 delaunay isolated.mesh.off -o -
+says 'note: isolated vertex: 1'
+sed -n 3p out | grep -qx '9 9 9' || fail 'the isolated vertex lost its place'
+expect 0 delaunay two_components.mesh.off -o -
+expect 0 delaunay cap.mesh.off -o -
+expect 0 delaunay zero_length.mesh.off -o - --mollify 1e-6
+expect 0 delaunay slivers.mesh.off -o - --constrain-angle 20
+
+# Wrong calls.
+expect 2 delaunay slivers.mesh.off
+expect 2 delaunay slivers.mesh.off -o slivers.mesh.off
+says 'never overwritten'
+expect 2 delaunay slivers.mesh.off -o out.ply --stats ./slivers.mesh.off
+ln -s slivers.mesh.off link.mesh.off
+expect 2 delaunay slivers.mesh.off -o link.mesh.off
+expect 2 delaunay slivers.mesh.off -o same.ply --save same.ply
+expect 2 delaunay slivers.mesh.off -o a.stl
+says 'no such output format'
+expect 2 delaunay slivers.mesh.off -o no_extension
+expect 2 delaunay slivers.mesh.off -o missing/a.ply
+expect 2 delaunay slivers.mesh.off -o - --stats -
+expect 2 delaunay slivers.mesh.off -o a.off --mollify -1
+expect 2 delaunay slivers.mesh.off -o a.off --constrain-angle 200
+expect_files
+
+# What cannot be written is a failure and leaves what was there.
+echo old >a.off
+mkdir -p full
+if [ -w /dev/full ]; then
+  result=0
+  "$program" delaunay slivers.mesh.off -o - --quiet >/dev/full 2>err || result=$?
+  [ "$result" -eq 1 ] || fail "a full device gave $result"
+  expect 1 delaunay slivers.mesh.off -o a.off --stats /dev/full
+  [ "$(cat a.off)" = old ] || fail 'a failed run replaced a file'
+fi
+expect_files a.off
+rm a.off
+
+[ "$(cksum <slivers.mesh.off)" = "$checksum" ] || fail 'the input was changed'
+
+if [ -n "$data" ]; then
+  for mesh in elephant.off cube-ouvert.off degtri_sliding.off sphere.stl colored_tetra.ply; do
+    expect 0 delaunay "$data/meshes/$mesh" -o "mesh.ply" --stats mesh.json
+    grep -q '"is_delaunay": true' mesh.json || fail "$mesh is not Delaunay"
+  done
+fi

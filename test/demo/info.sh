@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The diagnosis of good, noteworthy and broken meshes, and the exit codes.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+expect 0 info good.mesh.off
+says 'Euler characteristic  2'
+expect 0 info good.mesh.obj
+expect 0 info isolated.mesh.off
+says 'note: isolated vertex: 1, first at vertex 0'
+expect 0 info two_components.mesh.off
+says 'note: connected component: 2'
+expect 0 info cap.mesh.off
+says 'note: degenerate face: 1, first at face 2'
+expect 0 info needle.mesh.off
+says 'note: needle face: 1, first at face 0'
+
+# broken NAME TEXT: refused by both commands, which name the file and the defect; nothing is written.
+broken()
+{
+  expect 2 info "$1"
+  says "$2"
+  expect 2 delaunay "$1" -o result.off --stats result.json --save result.save
+  says "$1"
+  says "$2"
+  expect_files
+}
+
+broken polygon.mesh.off 'face that is not a triangle: 1, first at face 0'
+broken repeated.mesh.off 'face with a repeated vertex: 1, first at face 1'
+broken edge_of_three.mesh.off 'non-manifold edge: 1, first between vertices 0 and 1 (face 0)'
+broken orientation.mesh.off 'inconsistent orientation: 1, first between vertices 0 and 2'
+broken bow_tie.mesh.off 'non-manifold vertex: 1, first at vertex 0'
+broken zero_length.mesh.off 'zero-length edge: 1, first between vertices 1 and 2 (face 1)'
+broken overflow.mesh.obj 'invalid edge length: 1, first between vertices 0 and 1'
+broken index.mesh.obj 'face index out of range: 1, first at face 0'
+broken index.mesh.off 'line 6 cannot be understood'
+broken nan.mesh.off 'line 4 cannot be understood'
+broken garbage.mesh.off 'line 4 cannot be understood'
+broken truncated.mesh.off 'ends too early'
+broken no_faces.mesh.off 'has no faces'
+broken words.mesh.obj 'line 1 cannot be understood'
+broken empty.mesh.off 'is empty'
+broken unknown.mesh.xyz 'the extension is not one of'
+broken missing.mesh.off 'no such file'
+broken / 'is a directory'
+
+expect 0 info good.mesh.off --json
+says '"euler_characteristic": 2'
+says '"defects": []'
+expect 2 info bow_tie.mesh.off --json
+says '"is_valid": false'
+expect 2 info index.mesh.obj --json
+says '"min_angle_degrees": null'
+
+expect 0 --help
+says 'Examples:'
+expect 0 delaunay --help
+expect 0 --version
+says 'intrinsic '
+expect 2
+expect 2 info
+expect 2 unknown_command
+expect 2 info good.mesh.off --unknown-option

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# --repair mends what it can, tells what it did, and is the only thing that changes a mesh.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+# mended NAME TEXT: refused as it is, accepted with --repair, which says what it did.
+mended()
+{
+  expect 2 delaunay "$1" -o result.off
+  expect 0 delaunay "$1" -o result.off --stats result.json --repair --quiet
+  says "$1: repaired: $2"
+  grep -qF "\"${2%: *}\": ${2##*: }" result.json || fail "not in the statistics: $2"
+  expect 0 info result.off
+  rm result.off result.json
+}
+
+mended polygon.mesh.off 'triangles added by splitting polygons: 1'
+mended repeated.mesh.off 'degenerate or duplicate faces removed: 1'
+mended edge_of_three.mesh.off 'points duplicated to make the surface manifold: 4'
+mended orientation.mesh.off 'faces reversed: 1'
+mended bow_tie.mesh.off 'points duplicated to make the surface manifold: 1'
+mended zero_length.mesh.off 'points merged with an equal one: 1'
+
+expect 0 delaunay isolated.mesh.off -o - --repair
+says 'isolated points removed: 1'
+expect 0 delaunay good.mesh.off -o - --repair
+! grep -q repaired err || fail 'a good mesh was repaired'
+
+expect 2 delaunay index.mesh.obj -o result.off --repair
+expect 2 delaunay overflow.mesh.obj -o result.off --repair
+expect_files
+
+if [ -n "$data" ]; then
+  for mesh in cube_quad.off blobby-shuffled.off polygon_mesh.off quads_to_stitch.off; do
+    expect 2 delaunay "$data/meshes/$mesh" -o result.off
+    expect 0 delaunay "$data/meshes/$mesh" -o result.off --repair
+  done
+fi
