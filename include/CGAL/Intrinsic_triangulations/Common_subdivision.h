@@ -31,9 +31,13 @@ template <typename Traits_ = Euclidean_geometry_traits<double>, typename Point =
 class Common_subdivision
 {
 public:
+  /// the geometry.
   typedef Traits_ Traits;
+  /// the type of lengths and barycentric coordinates.
   typedef typename Traits::FT FT;
+  /// the type of the mesh.
   typedef Surface_mesh<Point> Mesh;
+  /// the type of numbers of elements.
   typedef Delta_complex::size_type size_type;
 
   /// builds the subdivision. Complexity: linear in the vertices, edges and crossings.

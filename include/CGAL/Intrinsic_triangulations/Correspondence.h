@@ -34,10 +34,15 @@ template <typename Traits_ = Euclidean_geometry_traits<double>>
 class Correspondence
 {
 public:
+  /// the geometry.
   typedef Traits_ Traits;
+  /// the type of the triangulation.
   typedef Intrinsic_triangulation<Traits> Triangulation;
+  /// the type of lengths and barycentric coordinates.
   typedef typename Traits::FT FT;
+  /// the type of normal coordinates.
   typedef typename Traits::Integer Integer;
+  /// the type of numbers of elements.
   typedef Delta_complex::size_type size_type;
 
   /// a crossing as seen from a halfedge of one side.

@@ -29,9 +29,17 @@ struct No_point
 /// incoming halfedge, and a border halfedge if `v` is on the boundary.
 typedef CGAL::Surface_mesh<No_point> Delta_complex;
 
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// a vertex; all meshes of the package have the same index types.
 typedef Delta_complex::Vertex_index Vertex_index;
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// a halfedge; all meshes of the package have the same index types.
 typedef Delta_complex::Halfedge_index Halfedge_index;
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// an edge; all meshes of the package have the same index types.
 typedef Delta_complex::Edge_index Edge_index;
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// a face; all meshes of the package have the same index types.
 typedef Delta_complex::Face_index Face_index;
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
@@ -385,6 +393,7 @@ std::string Delta_complex_defect(const Surface_mesh<P>& mesh)
 /// checks whether `mesh` is a triangulated surface: links in order, faces triangles, one umbrella at
 /// every vertex, border vertices with a border halfedge. Loops and parallel edges are allowed.
 /// Complexity: linear.
+/// \param mesh the mesh
 /// \param verbose whether the first defect is written to `std::cerr`
 template <typename P>
 bool is_valid_Delta_complex(const Surface_mesh<P>& mesh, bool verbose = false)

@@ -21,8 +21,8 @@ namespace Intrinsic_triangulations {
 template <typename FT>
 struct Edge_point
 {
-  Halfedge_index halfedge;
-  FT t;
+  Halfedge_index halfedge; ///< a halfedge of the edge
+  FT t;                    ///< the barycentric coordinate on it
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
@@ -45,8 +45,8 @@ using Face_location = std::pair<Face_index, std::array<FT, 3>>;
 template <typename FT>
 struct Trace_point
 {
-  Edge_point<FT> on_input;
-  Edge_point<FT> on_intrinsic;
+  Edge_point<FT> on_input;     ///< the place on \f$T_1\f$
+  Edge_point<FT> on_intrinsic; ///< the place on \f$T_2\f$
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence

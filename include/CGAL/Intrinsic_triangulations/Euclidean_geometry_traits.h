@@ -32,14 +32,18 @@ template <typename FT_ = double, typename Integer_ = std::int64_t>
 class Euclidean_geometry_traits
 {
 public:
+  /// the number type of lengths.
   typedef FT_ FT;
+  /// the type of normal coordinates.
   typedef Integer_ Integer;
+  /// the layout of triangle strips.
   typedef Euclidean_strip<FT> Geodesic_strip;
 
   /// computes the length of the edge \f$kl\f$ that replaces \f$ij\f$. Both triangles are laid out in the
   /// plane along \f$ij\f$; lengths are multiplied by \f$2 \ell_{ij}\f$ until the end.
   struct Compute_flipped_length
   {
+    /// returns the length of \f$kl\f$.
     FT operator()(const Diamond<FT>& length) const
     {
       const FT x = scaled_foot(length.jk, length.ki) - scaled_foot(length.lj, length.il);
@@ -59,6 +63,7 @@ public:
   /// over its long side gives way.
   struct Is_locally_Delaunay
   {
+    /// returns whether \f$ij\f$ is Delaunay.
     bool operator()(const Diamond<FT>& length) const
     {
       const FT squared = length.ij * length.ij;
@@ -103,6 +108,7 @@ public:
   /// flipped; in floating point, whether this is certain in spite of rounding.
   struct Is_convex
   {
+    /// returns whether the diamond is convex.
     bool operator()(const Diamond<FT>& length) const
     {
       const FT foot_k = scaled_foot(length.jk, length.ki);
@@ -121,6 +127,7 @@ public:
   /// eighth power, to which the formulas above go up.
   struct Is_length
   {
+    /// returns whether `length` can be the length of an edge.
     bool operator()(const FT& length) const
     {
       if constexpr(std::numeric_limits<FT>::is_iec559) {
@@ -136,6 +143,7 @@ public:
   /// rounding of the lengths, is a degenerate triangle and allowed.
   struct Is_triangle
   {
+    /// returns whether there is a triangle with these sides.
     bool operator()(const FT& a, const FT& b, const FT& c) const
     {
       const FT slack = (std::min)({b + c - a, c + a - b, a + b - c});
@@ -143,10 +151,15 @@ public:
     }
   };
 
+  /// returns the function object.
   Compute_flipped_length compute_flipped_length_object() const { return {}; }
+  /// returns the function object.
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
+  /// returns the function object.
   Is_convex is_convex_object() const { return {}; }
+  /// returns the function object.
   Is_length is_length_object() const { return {}; }
+  /// returns the function object.
   Is_triangle is_triangle_object() const { return {}; }
 };
 

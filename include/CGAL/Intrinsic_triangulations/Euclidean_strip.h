@@ -57,7 +57,8 @@ public:
   /// \f$[0,1]\f$.
   struct Crossing
   {
-    FT along_line, along_edge;
+    FT along_line, ///< the place on the line
+      along_edge;  ///< the place on the edge
   };
 
   /// starts a new strip in the triangle \f$aij\f$ that is left through \f$\overrightarrow{ij}\f$.

@@ -28,17 +28,21 @@ template <typename Integer_>
 class Integer_coordinates
 {
 public:
+  /// the type of normal coordinates.
   typedef Integer_ Integer;
+  /// the type of roundabouts.
   typedef Vertex_spokes::size_type size_type;
+  /// the type of the map of normal coordinates.
   typedef Delta_complex::Property_map<Edge_index, Integer> Normal_coordinate_map;
+  /// the type of the map of roundabouts.
   typedef Delta_complex::Property_map<Halfedge_index, size_type> Roundabout_map;
 
   /// a crossing \f$\zeta\f$ of a curve of \f$T_1\f$ that leaves the face of `halfedge` through it; it is
   /// crossing `number` as counted from the source of `halfedge`.
   struct Crossing
   {
-    Halfedge_index halfedge;
-    Integer number;
+    Halfedge_index halfedge; ///< the halfedge that is crossed
+    Integer number;          ///< the number of the crossing on it
   };
 
   /// how a curve goes on in the face beyond a crossing \f$\overrightarrow{ij}\f$ (Figure 3.6).
@@ -49,6 +53,7 @@ public:
     ends           ///< it ends at the opposite corner
   };
 
+  /// creates coordinates that are attached to no mesh.
   Integer_coordinates() = default;
 
   /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`. When the mesh has none they
@@ -79,7 +84,9 @@ public:
     return Intrinsic_triangulations::crossings(m_n[edge_of(h)]);
   }
 
+  /// the map of normal coordinates.
   const Normal_coordinate_map& normal_coordinate_map() const { return m_n; }
+  /// the map of roundabouts.
   const Roundabout_map& roundabout_map() const { return m_r; }
 
   /// @}

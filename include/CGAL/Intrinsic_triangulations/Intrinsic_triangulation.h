@@ -43,11 +43,17 @@ class Intrinsic_triangulation
   typedef Intrinsic_triangulation Self;
 
 public:
+  /// the geometry.
   typedef Traits_ Traits;
+  /// the type of lengths and barycentric coordinates.
   typedef typename Traits::FT FT;
+  /// the type of normal coordinates.
   typedef typename Traits::Integer Integer;
+  /// the type of the integer coordinates.
   typedef Integer_coordinates<Integer> Coordinates;
+  /// the type of numbers of elements.
   typedef Delta_complex::size_type size_type;
+  /// the type of the maps of edge lengths.
   typedef Delta_complex::Property_map<Edge_index, FT> Edge_length_map;
 
   /// \name Construction
@@ -136,8 +142,11 @@ public:
     attach();
   }
 
+  /// moves everything; of `other` only assignment and destruction are left. Complexity: constant.
   Intrinsic_triangulation(Self&& other) = default;
+  /// moves everything; of `other` only assignment and destruction are left.
   Self& operator=(Self&& other) = default;
+  /// copies everything. Complexity: linear.
   Self& operator=(const Self& other) { return *this = Self(other); }
 
   /// @}
@@ -156,7 +165,9 @@ public:
   /// the length of the edge `e` of \f$T_2\f$.
   const FT& length(Edge_index e) const { return m_length[e]; }
 
+  /// the edge lengths of \f$T_1\f$.
   const Edge_length_map& input_length_map() const { return m_input_length; }
+  /// the edge lengths of \f$T_2\f$.
   const Edge_length_map& length_map() const { return m_length; }
 
   /// the spokes of \f$T_1\f$.
@@ -168,6 +179,7 @@ public:
   /// whether the edge `e` of \f$T_2\f$ must not be flipped.
   bool is_constrained(Edge_index e) const { return m_is_constrained[e]; }
 
+  /// the geometry.
   const Traits& traits() const { return m_traits; }
 
   /// @}

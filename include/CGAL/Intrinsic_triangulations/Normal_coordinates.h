@@ -20,7 +20,11 @@ namespace Intrinsic_triangulations {
 template <typename T>
 struct Diamond
 {
-  T ij, jk, ki, il, lj;
+  T ij, ///< on the edge
+    jk, ///< on the side after it in \f$ijk\f$
+    ki, ///< on the side before it in \f$ijk\f$
+    il, ///< on the side after it in \f$jil\f$
+    lj; ///< on the side before it in \f$jil\f$
 };
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates

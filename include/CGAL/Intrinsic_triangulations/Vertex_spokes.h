@@ -27,6 +27,7 @@ namespace Intrinsic_triangulations {
 class Vertex_spokes
 {
 public:
+  /// the type of numbers of spokes.
   typedef Delta_complex::size_type size_type;
 
   /// creates the numbering of an empty complex.

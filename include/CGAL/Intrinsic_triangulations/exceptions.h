@@ -61,6 +61,7 @@ class File_format_error : public Error
   std::size_t m_line;
 
 public:
+  /// makes an error in line `line`.
   File_format_error(const std::string& message, std::size_t line)
     : Error("line " + std::to_string(line) + ": " + message), m_line(line)
   {}

@@ -32,6 +32,7 @@ constexpr FT rounding_unit()
 /// 16 times the squared area of the triangle with sides `a`, `b`, `c`, by Kahan's form of Heron's
 /// formula, which loses no digits on needles. A triangle that rounding has pressed beyond flat counts as
 /// flat.
+/// \param a,b,c the sides
 /// \param extra is added to the slack \f$b + c - a\f$ of each of the three triangle inequalities
 template <typename FT>
 FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c, const FT& extra = FT(0))

@@ -83,9 +83,11 @@ struct Surface_mesh_numbering
   throw Invalid_input("face " + std::to_string(mesh.face(h).idx()) + " is not a triangle");
 }
 
-inline void set_border_halfedge(Vertex_index v, Halfedge_index h, Delta_complex& mesh)
+// The vertices already have a halfedge each; one on the boundary must get its border halfedge.
+inline void set_border_halfedge(Halfedge_index h, Delta_complex& mesh)
 {
-  if(mesh.is_border(mesh.halfedge(v)))
+  const Vertex_index v = mesh.target(h);
+  if(mesh.halfedge(v) != h && mesh.is_border(mesh.halfedge(v)))
     throw Invalid_input("vertex " + std::to_string(v.idx()) + " has more than one umbrella");
   mesh.set_halfedge(v, h);
 }
@@ -95,15 +97,16 @@ void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& m
 {
   for(auto h_in : halfedges(g)) {
     const Halfedge_index h = numbering.halfedge_of(h_in);
-    const Vertex_index v = numbering.vertex(target(h_in, g));
     mesh.set_next(h, numbering.halfedge_of(next(h_in, g)));
     mesh.set_face(h, numbering.face(face(h_in, g)));
-    mesh.set_target(h, v);
-    if(mesh.is_isolated(v))
-      mesh.set_halfedge(v, h);
-    else if(mesh.is_border(h))
-      set_border_halfedge(v, h, mesh);
+    mesh.set_target(h, numbering.vertex(target(h_in, g)));
   }
+  for(auto v : vertices(g))
+    if(halfedge(v, g) != boost::graph_traits<Graph>::null_halfedge())
+      mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
+  for(Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h))
+      set_border_halfedge(h, mesh);
 }
 
 template <typename Graph, typename Numbering>
