@@ -70,11 +70,11 @@ private:
   std::vector<char> m_waits;
 };
 
-// More flips than an intrinsic triangulation of real data has ever been seen to need: each edge is
-// allowed a thousand, and small triangulations that are sheared far a million.
+// More flips than real data need: each edge is allowed a thousand, and a hundred million are for small
+// triangulations that are sheared far (a ring of n vertices takes n^2 flips for each turn).
 inline std::size_t default_flip_limit(std::size_t number_of_edges)
 {
-  return 1000000 + 1000 * number_of_edges;
+  return 100000000 + 1000 * number_of_edges;
 }
 
 // Edges after `last` will be looked at anyway.
@@ -124,7 +124,7 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the number of flips that are allowed}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{a thousand for each edge, and one million}
+///     \cgalParamDefault{a thousand for each edge, and a hundred million}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told every flip; an exception that it throws stops the flipping and

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_BENCHMARK_MEASURE_H
+#define INTRINSIC_BENCHMARK_MEASURE_H
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+#include <malloc.h>
+
+// Times of one task, in milliseconds.
+class Samples
+{
+  typedef std::chrono::steady_clock Clock;
+
+public:
+  // Runs a task and returns what it returns.
+  template <typename Task>
+  auto time(const Task& task)
+  {
+    const Clock::time_point start = Clock::now();
+    auto result = task();
+    m_samples.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    return result;
+  }
+
+  double median() const
+  {
+    std::vector<double> sorted(m_samples);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+  }
+
+private:
+  std::vector<double> m_samples;
+};
+
+// Memory that has been freed stays with the process.
+inline void keep_memory()
+{
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+}
+
+// What malloc has given out.
+inline std::size_t bytes_in_use()
+{
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+#endif // INTRINSIC_BENCHMARK_MEASURE_H
