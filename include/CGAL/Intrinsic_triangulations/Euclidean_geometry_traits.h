@@ -40,16 +40,16 @@ public:
   typedef Euclidean_strip<FT> Geodesic_strip;
 
   /// computes the length of the edge \f$kl\f$ that replaces \f$ij\f$. Both triangles are laid out in the
-  /// plane along \f$ij\f$; lengths are multiplied by \f$2 \ell_{ij}\f$ until the end.
+  /// plane along \f$ij\f$, with all lengths multiplied by \f$2 \ell_{ij}\f$ until the end.
   struct Compute_flipped_length
   {
-    /// returns the length of \f$kl\f$.
     FT operator()(const Diamond<FT>& length) const
     {
       const FT x = scaled_foot(length.jk, length.ki) - scaled_foot(length.lj, length.il);
-      const FT y = quadrupled_area(length.ij, length.jk, length.ki) +
-                   quadrupled_area(length.ij, length.lj, length.il);
-      return CGAL::sqrt(x * x + y * y) / (2 * length.ij);
+      const FT height_k = squared_quadrupled_area(length.ij, length.jk, length.ki);
+      const FT height_l = squared_quadrupled_area(length.ij, length.lj, length.il);
+      const FT squared_height = height_k + height_l + 2 * CGAL::sqrt(height_k * height_l);
+      return CGAL::sqrt(x * x + squared_height) / (2 * length.ij);
     }
   };
 

@@ -107,7 +107,6 @@ public:
       internal::copy_connectivity(g, numbering, m_input);
       copy_lengths(g, numbering, np);
     });
-    check_lengths();
     m_mesh = m_input;
     attach();
     m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
@@ -127,6 +126,7 @@ public:
         throw Invalid_input(internal::Delta_complex_defect(*complex));
     m_spokes = Vertex_spokes(m_input, boost::dummy_property_map());
     check_lengths();
+    check_triangles();
     const std::string defect = this->defect();
     if(!defect.empty())
       throw Invalid_input(defect);
@@ -308,6 +308,7 @@ private:
     if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_length_map_t>::value) {
       const auto length = get_parameter(np, internal_np::edge_length_map);
       set_input_lengths(g, numbering, [&](auto e) { return FT(get(length, e)); });
+      check_triangles();
     } else {
       const auto point = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, g));
@@ -322,6 +323,7 @@ private:
   {
     for(auto e : edges(g))
       m_input_length[m_input.edge(numbering.halfedge_of(halfedge(e, g)))] = length(e);
+    check_lengths();
   }
 
   template <typename Graph, typename Numbering, typename NamedParameters>
@@ -338,14 +340,23 @@ private:
     }
   }
 
+  [[noreturn]] void fail_at_length(Edge_index e) const
+  {
+    throw Invalid_input("the length of edge " + std::to_string(e.idx()) + " between vertices " +
+                        std::to_string(m_input.vertex(e, 0).idx()) + " and " +
+                        std::to_string(m_input.vertex(e, 1).idx()) +
+                        " is zero or not a positive finite number");
+  }
+
   void check_lengths() const
   {
     for(Edge_index e : m_input.edges())
       if(!m_traits.is_length_object()(m_input_length[e]))
-        throw Invalid_input("the length of edge " + std::to_string(e.idx()) + " between vertices " +
-                            std::to_string(m_input.vertex(e, 0).idx()) + " and " +
-                            std::to_string(m_input.vertex(e, 1).idx()) +
-                            " is zero or not a positive finite number");
+        fail_at_length(e);
+  }
+
+  void check_triangles() const
+  {
     const auto is_triangle = m_traits.is_triangle_object();
     for(Face_index f : m_input.faces()) {
       const Halfedge_index h = m_input.halfedge(f);

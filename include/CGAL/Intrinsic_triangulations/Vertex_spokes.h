@@ -12,8 +12,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <numeric>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -40,13 +38,17 @@ public:
   /// \throws Invalid_input if an interior vertex has more than one umbrella
   template <typename NumberMap>
   Vertex_spokes(const Delta_complex& mesh, NumberMap number)
-    : m_first(mesh.number_of_vertices() + 1, 0), m_halfedge(mesh.number_of_halfedges())
+    : m_first(mesh.number_of_vertices() + 1), m_halfedge(mesh.number_of_halfedges())
   {
-    for(Halfedge_index h : mesh.halfedges())
-      ++m_first[mesh.target(h) + 1];
-    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
-    for(Vertex_index v : mesh.vertices())
-      number_spokes(v, mesh, number);
+    size_type position = 0;
+    for(Vertex_index v : mesh.vertices()) {
+      m_first[v] = position;
+      if(!mesh.is_isolated(v))
+        position = number_spokes(v, position, mesh, number);
+    }
+    m_first.back() = position;
+    if(position != mesh.number_of_halfedges())
+      throw Invalid_input(internal::Delta_complex_defect(mesh));
   }
 
   /// returns the number of edges at `v`, a self-edge counted twice.
@@ -69,19 +71,18 @@ public:
 
 private:
   template <typename NumberMap>
-  void number_spokes(Vertex_index v, const Delta_complex& mesh, NumberMap& number)
+  size_type number_spokes(Vertex_index v, size_type position, const Delta_complex& mesh,
+                          NumberMap& number)
   {
-    const size_type degree = this->degree(v);
-    if(degree == 0)
-      return;
-    Halfedge_index h = first_spoke(v, mesh);
-    for(size_type i = 0; i < degree; ++i) {
-      m_halfedge[m_first[v] + i] = h;
-      put(number, h, i);
-      h = next_spoke(h, mesh);
-    }
-    if(h != first_spoke(v, mesh))
-      throw Invalid_input("vertex " + std::to_string(v.idx()) + " has more than one umbrella");
+    const Halfedge_index first = first_spoke(v, mesh);
+    size_type i = 0;
+    Halfedge_index h = first;
+    do {
+      m_halfedge[position++] = h;
+      put(number, h, i++);
+      h = next_spoke(h, mesh); // from the border halfedge on to the first one
+    } while(h != first);
+    return position;
   }
 
   std::vector<size_type> m_first;
