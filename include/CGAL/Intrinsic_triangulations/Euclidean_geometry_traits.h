@@ -43,6 +43,7 @@ public:
   /// plane along \f$ij\f$, with all lengths multiplied by \f$2 \ell_{ij}\f$ until the end.
   struct Compute_flipped_length
   {
+    /// returns the length of \f$kl\f$.
     FT operator()(const Diamond<FT>& length) const
     {
       const FT x = scaled_foot(length.jk, length.ki) - scaled_foot(length.lj, length.il);

@@ -345,7 +345,7 @@ private:
     throw Invalid_input("the length of edge " + std::to_string(e.idx()) + " between vertices " +
                         std::to_string(m_input.vertex(e, 0).idx()) + " and " +
                         std::to_string(m_input.vertex(e, 1).idx()) +
-                        " is zero or not a positive finite number");
+                        " is zero, not finite, or beyond the range of its number type");
   }
 
   void check_lengths() const
