@@ -136,7 +136,7 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 ///
 /// Complexity: linear in the edges and flips. The number of flips has no bound in the number of edges,
 /// since a geodesic triangulation can be sheared without end; on real meshes it is about the number of
-/// edges. Two stacks of at most one entry for each edge are allocated.
+/// edges. A mark for each edge and a stack of edges are allocated.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
 /// \throws Numerical_error if a flipped length is not positive and finite
