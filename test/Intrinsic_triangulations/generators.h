@@ -74,8 +74,18 @@ inline Mesh cube()
   std::vector<Point> points;
   for(int i = 0; i < 8; ++i)
     points.emplace_back(i & 1, (i >> 1) & 1, i >> 2);
-  return make_mesh(points, {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                            {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}});
+  return make_mesh(points, {{0, 2, 1},
+                            {1, 2, 3},
+                            {4, 5, 6},
+                            {5, 7, 6},
+                            {0, 1, 4},
+                            {1, 5, 4},
+                            {2, 6, 3},
+                            {3, 6, 7},
+                            {0, 4, 2},
+                            {2, 4, 6},
+                            {1, 3, 5},
+                            {3, 7, 5}});
 }
 
 // The convex hull of random points on the unit sphere.
@@ -165,8 +175,7 @@ inline Mesh punctured(Mesh mesh, const std::vector<std::size_t>& faces)
   for(Face_index f : mesh.faces()) {
     const Halfedge_index h = mesh.halfedge(f);
     if(std::find(faces.begin(), faces.end(), f.idx()) == faces.end())
-      rest.push_back(
-        {mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
+      rest.push_back({mesh.source(h).idx(), mesh.target(h).idx(), mesh.target(mesh.next(h)).idx()});
   }
   return make_mesh({mesh.points().begin(), mesh.points().end()}, rest);
 }
@@ -178,7 +187,8 @@ using Sides = std::vector<std::array<int, 3>>;
 
 inline Halfedge_index halfedge_of(int side)
 {
-  return Halfedge_index(static_cast<Delta_complex::size_type>(side > 0 ? 2 * side - 2 : -2 * side - 1));
+  return Halfedge_index(
+    static_cast<Delta_complex::size_type>(side > 0 ? 2 * side - 2 : -2 * side - 1));
 }
 
 inline void close_border(Delta_complex& mesh)
@@ -232,7 +242,10 @@ inline Delta_complex glue(const Sides& faces)
 }
 
 // One triangle with two sides glued: a disk with a vertex of degree 1 inside.
-inline Delta_complex cone(bool mirrored) { return glue({mirrored ? std::array{-1, 1, 2} : std::array{1, -1, 2}}); }
+inline Delta_complex cone(bool mirrored)
+{
+  return glue({mirrored ? std::array{-1, 1, 2} : std::array{1, -1, 2}});
+}
 
 // Two cones: a sphere with two vertices of degree 1 and one of degree 4.
 inline Delta_complex spindle() { return glue({{1, -1, 2}, {-2, -3, 3}}); }
@@ -260,8 +273,8 @@ template <typename Traits = IT::Euclidean_geometry_traits<>>
 IT::Intrinsic_triangulation<Traits> triangulation(const Delta_complex& mesh,
                                                   const std::vector<double>& lengths)
 {
-  const auto map = boost::make_function_property_map<Edge_index>(
-    [&](Edge_index e) { return lengths[e.idx()]; });
+  const auto map =
+    boost::make_function_property_map<Edge_index>([&](Edge_index e) { return lengths[e.idx()]; });
   return IT::Intrinsic_triangulation<Traits>(mesh, IT::parameters::edge_length_map(map));
 }
 
@@ -434,9 +447,8 @@ inline Flat_surface flat_polygon(const std::vector<Vector>& points)
   Sides sides;
   for(const auto& [u, v, w] : swept_triangles(points))
     sides.push_back({label(u, v), label(v, w), label(w, u)});
-  return flat_surface(
-    sides, [&](int edge) { return ends[static_cast<std::size_t>(edge - 1)]; }, {beyond, 0},
-    {0, beyond});
+  return flat_surface(sides, [&](int edge) { return ends[static_cast<std::size_t>(edge - 1)]; },
+                      {beyond, 0}, {0, beyond});
 }
 
 // The same in space, where it keeps the order of the points.

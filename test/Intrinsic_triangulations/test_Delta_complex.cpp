@@ -83,9 +83,8 @@ bool isomorphic(const Delta_complex& a, const Delta_complex& b)
 {
   const auto halfedges = b.halfedges();
   return counts(a) == counts(b) &&
-         std::any_of(halfedges.begin(), halfedges.end(), [&](Halfedge_index h) {
-           return match(a, b, *a.halfedges().begin(), h);
-         });
+         std::any_of(halfedges.begin(), halfedges.end(),
+                     [&](Halfedge_index h) { return match(a, b, *a.halfedges().begin(), h); });
 }
 
 void for_each_complex(const std::function<void(const Delta_complex&)>& check)
@@ -218,7 +217,8 @@ void check_removal(Vertex_index v, const Delta_complex& before)
   const Face_index f = IT::remove_degree_3_vertex(v, mesh);
   const Counts c = counts(before);
   EXPECT_FALSE(mesh.is_removed(f));
-  expect_valid(mesh, {c.vertices - 1, c.edges - (on_border ? 2 : 3), c.faces - (on_border ? 1 : 2)});
+  expect_valid(mesh,
+               {c.vertices - 1, c.edges - (on_border ? 2 : 3), c.faces - (on_border ? 1 : 2)});
 }
 
 // One operation at a halfedge drawn at random, if it is possible.
@@ -283,7 +283,8 @@ TEST(Delta_complex, generators_are_what_they_say)
     euler_and_loops[c.name] = {euler_characteristic(c.mesh), border_loops(c.mesh)};
   }
   using Expected = std::pair<long, std::size_t>;
-  for(const char* sphere : {"tetrahedron", "cube", "random sphere", "double disk", "spindle", "pillow"})
+  for(const char* sphere :
+      {"tetrahedron", "cube", "random sphere", "double disk", "spindle", "pillow"})
     EXPECT_EQ(euler_and_loops[sphere], Expected(2, 0)) << sphere;
   for(const char* disk : {"triangle", "cone", "mirrored cone", "bigon", "polygon", "grid"})
     EXPECT_EQ(euler_and_loops[disk], Expected(1, 1)) << disk;
@@ -447,9 +448,8 @@ TEST(Delta_complex, broken_vertices_and_faces_are_found)
 {
   const Delta_complex good = glue({{1, 2, 3}, {-3, 4, 5}});
   const Halfedge_index h = halfedge_of(1), inner = halfedge_of(3);
-  expect_defect_after(good, "its halfedge is in another face", [&](Delta_complex& m) {
-    m.set_halfedge(m.face(inner), m.opposite(inner));
-  });
+  expect_defect_after(good, "its halfedge is in another face",
+                      [&](Delta_complex& m) { m.set_halfedge(m.face(inner), m.opposite(inner)); });
   expect_defect_after(good, "it has edges but no halfedge", [&](Delta_complex& m) {
     m.set_halfedge(m.target(h), Delta_complex::null_halfedge());
   });
@@ -476,7 +476,8 @@ TEST(Delta_complex, refusals_are_preconditions)
 {
   Delta_complex mesh = cone(false);
   const CGAL::Failure_behaviour behaviour = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
-  const CGAL::Failure_function silent = [](const char*, const char*, const char*, int, const char*) {};
+  const CGAL::Failure_function silent = [](const char*, const char*, const char*, int,
+                                           const char*) {};
   const CGAL::Failure_function handler = CGAL::set_error_handler(silent);
   EXPECT_THROW(IT::flip_edge(halfedge_of(1), mesh), CGAL::Precondition_exception);
   EXPECT_THROW(IT::flip_edge(halfedge_of(2), mesh), CGAL::Precondition_exception);

@@ -17,10 +17,10 @@
 namespace {
 
 using namespace Test_surfaces;
+using boost::multiprecision::cpp_int;
 using IT::Integer_coordinates;
 using IT::Operation_status;
 using IT::Vertex_spokes;
-using boost::multiprecision::cpp_int;
 
 // ---- Brute force on flat surfaces ----
 
@@ -91,13 +91,11 @@ public:
 
   explicit Flat_pair(Flat_surface surface)
     : t1(std::move(surface)),
-      spokes(t1.mesh),
       mesh(t1.mesh),
       coordinates(mesh),
+      spokes(t1.mesh, coordinates.roundabout_map()),
       vector(t1.vector)
-  {
-    coordinates.set_identity(mesh, spokes);
-  }
+  {}
   Flat_pair(const Flat_pair&) = delete;
   Flat_pair& operator=(const Flat_pair&) = delete;
 
@@ -165,9 +163,9 @@ public:
   }
 
   Flat_surface t1;
-  Vertex_spokes spokes;
   Delta_complex mesh; // T2
   Coordinates coordinates;
+  Vertex_spokes spokes;
   std::vector<Vector> vector;
 };
 
@@ -428,9 +426,8 @@ template <typename Integer>
 int flips_before_overflow_without_lengths()
 {
   Delta_complex mesh = flat_torus(1, 1, 0).mesh;
-  const Vertex_spokes spokes(mesh);
   Integer_coordinates<Integer> coordinates(mesh);
-  coordinates.set_identity(mesh, spokes);
+  const Vertex_spokes spokes(mesh, coordinates.roundabout_map());
   for(int i = 0;; ++i) {
     const std::vector<Integer> before = numbers(mesh, coordinates);
     try {
@@ -466,7 +463,8 @@ TEST(Integer_coordinates, tori_against_brute_force)
 {
   std::size_t flips = 0;
   for(unsigned int seed = 0; seed < 4; ++seed)
-    for(const auto& [m, n] : std::vector<std::pair<int, int>>{{1, 1}, {2, 1}, {1, 2}, {5, 1}, {3, 3}}) {
+    for(const auto& [m, n] :
+        std::vector<std::pair<int, int>>{{1, 1}, {2, 1}, {1, 2}, {5, 1}, {3, 3}}) {
       SCOPED_TRACE(std::to_string(m) + " x " + std::to_string(n));
       flips += check_random_flips(flat_torus(m, n, seed), 3000, seed);
     }
@@ -501,14 +499,17 @@ TEST(Integer_coordinates, torus_with_one_vertex_in_closed_form)
 TEST(Integer_coordinates, spokes_are_numbered_counterclockwise)
 {
   for(const Flat_surface& s : {flat_polygon(random_points(30, 5000, 1)), flat_torus(3, 2, 1)}) {
-    const Vertex_spokes spokes(s.mesh);
+    std::vector<Vertex_spokes::size_type> number(s.mesh.number_of_halfedges());
+    const Vertex_spokes spokes(
+      s.mesh, boost::make_iterator_property_map(number.begin(), boost::identity_property_map()));
     for(Vertex_index v : s.mesh.vertices()) {
       const Vector first = s.vector[spokes.halfedge(v, 0)];
       EXPECT_TRUE(!s.mesh.is_border(v) || s.mesh.is_border(s.mesh.opposite(spokes.halfedge(v, 0))));
       for(Vertex_spokes::size_type k = 0; k < spokes.degree(v); ++k) {
         const Halfedge_index h = spokes.halfedge(v, k);
         EXPECT_EQ(s.mesh.source(h), v);
-        EXPECT_EQ(spokes.number(h), k);
+        EXPECT_EQ(spokes.number(v, h), k);
+        EXPECT_EQ(number[h], k);
         EXPECT_TRUE(k < 2 || is_before(first, s.vector[spokes.halfedge(v, k - 1)], s.vector[h]));
       }
     }
@@ -554,7 +555,8 @@ TEST(Integer_coordinates, damage_is_found)
   ASSERT_TRUE(good.coordinates.is_valid(good.mesh, good.spokes));
   const auto is_good = [&] {
     return good.coordinates.is_valid(good.mesh, good.spokes) &&
-           IT::internal::curve_defect(good.coordinates, good.mesh, good.t1.mesh, good.spokes).empty();
+           IT::internal::curve_defect(good.coordinates, good.mesh, good.t1.mesh, good.spokes)
+             .empty();
   };
   for(Edge_index e : good.mesh.edges()) {
     const std::int64_t n = good.coordinates.normal_coordinate(e);
@@ -619,11 +621,9 @@ TEST(Integer_coordinates, overflow_while_flipping_to_Delaunay_leaves_it_valid)
 
 TEST(Integer_coordinates, arbitrary_precision_goes_beyond)
 {
-  const Flat_surface surface = flat_torus(1, 1, 0);
-  const Vertex_spokes spokes(surface.mesh);
-  Delta_complex mesh = surface.mesh;
+  Delta_complex mesh = flat_torus(1, 1, 0).mesh;
   Integer_coordinates<cpp_int> coordinates(mesh);
-  coordinates.set_identity(mesh, spokes);
+  const Vertex_spokes spokes(mesh, coordinates.roundabout_map());
   std::vector<Wide_vector> vector{{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}};
   for(int i = 0; i < 300; ++i) {
     const Halfedge_index h = nth_edge_in_turn(i), o = mesh.opposite(h);
@@ -634,7 +634,8 @@ TEST(Integer_coordinates, arbitrary_precision_goes_beyond)
     ASSERT_EQ(coordinates.normal_coordinate(mesh.edge(h)), closed_form(vector[h]));
     ASSERT_TRUE(coordinates.is_valid(mesh, spokes));
   }
-  EXPECT_GT(coordinates.normal_coordinate(Edge_index(0)), (std::numeric_limits<std::int64_t>::max)());
+  EXPECT_GT(coordinates.normal_coordinate(Edge_index(0)),
+            (std::numeric_limits<std::int64_t>::max)());
 }
 
 TEST(Integer_coordinates, arbitrary_precision_agrees_with_64_bits)

@@ -47,6 +47,20 @@ public:
     Builder(correspondence, *this).build();
   }
 
+  /// copies everything. Complexity: linear.
+  Common_subdivision(const Common_subdivision& other)
+    : m_number_of_input_vertices(other.m_number_of_input_vertices), m_mesh(other.m_mesh)
+  {
+    attach();
+  }
+
+  Common_subdivision(Common_subdivision&& other) = default;
+  Common_subdivision& operator=(Common_subdivision&& other) = default;
+  Common_subdivision& operator=(const Common_subdivision& other)
+  {
+    return *this = Common_subdivision(other);
+  }
+
   /// the mesh.
   const Mesh& mesh() const { return m_mesh; }
 
@@ -99,9 +113,9 @@ private:
     }
   }
 
-  void allocate(size_type vertices, size_type edges, size_type faces)
+  // (re)binds the property maps to the mesh
+  void attach()
   {
-    m_mesh.resize(vertices, edges, faces);
     m_place = m_mesh.template add_property_map<Vertex_index, Trace_point<FT>>("v:place").first;
     m_parent_face = {add_face_map("f:input_face"), add_face_map("f:intrinsic_face")};
     m_parent_edge = {add_edge_map("e:input_edge"), add_edge_map("e:intrinsic_edge")};
@@ -143,8 +157,9 @@ public:
   void build()
   {
     number_pieces();
-    m_result.allocate(m_result.m_number_of_input_vertices + m_correspondence.number_of_crossings(),
-                      m_number_of_pieces, count_regions());
+    m_mesh.resize(m_result.m_number_of_input_vertices + m_correspondence.number_of_crossings(),
+                  m_number_of_pieces, count_regions());
+    m_result.attach();
     set_parent_edges();
     set_places();
     for(Face_index f : m_intrinsic.faces())

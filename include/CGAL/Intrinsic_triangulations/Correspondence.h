@@ -183,22 +183,18 @@ private:
   {
     const Delta_complex& mesh = m_tri.mesh();
     const auto& coordinates = m_tri.coordinates();
-    internal::Edge_tracer<Traits> tracer(m_tri);
-    for(Halfedge_index h : mesh.halfedges()) {
+    for(Halfedge_index h : mesh.halfedges())
       if(coordinates.is_shared(mesh.edge(h)))
         note_shared(h);
-      if(mesh.is_border(h))
-        continue;
-      const Integer leaving = coordinates.curves_leaving(mesh.next(h), mesh);
-      for(Integer k(0); k < leaving; ++k) {
-        const Halfedge_index start = coordinates.spoke_in_corner(h, k, mesh, m_tri.spokes());
-        m_spoke_before[start.idx()] = h;
-        if(is_even(start)) {
-          tracer.trace(h, k);
-          record(start, tracer);
-        }
-      }
-    }
+    internal::Edge_tracer<Traits> tracer(m_tri);
+    coordinates.for_each_curve_end(mesh, m_tri.spokes(),
+                                   [&](Halfedge_index h, const Integer& k, Halfedge_index start) {
+                                     m_spoke_before[start.idx()] = h;
+                                     if(is_even(start)) {
+                                       tracer.trace(h, k);
+                                       record(start, tracer);
+                                     }
+                                   });
   }
 
   void note_shared(Halfedge_index h)

@@ -11,6 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -54,73 +57,72 @@ public:
     }
   };
 
+private:
+  // a corner of a triangle: the two sides at it and the one opposite to it
+  struct Corner
+  {
+    FT p, q, opposite;
+
+    // The cosine times 2 p q, and the squared sine times (2 p q)^2, for a smaller angle if `u` is
+    // positive: both are increased as much as a relative error `u` of the sides can do. With the
+    // opposite sign they are those for a larger angle, as long as the angle is obtuse.
+    FT cosine(const FT& u) const
+    {
+      const FT sides = p * p + q * q, square = opposite * opposite;
+      return sides - square + u * (sides + square);
+    }
+    FT squared_sine(const FT& u) const
+    {
+      return squared_quadrupled_area(p, q, opposite, u * (p + q + opposite));
+    }
+  };
+
+  // Compares the sum of two angles, made as small as a relative error `u` of the sides can make it
+  // (as large, if `u` is negative), with pi.
+  static Sign compare_sum_with_pi(const Corner& a, const Corner& b, const FT& u)
+  {
+    const FT cos_a = a.cosine(u), cos_b = b.cosine(u);
+    if(!(cos_a < 0) && !(cos_b < 0))
+      return cos_a == 0 && cos_b == 0 ? ZERO : NEGATIVE;
+    if(!(cos_a > 0) && !(cos_b > 0))
+      return POSITIVE;
+    const Corner &obtuse = cos_a < 0 ? a : b, &other = cos_a < 0 ? b : a;
+    const FT cos_obtuse = cos_a < 0 ? cos_a : cos_b, cos_other = cos_a < 0 ? cos_b : cos_a;
+    return CGAL::sign(cos_obtuse * cos_obtuse * other.squared_sine(-u) -
+                      cos_other * cos_other * obtuse.squared_sine(u));
+  }
+
+public:
   /// decides whether the edge \f$ij\f$ satisfies the local Delaunay condition (Equation 2.6).
   ///
-  /// The sign of \f$\sin(\theta_k + \theta_l)\f$ is that of
-  /// \f$(\ell_{jk}^2 + \ell_{ki}^2 - \ell_{ij}^2) A_l + (\ell_{lj}^2 + \ell_{il}^2 - \ell_{ij}^2) A_k\f$,
-  /// with \f$A\f$ the areas. In floating point an edge counts as non-Delaunay only if it is so for all
-  /// lengths within `rounding_unit()` of the stored ones. So four cocircular points are a tie and ties
-  /// are kept, an edge that has just been flipped is never flipped back, and a triangle of zero area
-  /// over its long side gives way.
+  /// The angles at \f$k\f$ and \f$l\f$ add up to more than \f$\pi\f$ if one of them, at \f$k\f$ say, is
+  /// obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In floating point an edge
+  /// counts as non-Delaunay only if it is so for all lengths within `rounding_unit()` of the stored
+  /// ones. So four cocircular points are a tie and ties are kept, an edge that has just been flipped is
+  /// never flipped back, and a triangle of zero area over its long side gives way.
   struct Is_locally_Delaunay
   {
-    /// returns whether \f$ij\f$ is Delaunay.
+    /// returns whether the edge is Delaunay.
     bool operator()(const Diamond<FT>& length) const
     {
-      const FT squared = length.ij * length.ij;
-      const FT sides_k = length.jk * length.jk + length.ki * length.ki;
-      const FT sides_l = length.lj * length.lj + length.il * length.il;
-      if(!(sides_k < squared) && !(sides_l < squared))
-        return true;
-      const Corner k{sides_k, squared, length.jk, length.ki},
-        l{sides_l, squared, length.lj, length.il};
-      return sides_k < sides_l ? !exceeds_pi(k, l, length.ij) : !exceeds_pi(l, k, length.ij);
-    }
-
-  private:
-    // the corner opposite to ij, with the sum of its squared sides, the square of ij, and the sides
-    struct Corner
-    {
-      FT sides, squared, p, q;
-
-      FT cosine(const FT& error) const { return sides - squared + error * (sides + squared); }
-      FT squared_sine(const FT& ij, const FT& error) const
-      {
-        return squared_quadrupled_area(ij, p, q, error * (ij + p + q));
-      }
-    };
-
-    // whether two angles, the first of them obtuse, add up to more than pi for certain; sines and
-    // cosines have a common positive factor in each corner
-    static bool exceeds_pi(const Corner& obtuse, const Corner& other, const FT& ij)
-    {
-      const FT u = rounding_unit<FT>();
-      const FT cos_obtuse = obtuse.cosine(u), cos_other = other.cosine(u);
-      if(!(cos_obtuse < 0))
-        return false;
-      if(cos_other < 0)
-        return true;
-      return cos_other * cos_other * obtuse.squared_sine(ij, u) <
-             cos_obtuse * cos_obtuse * other.squared_sine(ij, -u);
+      const Corner k{length.jk, length.ki, length.ij}, l{length.lj, length.il, length.ij};
+      return compare_sum_with_pi(k, l, rounding_unit<FT>()) != POSITIVE;
     }
   };
 
   /// decides whether the diamond is strictly convex at \f$i\f$ and \f$j\f$, so that \f$ij\f$ can be
-  /// flipped; in floating point, whether this is certain in spite of rounding.
+  /// flipped; in floating point, whether it is so for all lengths within `rounding_unit()` of the stored
+  /// ones.
   struct Is_convex
   {
     /// returns whether the diamond is convex.
     bool operator()(const Diamond<FT>& length) const
     {
-      const FT foot_k = scaled_foot(length.jk, length.ki);
-      const FT foot_l = scaled_foot(length.lj, length.il);
-      const FT height_k = quadrupled_area(length.ij, length.jk, length.ki);
-      const FT height_l = quadrupled_area(length.ij, length.lj, length.il);
-      // kl crosses ij at this distance from its midpoint, times a common factor
-      const FT crossing = CGAL::abs(foot_k * height_l + foot_l * height_k);
-      const FT half = length.ij * length.ij * (height_k + height_l);
-      const FT sum = CGAL::abs(foot_k) * height_l + CGAL::abs(foot_l) * height_k + half;
-      return crossing < half - rounding_unit<FT>() * sum;
+      const FT u = -rounding_unit<FT>();
+      const Corner i_k{length.ij, length.ki, length.jk}, i_l{length.ij, length.il, length.lj};
+      const Corner j_k{length.ij, length.jk, length.ki}, j_l{length.ij, length.lj, length.il};
+      return compare_sum_with_pi(i_k, i_l, u) == NEGATIVE &&
+             compare_sum_with_pi(j_k, j_l, u) == NEGATIVE;
     }
   };
 

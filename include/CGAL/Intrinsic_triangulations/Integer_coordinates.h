@@ -114,7 +114,9 @@ public:
   Integer spokes_from(Halfedge_index h, const Delta_complex& mesh) const
   {
     const int along = Intrinsic_triangulations::is_shared(m_n[edge_of(h)]);
-    return mesh.is_border(h) ? Integer(along) : curves_leaving(mesh.next(h), mesh) + along;
+    if(mesh.is_border(h))
+      return Integer(along);
+    return static_cast<Integer>(curves_leaving(mesh.next(h), mesh) + along);
   }
 
   /// @}
@@ -127,7 +129,7 @@ public:
   Crossing first_crossing(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh) const
   {
     const Halfedge_index opposite_side = mesh.next(spoke);
-    return {opposite_side, curves_around(mesh.prev(spoke), mesh) + k};
+    return {opposite_side, static_cast<Integer>(curves_around(mesh.prev(spoke), mesh) + k)};
   }
 
   /// moves `c` to the next crossing of its curve; leaves it unchanged if the curve ends.
@@ -139,9 +141,9 @@ public:
       c.halfedge = ik;
       return Turn::around_source;
     }
-    const Integer from_target = crossings(ji) - c.number;
+    const Integer from_target = static_cast<Integer>(crossings(ji) - c.number);
     if(from_target <= curves_around(ik, mesh)) {
-      c = Crossing{kj, crossings(kj) - from_target};
+      c = Crossing{kj, static_cast<Integer>(crossings(kj) - from_target)};
       return Turn::around_target;
     }
     return Turn::ends;
@@ -154,8 +156,9 @@ public:
   {
     const Halfedge_index ji = mesh.opposite(c.halfedge);
     const Halfedge_index spoke = mesh.prev(ji);
-    const Integer from_j = crossings(ji) - 1 - c.number;
-    return spoke_in_corner(spoke, from_j - curves_around(mesh.next(ji), mesh), mesh, spokes);
+    const Integer from_j = static_cast<Integer>(crossings(ji) - 1 - c.number);
+    return spoke_in_corner(spoke, static_cast<Integer>(from_j - curves_around(mesh.next(ji), mesh)),
+                           mesh, spokes);
   }
 
   /// the spoke of \f$T_1\f$ that is number `k` of those that start inside the corner at the source of
@@ -167,6 +170,22 @@ public:
     const size_type along = static_cast<size_type>(is_shared(edge_of(spoke)));
     return spokes.halfedge(v,
                            wrap(m_r[spoke] + along + static_cast<size_type>(k), spokes.degree(v)));
+  }
+
+  /// calls `visit(spoke, k, start)` for every end of every curve that is no edge of \f$T_2\f$: it is
+  /// number `k` in the corner of `spoke` and runs along the spoke `start` of \f$T_1\f$.
+  /// Complexity: linear, whatever the degrees.
+  template <typename Visit>
+  void for_each_curve_end(const Delta_complex& mesh, const Vertex_spokes& spokes,
+                          const Visit& visit) const
+  {
+    for(Halfedge_index h : mesh.halfedges()) {
+      if(mesh.is_border(h))
+        continue;
+      const Integer leaving = curves_leaving(mesh.next(h), mesh);
+      for(Integer k(0); k < leaving; ++k)
+        visit(h, k, spoke_in_corner(h, k, mesh, spokes));
+    }
   }
 
   /// the halfedge of \f$T_1\f$ that coincides with `h`. \pre `is_shared(edge(h))`

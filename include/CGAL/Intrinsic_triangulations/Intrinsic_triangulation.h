@@ -13,12 +13,15 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/flip_to_shared.h>
+#include <CGAL/Intrinsic_triangulations/internal/lay_out_strip.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -220,6 +223,30 @@ public:
     m_coordinates.flip(h, m_mesh, m_spokes);
     const Edge_index e = m_mesh.edge(h);
     m_length[e] = m_coordinates.is_shared(e) ? input_length_along(h) : length;
+  }
+
+  /// computes the length of every edge of \f$T_2\f$ afresh, from the lengths of \f$T_1\f$ in the strip of
+  /// triangles that the edge passes. Where many flips have let rounding add up, this takes it away: the
+  /// strips are known exactly. Complexity: linear in the edges and crossings.
+  /// \throws Numerical_error if a length is not positive and finite; nothing has changed then.
+  void recompute_lengths()
+  {
+    const internal::Input_crossings crossings(m_coordinates, m_mesh, m_spokes);
+    std::vector<FT> lengths(m_mesh.num_edges());
+    typename Traits::Geodesic_strip strip;
+    for(Edge_index e : m_mesh.edges()) {
+      lengths[e] = m_length[e];
+      if(crossings.count(e) == 0)
+        continue;
+      const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(e, m)); };
+      internal::lay_out_strip(strip, m_input, m_input_length, exit, crossings.count(e));
+      lengths[e] = strip.length();
+      if(!m_traits.is_length_object()(lengths[e]))
+        throw Numerical_error("the strip of edge " + std::to_string(e.idx()) +
+                              " has no positive finite length");
+    }
+    for(Edge_index e : m_mesh.edges())
+      m_length[e] = lengths[e];
   }
 
   /// turns \f$T_2\f$ back into \f$T_1\f$ by flips that follow the integer coordinates alone (Mosher's

@@ -49,7 +49,7 @@ int is_shared(const Integer& n)
 template <typename Integer>
 Integer curves_leaving(const Integer& opposite, const Integer& right, const Integer& left)
 {
-  const Integer excess = opposite - right - left;
+  const Integer excess = static_cast<Integer>(opposite - right - left);
   return excess < 0 ? Integer(0) : excess;
 }
 
@@ -59,11 +59,12 @@ Integer curves_leaving(const Integer& opposite, const Integer& right, const Inte
 template <typename Integer>
 Integer curves_around(const Integer& opposite, const Integer& right, const Integer& left)
 {
-  const Integer excess = right + left - opposite;
+  const Integer excess = static_cast<Integer>(right + left - opposite);
   if(!(excess > 0))
     return Integer(0);
-  return (excess - curves_leaving(right, left, opposite) - curves_leaving(left, opposite, right)) /
-         2;
+  const Integer leaving = static_cast<Integer>(curves_leaving(right, left, opposite) +
+                                               curves_leaving(left, opposite, right));
+  return static_cast<Integer>((excess - leaving) / 2);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
@@ -88,11 +89,12 @@ Integer flipped_normal_coordinate(const Diamond<Integer>& n)
   const Integer around_i_k = curves_around(jk, ij, ki), around_i_l = curves_around(lj, il, ij);
   const Integer around_j_k = curves_around(ki, jk, ij), around_j_l = curves_around(il, ij, lj);
   const Integer around_k = curves_around(ij, ki, jk), around_l = curves_around(ij, lj, il);
-  const Integer leaving_ij = curves_leaving(jk, ij, ki) + curves_leaving(lj, il, ij) +
-                             curves_leaving(ki, jk, ij) + curves_leaving(il, ij, lj);
-  const Integer leaving_kl = curves_leaving(ij, ki, jk) + curves_leaving(ij, lj, il);
-  const Integer passing = distance(around_j_l, around_j_k) + distance(around_i_l, around_i_k);
-  return around_l + around_k + (passing - leaving_kl) / 2 + leaving_ij + is_shared(n.ij);
+  const auto leaving_ij = curves_leaving(jk, ij, ki) + curves_leaving(lj, il, ij) +
+                          curves_leaving(ki, jk, ij) + curves_leaving(il, ij, lj);
+  const auto leaving_kl = curves_leaving(ij, ki, jk) + curves_leaving(ij, lj, il);
+  const auto passing = distance(around_j_l, around_j_k) + distance(around_i_l, around_i_k);
+  return static_cast<Integer>(around_l + around_k + (passing - leaving_kl) / 2 + leaving_ij +
+                              is_shared(n.ij));
 }
 
 namespace internal {

@@ -90,7 +90,8 @@ void push_sides(Halfedge_index h, Edge_index last, const Intrinsic_triangulation
 }
 
 template <typename Traits, typename Visitor>
-std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
+std::size_t flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                             Visitor& visitor)
 {
   const Delta_complex& mesh = tri.mesh();
   Edge_stack stack(mesh.num_edges());
@@ -101,7 +102,7 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
       if(tri.is_Delaunay(e))
         continue;
       if(flips == limit)
-        throw Flip_limit_exceeded("not Delaunay after " + std::to_string(limit) + " flips");
+        throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
       const Halfedge_index h = mesh.halfedge(e);
       tri.flip(h);
       ++flips;
@@ -111,10 +112,24 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
   return flips;
 }
 
+// Where edges have been flipped more than once on average, rounding may have added up.
+template <typename Traits, typename Visitor>
+std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
+{
+  std::size_t flips = flip_to_Delaunay(tri, limit, visitor);
+  for(std::size_t last = flips; last > tri.mesh().number_of_edges(); flips += last) {
+    tri.recompute_lengths();
+    last = flip_to_Delaunay(tri, limit - flips, visitor);
+  }
+  return flips;
+}
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
+/// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay. If
+/// there were more flips than edges, lengths are recomputed from \f$T_1\f$ and flipping goes on, until
+/// a round has fewer.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/lay_out_strip.h>
 
 #include <cstddef>
 #include <string>
@@ -28,7 +29,6 @@ class Edge_tracer
   typedef typename Traits::FT FT;
   typedef typename Traits::Integer Integer;
   typedef typename Triangulation::Coordinates Coordinates;
-  typedef typename Coordinates::Turn Turn;
 
 public:
   typedef typename Coordinates::Crossing Crossing;
@@ -40,10 +40,12 @@ public:
   {
     m_crossings.clear();
     Crossing c = m_tri.coordinates().first_crossing(spoke, k, m_mesh);
-    m_strip.start(length(spoke), length(c.halfedge), length(m_mesh.prev(spoke)));
     do
       m_crossings.push_back(c);
-    while(advance(c));
+    while(m_tri.coordinates().advance(c, m_mesh) != Coordinates::Turn::ends);
+    lay_out_strip(
+      m_strip, m_mesh, m_tri.length_map(),
+      [this](std::size_t m) { return m_crossings[m].halfedge; }, size());
     recover_positions();
   }
 
@@ -60,19 +62,6 @@ public:
   }
 
 private:
-  const FT& length(Halfedge_index h) const { return m_tri.length(m_mesh.edge(h)); }
-
-  bool advance(Crossing& c)
-  {
-    const Halfedge_index ij = c.halfedge, ji = m_mesh.opposite(ij);
-    const FT &l_ij = length(ij), &l_il = length(m_mesh.next(ji)), &l_lj = length(m_mesh.prev(ji));
-    switch(m_tri.coordinates().advance(c, m_mesh)) {
-      case Turn::around_source: m_strip.turn_around_source(l_ij, l_lj, l_il); return true;
-      case Turn::around_target: m_strip.turn_around_target(l_ij, l_lj, l_il); return true;
-      default: m_strip.finish(l_ij, l_lj, l_il); return false;
-    }
-  }
-
   // The order along the curve is known: rounding may move a crossing, but never past another.
   void recover_positions()
   {

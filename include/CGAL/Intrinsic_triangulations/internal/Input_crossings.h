@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_CROSSINGS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_CROSSINGS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The halfedges of T1 that cross each edge of T2, in order. No geometry.
+// Complexity: linear in the edges and crossings.
+class Input_crossings
+{
+public:
+  template <typename Integer>
+  Input_crossings(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
+                  const Vertex_spokes& spokes)
+    : m_first(mesh.num_edges() + 1, 0)
+  {
+    std::size_t total = 0;
+    for(Edge_index e : mesh.edges()) {
+      m_first[e] = total;
+      total += static_cast<std::size_t>(coordinates.crossings(mesh.halfedge(e)));
+    }
+    m_first.back() = total;
+    m_crossing.resize(total);
+    coordinates.for_each_curve_end(
+      mesh, spokes, [&](Halfedge_index h, const Integer& k, Halfedge_index start) {
+        if(start.idx() % 2 == 0)
+          record(start, coordinates, coordinates.first_crossing(h, k, mesh), mesh);
+      });
+  }
+
+  // the number of crossings on the edge `e` of T2
+  std::size_t count(Edge_index e) const { return m_first[e.idx() + 1] - m_first[e]; }
+
+  // the halfedge of T1 that crosses the first halfedge of `e` as its number `m` from left to right
+  Halfedge_index operator()(Edge_index e, std::size_t m) const
+  {
+    return m_crossing[m_first[e] + m];
+  }
+
+private:
+  template <typename Integer>
+  void record(Halfedge_index input, const Integer_coordinates<Integer>& coordinates,
+              typename Integer_coordinates<Integer>::Crossing c, const Delta_complex& mesh)
+  {
+    typedef typename Integer_coordinates<Integer>::Turn Turn;
+    do {
+      const Edge_index e(c.halfedge);
+      const std::size_t number = static_cast<std::size_t>(c.number);
+      if(c.halfedge.idx() % 2 == 0)
+        m_crossing[m_first[e] + number] = input;
+      else
+        m_crossing[m_first[e.idx() + 1] - 1 - number] = Halfedge_index(input.idx() ^ 1);
+    } while(coordinates.advance(c, mesh) != Turn::ends);
+  }
+
+  std::vector<std::size_t> m_first;
+  std::vector<Halfedge_index> m_crossing;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_CROSSINGS_H

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_TRIANGULATIONS_TEST_MEASURING_H
+#define INTRINSIC_TRIANGULATIONS_TEST_MEASURING_H
+
+#include "more_generators.h"
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+// Lengths and areas in flat faces, from the edge lengths once more.
+namespace Test_surfaces {
+
+using Correspondence = IT::Correspondence<>;
+using IT::Side;
+using Location = IT::Face_location<double>;
+using Edge_place = IT::Edge_point<double>;
+using Trace_place = IT::Trace_point<double>;
+using Real = long double;
+
+constexpr std::array<Side, 2> both_sides{Side::input, Side::intrinsic};
+
+inline Side other(Side side) { return side == Side::input ? Side::intrinsic : Side::input; }
+
+struct Place // in the plane
+{
+  Real x, y;
+
+  friend Place operator+(const Place& p, const Place& q) { return {p.x + q.x, p.y + q.y}; }
+  friend Place operator-(const Place& p, const Place& q) { return {p.x - q.x, p.y - q.y}; }
+  friend Place operator*(Real s, const Place& p) { return {s * p.x, s * p.y}; }
+  friend Real det(const Place& p, const Place& q) { return p.x * q.y - p.y * q.x; }
+  friend Real norm(const Place& p) { return std::hypot(p.x, p.y); }
+};
+
+// One of the two triangulations, each face laid out in the plane on its own.
+class Flat_faces
+{
+public:
+  Flat_faces(Side side, const Triangulation& t)
+    : m_mesh(side == Side::input ? t.input_mesh() : t.mesh()),
+      m_length(side == Side::input ? t.input_length_map() : t.length_map())
+  {}
+
+  const Delta_complex& mesh() const { return m_mesh; }
+  Real length(Halfedge_index h) const { return m_length[m_mesh.edge(h)]; }
+
+  Real longest_edge() const
+  {
+    Real result = 0;
+    for(Edge_index e : m_mesh.edges())
+      result = (std::max)(result, Real(m_length[e]));
+    return result;
+  }
+
+  std::array<Halfedge_index, 3> sides(Face_index f) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(f);
+    return {h, m_mesh.next(h), m_mesh.next(m_mesh.next(h))};
+  }
+
+  // the place of a point on a halfedge, in the face of that
+  Location on(Halfedge_index h, double t) const
+  {
+    Location result{m_mesh.face(h), {0, 0, 0}};
+    const auto s = number(h);
+    result.second[s] = 1 - t;
+    result.second[(s + 1) % 3] = t;
+    return result;
+  }
+
+  // the corner opposite to a halfedge
+  Location apex(Halfedge_index h) const { return on(m_mesh.prev(h), 0); }
+
+  // source and target of `h` on the x-axis, and the apex above
+  std::array<Place, 3> layout(Halfedge_index h) const
+  {
+    const Real c = length(h), a = length(m_mesh.next(h)), b = length(m_mesh.prev(h));
+    return {Place{0, 0}, Place{c, 0},
+            Place{(c * c + (b - a) * (b + a)) / (2 * c), 2 * area(m_mesh.face(h)) / c}};
+  }
+
+  // `p` where layout(h) places it
+  Place place(Halfedge_index h, const Location& p) const
+  {
+    const auto corner = layout(h);
+    const auto s = number(h);
+    Place result{0, 0};
+    for(std::size_t k = 0; k < 3; ++k)
+      result = result + p.second[(s + k) % 3] * corner[k];
+    return result;
+  }
+
+  // Heron's formula in Kahan's form
+  Real area(Face_index f) const
+  {
+    std::array<Real, 3> l;
+    for(std::size_t s = 0; s < 3; ++s)
+      l[s] = length(sides(f)[s]);
+    std::sort(l.begin(), l.end());
+    const auto [c, b, a] = l;
+    return std::sqrt((std::max)(Real(0), (a + (b + c)) * (c - (a - b)) * (c + (a - b)) *
+                                           (a + (b - c)))) /
+           4;
+  }
+
+  Real area() const
+  {
+    Real sum = 0;
+    for(Face_index f : m_mesh.faces())
+      sum += area(f);
+    return sum;
+  }
+
+  // the angle from `h` to the next spoke at its source
+  Real angle(Halfedge_index h) const
+  {
+    const Place apex = layout(h)[2];
+    return std::atan2(apex.y, apex.x);
+  }
+
+  // between points of one face (Equation 3.7)
+  Real distance(const Location& p, const Location& q) const
+  {
+    std::array<Real, 3> w;
+    for(std::size_t s = 0; s < 3; ++s)
+      w[s] = Real(q.second[s]) - p.second[s];
+    Real sum = 0;
+    for(std::size_t s = 0; s < 3; ++s)
+      sum -= length(sides(p.first)[s]) * length(sides(p.first)[s]) * w[s] * w[(s + 1) % 3];
+    return std::sqrt((std::max)(Real(0), sum));
+  }
+
+  // the length of some path between points of one face or of neighbours; infinite if there is none
+  Real path(const Location& p, const Location& q) const
+  {
+    Real best = p.first == q.first ? distance(p, q) : std::numeric_limits<Real>::infinity();
+    for(Halfedge_index g : sides(p.first)) {
+      if(m_mesh.face(m_mesh.opposite(g)) == q.first)
+        best = (std::min)(best, path_across(g, p, q));
+      for(Halfedge_index h : sides(q.first))
+        if(m_mesh.source(g) == m_mesh.source(h))
+          best = (std::min)(best, distance(p, on(g, 0)) + distance(on(h, 0), q));
+    }
+    return best;
+  }
+
+private:
+  std::size_t number(Halfedge_index h) const
+  {
+    const auto side = sides(m_mesh.face(h));
+    return static_cast<std::size_t>(std::find(side.begin(), side.end(), h) - side.begin());
+  }
+
+  // where the line between the two places crosses the edge, or its nearer end
+  Real path_across(Halfedge_index g, const Location& p, const Location& q) const
+  {
+    const Halfedge_index o = m_mesh.opposite(g);
+    const Place a = place(g, p), c = place(o, q), b{length(g) - c.x, -c.y};
+    const Real height = a.y - b.y;
+    const Real x = height > 0 ? a.x + (b.x - a.x) * (a.y / height) : a.x;
+    const Place via{std::clamp(x, Real(0), length(g)), 0};
+    return norm(a - via) + norm(b - via);
+  }
+
+  const Delta_complex& m_mesh;
+  const Triangulation::Edge_length_map& m_length;
+};
+
+inline Location random_location(const Delta_complex& mesh, CGAL::Random& random)
+{
+  const Face_index f(static_cast<Delta_complex::size_type>(
+    random.get_int(0, static_cast<int>(mesh.number_of_faces()))));
+  double u = random.get_double(), v = random.get_double();
+  if(u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  return {f, {1 - u - v, u, v}};
+}
+
+} // namespace Test_surfaces
+
+#endif // INTRINSIC_TRIANGULATIONS_TEST_MEASURING_H

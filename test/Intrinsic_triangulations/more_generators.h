@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_TRIANGULATIONS_TEST_MORE_GENERATORS_H
+#define INTRINSIC_TRIANGULATIONS_TEST_MORE_GENERATORS_H
+
+#include "generators.h"
+
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Pairs of triangulations: surfaces with some flips.
+namespace Test_surfaces {
+
+using Triangulation = IT::Intrinsic_triangulation<>;
+
+// ---- Random flips ----
+
+inline double longest_input_edge(const Triangulation& t)
+{
+  double result = 0;
+  for(Edge_index e : t.input_mesh().edges())
+    result = (std::max)(result, t.input_length(e));
+  return result;
+}
+
+// How far the sum of the two angles at the edge of `h` is from a flat one, at the worse end.
+inline double convexity(const Triangulation& t, Halfedge_index h)
+{
+  const Delta_complex& mesh = t.mesh();
+  const auto angle = [&](Halfedge_index x) { // at the source of x
+    const double a = t.length(mesh.edge(x)), b = t.length(mesh.edge(mesh.prev(x)));
+    const double c = t.length(mesh.edge(mesh.next(x)));
+    return std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1., 1.));
+  };
+  const Halfedge_index o = mesh.opposite(h);
+  return std::acos(-1.) -
+         (std::max)(angle(h) + angle(mesh.next(o)), angle(o) + angle(mesh.next(h)));
+}
+
+// Flips that keep edges short and triangles fat enough for nine digits to remain.
+inline void flip_at_random(Triangulation& t, std::size_t attempts, unsigned int seed,
+                           const std::function<void(Halfedge_index)>& after_flip = {})
+{
+  CGAL::Random random(seed);
+  const double limit = 6 * longest_input_edge(t);
+  const auto flipped_length = t.traits().compute_flipped_length_object();
+  for(std::size_t i = 0; i < attempts; ++i) {
+    const Halfedge_index h(static_cast<Delta_complex::size_type>(
+      random.get_int(0, static_cast<int>(t.mesh().number_of_halfedges()))));
+    if(!t.is_flippable(h) || convexity(t, h) < 0.01 ||
+       flipped_length(IT::diamond(t.length_map(), h, t.mesh())) > limit)
+      continue;
+    t.flip(h);
+    if(after_flip)
+      after_flip(h);
+  }
+}
+
+// ---- Flat surfaces ----
+
+inline Flat_surface flat_surface(const std::vector<Vector>& points, const Triangles& triangles)
+{
+  std::map<std::pair<std::size_t, std::size_t>, int> labels;
+  std::vector<std::pair<Vector, Vector>> ends;
+  const auto label = [&](std::size_t u, std::size_t v) {
+    const auto [entry, is_new] =
+      labels.emplace(std::minmax(u, v), static_cast<int>(labels.size()) + 1);
+    if(is_new)
+      ends.emplace_back(points[(std::min)(u, v)], points[(std::max)(u, v)]);
+    return u < v ? entry->second : -entry->second;
+  };
+  Sides sides;
+  for(const auto& [u, v, w] : triangles)
+    sides.push_back({label(u, v), label(v, w), label(w, u)});
+  return flat_surface(sides, [&](int edge) { return ends[static_cast<std::size_t>(edge - 1)]; },
+                      {beyond, 0}, {0, beyond});
+}
+
+// m times n squares of width 1000, each cut in two, their corners moved at random.
+inline Flat_surface flat_grid(std::size_t m, std::size_t n, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<Vector> points;
+  for(std::size_t i = 0; i <= m; ++i)
+    for(std::size_t j = 0; j <= n; ++j)
+      points.push_back({static_cast<std::int64_t>(1000 * i) + random.get_int(-140, 141),
+                        static_cast<std::int64_t>(1000 * j) + random.get_int(-140, 141)});
+  Triangles triangles;
+  for(std::size_t i = 0; i < m; ++i)
+    for(std::size_t j = 0; j < n; ++j) {
+      const std::size_t k = i * (n + 1) + j, l = k + n + 1;
+      triangles.push_back({k, l, l + 1});
+      triangles.push_back({k, l + 1, k + 1});
+    }
+  return flat_surface(points, triangles);
+}
+
+// T2 over a flat T1, with the exact vectors of its halfedges.
+class Flat_triangulation : public IT::Default_flip_visitor
+{
+public:
+  explicit Flat_triangulation(const Flat_surface& surface)
+    : m_surface(surface), m_triangulation(triangulation(surface)), m_vector(surface.vector)
+  {}
+
+  const Flat_surface& surface() const { return m_surface; }
+  const Triangulation& operator*() const { return m_triangulation; }
+  const Triangulation* operator->() const { return &m_triangulation; }
+  const Vector& input_vector(Halfedge_index h) const { return m_surface.vector[h]; }
+  const Vector& vector(Halfedge_index h) const { return m_vector[h]; }
+
+  void flip_at_random(std::size_t attempts, unsigned int seed)
+  {
+    Test_surfaces::flip_at_random(m_triangulation, attempts, seed,
+                                  [this](Halfedge_index h) { after_flip(h); });
+  }
+  void make_Delaunay()
+  {
+    IT::make_Delaunay(m_triangulation, CGAL::parameters::visitor(std::ref(*this)));
+  }
+
+  // the other sides of the triangle tell what the new one is
+  void after_flip(Halfedge_index h)
+  {
+    const Delta_complex& mesh = m_triangulation.mesh();
+    m_vector[h] = -(m_vector[mesh.next(h)] + m_vector[mesh.prev(h)]);
+    m_vector[mesh.opposite(h)] = -m_vector[h];
+  }
+
+private:
+  Flat_surface m_surface;
+  Triangulation m_triangulation;
+  std::vector<Vector> m_vector;
+};
+
+struct Named_surface
+{
+  std::string name;
+  Flat_surface surface;
+};
+
+// All fat enough for twelve digits.
+inline std::vector<Named_surface> flat_surfaces()
+{
+  return {{"small grid", flat_grid(2, 2, 1)},
+          {"grid", flat_grid(6, 5, 2)},
+          {"torus with one vertex", flat_torus(1, 1, 0)},
+          {"torus with two vertices", flat_torus(2, 1, 3)},
+          {"torus", flat_torus(3, 4, 4)},
+          {"annulus with two vertices", flat_cylinder(1, 0)},
+          {"sheared annulus with two vertices", flat_cylinder(1, 3)},
+          {"annulus", flat_cylinder(4, 0)},
+          {"sheared annulus", flat_cylinder(3, 1)}};
+}
+
+// ---- Collections ----
+
+struct Named_triangulation
+{
+  std::string name;
+  Triangulation triangulation;
+};
+
+// A surface as it is, Delaunay, and after random flips.
+inline void add_flipped(const std::string& name, const Triangulation& t,
+                        std::vector<Named_triangulation>& result)
+{
+  result.push_back({name, t});
+  result.push_back({name + ", Delaunay", t});
+  IT::make_Delaunay(result.back().triangulation);
+  for(unsigned int seed : {1, 2, 3, 4, 5}) {
+    result.push_back({name + ", flipped with seed " + std::to_string(seed), t});
+    flip_at_random(result.back().triangulation, 20 * t.mesh().number_of_edges(), seed);
+  }
+}
+
+inline std::vector<Named_triangulation> triangulations()
+{
+  std::vector<Named_triangulation> result;
+  for(const Named_mesh& m : meshes())
+    add_flipped(m.name, Triangulation(m.mesh), result);
+  for(const Named_complex& c : complexes())
+    add_flipped(c.name + " with random lengths", triangulation(c.mesh, random_lengths(c.mesh, 7)),
+                result);
+  for(const Named_surface& s : flat_surfaces())
+    add_flipped("flat " + s.name, triangulation(s.surface), result);
+  return result;
+}
+
+} // namespace Test_surfaces
+
+#endif // INTRINSIC_TRIANGULATIONS_TEST_MORE_GENERATORS_H

@@ -1,0 +1,455 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "measuring.h"
+
+#include <CGAL/Arr_segment_traits_2.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <boost/property_map/function_property_map.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using Subdivision = IT::Common_subdivision<>;
+using Barycentric = std::array<double, 3>;
+
+std::vector<Halfedge_index> sides_of(Face_index f, const Subdivision& s)
+{
+  std::vector<Halfedge_index> result;
+  Halfedge_index h = s.mesh().halfedge(f);
+  do {
+    result.push_back(h);
+    h = s.mesh().next(h);
+  } while(h != s.mesh().halfedge(f));
+  return result;
+}
+
+// ---- Numbers ----
+
+template <typename Mesh>
+std::int64_t Euler_characteristic(const Mesh& mesh)
+{
+  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
+         std::int64_t(mesh.number_of_faces());
+}
+
+template <typename Mesh>
+std::int64_t number_of_border_edges(const Mesh& mesh)
+{
+  const auto e = mesh.edges();
+  return std::count_if(e.begin(), e.end(), [&](Edge_index x) { return mesh.is_border(x); });
+}
+
+void check_numbers(const Subdivision& s, const Correspondence& c)
+{
+  const Triangulation& t = c.triangulation();
+  std::int64_t crossings = 0, shared = 0;
+  for(Edge_index e : t.mesh().edges()) {
+    crossings += (std::max<std::int64_t>)(0, t.coordinates().normal_coordinate(e));
+    shared += t.coordinates().normal_coordinate(e) == -1;
+  }
+  const auto edges = std::int64_t(t.mesh().number_of_edges());
+  EXPECT_TRUE(s.mesh().is_valid(true));
+  EXPECT_EQ(std::int64_t(s.mesh().number_of_vertices()),
+            std::int64_t(t.mesh().number_of_vertices()) + crossings);
+  EXPECT_EQ(std::int64_t(s.mesh().number_of_edges()), 2 * edges - shared + 2 * crossings);
+  EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
+  EXPECT_EQ(number_of_border_edges(s.mesh()), number_of_border_edges(t.input_mesh()));
+  for(Face_index f : s.mesh().faces()) {
+    EXPECT_GE(sides_of(f, s).size(), 3u);
+    EXPECT_LE(sides_of(f, s).size(), 6u);
+  }
+}
+
+// ---- Corners of faces in both parents ----
+
+// The places in a face where a vertex of the subdivision can be; several if the face meets itself.
+std::vector<Barycentric> places_in(Side side, Face_index parent, Vertex_index v,
+                                   const Subdivision& s, const Flat_faces& faces)
+{
+  std::vector<Barycentric> result;
+  for(Halfedge_index h : faces.sides(parent))
+    if(s.is_input_vertex(v)) {
+      if(faces.mesh().source(h) == v)
+        result.push_back(faces.on(h, 0).second);
+    } else if(Edge_index(h) == Edge_index(s.place(side, v).halfedge)) {
+      const Edge_place& p = s.place(side, v);
+      result.push_back(faces.on(h, p.halfedge == h ? p.t : 1 - p.t).second);
+    }
+  return result;
+}
+
+using Polygon = std::vector<Place>;
+
+Real area(const Polygon& p)
+{
+  Real sum = 0;
+  for(std::size_t k = 0; k < p.size(); ++k)
+    sum += det(p[k], p[(k + 1) % p.size()]) / 2;
+  return sum;
+}
+
+// Whether the piece from a to b runs along its parent edge, forward, if it has one in the face.
+bool runs_along(const Barycentric& a, const Barycentric& b, Edge_index parent, Face_index f,
+                const Flat_faces& faces)
+{
+  if(!parent.is_valid())
+    return true;
+  for(std::size_t k = 0; k < 3; ++k)
+    if(Edge_index(faces.sides(f)[k]) == parent && a[(k + 2) % 3] == 0 && b[(k + 2) % 3] == 0 &&
+       a[(k + 1) % 3] <= b[(k + 1) % 3])
+      return true;
+  return false;
+}
+
+// All ways to place the corners of `f` in its parent such that its sides are on their parents.
+std::vector<Polygon> layouts(Side side, Face_index f, const Subdivision& s, const Flat_faces& faces)
+{
+  const Face_index parent = s.parent_face(side, f);
+  std::vector<std::vector<Barycentric>> partial{{}};
+  const auto halfedges = sides_of(f, s);
+  for(Halfedge_index h : halfedges) {
+    std::vector<std::vector<Barycentric>> longer;
+    for(const auto& corners : partial)
+      for(const Barycentric& b : places_in(side, parent, s.mesh().target(h), s, faces)) {
+        longer.push_back(corners);
+        longer.back().push_back(b);
+      }
+    partial = longer;
+  }
+  std::vector<Polygon> result;
+  for(const auto& corners : partial) {
+    bool fits = true;
+    for(std::size_t k = 0; k < corners.size(); ++k)
+      fits = fits &&
+             runs_along(corners[k], corners[(k + 1) % corners.size()],
+                        s.parent_edge(side, s.mesh().edge(halfedges[(k + 1) % corners.size()])),
+                        parent, faces);
+    if(!fits)
+      continue;
+    result.emplace_back();
+    for(const Barycentric& b : corners)
+      result.back().push_back(faces.place(faces.sides(parent)[0], {parent, b}));
+  }
+  return result;
+}
+
+// How much the distances of corners differ.
+Real difference(const Polygon& p, const Polygon& q)
+{
+  Real result = 0;
+  for(std::size_t a = 0; a < p.size(); ++a)
+    for(std::size_t b = 0; b < a; ++b)
+      result = (std::max)(result, std::abs(norm(p[a] - p[b]) - norm(q[a] - q[b])));
+  return result;
+}
+
+struct Measures
+{
+  std::vector<Real> area_of_input_face, area_of_intrinsic_face;
+  std::array<std::vector<Real>, 2> length_of_edge; // of either side, measured on the other
+};
+
+// The face looks the same in both of its parents. Adds what it measures.
+void check_face(Face_index f, const Subdivision& s, const Triangulation& t, Measures& measures)
+{
+  const Flat_faces input(Side::input, t), intrinsic(Side::intrinsic, t);
+  const Real size = (std::max)(input.longest_edge(), intrinsic.longest_edge());
+  std::pair<Polygon, Polygon> best;
+  Real least = std::numeric_limits<Real>::infinity();
+  for(const Polygon& p : layouts(Side::input, f, s, input))
+    for(const Polygon& q : layouts(Side::intrinsic, f, s, intrinsic))
+      if(difference(p, q) < least) {
+        least = difference(p, q);
+        best = {p, q};
+      }
+  ASSERT_LT(static_cast<double>(least / size), 1e-9) << f;
+  EXPECT_GT(area(best.first), -1e-12 * size * size) << f;
+  EXPECT_GT(area(best.second), -1e-12 * size * size) << f;
+  measures.area_of_input_face[s.parent_face(Side::input, f)] += area(best.first);
+  measures.area_of_intrinsic_face[s.parent_face(Side::intrinsic, f)] += area(best.second);
+  const auto halfedges = sides_of(f, s);
+  for(std::size_t k = 0; k < halfedges.size(); ++k) { // corner k is the target of halfedge k
+    const std::size_t before = (k + halfedges.size() - 1) % halfedges.size();
+    const Edge_index e = s.mesh().edge(halfedges[k]);
+    const Real faces = s.mesh().is_border(e) ? 1 : 2;
+    if(const Edge_index p = s.parent_edge(Side::input, e); p.is_valid())
+      measures.length_of_edge[0][p] += norm(best.second[k] - best.second[before]) / faces;
+    if(const Edge_index p = s.parent_edge(Side::intrinsic, e); p.is_valid())
+      measures.length_of_edge[1][p] += norm(best.first[k] - best.first[before]) / faces;
+  }
+}
+
+void check_measures(const Subdivision& s, const Triangulation& t)
+{
+  const Flat_faces input(Side::input, t), intrinsic(Side::intrinsic, t);
+  const std::size_t faces = t.mesh().number_of_faces(), edges = t.mesh().number_of_edges();
+  Measures measures{std::vector<Real>(faces), std::vector<Real>(faces),
+                    {std::vector<Real>(edges), std::vector<Real>(edges)}};
+  for(Face_index f : s.mesh().faces())
+    check_face(f, s, t, measures);
+  Real area = 0;
+  for(Face_index f : t.mesh().faces()) {
+    area += measures.area_of_input_face[f];
+    EXPECT_NEAR(double(measures.area_of_input_face[f] / input.area(f)), 1, 1e-11);
+    EXPECT_NEAR(double(measures.area_of_intrinsic_face[f] / intrinsic.area(f)), 1, 1e-11);
+  }
+  EXPECT_NEAR(double(area / input.area()), 1, 1e-12);
+  for(Edge_index e : t.mesh().edges()) {
+    EXPECT_NEAR(double(measures.length_of_edge[0][e] / t.input_length(e)), 1, 1e-9);
+    EXPECT_NEAR(double(measures.length_of_edge[1][e] / t.length(e)), 1, 1e-9);
+  }
+}
+
+// ---- Edges ----
+
+using Ends = std::multiset<std::pair<Vertex_index, Vertex_index>>;
+
+// The pieces of every edge are those between the points of its trace.
+void check_pieces(const Subdivision& s, const Correspondence& c)
+{
+  const auto n = c.mesh(Side::input).number_of_vertices();
+  for(Side side : both_sides) {
+    std::vector<Ends> pieces(c.mesh(side).number_of_edges());
+    for(Edge_index e : s.mesh().edges())
+      if(const Edge_index parent = s.parent_edge(side, e); parent.is_valid())
+        pieces[parent].insert(std::minmax({s.mesh().vertex(e, 0), s.mesh().vertex(e, 1)}));
+    for(Edge_index e : c.mesh(side).edges()) {
+      const Halfedge_index h = c.mesh(side).halfedge(e);
+      std::vector<Vertex_index> chain{c.mesh(side).source(h)};
+      for(Delta_complex::size_type p = 0; p < c.number_of_crossings(side, e); ++p)
+        chain.push_back(Vertex_index(n + c.crossing(side, h, p).id));
+      chain.push_back(c.mesh(side).target(h));
+      Ends expected;
+      for(std::size_t k = 0; k + 1 < chain.size(); ++k)
+        expected.insert(std::minmax({chain[k], chain[k + 1]}));
+      EXPECT_EQ(pieces[e], expected);
+    }
+  }
+  for(Edge_index e : s.mesh().edges())
+    EXPECT_TRUE(s.parent_edge(Side::input, e).is_valid() ||
+                s.parent_edge(Side::intrinsic, e).is_valid());
+}
+
+std::vector<Edge_index> parent_edges(Side side, const Subdivision& s)
+{
+  std::vector<Edge_index> result;
+  for(Edge_index e : s.mesh().edges())
+    result.push_back(s.parent_edge(side, e));
+  return result;
+}
+
+void check_triangles(Subdivision& s, const Triangulation& t)
+{
+  const std::array<std::vector<Edge_index>, 2> before{parent_edges(Side::input, s),
+                                                      parent_edges(Side::intrinsic, s)};
+  std::size_t triangles = 0;
+  for(Face_index f : s.mesh().faces())
+    triangles += sides_of(f, s).size() - 2;
+  s.triangulate();
+  EXPECT_TRUE(s.mesh().is_valid(true));
+  EXPECT_EQ(s.mesh().number_of_faces(), triangles);
+  for(Face_index f : s.mesh().faces())
+    EXPECT_EQ(sides_of(f, s).size(), 3u);
+  for(std::size_t i = 0; i < 2; ++i) {
+    std::vector<Edge_index> expected = before[i];
+    expected.resize(s.mesh().number_of_edges()); // a cut has no parent
+    EXPECT_EQ(parent_edges(both_sides[i], s), expected);
+  }
+  check_measures(s, t);
+}
+
+// Triangulates a copy, if there can be one.
+template <typename Any_subdivision>
+void check_copies(const Any_subdivision& s, const Triangulation& t)
+{
+  if constexpr(std::is_copy_constructible_v<Any_subdivision>) {
+    const auto parents = parent_edges(Side::input, s);
+    Any_subdivision copy(s);
+    check_triangles(copy, t);
+    EXPECT_EQ(parent_edges(Side::input, s), parents);
+  }
+}
+
+} // namespace
+
+TEST(Common_subdivision, numbers_and_pieces)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    const Correspondence c(t.triangulation);
+    const Subdivision s(c);
+    check_numbers(s, c);
+    check_pieces(s, c);
+  }
+}
+
+TEST(Common_subdivision, faces_look_the_same_in_both_parents)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    check_measures(Subdivision(Correspondence(t.triangulation)), t.triangulation);
+  }
+}
+
+TEST(Common_subdivision, triangulate)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    Subdivision s{Correspondence(t.triangulation)};
+    check_triangles(s, t.triangulation);
+  }
+}
+
+TEST(Common_subdivision, of_equal_triangulations_is_the_input)
+{
+  for(const Named_complex& complex : complexes()) {
+    SCOPED_TRACE(complex.name);
+    const Triangulation t = triangulation(complex.mesh, random_lengths(complex.mesh, 1));
+    const Subdivision s{Correspondence(t)};
+    EXPECT_EQ(s.mesh().number_of_vertices(), complex.mesh.number_of_vertices());
+    EXPECT_EQ(s.mesh().number_of_edges(), complex.mesh.number_of_edges());
+    EXPECT_EQ(s.mesh().number_of_faces(), complex.mesh.number_of_faces());
+    for(Edge_index e : s.mesh().edges())
+      EXPECT_EQ(s.parent_edge(Side::input, e), s.parent_edge(Side::intrinsic, e));
+  }
+}
+
+TEST(Common_subdivision, isolated_vertices_keep_their_numbers)
+{
+  Mesh mesh;
+  const std::vector<std::size_t> isolated{0, 3, 7};
+  const Mesh torus = embedded_torus(5, 4);
+  std::vector<Vertex_index> number;
+  for(Vertex_index v : torus.vertices()) {
+    while(std::count(isolated.begin(), isolated.end(), mesh.number_of_vertices()) > 0)
+      mesh.add_vertex(Point(9, 9, 9));
+    number.push_back(mesh.add_vertex(torus.point(v)));
+  }
+  for(Face_index f : torus.faces()) {
+    const Halfedge_index h = torus.halfedge(f);
+    mesh.add_face(number[torus.source(h)], number[torus.target(h)],
+                  number[torus.target(torus.next(h))]);
+  }
+  Triangulation t(mesh);
+  EXPECT_GT(IT::make_Delaunay(t), 0u);
+  const Correspondence c(t);
+  const Subdivision s(c);
+  check_numbers(s, c);
+  check_measures(s, t);
+  for(Vertex_index v : s.mesh().vertices()) {
+    const bool is_isolated = std::count(isolated.begin(), isolated.end(), v.idx()) > 0;
+    EXPECT_EQ(s.mesh().is_isolated(v), is_isolated);
+    EXPECT_EQ(s.place(Side::input, v).halfedge.is_valid(), !is_isolated);
+    EXPECT_EQ(s.place(Side::intrinsic, v).halfedge.is_valid(), !is_isolated);
+  }
+}
+
+TEST(Common_subdivision, positions_in_space)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    Triangulation t(m.mesh);
+    flip_at_random(t, 20 * m.mesh.number_of_edges(), 1);
+    const Correspondence c(t);
+    IT::Common_subdivision<IT::Euclidean_geometry_traits<>, Point> s(c);
+    const auto points = boost::make_function_property_map<Vertex_index>(
+      [&](Vertex_index v) { return m.mesh.point(v); });
+    IT::interpolate(Side::input, s, t, points, s.mesh().points());
+    for(Vertex_index v : m.mesh.vertices())
+      EXPECT_EQ(s.mesh().point(v), m.mesh.point(v));
+    Flat_faces faces(Side::intrinsic, t);
+    std::vector<double> length(t.mesh().number_of_edges());
+    for(Edge_index e : s.mesh().edges())
+      if(const Edge_index parent = s.parent_edge(Side::intrinsic, e); parent.is_valid())
+        length[parent] += std::sqrt(CGAL::squared_distance(s.mesh().point(s.mesh().vertex(e, 0)),
+                                                           s.mesh().point(s.mesh().vertex(e, 1))));
+    for(Edge_index e : t.mesh().edges())
+      EXPECT_NEAR(length[e] / t.length(e), 1, 1e-9);
+  }
+}
+
+TEST(Common_subdivision, linear_functions_in_the_plane_from_either_side)
+{
+  for(unsigned int seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Flat_triangulation flat(flat_grid(7, 6, seed));
+    flat.flip_at_random(2000, seed);
+    const Correspondence c(*flat);
+    Subdivision s(c);
+    const auto linear = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
+      const Vector p = flat.surface().point[v];
+      return 3 + 0.7 * static_cast<double>(p.x) - 0.2 * static_cast<double>(p.y);
+    });
+    auto from_input = s.mesh().add_property_map<Vertex_index, double>("v:a").first;
+    auto from_intrinsic = s.mesh().add_property_map<Vertex_index, double>("v:b").first;
+    IT::interpolate(Side::input, s, *flat, linear, from_input);
+    IT::interpolate(Side::intrinsic, s, *flat, linear, from_intrinsic);
+    for(Vertex_index v : s.mesh().vertices()) {
+      EXPECT_NEAR(from_input[v], from_intrinsic[v], 1e-12 * 7000);
+      if(s.is_input_vertex(v)) {
+        EXPECT_EQ(from_input[v], get(linear, v));
+        EXPECT_EQ(from_intrinsic[v], get(linear, v));
+      }
+    }
+  }
+}
+
+TEST(Common_subdivision, agrees_with_an_arrangement_of_segments)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Arrangement = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<Exact>>;
+  const auto exact = [](const Vector& p) {
+    return Exact::Point_2(static_cast<double>(p.x), static_cast<double>(p.y));
+  };
+  for(unsigned int seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Flat_triangulation flat(seed % 2 == 0 ? flat_grid(5, 4, seed)
+                                          : flat_polygon(random_points(40, 1 << 19, seed)));
+    if(seed % 2 == 0)
+      flat.flip_at_random(1000, seed);
+    else
+      flat.make_Delaunay();
+    std::vector<Exact::Segment_2> segments;
+    for(const Delta_complex* mesh : {&flat->input_mesh(), &flat->mesh()})
+      for(Edge_index e : mesh->edges())
+        segments.emplace_back(exact(flat.surface().point[mesh->vertex(e, 0)]),
+                              exact(flat.surface().point[mesh->vertex(e, 1)]));
+    Arrangement arrangement;
+    CGAL::insert(arrangement, segments.begin(), segments.end());
+    const Subdivision s{Correspondence(*flat)};
+    EXPECT_EQ(s.mesh().number_of_vertices(), arrangement.number_of_vertices());
+    EXPECT_EQ(s.mesh().number_of_edges(), arrangement.number_of_edges());
+    EXPECT_EQ(s.mesh().number_of_faces() + 1, arrangement.number_of_faces());
+    EXPECT_GT(s.mesh().number_of_vertices(), flat->mesh().number_of_vertices() + 20);
+  }
+}
+
+TEST(Common_subdivision, copies_and_moved_ones_are_independent)
+{
+  Triangulation t(embedded_torus(5, 4));
+  EXPECT_GT(IT::make_Delaunay(t), 0u);
+  Subdivision s{Correspondence(t)};
+  check_copies(s, t);
+  Subdivision moved(std::move(s));
+  check_triangles(moved, t);
+}
+
+TEST(Common_subdivision, of_the_empty_surface)
+{
+  const Triangulation t;
+  EXPECT_TRUE(Subdivision(Correspondence(t)).mesh().is_empty());
+}

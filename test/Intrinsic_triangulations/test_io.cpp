@@ -1,0 +1,421 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "more_generators.h"
+
+#include <CGAL/Intrinsic_triangulations/io.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
+namespace {
+
+using namespace Test_surfaces;
+
+std::string text_of(const Triangulation& t)
+{
+  std::ostringstream os;
+  os.imbue(std::locale::classic());
+  EXPECT_TRUE(IT::write_intrinsic_triangulation(os, t));
+  return os.str();
+}
+
+Triangulation triangulation_of(const std::string& text)
+{
+  std::istringstream is(text);
+  return IT::read_intrinsic_triangulation(is);
+}
+
+// ---- Equality ----
+
+void expect_equal(const Delta_complex& a, const Delta_complex& b)
+{
+  ASSERT_EQ(a.number_of_vertices(), b.number_of_vertices());
+  ASSERT_EQ(a.number_of_edges(), b.number_of_edges());
+  ASSERT_EQ(a.number_of_faces(), b.number_of_faces());
+  for(Halfedge_index h : a.halfedges()) {
+    EXPECT_EQ(a.next(h), b.next(h));
+    EXPECT_EQ(a.target(h), b.target(h));
+    EXPECT_EQ(a.face(h), b.face(h));
+  }
+  for(Vertex_index v : a.vertices())
+    EXPECT_EQ(a.halfedge(v), b.halfedge(v));
+  for(Face_index f : a.faces())
+    EXPECT_EQ(a.halfedge(f), b.halfedge(f));
+}
+
+void expect_equal(const Triangulation& a, const Triangulation& b)
+{
+  expect_equal(a.input_mesh(), b.input_mesh());
+  expect_equal(a.mesh(), b.mesh());
+  for(Edge_index e : a.mesh().edges()) {
+    EXPECT_EQ(a.input_length(e), b.input_length(e));
+    EXPECT_EQ(a.length(e), b.length(e));
+    EXPECT_EQ(a.coordinates().normal_coordinate(e), b.coordinates().normal_coordinate(e));
+    EXPECT_EQ(a.is_constrained(e), b.is_constrained(e));
+  }
+  for(Halfedge_index h : a.mesh().halfedges())
+    EXPECT_EQ(a.coordinates().roundabout(h), b.coordinates().roundabout(h));
+}
+
+void check_round_trip(const Triangulation& t)
+{
+  const std::string text = text_of(t);
+  Triangulation loaded = triangulation_of(text);
+  expect_equal(t, loaded);
+  EXPECT_EQ(text_of(loaded), text);
+  EXPECT_TRUE(loaded.is_valid(true));
+
+  Triangulation original(t); // what is loaded works as what was saved
+  EXPECT_EQ(IT::make_Delaunay(original), IT::make_Delaunay(loaded));
+  expect_equal(original, loaded);
+  EXPECT_EQ(original.flip_to_input(), loaded.flip_to_input());
+  expect_equal(original, loaded);
+}
+
+// ---- Damage ----
+
+using Lines = std::vector<std::string>;
+
+Lines lines_of(const std::string& text)
+{
+  Lines result;
+  std::istringstream is(text);
+  for(std::string line; std::getline(is, line);)
+    result.push_back(line);
+  return result;
+}
+
+std::string joined(const Lines& lines, char separator)
+{
+  std::string result;
+  for(const std::string& line : lines)
+    result += line + separator;
+  return result;
+}
+
+enum class Outcome
+{
+  bad_format,
+  bad_triangulation,
+  valid
+};
+
+// Anything but these two errors and a valid triangulation is a failure.
+Outcome outcome(const std::string& text)
+{
+  try {
+    const Triangulation t = triangulation_of(text);
+    EXPECT_TRUE(t.is_valid(true)) << text;
+    expect_equal(triangulation_of(text_of(t)), t);
+    return Outcome::valid;
+  } catch(const IT::File_format_error& error) {
+    EXPECT_GE(error.line(), 1u);
+    EXPECT_LE(error.line(), lines_of(text).size() + 1);
+    EXPECT_NE(std::string(error.what()).find("line " + std::to_string(error.line())),
+              std::string::npos);
+    return Outcome::bad_format;
+  } catch(const IT::Invalid_input& error) {
+    EXPECT_NE(std::string(error.what()), "");
+    return Outcome::bad_triangulation;
+  } catch(const std::exception& error) {
+    ADD_FAILURE() << error.what() << "\n" << text;
+    return Outcome::bad_triangulation;
+  }
+}
+
+// The line that a damaged text is refused for.
+std::size_t refused_line(const std::string& text)
+{
+  try {
+    triangulation_of(text);
+  } catch(const IT::File_format_error& error) {
+    return error.line();
+  }
+  ADD_FAILURE() << "not refused";
+  return 0;
+}
+
+std::vector<Triangulation> small_triangulations()
+{
+  std::vector<Triangulation> result{Triangulation(tetrahedron()), triangulation(cone(false), {1, 1}),
+                                    triangulation(bigon(), {1, 1.2, 1, 1.4}),
+                                    triangulation(flat_torus(1, 1, 0))};
+  Mesh lonely = make_mesh({{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+                          {{0, 2, 3}, {2, 4, 3}});
+  result.emplace_back(lonely, CGAL::parameters::edge_is_constrained_map(
+                                boost::make_function_property_map<Edge_index>(
+                                  [](Edge_index e) { return e.idx() % 2 == 0; })));
+  for(std::size_t i = 0; i < 4; ++i)
+    flip_at_random(result[i], 40, 3);
+  return result;
+}
+
+const Lines& replacements()
+{
+  static const Lines result{"-2",     "-1",         "0",     "1",       "2",      "7",
+                            "10",     "1000",       "1e3",   "1.5",     "x",      "",
+                            "nan",    "0xnan",      "0xinf", "-0x1p+0", "0x-1p0", "0x",
+                            "0x0p+0", "0x1p+0",     "0x1p-1080", "0x1p+1023", "0x1p+99999",
+                            "576460752303423487", "9223372036854775807", "9223372036854775808",
+                            "-9223372036854775809", "4294967295", "99999999999999999999999"};
+  return result;
+}
+
+// Replaces every number of every line except the numbers of elements, which are for another test.
+template <typename Check>
+void for_each_replacement(const std::string& text, const Check& check)
+{
+  const Lines lines = lines_of(text);
+  for(std::size_t l = 1; l < lines.size(); ++l) {
+    std::istringstream is(lines[l]);
+    Lines words;
+    for(std::string word; is >> word;)
+      words.push_back(word);
+    for(std::size_t w = 0; w < words.size() && words.size() != 3; ++w)
+      for(const std::string& replacement : replacements()) {
+        Lines new_words = words, new_lines = lines;
+        new_words[w] = replacement;
+        new_lines[l] = joined(new_words, ' ');
+        check(joined(new_lines, '\n'));
+      }
+  }
+}
+
+} // namespace
+
+TEST(Io, round_trip)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    check_round_trip(t.triangulation);
+  }
+  for(const Triangulation& t : small_triangulations())
+    check_round_trip(t);
+  check_round_trip(Triangulation());
+}
+
+TEST(Io, round_trip_with_constraints)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    const auto third = boost::make_function_property_map<Edge_index>(
+      [](Edge_index e) { return e.idx() % 3 == 0; });
+    Triangulation t(m.mesh, CGAL::parameters::edge_is_constrained_map(third));
+    flip_at_random(t, 20 * m.mesh.number_of_edges(), 1);
+    check_round_trip(t);
+  }
+}
+
+TEST(Io, lengths_of_all_magnitudes_are_exact)
+{
+  for(double scale : {1e-36, 3e-20, 1 / 3., 1e20, 1e36}) {
+    std::vector<double> lengths = random_lengths(double_torus(), 1);
+    for(double& length : lengths)
+      length *= scale;
+    check_round_trip(triangulation(double_torus(), lengths));
+  }
+}
+
+TEST(Io, header)
+{
+  const std::string text = text_of(Triangulation(tetrahedron()));
+  EXPECT_EQ(lines_of(text)[0], "intrinsic_triangulation 1");
+  for(const char* header : {"", "intrinsic_triangulation 2", "intrinsic_triangulation", "OFF",
+                            " intrinsic_triangulation 1", "intrinsic_triangulation 1 "}) {
+    Lines lines = lines_of(text);
+    lines[0] = header;
+    EXPECT_EQ(refused_line(joined(lines, '\n')), 1u);
+  }
+  EXPECT_EQ(refused_line(""), 1u);
+}
+
+TEST(Io, missing_lines)
+{
+  for(const Triangulation& t : small_triangulations()) {
+    const Lines lines = lines_of(text_of(t));
+    for(std::size_t l = 0; l < lines.size(); ++l) {
+      Lines fewer = lines;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(l));
+      EXPECT_NE(outcome(joined(fewer, '\n')), Outcome::valid) << l;
+    }
+  }
+}
+
+TEST(Io, repeated_and_exchanged_lines)
+{
+  for(const Triangulation& t : small_triangulations()) {
+    const Lines lines = lines_of(text_of(t));
+    for(std::size_t l = 0; l < lines.size(); ++l) {
+      Lines more = lines;
+      more.insert(more.begin() + static_cast<std::ptrdiff_t>(l), lines[l]);
+      outcome(joined(more, '\n'));
+      for(std::size_t k = 0; k < l; ++k) {
+        Lines exchanged = lines;
+        std::swap(exchanged[k], exchanged[l]);
+        outcome(joined(exchanged, '\n'));
+      }
+    }
+  }
+}
+
+TEST(Io, truncated_at_every_byte)
+{
+  for(const Triangulation& t : small_triangulations()) {
+    const std::string text = text_of(t);
+    for(std::size_t size = 0; size + 1 < text.size(); ++size) {
+      const Outcome o = outcome(text.substr(0, size));
+      // the last number may have lost digits
+      EXPECT_TRUE(o != Outcome::valid || text.find('\n', size) + 1 == text.size()) << size;
+    }
+  }
+}
+
+TEST(Io, extra_text_in_every_line)
+{
+  const Lines lines = lines_of(text_of(Triangulation(tetrahedron())));
+  for(std::size_t l = 0; l < lines.size(); ++l)
+    for(const char* extra : {" 0", " x", "x", ".", "\t", "\r"}) {
+      Lines longer = lines;
+      longer[l] += extra;
+      EXPECT_EQ(refused_line(joined(longer, '\n')), l + 1) << extra;
+    }
+}
+
+TEST(Io, other_numbers)
+{
+  std::size_t valid = 0, bad_format = 0, bad_triangulation = 0;
+  for(const Triangulation& t : small_triangulations())
+    for_each_replacement(text_of(t), [&](const std::string& damaged) {
+      const Outcome o = outcome(damaged);
+      ++(o == Outcome::valid ? valid : o == Outcome::bad_format ? bad_format : bad_triangulation);
+    });
+  EXPECT_GT(valid, 0u);
+  EXPECT_GT(bad_format, 1000u);
+  EXPECT_GT(bad_triangulation, 500u);
+}
+
+TEST(Io, other_numbers_of_elements)
+{
+  const Lines lines = lines_of(text_of(Triangulation(tetrahedron())));
+  for(std::size_t l : {std::size_t(1), 2 + lines.size() / 2 - 1}) {
+    ASSERT_EQ(lines[l], "4 6 4");
+    for(const char* counts :
+        {"", "4", "4 6", "3 6 4", "4 5 4", "4 6 3", "5 6 4", "4 7 4", "4 6 5", "0 0 0", "-4 6 4",
+         "4 -6 4", "4 6 -4", "4 6 4294967296", "18446744073709551616 6 4", "1e9 6 4", "0 6 4",
+         "4 0 4", "4 6 0"}) {
+      Lines changed = lines;
+      changed[l] = counts;
+      EXPECT_NE(outcome(joined(changed, '\n')), Outcome::valid) << counts;
+    }
+  }
+}
+
+TEST(Io, lengths_that_make_no_triangle)
+{
+  for(const Triangulation& t : {Triangulation(tetrahedron()), Triangulation(embedded_torus(5, 4))}) {
+    const Lines lines = lines_of(text_of(t));
+    for(std::size_t l = 0; l < lines.size(); ++l)
+      if(const std::size_t from = lines[l].find("0x"); from != std::string::npos) {
+        const std::size_t to = (std::min)(lines[l].find(' ', from), lines[l].size());
+        Lines changed = lines;
+        changed[l].replace(from, to - from, "0x1p+60");
+        EXPECT_EQ(outcome(joined(changed, '\n')), Outcome::bad_triangulation) << changed[l];
+      }
+  }
+}
+
+// The same in the second triangulation alone, where no edge is shared.
+TEST(Io, intrinsic_lengths_that_make_no_triangle)
+{
+  Triangulation t = triangulation(flat_torus(1, 1, 0));
+  for(int round = 0; round < 6; ++round)
+    for(Halfedge_index h : t.mesh().halfedges())
+      if(t.is_flippable(h))
+        t.flip(h);
+  for(Edge_index e : t.mesh().edges())
+    ASSERT_GE(t.coordinates().normal_coordinate(e), 0);
+  Lines lines = lines_of(text_of(t));
+  const std::size_t l = lines.size() - 3;
+  const std::size_t from = lines[l].find("0x"), to = lines[l].find(' ', from);
+  lines[l].replace(from, to - from, "0x1p+60");
+  EXPECT_EQ(outcome(joined(lines, '\n')), Outcome::bad_triangulation);
+}
+
+#ifdef __linux__
+// A short file that promises much must not take the memory for it.
+TEST(Io, promises_take_no_memory)
+{
+  const auto peak = [] { // in kilobytes
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  for(const char* counts : {"40000000 6 4", "4 20000000 4", "4 6 40000000"}) {
+    const long before = peak();
+    EXPECT_EQ(outcome(std::string("intrinsic_triangulation 1\n") + counts + "\n0\n"),
+              Outcome::bad_format);
+    EXPECT_LT(peak() - before, 50000) << counts;
+  }
+}
+#endif
+
+// Whatever the stream's and the program's ways of writing numbers.
+struct Strange_numbers : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\1"; }
+};
+
+TEST(Io, locale_does_not_matter)
+{
+  Triangulation t(embedded_torus(6, 5));
+  IT::make_Delaunay(t);
+  const std::string text = text_of(t);
+  const std::locale strange(std::locale::classic(), new Strange_numbers);
+  std::stringstream stream;
+  stream.imbue(strange);
+  EXPECT_TRUE(IT::write_intrinsic_triangulation(stream, t));
+  EXPECT_EQ(stream.str(), text);
+  std::istringstream is(text);
+  is.imbue(strange);
+  expect_equal(IT::read_intrinsic_triangulation(is), t);
+}
+
+TEST(Io, flags_of_the_stream_do_not_matter)
+{
+  const Triangulation t(embedded_torus(6, 5));
+  std::ostringstream os;
+  os << std::hex << std::showpos << std::showbase;
+  EXPECT_TRUE(IT::write_intrinsic_triangulation(os, t));
+  EXPECT_EQ(os.str(), text_of(t));
+}
+
+TEST(Io, stream_that_fails)
+{
+  std::ostringstream os;
+  os.setstate(std::ios::failbit);
+  EXPECT_FALSE(IT::write_intrinsic_triangulation(os, Triangulation(tetrahedron())));
+}
+
+// Two in one stream.
+TEST(Io, reads_no_further_than_the_end)
+{
+  Triangulation a(embedded_torus(5, 4)), b(tetrahedron());
+  IT::make_Delaunay(a);
+  std::stringstream stream(text_of(a) + text_of(b));
+  expect_equal(IT::read_intrinsic_triangulation(stream), a);
+  expect_equal(IT::read_intrinsic_triangulation(stream), b);
+}

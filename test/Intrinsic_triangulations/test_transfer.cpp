@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifdef CGAL_EIGEN3_ENABLED
+
+#include "measuring.h"
+
+#include <CGAL/Intrinsic_triangulations/function_transfer.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using Subdivision = IT::Common_subdivision<>;
+using Matrix = Eigen::SparseMatrix<double>;
+using Values = Eigen::VectorXd;
+
+Values random_values(std::size_t n, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  Values result(static_cast<Eigen::Index>(n));
+  for(double& x : result)
+    x = random.get_double(-1, 1);
+  return result;
+}
+
+Values ones(const Matrix& m) { return Values::Constant(m.cols(), 1); }
+
+double largest(const Values& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
+
+// A third of the area around each vertex: the integral of its hat function.
+Values integrals_of_hats(Side side, const Triangulation& t)
+{
+  const Flat_faces faces(side, t);
+  Values result = Values::Zero(static_cast<Eigen::Index>(t.mesh().number_of_vertices()));
+  for(Face_index f : faces.mesh().faces())
+    for(Halfedge_index h : faces.sides(f))
+      result[faces.mesh().target(h).idx()] += static_cast<double>(faces.area(f) / 3);
+  return result;
+}
+
+void check_matrices(const Triangulation& t)
+{
+  const Correspondence c(t);
+  const double area = static_cast<double>(Flat_faces(Side::input, t).area());
+  const Matrix mixed = IT::mixed_mass_matrix(c);
+  const Matrix transposed = mixed.transpose();
+  const Values in = integrals_of_hats(Side::input, t), out = integrals_of_hats(Side::intrinsic, t);
+  EXPECT_LT(largest(mixed * ones(mixed) - out), 1e-9 * area);
+  EXPECT_LT(largest(transposed * ones(transposed) - in), 1e-9 * area);
+  for(Side side : both_sides) {
+    const Matrix mass = IT::mass_matrix(side, t);
+    EXPECT_NEAR(mass.sum() / area, 1, 1e-12 + (side == Side::input ? 0 : 1e-10));
+    EXPECT_EQ((mass - Matrix(mass.transpose())).norm(), 0);
+    EXPECT_LT(largest(mass * ones(mass) - (side == Side::input ? in : out)), 1e-14 * area);
+  }
+}
+
+// The integral of the product of functions on both sides, by summing over the triangulated subdivision.
+double integral_of_product(const Values& on_input, const Values& on_intrinsic,
+                           const Correspondence& c)
+{
+  const Triangulation& t = c.triangulation();
+  Subdivision s(c);
+  s.triangulate();
+  const Flat_faces faces(Side::input, t);
+  const Values u = IT::interpolation_matrix(Side::input, s, t) * on_input;
+  const Values v = IT::interpolation_matrix(Side::intrinsic, s, t) * on_intrinsic;
+  double sum = 0;
+  for(Face_index f : s.mesh().faces()) {
+    const Face_index parent = s.parent_face(Side::input, f);
+    std::vector<Vertex_index> corner;
+    std::vector<Place> place;
+    for(Halfedge_index h : halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
+      corner.push_back(s.mesh().target(h));
+      for(Halfedge_index g : faces.sides(parent)) {
+        const Vertex_index w = corner.back();
+        const auto& p = s.place(Side::input, w);
+        const bool is_there = s.is_input_vertex(w) ? faces.mesh().source(g) == w
+                                                   : Edge_index(p.halfedge) == Edge_index(g);
+        if(is_there)
+          place.push_back(faces.place(faces.sides(parent)[0],
+                                      faces.on(g, s.is_input_vertex(w) ? 0.
+                                                  : p.halfedge == g    ? p.t
+                                                                       : 1 - p.t)));
+      }
+    }
+    EXPECT_EQ(place.size(), 3u);
+    const double area = static_cast<double>(det(place[1] - place[0], place[2] - place[0]) / 2);
+    for(std::size_t a = 0; a < 3; ++a)
+      for(std::size_t b = 0; b < 3; ++b)
+        sum += area / (a == b ? 6 : 12) * u[corner[a].idx()] * v[corner[b].idx()];
+  }
+  return sum;
+}
+
+double squared_distance(const Values& on_input, const Values& on_intrinsic, const Matrix& mass_1,
+                        const Matrix& mass_2, const Matrix& mixed)
+{
+  return on_input.dot(mass_1 * on_input) + on_intrinsic.dot(mass_2 * on_intrinsic) -
+         2 * on_intrinsic.dot(mixed * on_input);
+}
+
+void check_closest(const Triangulation& t)
+{
+  const Correspondence c(t);
+  const Matrix m1 = IT::mass_matrix(Side::input, t), m2 = IT::mass_matrix(Side::intrinsic, t);
+  const Matrix mixed = IT::mixed_mass_matrix(c);
+  const Values f = random_values(t.mesh().number_of_vertices(), 1);
+  const Values g = IT::transfer_function(Side::input, f, c);
+  const double least = squared_distance(f, g, m1, m2, mixed);
+  const double scale = f.dot(m1 * f);
+  EXPECT_GT(least, -1e-10 * scale);
+  EXPECT_NEAR((ones(m1).dot(m1 * f) - ones(m2).dot(m2 * g)) / scale, 0, 1e-9);
+  for(unsigned int seed = 0; seed < 20; ++seed) {
+    const Values other = g + 1e-3 * random_values(t.mesh().number_of_vertices(), seed);
+    EXPECT_GT(squared_distance(f, other, m1, m2, mixed), least);
+  }
+}
+
+// The transfers are orthogonal projections between two spaces: each is the adjoint of the other, and
+// neither makes a function larger.
+void check_adjoint(const Triangulation& t)
+{
+  const Correspondence c(t);
+  const Matrix m1 = IT::mass_matrix(Side::input, t), m2 = IT::mass_matrix(Side::intrinsic, t);
+  const Values f = random_values(t.mesh().number_of_vertices(), 1);
+  const Values g = random_values(t.mesh().number_of_vertices(), 2);
+  const Values f_there = IT::transfer_function(Side::input, f, c);
+  const Values g_back = IT::transfer_function(Side::intrinsic, g, c);
+  const double scale = std::sqrt(f.dot(m1 * f) * g.dot(m2 * g));
+  EXPECT_NEAR((f_there.dot(m2 * g) - f.dot(m1 * g_back)) / scale, 0, 1e-9);
+  EXPECT_LE(f_there.dot(m2 * f_there), f.dot(m1 * f) * (1 + 1e-9));
+  EXPECT_LE(g_back.dot(m1 * g_back), g.dot(m2 * g) * (1 + 1e-9));
+}
+
+} // namespace
+
+TEST(Transfer, interpolation_matrices)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    const Correspondence c(t.triangulation);
+    const Subdivision s(c);
+    for(Side side : both_sides) {
+      const Matrix m = IT::interpolation_matrix(side, s, t.triangulation);
+      EXPECT_EQ(m.rows(), Eigen::Index(s.mesh().number_of_vertices()));
+      EXPECT_EQ(m.cols(), Eigen::Index(t.triangulation.mesh().number_of_vertices()));
+      EXPECT_LT(largest(m * ones(m) - Values::Constant(m.rows(), 1)), 1e-15);
+      for(int k = 0; k < m.outerSize(); ++k)
+        for(Matrix::InnerIterator entry(m, k); entry; ++entry) {
+          EXPECT_GE(entry.value(), 0);
+          EXPECT_TRUE(entry.row() >= m.cols() || (entry.value() == 1 && entry.row() == entry.col()));
+        }
+    }
+  }
+}
+
+TEST(Transfer, mass_matrices)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    check_matrices(t.triangulation);
+  }
+}
+
+// The sum over the subdivision is laid out by corners, hence only on meshes without self-edges.
+TEST(Transfer, mixed_mass_matrix_is_the_integral_over_the_subdivision)
+{
+  for(const Named_mesh& m : meshes())
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+      Triangulation t(m.mesh);
+      flip_at_random(t, 20 * m.mesh.number_of_edges(), seed);
+      const Correspondence c(t);
+      const std::size_t n = m.mesh.number_of_vertices();
+      const Values f = random_values(n, seed), g = random_values(n, seed + 100);
+      const double expected = integral_of_product(f, g, c);
+      EXPECT_NEAR(g.dot(IT::mixed_mass_matrix(c) * f) / expected, 1, 1e-7);
+    }
+}
+
+TEST(Transfer, closest_function)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    check_closest(t.triangulation);
+  }
+}
+
+TEST(Transfer, adjoint)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    check_adjoint(t.triangulation);
+  }
+}
+
+TEST(Transfer, identity_where_nothing_was_flipped)
+{
+  for(const Named_complex& complex : complexes()) {
+    SCOPED_TRACE(complex.name);
+    const Triangulation t = triangulation(complex.mesh, random_lengths(complex.mesh, 2));
+    const Correspondence c(t);
+    const Values f = random_values(t.mesh().number_of_vertices(), 2);
+    for(Side side : both_sides)
+      EXPECT_LT(largest(IT::transfer_function(side, f, c) - f), 1e-12);
+  }
+}
+
+TEST(Transfer, linear_functions_in_the_plane_stay)
+{
+  for(unsigned int seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Flat_triangulation flat(flat_grid(7, 6, seed));
+    flat.flip_at_random(2000, seed);
+    const Correspondence c(*flat);
+    Values f(static_cast<Eigen::Index>(flat->mesh().number_of_vertices()));
+    for(Vertex_index v : flat->mesh().vertices())
+      f[v.idx()] = 3 + 0.7e-3 * static_cast<double>(flat.surface().point[v].x) -
+                   0.2e-3 * static_cast<double>(flat.surface().point[v].y);
+    for(Side side : both_sides)
+      EXPECT_LT(largest(IT::transfer_function(side, f, c) - f), 1e-10);
+  }
+}
+
+TEST(Transfer, constants_stay_everywhere)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    const Correspondence c(t.triangulation);
+    const Values f =
+      Values::Constant(Eigen::Index(t.triangulation.mesh().number_of_vertices()), 2.5);
+    for(Side side : both_sides)
+      EXPECT_LT(largest(IT::transfer_function(side, f, c) - f), 1e-7);
+  }
+}
+
+TEST(Transfer, isolated_vertices_keep_their_values)
+{
+  Mesh mesh = embedded_torus(5, 4);
+  const Vertex_index alone = mesh.add_vertex(Point(9, 9, 9));
+  Triangulation t(mesh);
+  EXPECT_GT(IT::make_Delaunay(t), 0u);
+  const Values f = random_values(mesh.number_of_vertices(), 3);
+  EXPECT_EQ(IT::transfer_function(Side::input, f, Correspondence(t))[alone.idx()], f[alone.idx()]);
+}
+
+#endif
