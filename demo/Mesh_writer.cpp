@@ -32,6 +32,11 @@ public:
   Text& operator<<(double x) { return add_number(x); }
   Text& operator<<(std::size_t n) { return add_number(n); }
   Text& operator<<(std::int64_t n) { return add_number(n); }
+  Text& operator<<(const Attribute::Value& value)
+  {
+    std::visit([this](auto x) { *this << x; }, value);
+    return *this;
+  }
   Text& operator<<(const Point& p) { return *this << p.x() << ' ' << p.y() << ' ' << p.z(); }
 
   std::string take() { return std::move(m_text); }
@@ -93,7 +98,7 @@ std::string obj(const Output_mesh& mesh)
 void add_ply_properties(Text& text, const std::vector<Attribute>& data)
 {
   for(const Attribute& a : data)
-    text << "property int " << a.name << '\n';
+    text << (a.has_integers() ? "property int " : "property double ") << a.name << '\n';
 }
 
 void add_ply_header(Text& text, const Output_mesh& mesh)
@@ -146,8 +151,10 @@ void add_vtp_data(Text& text, std::string_view element, const std::vector<Attrib
 {
   text << '<' << element << ">\n";
   for(const Attribute& a : data)
-    add_vtp_array(text, "type=\"Int32\" Name=\"" + a.name + "\"", a.values.size(),
-                  [&](std::size_t i) { text << a.values[i]; });
+    add_vtp_array(text,
+                  (a.has_integers() ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") +
+                    a.name + "\"",
+                  a.values.size(), [&](std::size_t i) { text << a.values[i]; });
   text << "</" << element << ">\n";
 }
 

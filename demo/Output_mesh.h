@@ -11,13 +11,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
-// One integer per vertex, edge or face.
+// One number per vertex, edge or face: all of them integers or all of them not.
 struct Attribute
 {
+  typedef std::variant<std::int64_t, double> Value;
+
   std::string name;
-  std::vector<std::int64_t> values;
+  std::vector<Value> values;
+
+  bool has_integers() const { return values.empty() || values.front().index() == 0; }
 };
 
 // A mesh with what is known about its elements, ready to be written.

@@ -14,14 +14,6 @@ std::int64_t number_of(Index i)
   return i.is_valid() ? static_cast<std::int64_t>(i.idx()) : -1;
 }
 
-// The edge at whose interior the crossing `v` is, -1 if `v` is a vertex.
-std::int64_t crossed_edge(const Subdivision& subdivision, IT::Side side, IT::Vertex_index v)
-{
-  if(subdivision.is_input_vertex(v))
-    return -1;
-  return number_of(IT::Edge_index(subdivision.place(side, v).halfedge));
-}
-
 // One value per element of `range`.
 template <class Range, class Value>
 Attribute attribute(const char* name, const Range& range, const Value& value)
@@ -32,20 +24,38 @@ Attribute attribute(const char* name, const Range& range, const Value& value)
   return result;
 }
 
+// The edge on which each crossing is; -1 at a vertex.
+Attribute crossed_edges(const Subdivision& subdivision, const char* name, IT::Side side)
+{
+  return attribute(name, subdivision.mesh().vertices(), [&](IT::Vertex_index v) {
+    return subdivision.is_input_vertex(v)
+             ? -1
+             : number_of(IT::Edge_index(subdivision.place(side, v).halfedge));
+  });
+}
+
+// The place of each crossing on its edge, between 0 and 1; 0 at a vertex.
+Attribute coordinates(const Subdivision& subdivision, const char* name, IT::Side side)
+{
+  return attribute(name, subdivision.mesh().vertices(),
+                   [&](IT::Vertex_index v) { return subdivision.place(side, v).t; });
+}
+
 std::vector<Attribute> point_data(const Subdivision& subdivision)
 {
   const auto vertices = subdivision.mesh().vertices();
-  return {
-    attribute("kind", vertices,
-              [&](IT::Vertex_index v) { return subdivision.is_input_vertex(v) ? 0 : 1; }),
-    attribute(
-      "input_vertex", vertices,
-      [&](IT::Vertex_index v) { return subdivision.is_input_vertex(v) ? number_of(v) : -1; }),
-    attribute("input_edge", vertices,
-              [&](IT::Vertex_index v) { return crossed_edge(subdivision, IT::Side::input, v); }),
-    attribute("intrinsic_edge", vertices, [&](IT::Vertex_index v) {
-      return crossed_edge(subdivision, IT::Side::intrinsic, v);
-    })};
+  const auto is_crossing = [&](IT::Vertex_index v) {
+    return std::int64_t(subdivision.is_input_vertex(v) ? 0 : 1);
+  };
+  const auto input_vertex = [&](IT::Vertex_index v) {
+    return subdivision.is_input_vertex(v) ? number_of(v) : -1;
+  };
+  return {attribute("kind", vertices, is_crossing),
+          attribute("input_vertex", vertices, input_vertex),
+          crossed_edges(subdivision, "input_edge", IT::Side::input),
+          coordinates(subdivision, "input_coordinate", IT::Side::input),
+          crossed_edges(subdivision, "intrinsic_edge", IT::Side::intrinsic),
+          coordinates(subdivision, "intrinsic_coordinate", IT::Side::intrinsic)};
 }
 
 Attribute parent_edges(const Subdivision& subdivision, const char* name, IT::Side side)
