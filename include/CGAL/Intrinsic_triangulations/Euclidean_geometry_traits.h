@@ -73,8 +73,14 @@ private:
     }
     FT squared_sine(const FT& u) const
     {
-      return squared_quadrupled_area(p, q, opposite, u * (p + q + opposite));
+      // each slack of the triangle inequality changes by at most this
+      const FT change = u * (p + q + opposite);
+      const FT slack_p = positive(opposite + (q - p) + change);
+      const FT slack_q = positive(opposite - (q - p) + change);
+      return (p + q + opposite) * slack_p * slack_q * positive(p + (q - opposite) + change);
     }
+
+    static FT positive(const FT& x) { return x > 0 ? x : FT(0); }
   };
 
   // Compares the sum of two angles, made as small as a relative error `u` of the sides can make it
@@ -83,7 +89,7 @@ private:
   {
     const FT cos_a = a.cosine(u), cos_b = b.cosine(u);
     if(!(cos_a < 0) && !(cos_b < 0))
-      return cos_a == 0 && cos_b == 0 ? ZERO : NEGATIVE;
+      return CGAL::is_zero(cos_a + cos_b) ? ZERO : NEGATIVE;
     if(!(cos_a > 0) && !(cos_b > 0))
       return POSITIVE;
     const Corner &obtuse = cos_a < 0 ? a : b, &other = cos_a < 0 ? b : a;

@@ -205,12 +205,14 @@ public:
   /// \pre `flip_status(h, mesh) == Operation_status::possible`
   void flip(Halfedge_index h, Delta_complex& mesh, const Vertex_spokes& spokes)
   {
-    const Integer n = flipped_normal_coordinate(diamond(m_n, h, mesh));
-    internal::check_range(n);
+    const Diamond<Integer> n = diamond(m_n, h, mesh);
+    const Integer n_kl = flipped_normal_coordinate(n);
+    internal::check_range(n_kl);
+    const Halfedge_index lk = h, kl = mesh.opposite(h), ki = mesh.prev(lk), lj = mesh.prev(kl);
     flip_edge(h, mesh);
-    m_n[edge_of(h)] = n;
-    update_roundabout(h, mesh, spokes);
-    update_roundabout(mesh.opposite(h), mesh, spokes);
+    m_n[edge_of(h)] = n_kl;
+    m_r[kl] = following_roundabout(ki, n.ki, n.il, n_kl, spokes.degree(mesh.target(lk)));
+    m_r[lk] = following_roundabout(lj, n.lj, n.jk, n_kl, spokes.degree(mesh.target(kl)));
   }
 
   /// sets the coordinates as they come from a file.
@@ -245,12 +247,16 @@ private:
     return position < degree ? position : position - degree;
   }
 
-  // Equation 3.5 for the halfedge k->l, from the spoke k->i before it
-  void update_roundabout(Halfedge_index kl, const Delta_complex& mesh, const Vertex_spokes& spokes)
+  // Equation 3.5: the roundabout of k->l, from the spoke k->i before it and the normal coordinates of
+  // their face
+  size_type following_roundabout(Halfedge_index ki, const Integer& n_ki, const Integer& n_il,
+                                 const Integer& n_kl, size_type degree) const
   {
-    const Halfedge_index ki = previous_spoke(kl, mesh);
-    const size_type passed = static_cast<size_type>(spokes_from(ki, mesh));
-    m_r[kl] = wrap(m_r[ki] + passed, spokes.degree(mesh.source(kl)));
+    const Integer leaving = Intrinsic_triangulations::curves_leaving(
+      Intrinsic_triangulations::crossings(n_il), Intrinsic_triangulations::crossings(n_ki),
+      Intrinsic_triangulations::crossings(n_kl));
+    const size_type along = static_cast<size_type>(Intrinsic_triangulations::is_shared(n_ki));
+    return wrap(m_r[ki] + static_cast<size_type>(leaving) + along, degree);
   }
 
   bool has_valid_crossings(Halfedge_index h, const Delta_complex& mesh) const

@@ -9,6 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
+#include <array>
+#include <cstddef>
 #include <limits>
 
 namespace CGAL {
@@ -77,23 +79,47 @@ bool are_valid_crossings(const Integer& a, const Integer& b, const Integer& c)
   return a >= 0 && b >= 0 && c >= 0 && (!obey || (a + b + c) % 2 == 0);
 }
 
+namespace internal {
+
+// The numbers e and c (Equations 3.1, 3.2) of all corners of a triangle; corner s is opposite to side s.
+template <typename Integer>
+struct Corner_counts
+{
+  std::array<Integer, 3> leaving, around;
+
+  explicit Corner_counts(const std::array<Integer, 3>& crossings)
+  {
+    std::array<Integer, 3> excess;
+    for(std::size_t s = 0; s < 3; ++s) {
+      excess[s] =
+        static_cast<Integer>(crossings[s] - crossings[(s + 1) % 3] - crossings[(s + 2) % 3]);
+      leaving[s] = excess[s] < 0 ? Integer(0) : excess[s];
+    }
+    // where one corner has curves that leave it, none go around it
+    for(std::size_t s = 0; s < 3; ++s)
+      around[s] =
+        excess[s] < 0
+          ? static_cast<Integer>((-excess[s] - leaving[(s + 1) % 3] - leaving[(s + 2) % 3]) / 2)
+          : Integer(0);
+  }
+};
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// the normal coordinate of \f$kl\f$ after \f$ij\f$ has been flipped (Equation 3.4).
 template <typename Integer>
 Integer flipped_normal_coordinate(const Diamond<Integer>& n)
 {
-  const Integer ij = crossings(n.ij), jk = crossings(n.jk), ki = crossings(n.ki),
-                il = crossings(n.il), lj = crossings(n.lj);
   const auto distance = [](const Integer& a, const Integer& b) { return a < b ? b - a : a - b; };
-  // in each face the corner at i, the corner at j and the apex
-  const Integer around_i_k = curves_around(jk, ij, ki), around_i_l = curves_around(lj, il, ij);
-  const Integer around_j_k = curves_around(ki, jk, ij), around_j_l = curves_around(il, ij, lj);
-  const Integer around_k = curves_around(ij, ki, jk), around_l = curves_around(ij, lj, il);
-  const auto leaving_ij = curves_leaving(jk, ij, ki) + curves_leaving(lj, il, ij) +
-                          curves_leaving(ki, jk, ij) + curves_leaving(il, ij, lj);
-  const auto leaving_kl = curves_leaving(ij, ki, jk) + curves_leaving(ij, lj, il);
-  const auto passing = distance(around_j_l, around_j_k) + distance(around_i_l, around_i_k);
-  return static_cast<Integer>(around_l + around_k + (passing - leaving_kl) / 2 + leaving_ij +
+  // corners 0 are k and l; corners 1 of ijk and 2 of jil are at i
+  const Integer ij = crossings(n.ij);
+  const internal::Corner_counts<Integer> k({ij, crossings(n.jk), crossings(n.ki)});
+  const internal::Corner_counts<Integer> l({ij, crossings(n.il), crossings(n.lj)});
+  const auto passing = distance(k.around[1], l.around[2]) + distance(k.around[2], l.around[1]);
+  const auto leaving_ij = k.leaving[1] + k.leaving[2] + l.leaving[1] + l.leaving[2];
+  return static_cast<Integer>(k.around[0] + l.around[0] +
+                              (passing - k.leaving[0] - l.leaving[0]) / 2 + leaving_ij +
                               is_shared(n.ij));
 }
 

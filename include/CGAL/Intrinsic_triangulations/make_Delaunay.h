@@ -97,17 +97,18 @@ std::size_t flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
   Edge_stack stack(mesh.num_edges());
   std::size_t flips = 0;
   for(Edge_index last : mesh.edges())
-    for(stack.push(last); !stack.empty();) {
-      const Edge_index e = stack.pop();
-      if(tri.is_Delaunay(e))
-        continue;
-      if(flips == limit)
-        throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
-      const Halfedge_index h = mesh.halfedge(e);
-      tri.flip(h);
-      ++flips;
-      push_sides(h, last, tri, stack);
-      visitor.after_flip(h);
+    for(Edge_index e = last;; e = stack.pop()) {
+      if(!tri.is_Delaunay(e)) {
+        if(flips == limit)
+          throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
+        const Halfedge_index h = mesh.halfedge(e);
+        tri.flip(h);
+        ++flips;
+        push_sides(h, last, tri, stack);
+        visitor.after_flip(h);
+      }
+      if(stack.empty())
+        break;
     }
   return flips;
 }

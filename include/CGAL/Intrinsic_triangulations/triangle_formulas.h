@@ -32,18 +32,16 @@ constexpr FT rounding_unit()
 /// 16 times the squared area of the triangle with sides `a`, `b`, `c`, by Kahan's form of Heron's
 /// formula, which loses no digits on needles. A triangle that rounding has pressed beyond flat counts as
 /// flat.
-/// \param a,b,c the sides
-/// \param extra is added to the slack \f$b + c - a\f$ of each of the three triangle inequalities
 template <typename FT>
-FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c, const FT& extra = FT(0))
+FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
 {
   const FT p = (std::max)(a, b), q = (std::min)(a, b), r = (std::min)(p, c);
   const FT greatest = (std::max)(p, c), middle = (std::max)(q, r), least = (std::min)(q, r);
-  const FT slack = least - (greatest - middle) + extra;
+  const FT slack = least - (greatest - middle);
   if(!(slack > 0))
     return FT(0);
-  return (greatest + (middle + least)) * slack * (least + (greatest - middle) + extra) *
-         (greatest + (middle - least) + extra);
+  return (greatest + (middle + least)) * slack * (least + (greatest - middle)) *
+         (greatest + (middle - least));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
