@@ -54,8 +54,11 @@ public:
     attach();
   }
 
+  /// takes everything from `other`. Complexity: constant.
   Common_subdivision(Common_subdivision&& other) = default;
+  /// takes everything from `other`. Complexity: constant.
   Common_subdivision& operator=(Common_subdivision&& other) = default;
+  /// copies everything. Complexity: linear.
   Common_subdivision& operator=(const Common_subdivision& other)
   {
     return *this = Common_subdivision(other);
