@@ -290,8 +290,8 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// collects the values of the edge map `map` on the diamond around the edge of `h`.
-/// \pre `h` and its opposite are not border halfedges
+/// collects the values of the edge map `map` on the diamond around the edge of `h`. Beyond a border
+/// halfedge there is no face, and the two values there mean nothing.
 template <typename EdgeMap>
 inline Diamond<typename boost::property_traits<EdgeMap>::value_type>
 diamond(const EdgeMap& map, Halfedge_index h, const Delta_complex& mesh)

@@ -201,8 +201,7 @@ public:
   bool is_Delaunay(Edge_index e) const
   {
     const Halfedge_index h = m_mesh.halfedge(e);
-    return flip_status(h, m_mesh) != Operation_status::possible ||
-           m_traits.is_locally_Delaunay_object()(diamond(m_length, h, m_mesh)) || is_constrained(e);
+    return m_traits.is_locally_Delaunay_object()(diamond(m_length, h, m_mesh)) || !can_be_turned(h);
   }
 
   /// turns the edge of `h` counterclockwise into the other diagonal of its two faces (see `flip_edge()`)
