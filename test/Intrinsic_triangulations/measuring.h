@@ -7,12 +7,15 @@
 
 #include "more_generators.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 // Lengths and areas in flat faces, from the edge lengths once more.
@@ -106,8 +109,8 @@ public:
       l[s] = length(sides(f)[s]);
     std::sort(l.begin(), l.end());
     const auto [c, b, a] = l;
-    return std::sqrt((std::max)(Real(0), (a + (b + c)) * (c - (a - b)) * (c + (a - b)) *
-                                           (a + (b - c)))) /
+    return std::sqrt(
+             (std::max)(Real(0), (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c)))) /
            4;
   }
 
@@ -173,6 +176,117 @@ private:
   const Delta_complex& m_mesh;
   const Triangulation::Edge_length_map& m_length;
 };
+
+// ---- Places ----
+
+inline Point place_in_space(const Location& p, const Flat_faces& input, const Mesh& mesh)
+{
+  Kernel::Vector_3 sum(0, 0, 0);
+  for(std::size_t s = 0; s < 3; ++s) {
+    const Vertex_index v = input.mesh().source(input.sides(p.first)[s]);
+    sum = sum + p.second[s] * (mesh.point(v) - CGAL::ORIGIN);
+  }
+  return CGAL::ORIGIN + sum;
+}
+
+// ---- Traces ----
+
+inline Edge_place on(Side side, const Trace_place& p)
+{
+  return side == Side::input ? p.on_input : p.on_intrinsic;
+}
+
+// Both ends of piece `k` of a trace over `faces`, in the face in which it runs.
+inline std::pair<Location, Location> piece(const std::vector<Edge_place>& points, std::size_t k,
+                                           const Flat_faces& faces)
+{
+  const Delta_complex& mesh = faces.mesh();
+  const Halfedge_index from = points[k].halfedge, to = points[k + 1].halfedge;
+  if(points.size() == 2) {
+    const bool is_border = mesh.is_border(from);
+    const Halfedge_index h = is_border ? mesh.opposite(from) : from;
+    return {faces.on(h, is_border), faces.on(h, !is_border)};
+  }
+  const Halfedge_index entry = mesh.opposite(from);
+  return {k == 0 ? faces.apex(to) : faces.on(entry, 1 - points[k].t),
+          k + 2 == points.size() ? faces.apex(entry) : faces.on(to, points[k + 1].t)};
+}
+
+// The lengths of the pieces of a trace of `side`, in the faces of the other side.
+inline std::vector<Real> lengths_of_pieces(Side side, const std::vector<Trace_place>& trace,
+                                           const Triangulation& t)
+{
+  const Flat_faces faces(other(side), t);
+  std::vector<Edge_place> points;
+  for(const Trace_place& p : trace)
+    points.push_back(on(other(side), p));
+  std::vector<Real> result;
+  for(std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const auto [from, to] = piece(points, k, faces);
+    result.push_back(faces.distance(from, to));
+  }
+  return result;
+}
+
+// ---- Faces of the common subdivision ----
+
+// The places in a face where a vertex of the subdivision can be; several if the face meets itself.
+template <typename Subdivision>
+std::vector<Location> places_in(Side side, Face_index parent, Vertex_index v, const Subdivision& s,
+                                const Flat_faces& faces)
+{
+  std::vector<Location> result;
+  for(Halfedge_index h : faces.sides(parent))
+    if(s.is_input_vertex(v)) {
+      if(faces.mesh().source(h) == v)
+        result.push_back(faces.on(h, 0));
+    } else if(Edge_index(h) == Edge_index(s.place(side, v).halfedge)) {
+      const Edge_place& p = s.place(side, v);
+      result.push_back(faces.on(h, p.halfedge == h ? p.t : 1 - p.t));
+    }
+  return result;
+}
+
+using Polygon = std::vector<Place>;
+
+inline Real area(const Polygon& p)
+{
+  Real sum = 0;
+  for(std::size_t k = 0; k < p.size(); ++k)
+    sum += det(p[k], p[(k + 1) % p.size()]) / 2;
+  return sum;
+}
+
+// The corners of a face where its parent is laid out; none if the parent meets itself.
+template <typename Subdivision>
+Polygon layout(Side side, Face_index f, const Subdivision& s, const Flat_faces& faces)
+{
+  const Face_index parent = s.parent_face(side, f);
+  Polygon result;
+  for(Halfedge_index h : halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
+    const auto places = places_in(side, parent, s.mesh().target(h), s, faces);
+    if(places.size() != 1)
+      return {};
+    result.push_back(faces.place(faces.sides(parent)[0], places[0]));
+  }
+  return result;
+}
+
+// The sum of the areas of all faces that can be laid out, and of those parts of it whose orientation is
+// wrong; both relative to the area of T1.
+template <typename Subdivision>
+std::pair<double, double> relative_areas(Side side, const Subdivision& s, const Triangulation& t)
+{
+  const Flat_faces faces(side, t);
+  Real sum = 0, wrong = 0;
+  for(Face_index f : s.mesh().faces()) {
+    const Real a = area(layout(side, f, s, faces));
+    sum += a;
+    wrong += (std::min)(a, Real(0));
+  }
+  const Real whole = Flat_faces(Side::input, t).area();
+  return {static_cast<double>(sum / whole), static_cast<double>(wrong / whole)};
+}
 
 inline Location random_location(const Delta_complex& mesh, CGAL::Random& random)
 {

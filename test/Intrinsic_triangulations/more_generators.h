@@ -64,6 +64,22 @@ inline void flip_at_random(Triangulation& t, std::size_t attempts, unsigned int 
   }
 }
 
+// ---- Near-degenerate meshes ----
+
+// Every third vertex is moved next to a neighbour.
+inline Mesh with_near_coincident_vertices(Mesh mesh, double distance, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for(Vertex_index v : mesh.vertices())
+    if(v.idx() % 3 == 0) {
+      const Point p = mesh.point(mesh.source(mesh.halfedge(v)));
+      mesh.point(v) =
+        p + distance * Kernel::Vector_3(random.get_double(0.1, 1), random.get_double(0.1, 1),
+                                        random.get_double(0.1, 1));
+    }
+  return mesh;
+}
+
 // ---- Flat surfaces ----
 
 inline Flat_surface flat_surface(const std::vector<Vector>& points, const Triangles& triangles)
@@ -122,9 +138,9 @@ public:
     Test_surfaces::flip_at_random(m_triangulation, attempts, seed,
                                   [this](Halfedge_index h) { after_flip(h); });
   }
-  void make_Delaunay()
+  std::size_t make_Delaunay()
   {
-    IT::make_Delaunay(m_triangulation, CGAL::parameters::visitor(std::ref(*this)));
+    return IT::make_Delaunay(m_triangulation, CGAL::parameters::visitor(std::ref(*this)));
   }
 
   // the other sides of the triangle tell what the new one is
@@ -176,7 +192,7 @@ inline void add_flipped(const std::string& name, const Triangulation& t,
   result.push_back({name, t});
   result.push_back({name + ", Delaunay", t});
   IT::make_Delaunay(result.back().triangulation);
-  for(unsigned int seed : {1, 2, 3, 4, 5}) {
+  for(unsigned int seed : {1u, 2u, 3u, 4u, 5u}) {
     result.push_back({name + ", flipped with seed " + std::to_string(seed), t});
     flip_at_random(result.back().triangulation, 20 * t.mesh().number_of_edges(), seed);
   }

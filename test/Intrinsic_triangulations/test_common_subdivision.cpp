@@ -76,32 +76,6 @@ void check_numbers(const Subdivision& s, const Correspondence& c)
 
 // ---- Corners of faces in both parents ----
 
-// The places in a face where a vertex of the subdivision can be; several if the face meets itself.
-std::vector<Barycentric> places_in(Side side, Face_index parent, Vertex_index v,
-                                   const Subdivision& s, const Flat_faces& faces)
-{
-  std::vector<Barycentric> result;
-  for(Halfedge_index h : faces.sides(parent))
-    if(s.is_input_vertex(v)) {
-      if(faces.mesh().source(h) == v)
-        result.push_back(faces.on(h, 0).second);
-    } else if(Edge_index(h) == Edge_index(s.place(side, v).halfedge)) {
-      const Edge_place& p = s.place(side, v);
-      result.push_back(faces.on(h, p.halfedge == h ? p.t : 1 - p.t).second);
-    }
-  return result;
-}
-
-using Polygon = std::vector<Place>;
-
-Real area(const Polygon& p)
-{
-  Real sum = 0;
-  for(std::size_t k = 0; k < p.size(); ++k)
-    sum += det(p[k], p[(k + 1) % p.size()]) / 2;
-  return sum;
-}
-
 // Whether the piece from a to b runs along its parent edge, forward, if it has one in the face.
 bool runs_along(const Barycentric& a, const Barycentric& b, Edge_index parent, Face_index f,
                 const Flat_faces& faces)
@@ -124,9 +98,9 @@ std::vector<Polygon> layouts(Side side, Face_index f, const Subdivision& s, cons
   for(Halfedge_index h : halfedges) {
     std::vector<std::vector<Barycentric>> longer;
     for(const auto& corners : partial)
-      for(const Barycentric& b : places_in(side, parent, s.mesh().target(h), s, faces)) {
+      for(const Location& p : places_in(side, parent, s.mesh().target(h), s, faces)) {
         longer.push_back(corners);
-        longer.back().push_back(b);
+        longer.back().push_back(p.second);
       }
     partial = longer;
   }
@@ -134,10 +108,10 @@ std::vector<Polygon> layouts(Side side, Face_index f, const Subdivision& s, cons
   for(const auto& corners : partial) {
     bool fits = true;
     for(std::size_t k = 0; k < corners.size(); ++k)
-      fits = fits &&
-             runs_along(corners[k], corners[(k + 1) % corners.size()],
-                        s.parent_edge(side, s.mesh().edge(halfedges[(k + 1) % corners.size()])),
-                        parent, faces);
+      fits =
+        fits && runs_along(corners[k], corners[(k + 1) % corners.size()],
+                           s.parent_edge(side, s.mesh().edge(halfedges[(k + 1) % corners.size()])),
+                           parent, faces);
     if(!fits)
       continue;
     result.emplace_back();
@@ -197,7 +171,8 @@ void check_measures(const Subdivision& s, const Triangulation& t)
 {
   const Flat_faces input(Side::input, t), intrinsic(Side::intrinsic, t);
   const std::size_t faces = t.mesh().number_of_faces(), edges = t.mesh().number_of_edges();
-  Measures measures{std::vector<Real>(faces), std::vector<Real>(faces),
+  Measures measures{std::vector<Real>(faces),
+                    std::vector<Real>(faces),
                     {std::vector<Real>(edges), std::vector<Real>(edges)}};
   for(Face_index f : s.mesh().faces())
     check_face(f, s, t, measures);

@@ -105,7 +105,8 @@ void check_shared_edges(const Triangulation& t)
           ASSERT_NE(zero, q.second.end());
           const Halfedge_index twin = c.spoke_before(side, h);
           if(q.first == other_faces.mesh().face(twin))
-            EXPECT_LT(other_faces.path(q, other_faces.on(twin, x)), 1e-15 * other_faces.length(twin))
+            EXPECT_LT(other_faces.path(q, other_faces.on(twin, x)),
+                      1e-15 * other_faces.length(twin))
               << x;
           else
             EXPECT_EQ(x, 1e-300); // too near the vertex to tell which of its faces it is in
@@ -201,8 +202,9 @@ public:
     const Delta_complex& mesh = m_triangulation.mesh();
     for(Halfedge_index x : {h, mesh.opposite(h)}) {
       const Halfedge_index before = IT::previous_spoke(x, mesh);
-      m_angle[x] = reduced(m_angle[before] + Flat_faces(Side::intrinsic, m_triangulation).angle(before),
-                           mesh.source(x));
+      m_angle[x] =
+        reduced(m_angle[before] + Flat_faces(Side::intrinsic, m_triangulation).angle(before),
+                mesh.source(x));
     }
   }
 
@@ -256,7 +258,8 @@ private:
         return located(h, corner, end);
       h = mesh.opposite(exit);
       const Place unit = (1 / norm(a - b)) * (a - b), apex = faces.layout(h)[2];
-      corner = {b, a, b + Place{apex.x * unit.x - apex.y * unit.y, apex.x * unit.y + apex.y * unit.x}};
+      corner = {b, a,
+                b + Place{apex.x * unit.x - apex.y * unit.y, apex.x * unit.y + apex.y * unit.x}};
       exit = det(end, corner[2]) > 0 ? mesh.next(h) : mesh.prev(h);
     }
     ADD_FAILURE() << "the line does not end";
@@ -269,7 +272,8 @@ private:
     const std::array<Real, 3> b{det(corner[2] - corner[1], p - corner[1]) / area,
                                 det(corner[0] - corner[2], p - corner[2]) / area,
                                 det(corner[1] - corner[0], p - corner[0]) / area};
-    const auto side = Flat_faces(Side::intrinsic, m_triangulation).sides(m_triangulation.mesh().face(h));
+    const auto side =
+      Flat_faces(Side::intrinsic, m_triangulation).sides(m_triangulation.mesh().face(h));
     Location result{m_triangulation.mesh().face(h), {}};
     for(std::size_t s = 0; s < 3; ++s)
       result.second[s] = static_cast<double>(b[side[s] == h ? 0 : side[(s + 2) % 3] == h ? 1 : 2]);
@@ -363,4 +367,29 @@ TEST(Point_across, boundary_stays_boundary)
         }
     }
   }
+}
+
+// Where regions are thinner than rounding, a point must still not move along them.
+TEST(Point_across, there_and_back_between_near_coincident_vertices)
+{
+  for(double distance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
+    for(unsigned int seed = 0; seed < 5; ++seed)
+      for(const Named_mesh& m : meshes()) {
+        SCOPED_TRACE(m.name + ", seed " + std::to_string(seed) + ", " +
+                     std::to_string(-std::log10(distance)) + " digits");
+        const Mesh mesh = with_near_coincident_vertices(m.mesh, distance, seed);
+        Triangulation t(mesh);
+        IT::make_Delaunay(t);
+        const Correspondence c(t);
+        const Flat_faces input(Side::input, t);
+        double farthest = 0;
+        for(const Location& p : sample(input.mesh(), 100, seed)) {
+          const Location back =
+            IT::point_across(Side::intrinsic, IT::point_across(Side::input, p, c), c);
+          farthest =
+            (std::max)(farthest, CGAL::squared_distance(place_in_space(p, input, mesh),
+                                                        place_in_space(back, input, mesh)));
+        }
+        EXPECT_LT(std::sqrt(farthest) / longest_input_edge(t), 1e-8);
+      }
 }

@@ -19,38 +19,25 @@ namespace {
 using namespace Test_surfaces;
 using Trace = std::vector<Trace_place>;
 
-Edge_place on(Side side, const Trace_place& p)
-{
-  return side == Side::input ? p.on_input : p.on_intrinsic;
-}
-
 // The number along the first halfedge of the edge.
-double along_edge(const Edge_place& p)
-{
-  return p.halfedge.idx() % 2 == 0 ? p.t : 1 - p.t;
-}
+double along_edge(const Edge_place& p) { return p.halfedge.idx() % 2 == 0 ? p.t : 1 - p.t; }
 
 // ---- Every trace ----
 
-// Both ends of piece `k` of a trace over `faces`, in the face in which it runs.
-std::pair<Location, Location> piece(const std::vector<Edge_place>& points, std::size_t k,
-                                    const Flat_faces& faces)
+// Consecutive points are in a common face: the one that the trace is about to leave at the second.
+void check_faces(Side side, const Trace& trace, const Triangulation& t)
 {
-  const Delta_complex& mesh = faces.mesh();
-  const Halfedge_index from = points[k].halfedge, to = points[k + 1].halfedge;
-  if(points.size() == 2) {
-    EXPECT_EQ(from, to);
-    const bool is_border = mesh.is_border(from);
-    const Halfedge_index h = is_border ? mesh.opposite(from) : from;
-    return {faces.on(h, is_border), faces.on(h, !is_border)};
+  const Delta_complex& mesh = Flat_faces(other(side), t).mesh();
+  if(trace.size() == 2) {
+    EXPECT_EQ(on(other(side), trace[0]).halfedge, on(other(side), trace[1]).halfedge);
+    return;
   }
-  const Halfedge_index entry = mesh.opposite(from);
-  const bool is_first = k == 0, is_last = k + 2 == points.size();
-  EXPECT_TRUE(is_first || is_last || mesh.face(entry) == mesh.face(to));
-  EXPECT_TRUE(!is_first || mesh.next(from) == to);
-  EXPECT_TRUE(!is_last || mesh.opposite(mesh.prev(entry)) == to);
-  return {is_first ? faces.apex(to) : faces.on(entry, 1 - points[k].t),
-          is_last ? faces.apex(entry) : faces.on(to, points[k + 1].t)};
+  const auto halfedge = [&](std::size_t k) { return on(other(side), trace[k]).halfedge; };
+  const std::size_t last = trace.size() - 1;
+  EXPECT_EQ(mesh.next(halfedge(0)), halfedge(1));
+  for(std::size_t k = 2; k < last; ++k)
+    EXPECT_EQ(mesh.face(mesh.opposite(halfedge(k - 1))), mesh.face(halfedge(k)));
+  EXPECT_EQ(mesh.opposite(mesh.prev(mesh.opposite(halfedge(last - 1)))), halfedge(last));
 }
 
 void check_ends(Side side, Halfedge_index h, const Trace& trace, const Triangulation& t)
@@ -79,18 +66,13 @@ void check_order(Side side, Halfedge_index h, const Trace& trace)
 // Every piece has the length that the places on the edge say, in the faces of the other side.
 void check_lengths(Side side, Halfedge_index h, const Trace& trace, const Triangulation& t)
 {
-  const Flat_faces faces(other(side), t);
   const Real length = Flat_faces(side, t).length(h);
-  std::vector<Edge_place> points;
-  for(const Trace_place& p : trace)
-    points.push_back(on(other(side), p));
+  const std::vector<Real> pieces = lengths_of_pieces(side, trace, t);
   Real sum = 0;
-  for(std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const auto [from, to] = piece(points, k, faces);
-    const Real measured = faces.distance(from, to);
+  for(std::size_t k = 0; k < pieces.size(); ++k) {
     const Real expected = (on(side, trace[k + 1]).t - on(side, trace[k]).t) * length;
-    EXPECT_NEAR(double((measured - expected) / length), 0, 1e-9);
-    sum += measured;
+    EXPECT_NEAR(double((pieces[k] - expected) / length), 0, 1e-9);
+    sum += pieces[k];
   }
   EXPECT_NEAR(double(sum / length), 1, 1e-9);
 }
@@ -116,6 +98,7 @@ void check_traces(const Triangulation& t)
       const Trace trace = IT::trace_edge(side, h, c);
       EXPECT_EQ(trace.size(), c.number_of_crossings(side, Edge_index(h)) + 2);
       check_ends(side, h, trace, t);
+      check_faces(side, trace, t);
       check_order(side, h, trace);
       check_lengths(side, h, trace, t);
       expect_same(trace, side == Side::input ? IT::trace_input_edge(h, t)
@@ -210,7 +193,7 @@ std::vector<Crossing> exact_crossings(const Flat_triangulation& flat)
   return result;
 }
 
-// Whether T1 has the vector of every shared edge, and of no other, is seen at the ends of a trace.
+// The same crossings at the same places; and shared edges have the same vector on both sides.
 void expect_exact(const Flat_triangulation& flat, double tolerance)
 {
   const Correspondence c(*flat);
@@ -288,6 +271,21 @@ TEST(Trace, exact_crossings_on_flat_surfaces)
       expect_exact(flat, 1e-12);
     }
   EXPECT_GT(crossings, 1000u);
+}
+
+TEST(Trace, recomputed_lengths_are_exact_on_flat_surfaces)
+{
+  for(const Named_surface& s : flat_surfaces())
+    for(unsigned int seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
+      Flat_triangulation flat(s.surface);
+      flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
+      Triangulation t(*flat);
+      t.recompute_lengths();
+      EXPECT_TRUE(t.is_valid(true));
+      for(Edge_index e : t.mesh().edges())
+        EXPECT_NEAR(t.length(e) / length(flat.vector(t.mesh().halfedge(e))), 1, 1e-13);
+    }
 }
 
 // Which edges cross is exact even where the places are not.

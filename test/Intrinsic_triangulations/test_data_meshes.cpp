@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "measuring.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+std::vector<std::string> all_data_meshes()
+{
+  std::vector<std::string> result;
+#ifdef CGAL_DATA_DIR
+  std::error_code none_there;
+  for(const auto& file : std::filesystem::directory_iterator(
+        std::filesystem::path(CGAL_DATA_DIR) / "meshes", none_there)) {
+    const std::string extension = file.path().extension().string();
+    if(extension == ".off" || extension == ".ply" || extension == ".stl")
+      result.push_back(file.path().string());
+  }
+  std::sort(result.begin(), result.end());
+#endif
+  return result;
+}
+
+struct Soup
+{
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  bool is_read;
+
+  explicit Soup(const std::string& file)
+    : is_read(CGAL::IO::read_polygon_soup(file, points, polygons))
+  {}
+
+  bool is_valid_polygon(const std::vector<std::size_t>& polygon) const
+  {
+    return std::set<std::size_t>(polygon.begin(), polygon.end()).size() == 3 &&
+           polygon.size() == 3 && *std::max_element(polygon.begin(), polygon.end()) < points.size();
+  }
+
+  // Whether an edge joins coincident points.
+  bool has_edge_of_no_length(const std::vector<std::size_t>& polygon) const
+  {
+    return points[polygon[0]] == points[polygon[1]] || points[polygon[1]] == points[polygon[2]] ||
+           points[polygon[2]] == points[polygon[0]];
+  }
+
+  // Whether it is an oriented manifold of triangles, by CGAL's own judgement.
+  bool is_surface() const
+  {
+    return !polygons.empty() &&
+           std::all_of(polygons.begin(), polygons.end(),
+                       [&](const auto& p) { return is_valid_polygon(p); }) &&
+           PMP::is_polygon_soup_a_polygon_mesh(polygons) &&
+           std::none_of(polygons.begin(), polygons.end(),
+                        [&](const auto& p) { return has_edge_of_no_length(p); });
+  }
+};
+
+template <typename Any_mesh>
+std::int64_t Euler_characteristic(const Any_mesh& mesh)
+{
+  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
+         std::int64_t(mesh.number_of_faces());
+}
+
+bool meets_itself(Face_index f, const Delta_complex& mesh)
+{
+  const Halfedge_index h = mesh.halfedge(f);
+  const Vertex_index a = mesh.source(h), b = mesh.target(h), c = mesh.target(mesh.next(h));
+  return a == b || b == c || c == a;
+}
+
+void check_subdivision(const Correspondence& c)
+{
+  const Triangulation& t = c.triangulation();
+  const IT::Common_subdivision<> s(c);
+  EXPECT_TRUE(s.mesh().is_valid());
+  EXPECT_EQ(s.mesh().number_of_vertices(), t.mesh().number_of_vertices() + c.number_of_crossings());
+  EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
+  EXPECT_NEAR(relative_areas(Side::input, s, t).first, 1, 1e-12);
+  EXPECT_GT(relative_areas(Side::input, s, t).second, -1e-12);
+  const auto faces = t.mesh().faces();
+  if(std::none_of(faces.begin(), faces.end(),
+                  [&](Face_index f) { return meets_itself(f, t.mesh()); })) {
+    EXPECT_NEAR(relative_areas(Side::intrinsic, s, t).first, 1, 1e-9);
+  }
+}
+
+double size_of(const Mesh& mesh)
+{
+  const auto box = CGAL::bbox_3(mesh.points().begin(), mesh.points().end());
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+// There and back. Faces of T1 may have no area; then a point can come back in another face.
+void check_points_across(const Correspondence& c, const Mesh& mesh)
+{
+  CGAL::Random random(1);
+  const Flat_faces input(Side::input, c.triangulation());
+  const Flat_faces intrinsic(Side::intrinsic, c.triangulation());
+  for(int i = 0; i < 500; ++i) {
+    const Location p = random_location(input.mesh(), random);
+    const Location p_back =
+      IT::point_across(Side::intrinsic, IT::point_across(Side::input, p, c), c);
+    EXPECT_LT(std::sqrt(CGAL::squared_distance(place_in_space(p, input, mesh),
+                                               place_in_space(p_back, input, mesh))),
+              1e-9 * size_of(mesh))
+      << i;
+    const Location q = random_location(intrinsic.mesh(), random);
+    const Location q_back =
+      IT::point_across(Side::input, IT::point_across(Side::intrinsic, q, c), c);
+    EXPECT_LT(static_cast<double>(intrinsic.path(q, q_back)), 1e-9 * size_of(mesh)) << i;
+  }
+}
+
+void check_save_and_load(const Triangulation& t)
+{
+  std::stringstream first, second;
+  EXPECT_TRUE(IT::write_intrinsic_triangulation(first, t));
+  EXPECT_TRUE(IT::write_intrinsic_triangulation(second, IT::read_intrinsic_triangulation(first)));
+  EXPECT_TRUE(first.str() == second.str());
+}
+
+void check_surface(const Soup& soup)
+{
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  Triangulation t(mesh);
+  IT::make_Delaunay(t);
+  EXPECT_TRUE(IT::is_Delaunay(t));
+  EXPECT_TRUE(t.is_valid(true));
+  const Correspondence c(t);
+  check_subdivision(c);
+  check_points_across(c, mesh);
+  check_save_and_load(t);
+}
+
+// A graph can only be made if the combinatorics are right; whatever else is wrong has a name.
+void check_refused(const Soup& soup)
+{
+  EXPECT_GT(IT::diagnose_polygon_soup(soup.points, soup.polygons).number_of_fatal_defects(), 0u);
+  if(!PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
+    return;
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  EXPECT_THROW(Triangulation{mesh}, IT::Invalid_input);
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info)
+{
+  std::string name = std::filesystem::path(info.param).filename().string();
+  for(char& c : name)
+    if(!std::isalnum(static_cast<unsigned char>(c)))
+      c = '_';
+  return name;
+}
+
+class Data_mesh : public testing::TestWithParam<std::string>
+{};
+
+} // namespace
+
+TEST_P(Data_mesh, works_or_is_refused_with_a_reason)
+{
+  const Soup soup(GetParam());
+  if(!soup.is_read || soup.polygons.empty())
+    GTEST_SKIP() << "CGAL finds no faces in it";
+  const auto diagnosis = IT::diagnose_polygon_soup(soup.points, soup.polygons);
+  EXPECT_EQ(diagnosis.is_valid(), soup.is_surface()) << diagnosis;
+  if(soup.is_surface())
+    check_surface(soup);
+  else
+    check_refused(soup);
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Data_mesh);
+INSTANTIATE_TEST_SUITE_P(, Data_mesh, testing::ValuesIn(all_data_meshes()), test_name);
+
+TEST(Data_meshes, more_than_a_hundred_are_surfaces)
+{
+  const auto files = all_data_meshes();
+  if(files.empty())
+    GTEST_SKIP() << "CGAL's data files are not here";
+  std::size_t surfaces = 0, others = 0;
+  for(const std::string& file : files)
+    ++(Soup(file).is_surface() ? surfaces : others);
+  std::cout << surfaces << " surfaces, " << others << " others\n";
+  EXPECT_GE(surfaces, 100u);
+}

@@ -1,0 +1,658 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "measuring.h"
+
+#include <CGAL/Intrinsic_triangulations/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
+#include <CGAL/Intrinsic_triangulations/trace.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using Complex = std::complex<double>;
+using Geodesic = IT::Geodesic<double>;
+using IT::At_boundary;
+using Status = IT::Geodesic_status;
+
+const double pi = std::acos(-1.);
+
+Complex random_vector(double length, CGAL::Random& random)
+{
+  return std::polar(length * random.get_double(0.01, 1), random.get_double(-pi, pi));
+}
+
+// The number of the corner where `p` is; 3 if it is none.
+std::size_t corner_at(const Location& p)
+{
+  for(std::size_t s = 0; s < 3; ++s)
+    if(p.second[s] == 1 && p.second[(s + 1) % 3] == 0 && p.second[(s + 2) % 3] == 0)
+      return s;
+  return 3;
+}
+
+bool is_on_border(const Location& p, const Flat_faces& faces)
+{
+  for(std::size_t s = 0; s < 3; ++s)
+    if(p.second[(s + 2) % 3] == 0 && faces.mesh().is_border(Edge_index(faces.sides(p.first)[s])))
+      return true;
+  const std::size_t s = corner_at(p);
+  return s < 3 && faces.mesh().is_border(faces.mesh().source(faces.sides(p.first)[s]));
+}
+
+void expect_close(const Complex& z, const Complex& w, double tolerance)
+{
+  EXPECT_NEAR(z.real(), w.real(), tolerance);
+  EXPECT_NEAR(z.imag(), w.imag(), tolerance);
+}
+
+// ---- Surfaces in the plane, or the plane modulo a lattice ----
+
+class Flat_places
+{
+public:
+  Flat_places(Side side, const Flat_triangulation& flat)
+    : m_side(side), m_flat(flat), m_faces(side, *flat)
+  {}
+
+  const Flat_faces& faces() const { return m_faces; }
+
+  Complex vector(Halfedge_index h) const
+  {
+    const Vector& v = m_side == Side::input ? m_flat.input_vector(h) : m_flat.vector(h);
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+  }
+
+  Complex place(const Location& p) const
+  {
+    const auto h = m_faces.sides(p.first);
+    const Vector& origin = m_flat.surface().point[m_faces.mesh().source(h[0])];
+    return Complex(static_cast<double>(origin.x), static_cast<double>(origin.y)) +
+           p.second[1] * vector(h[0]) - p.second[2] * vector(h[2]);
+  }
+
+  // takes vectors of the frame of a face to the plane
+  Complex frame(Face_index f) const
+  {
+    const Complex axis = vector(m_faces.sides(f)[0]);
+    return axis / std::abs(axis);
+  }
+
+  double distance(const Complex& p, const Complex& q) const
+  {
+    const auto det = [](const Complex& v, const Complex& w) { return (std::conj(v) * w).imag(); };
+    const Vector &u = m_flat.surface().a, &v = m_flat.surface().b;
+    const Complex d = p - q, a(static_cast<double>(u.x), static_cast<double>(u.y)),
+                  b(static_cast<double>(v.x), static_cast<double>(v.y));
+    return std::abs(d - std::round(det(d, b) / det(a, b)) * a -
+                    std::round(det(a, d) / det(a, b)) * b);
+  }
+
+private:
+  Side m_side;
+  const Flat_triangulation& m_flat;
+  Flat_faces m_faces;
+};
+
+// A geodesic that starts with `vector` and the frame `frame` at `start` in the plane.
+void check_straight(const Geodesic& g, const Complex& start, const Complex& frame,
+                    const Complex& vector, const Flat_places& flat)
+{
+  const double size = static_cast<double>(flat.faces().longest_edge());
+  const Complex unit = vector / std::abs(vector);
+  const Complex end_frame = flat.frame(g.end.first);
+  EXPECT_LT(flat.distance(flat.place(g.end), start + g.length * frame * unit), 1e-10 * size);
+  expect_close(g.direction * end_frame, frame * unit, 1e-11);
+  expect_close(g.transport * end_frame, frame, 1e-11);
+  if(g.status == Status::reached) {
+    EXPECT_NEAR(g.length, std::abs(vector), 1e-12 * std::abs(vector));
+  } else {
+    EXPECT_EQ(g.status, Status::stopped_at_boundary);
+    EXPECT_LT(g.length, std::abs(vector));
+    EXPECT_TRUE(is_on_border(g.end, flat.faces()));
+  }
+}
+
+void check_flat(Side side, const Flat_triangulation& t, unsigned int seed)
+{
+  const Flat_places flat(side, t);
+  const Delta_complex& mesh = flat.faces().mesh();
+  CGAL::Random random(seed);
+  for(int i = 0; i < 200; ++i) {
+    const Location p = random_location(mesh, random);
+    const Complex v = random_vector(8000, random);
+    check_straight(IT::trace_geodesic(side, p, v, *t), flat.place(p), flat.frame(p.first), v, flat);
+  }
+  for(Vertex_index v : mesh.vertices()) {
+    if(mesh.is_border(v))
+      continue;
+    const Complex vector = random_vector(8000, random);
+    const Complex axis = flat.vector(IT::first_spoke(v, mesh));
+    const auto& origin = t.surface().point[v];
+    check_straight(IT::trace_geodesic(side, v, vector, *t),
+                   {static_cast<double>(origin.x), static_cast<double>(origin.y)},
+                   axis / std::abs(axis), vector, flat);
+  }
+}
+
+// ---- Any surface ----
+
+// There and back again.
+void check_reverse(Side side, const Triangulation& t)
+{
+  const Flat_faces faces(side, t);
+  const double size = static_cast<double>(faces.longest_edge());
+  CGAL::Random random(5);
+  for(int i = 0; i < 40; ++i) {
+    const Location p = random_location(faces.mesh(), random);
+    const Complex v = random_vector(5 * size, random);
+    const Geodesic there = IT::trace_geodesic(side, p, v, t);
+    const Geodesic back = IT::trace_geodesic(side, there.end, -there.length * there.direction, t);
+    EXPECT_EQ(back.status, Status::reached);
+    EXPECT_LT(static_cast<double>(faces.path(p, back.end)), 1e-9 * size) << i;
+    if(back.end.first == p.first) {
+      expect_close(there.transport * back.transport, 1, 1e-9);
+    }
+  }
+}
+
+// Edges are geodesics, and transport along them is that of the frames.
+void check_edges(Side side, const Triangulation& t)
+{
+  const Flat_faces faces(side, t);
+  const Delta_complex& mesh = faces.mesh();
+  const IT::Tangent_frames<> frames(side, t);
+  for(Halfedge_index h : mesh.halfedges()) {
+    const Complex vector = std::polar(static_cast<double>(faces.length(h)), frames.angle(h));
+    const Geodesic g = IT::trace_geodesic(side, mesh.source(h), vector, t);
+    EXPECT_EQ(g.status, Status::reached);
+    const std::size_t s = corner_at(g.end);
+    ASSERT_LT(s, 3u) << h;
+    const Halfedge_index spoke = faces.sides(g.end.first)[s];
+    EXPECT_EQ(mesh.source(spoke), mesh.target(h));
+    const Complex arrival = IT::tangent_vector_at_vertex(side, spoke, g.direction, t);
+    expect_close(arrival * std::abs(vector) / vector, frames.transport(h), 1e-11);
+  }
+}
+
+// The logarithm inverts the exponential map in a star, and within a face.
+void check_logarithm(Side side, const Triangulation& t)
+{
+  const Flat_faces faces(side, t);
+  const double size = static_cast<double>(faces.longest_edge());
+  CGAL::Random random(6);
+  for(int i = 0; i < 40; ++i) {
+    const Location p = random_location(faces.mesh(), random);
+    for(Halfedge_index h : faces.sides(p.first)) {
+      const Complex v = IT::logarithm(side, h, p, t);
+      const Geodesic g = IT::trace_geodesic(side, faces.mesh().source(h), v, t);
+      EXPECT_LT(static_cast<double>(faces.path(p, g.end)), 1e-12 * size);
+      EXPECT_NEAR(std::abs(v), static_cast<double>(faces.distance(p, faces.on(h, 0))),
+                  1e-12 * size);
+    }
+    Location q = random_location(faces.mesh(), random);
+    q.first = p.first;
+    const Geodesic g = IT::trace_geodesic(side, p, IT::logarithm(side, p, q, t), t);
+    EXPECT_LT(static_cast<double>(faces.path(q, g.end)), 1e-12 * size);
+  }
+}
+
+// Every piece between recorded points is in one face, and they add up to the whole.
+void check_path(Side side, const Triangulation& t)
+{
+  const Flat_faces faces(side, t);
+  const Delta_complex& mesh = faces.mesh();
+  const double size = static_cast<double>(faces.longest_edge());
+  CGAL::Random random(8);
+  for(int i = 0; i < 20; ++i) {
+    const Location p = random_location(mesh, random);
+    std::vector<Edge_place> path;
+    const Geodesic g = IT::trace_geodesic(side, p, random_vector(5 * size, random), t,
+                                          At_boundary::stop, std::back_inserter(path));
+    Location from = p;
+    Real sum = 0;
+    for(const Edge_place& crossing : path) {
+      ASSERT_EQ(mesh.face(crossing.halfedge), from.first);
+      sum += faces.distance(from, faces.on(crossing.halfedge, crossing.t));
+      from = faces.on(mesh.opposite(crossing.halfedge), 1 - crossing.t);
+    }
+    ASSERT_EQ(from.first, g.end.first);
+    sum += faces.distance(from, g.end);
+    EXPECT_NEAR(static_cast<double>(sum), g.length, 1e-10 * size);
+  }
+}
+
+void check_all(void (&check)(Side, const Triangulation&))
+{
+  for(const Named_triangulation& t : triangulations())
+    for(Side side : both_sides) {
+      SCOPED_TRACE(t.name + (side == Side::input ? ", T1" : ", T2"));
+      check(side, t.triangulation);
+    }
+}
+
+// ---- The two triangulations of one surface ----
+
+// The angle on T1 of the halfedge `h` of T2 at its source.
+double angle_on_input(Halfedge_index h, const Triangulation& t, const IT::Tangent_frames<>& frames)
+{
+  if(t.coordinates().is_shared(t.mesh().edge(h)))
+    return frames.angle(t.input_halfedge(h));
+  const Edge_place p = IT::trace_intrinsic_edge(h, t)[1].on_input;
+  const Location location = IT::internal::face_location(p, t.input_mesh());
+  return std::arg(
+    IT::logarithm(Side::input, t.input_mesh().prev(p.halfedge), location, t));
+}
+
+// The same geodesics on either side, from vertices: the first spokes may differ.
+void check_independence(const Triangulation& t, int count, double tolerance)
+{
+  const Correspondence c(t);
+  const Flat_faces faces(Side::intrinsic, t);
+  const IT::Tangent_frames<> input_frames(Side::input, t), frames(Side::intrinsic, t);
+  const double size = longest_input_edge(t);
+  CGAL::Random random(9);
+  for(int i = 0; i < count; ++i) {
+    const Halfedge_index h(static_cast<Delta_complex::size_type>(
+      random.get_int(0, static_cast<int>(t.mesh().number_of_halfedges()))));
+    const Vertex_index v = t.mesh().source(h);
+    if(t.mesh().is_border(v))
+      continue;
+    const Complex turn = std::polar(1., angle_on_input(h, t, input_frames) - frames.angle(h));
+    const Complex vector = random_vector(3 * size, random);
+    const Geodesic on_intrinsic = IT::trace_geodesic(Side::intrinsic, v, vector, t);
+    const Geodesic on_input = IT::trace_geodesic(Side::input, v, vector * turn, t);
+    EXPECT_EQ(on_intrinsic.status, on_input.status);
+    EXPECT_NEAR(on_intrinsic.length, on_input.length, tolerance * size);
+    EXPECT_LT(static_cast<double>(
+                faces.path(on_intrinsic.end, IT::point_across(Side::input, on_input.end, c))),
+              tolerance * size)
+      << i;
+  }
+}
+
+// ---- A cone ----
+
+// n triangles around an apex, which is vertex 0, with these angles and long legs.
+struct Cone
+{
+  explicit Cone(const std::vector<double>& angles)
+  {
+    const int n = static_cast<int>(angles.size());
+    Sides sides;
+    std::vector<double> lengths(angles.size(), leg);
+    for(int i = 0; i < n; ++i) {
+      sides.push_back({i + 1, n + i + 1, -((i + 1) % n + 1)});
+      lengths.push_back(2 * leg * std::sin(angles[static_cast<std::size_t>(i)] / 2));
+    }
+    for(double a : angles)
+      total += a;
+    mesh = triangulation(glue(sides), lengths);
+    apex = mesh.input_mesh().source(halfedge_of(1));
+  }
+
+  Halfedge_index spoke(Face_index f) const
+  {
+    for(Halfedge_index h : Flat_faces(Side::input, mesh).sides(f))
+      if(mesh.input_mesh().source(h) == apex)
+        return h;
+    return {};
+  }
+
+  // distance and angle (on the surface) from the apex
+  Complex polar(const Location& p) const
+  {
+    const Complex v = IT::logarithm(Side::input, spoke(p.first), p, mesh);
+    return {std::abs(v), std::arg(v) / (2 * pi) * total};
+  }
+
+  // the unit vector away from the apex, in the frame of the face
+  Complex outwards(const Location& p) const
+  {
+    const Location tip = Flat_faces(Side::input, mesh).on(spoke(p.first), 0);
+    const Complex v = IT::logarithm(Side::input, tip, p, mesh);
+    return v / std::abs(v);
+  }
+
+  static constexpr double leg = 10;
+  Triangulation mesh;
+  Vertex_index apex;
+  double total = 0;
+};
+
+std::vector<Cone> cones()
+{
+  return {Cone({0.3}),           Cone({1.1, 0.4}),      Cone({1, 0.2, 0.7}),
+          Cone({2, 1.5, 2, 0.7}), Cone({2.5, 2.5, 2.5, 1}), Cone({1e-9, 1, 1e-9, 2, 0.01})};
+}
+
+// Unrolled, the geodesic is a straight line.
+void check_cone(const Cone& cone, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for(int i = 0; i < 100; ++i) {
+    const Geodesic out = IT::trace_geodesic(
+      Side::input, cone.apex, std::polar(0.3, random.get_double(-pi, pi)), cone.mesh);
+    const Complex from = cone.polar(out.end);
+    EXPECT_NEAR(from.real(), 0.3, 1e-12);
+    const Complex v = std::polar(random.get_double(0, 0.5), random.get_double(-pi, pi));
+    const Geodesic g =
+      IT::trace_geodesic(Side::input, out.end, v * cone.outwards(out.end), cone.mesh);
+    const Complex end = 0.3 + v, to = cone.polar(g.end);
+    EXPECT_EQ(g.status, Status::reached);
+    EXPECT_NEAR(to.real(), std::abs(end), 1e-11);
+    const double turn = (to.imag() - from.imag() - std::arg(end)) / cone.total;
+    EXPECT_NEAR(turn, std::round(turn), 1e-10);
+    expect_close(g.direction / cone.outwards(g.end),
+                 v / std::abs(v) * std::abs(end) / end, 1e-9);
+  }
+}
+
+// What a vector has turned by after a polygon around the apex.
+Complex holonomy(const Cone& cone)
+{
+  const int corners = 100;
+  const double step = cone.total / corners;
+  const Geodesic out = IT::trace_geodesic(Side::input, cone.apex, std::polar(0.4, 0.3), cone.mesh);
+  Location p = out.end;
+  const Complex start = cone.outwards(p);
+  Complex vector = start;
+  for(int i = 0; i < corners; ++i) {
+    const Complex chord = std::polar(0.8 * std::sin(step / 2), pi / 2 + step / 2);
+    const Geodesic g =
+      IT::trace_geodesic(Side::input, p, chord * cone.outwards(p), cone.mesh);
+    vector *= g.transport;
+    p = g.end;
+  }
+  EXPECT_LT(static_cast<double>(Flat_faces(Side::input, cone.mesh).path(p, out.end)), 1e-10);
+  return vector / cone.outwards(p);
+}
+
+// ---- Others ----
+
+// A square of width 3 with its boundary.
+Triangulation square()
+{
+  return Triangulation(grid(3, 3, [](double x, double y) { return Point(x, y, 0); }));
+}
+
+Point place_in_space(const Location& p, const Mesh& mesh)
+{
+  const Halfedge_index h = mesh.halfedge(p.first);
+  const std::array<Vertex_index, 3> corner{mesh.source(h), mesh.target(h),
+                                           mesh.target(mesh.next(h))};
+  Kernel::Vector_3 sum(0, 0, 0);
+  for(std::size_t s = 0; s < 3; ++s)
+    sum = sum + p.second[s] * (mesh.point(corner[s]) - CGAL::ORIGIN);
+  return CGAL::ORIGIN + sum;
+}
+
+// The frame coordinates of a vector in space that is in the plane of `f`.
+Complex in_frame(const Kernel::Vector_3& v, Face_index f, const Mesh& mesh)
+{
+  const Halfedge_index h = mesh.halfedge(f);
+  const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+              &c = mesh.point(mesh.target(mesh.next(h)));
+  const Kernel::Vector_3 n = CGAL::cross_product(b - a, c - a), x = b - a,
+                         y = CGAL::cross_product(n, x);
+  return {v * x / std::sqrt(x.squared_length()), v * y / std::sqrt(y.squared_length())};
+}
+
+void expect_at(const Geodesic& g, const Point& p, const Mesh& mesh)
+{
+  EXPECT_LT(CGAL::squared_distance(place_in_space(g.end, mesh), p), 1e-24)
+    << place_in_space(g.end, mesh);
+}
+
+// The face and place of a point in the plane of the mesh's faces, the first that contains it.
+Location locate(const Point& p, const Mesh& mesh)
+{
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+                &c = mesh.point(mesh.target(mesh.next(h)));
+    const Kernel::Vector_3 n = CGAL::cross_product(b - a, c - a);
+    const auto part = [&](const Point& q, const Point& r) {
+      return CGAL::cross_product(q - p, r - p) * n / n.squared_length();
+    };
+    const std::array<double, 3> w{part(b, c), part(c, a), part(a, b)};
+    if(std::abs((p - a) * n) < 1e-12 && *std::min_element(w.begin(), w.end()) >= 0)
+      return {f, w};
+  }
+  ADD_FAILURE() << "no face contains " << p;
+  return {};
+}
+
+Geodesic trace_in_space(const Point& p, const Kernel::Vector_3& v, const Mesh& mesh,
+                        At_boundary at_boundary = At_boundary::stop)
+{
+  const Location start = locate(p, mesh);
+  return IT::trace_geodesic(Side::input, start, in_frame(v, start.first, mesh),
+                            Triangulation(mesh), at_boundary);
+}
+
+// Two rows of needles between two lines of points that are close together.
+Flat_surface needles(int n, int width, int height)
+{
+  std::vector<Vector> points;
+  Triangles triangles;
+  CGAL::Random random(3);
+  for(int i = 0; i <= n; ++i)
+    for(int row = 0; row < 3; ++row)
+      points.push_back({width * i + (row == 1 ? random.get_int(0, height / 3) : 0), height * row});
+  for(std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
+    for(std::size_t row = 0; row < 2; ++row) {
+      const std::size_t k = 3 * i + row, l = k + 3;
+      triangles.push_back({k, l, l + 1});
+      triangles.push_back({k, l + 1, k + 1});
+    }
+  return flat_surface(points, triangles);
+}
+
+std::vector<std::string> data_meshes()
+{
+  std::vector<std::string> result;
+#ifdef CGAL_DATA_DIR
+  for(const char* name : {"elephant.off", "oblong.off", "camel.off", "pig.off", "knot1.off",
+                          "hand.off", "cheese.off"})
+    result.push_back(std::string(CGAL_DATA_DIR) + "/meshes/" + name);
+#endif
+  return result;
+}
+
+} // namespace
+
+TEST(Exponential_map, straight_in_the_plane_and_around_a_torus)
+{
+  for(const Named_surface& s : flat_surfaces())
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
+      Flat_triangulation flat(s.surface);
+      flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
+      for(Side side : both_sides)
+        check_flat(side, flat, seed);
+    }
+}
+
+TEST(Exponential_map, back_to_the_start) { check_all(check_reverse); }
+
+TEST(Exponential_map, edges_end_at_vertices) { check_all(check_edges); }
+
+TEST(Exponential_map, inverse_of_the_logarithm) { check_all(check_logarithm); }
+
+TEST(Exponential_map, path_in_pieces) { check_all(check_path); }
+
+TEST(Exponential_map, same_on_both_triangulations)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    check_independence(t.triangulation, 40, 1e-9);
+  }
+}
+
+TEST(Exponential_map, same_on_both_triangulations_of_data)
+{
+  for(const std::string& name : data_meshes()) {
+    SCOPED_TRACE(name);
+    Mesh mesh;
+    if(!std::filesystem::exists(name) || !CGAL::IO::read_polygon_mesh(name, mesh))
+      continue;
+    Triangulation t(mesh);
+    IT::make_Delaunay(t);
+    check_independence(t, 100, 1e-9);
+  }
+}
+
+TEST(Exponential_map, unrolled_cone)
+{
+  for(const Cone& cone : cones()) {
+    SCOPED_TRACE(cone.total);
+    check_cone(cone, 1);
+  }
+}
+
+TEST(Exponential_map, holonomy_of_a_cone)
+{
+  for(const Cone& cone : cones()) {
+    SCOPED_TRACE(cone.total);
+    expect_close(holonomy(cone), std::polar(1., 2 * pi - cone.total), 1e-9);
+  }
+}
+
+TEST(Exponential_map, over_the_edges_of_a_cube)
+{
+  const Mesh mesh = cube();
+  expect_at(trace_in_space({0.3, 0.2, 0}, {-0.5, 0.25, 0}, mesh), {0, 0.45, 0.2}, mesh);
+  expect_at(trace_in_space({0.5, 0.25, 1}, {0, -1.5, 0}, mesh), {0.5, 0.25, 0}, mesh);
+  for(double x : {0.1, 0.5, 0.7}) // around four faces
+    expect_at(trace_in_space({x, 0.3, 0}, {0, 4, 0}, mesh), {x, 0.3, 0}, mesh);
+  const double side = 0.5; // around six faces: a regular hexagon
+  expect_at(trace_in_space({0.5, 0, 0}, {-6 * side, 6 * side, 0}, mesh), {0.5, 0, 0}, mesh);
+}
+
+// The angle on either side of a cube's corner is three quarters of a half turn.
+TEST(Exponential_map, straight_on_at_a_vertex)
+{
+  const Mesh mesh = cube();
+  const double root = std::sqrt(0.5);
+  expect_at(trace_in_space({0.5, 0.5, 0}, {-1, -1, 0}, mesh), {0, 0, 2 * root - root}, mesh);
+  expect_at(trace_in_space({0, 0, 0.5}, {0, 0, -1}, mesh), {0.5 * root, 0.5 * root, 0}, mesh);
+}
+
+TEST(Exponential_map, stops_at_the_boundary)
+{
+  const Mesh mesh = grid(3, 3, [](double x, double y) { return Point(x, y, 0); });
+  const Geodesic g = trace_in_space({1.5, 1.2, 0}, {0, -5, 0}, mesh);
+  EXPECT_EQ(g.status, Status::stopped_at_boundary);
+  EXPECT_NEAR(g.length, 1.2, 1e-12);
+  expect_at(g, {1.5, 0, 0}, mesh);
+  const Geodesic at_vertex = trace_in_space({1.5, 0.5, 0}, {-5, -5, 0}, mesh);
+  EXPECT_EQ(at_vertex.status, Status::stopped_at_boundary);
+  expect_at(at_vertex, {1, 0, 0}, mesh);
+  const Geodesic from_boundary = trace_in_space({1.5, 0, 0}, {1, -1, 0}, mesh);
+  EXPECT_EQ(from_boundary.status, Status::stopped_at_boundary);
+  EXPECT_EQ(from_boundary.length, 0);
+}
+
+// Transport along the straight parts of the boundary keeps a vector; a corner turns it with the boundary.
+TEST(Exponential_map, slides_along_the_boundary)
+{
+  const Mesh mesh = grid(3, 3, [](double x, double y) { return Point(x, y, 0); });
+  const Kernel::Vector_3 right(1, 0, 0), up(0, 1, 0), down(0, -1, 0);
+  const auto check = [&](const Point& p, const Kernel::Vector_3& v, const Point& end,
+                         const Kernel::Vector_3& turned_right) {
+    const Geodesic g = trace_in_space(p, v, mesh, At_boundary::slide);
+    EXPECT_EQ(g.status, Status::slid_along_boundary);
+    EXPECT_NEAR(g.length, std::sqrt(v.squared_length()), 1e-12);
+    expect_at(g, end, mesh);
+    expect_close(g.transport * in_frame(right, locate(p, mesh).first, mesh),
+                 in_frame(turned_right, g.end.first, mesh), 1e-12);
+  };
+  check({1.4, 0.3, 0}, {0.3, -0.4, 0}, {1.75, 0, 0}, right);
+  check({1.4, 0.3, 0}, {-0.3, -0.4, 0}, {1.05, 0, 0}, right);
+  check({1.4, 0.3, 0}, {0, -2, 0}, {3, 0.1, 0}, up); // left if to neither side
+  check({1.5, 0.75, 0}, {1.2, -1.6, 0}, {3, 0.125, 0}, up);
+  check({1.5, 0.5, 0}, {-2, -2, 0}, {0, std::sqrt(4.5) - 1, 0}, down); // from a vertex
+}
+
+TEST(Exponential_map, slides_from_a_boundary_vertex)
+{
+  const Triangulation t = square();
+  for(double angle : {-0.5, -pi / 2, pi + 0.5}) {
+    const Geodesic g = IT::trace_geodesic(Side::input, Vertex_index(4), std::polar(1., angle), t,
+                                          At_boundary::slide);
+    EXPECT_EQ(g.status, Status::slid_along_boundary);
+    const Halfedge_index spoke = Flat_faces(Side::input, t).sides(g.end.first)[corner_at(g.end)];
+    EXPECT_EQ(t.input_mesh().source(spoke), Vertex_index(angle < 0 ? 8 : 0));
+  }
+}
+
+// Thin faces cost no digits: as many are right as with longer numbers.
+TEST(Exponential_map, needles)
+{
+  for(const int height : {1000, 1000000, 1000000000}) {
+    const Flat_surface surface = needles(40, 1, height);
+    const Triangulation t = triangulation(surface);
+    std::vector<long double> lengths;
+    for(Edge_index e : t.mesh().edges())
+      lengths.push_back(t.length(e));
+    const auto map = boost::make_function_property_map<Edge_index>(
+      [&](Edge_index e) { return lengths[e.idx()]; });
+    CGAL::Random random(1);
+    for(int i = 0; i < 300; ++i) {
+      const Location p = random_location(t.mesh(), random);
+      const Complex v = random_vector(i % 2 == 0 ? height : 20, random);
+      const Geodesic g = IT::trace_geodesic(Side::input, p, v, t);
+      const auto exact = IT::trace_geodesic(
+        IT::Face_location<long double>(p.first, {p.second[0], p.second[1], p.second[2]}),
+        std::complex<long double>(v.real(), v.imag()), t.mesh(), map);
+      const Location q(exact.end.first,
+                       {static_cast<double>(exact.end.second[0]),
+                        static_cast<double>(exact.end.second[1]),
+                        static_cast<double>(exact.end.second[2])});
+      EXPECT_EQ(g.status, exact.status);
+      EXPECT_LT(static_cast<double>(Flat_faces(Side::input, t).path(g.end, q)), 1e-12 * height)
+        << height << ' ' << i;
+    }
+    check_reverse(Side::input, t);
+    check_logarithm(Side::input, t);
+    check_path(Side::input, t);
+  }
+}
+
+TEST(Exponential_map, no_length)
+{
+  const Triangulation t(cube());
+  const Location p{Face_index(3), {0.2, 0.3, 0.5}};
+  const Geodesic g = IT::trace_geodesic(Side::input, p, Complex(0), t);
+  EXPECT_EQ(g.status, Status::reached);
+  EXPECT_EQ(g.end, p);
+  EXPECT_EQ(g.length, 0);
+  EXPECT_EQ(g.transport, Complex(1));
+}
+
+TEST(Exponential_map, endless_lengths_are_refused)
+{
+  const Triangulation t(cube());
+  EXPECT_THROW(IT::trace_geodesic(Side::input, Vertex_index(0), Complex(1e30), t),
+               IT::Numerical_error);
+  const Triangulation s = square();
+  EXPECT_THROW(IT::trace_geodesic(Side::input, Vertex_index(0), Complex(0, -1e30), s,
+                                  At_boundary::slide),
+               IT::Numerical_error);
+}
