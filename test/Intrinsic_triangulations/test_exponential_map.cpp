@@ -255,8 +255,7 @@ double angle_on_input(Halfedge_index h, const Triangulation& t, const IT::Tangen
     return frames.angle(t.input_halfedge(h));
   const Edge_place p = IT::trace_intrinsic_edge(h, t)[1].on_input;
   const Location location = IT::internal::face_location(p, t.input_mesh());
-  return std::arg(
-    IT::logarithm(Side::input, t.input_mesh().prev(p.halfedge), location, t));
+  return std::arg(IT::logarithm(Side::input, t.input_mesh().prev(p.halfedge), location, t));
 }
 
 // The same geodesics on either side, from vertices: the first spokes may differ.
@@ -337,8 +336,12 @@ struct Cone
 
 std::vector<Cone> cones()
 {
-  return {Cone({0.3}),           Cone({1.1, 0.4}),      Cone({1, 0.2, 0.7}),
-          Cone({2, 1.5, 2, 0.7}), Cone({2.5, 2.5, 2.5, 1}), Cone({1e-9, 1, 1e-9, 2, 0.01})};
+  return {Cone({0.3}),
+          Cone({1.1, 0.4}),
+          Cone({1, 0.2, 0.7}),
+          Cone({2, 1.5, 2, 0.7}),
+          Cone({2.5, 2.5, 2.5, 1}),
+          Cone({1e-9, 1, 1e-9, 2, 0.01})};
 }
 
 // Unrolled, the geodesic is a straight line.
@@ -346,8 +349,8 @@ void check_cone(const Cone& cone, unsigned int seed)
 {
   CGAL::Random random(seed);
   for(int i = 0; i < 100; ++i) {
-    const Geodesic out = IT::trace_geodesic(
-      Side::input, cone.apex, std::polar(0.3, random.get_double(-pi, pi)), cone.mesh);
+    const Geodesic out = IT::trace_geodesic(Side::input, cone.apex,
+                                            std::polar(0.3, random.get_double(-pi, pi)), cone.mesh);
     const Complex from = cone.polar(out.end);
     EXPECT_NEAR(from.real(), 0.3, 1e-12);
     const Complex v = std::polar(random.get_double(0, 0.5), random.get_double(-pi, pi));
@@ -358,8 +361,7 @@ void check_cone(const Cone& cone, unsigned int seed)
     EXPECT_NEAR(to.real(), std::abs(end), 1e-11);
     const double turn = (to.imag() - from.imag() - std::arg(end)) / cone.total;
     EXPECT_NEAR(turn, std::round(turn), 1e-10);
-    expect_close(g.direction / cone.outwards(g.end),
-                 v / std::abs(v) * std::abs(end) / end, 1e-9);
+    expect_close(g.direction / cone.outwards(g.end), v / std::abs(v) * std::abs(end) / end, 1e-9);
   }
 }
 
@@ -374,8 +376,7 @@ Complex holonomy(const Cone& cone)
   Complex vector = start;
   for(int i = 0; i < corners; ++i) {
     const Complex chord = std::polar(0.8 * std::sin(step / 2), pi / 2 + step / 2);
-    const Geodesic g =
-      IT::trace_geodesic(Side::input, p, chord * cone.outwards(p), cone.mesh);
+    const Geodesic g = IT::trace_geodesic(Side::input, p, chord * cone.outwards(p), cone.mesh);
     vector *= g.transport;
     p = g.end;
   }
@@ -442,8 +443,8 @@ Geodesic trace_in_space(const Point& p, const Kernel::Vector_3& v, const Mesh& m
                         At_boundary at_boundary = At_boundary::stop)
 {
   const Location start = locate(p, mesh);
-  return IT::trace_geodesic(Side::input, start, in_frame(v, start.first, mesh),
-                            Triangulation(mesh), at_boundary);
+  return IT::trace_geodesic(Side::input, start, in_frame(v, start.first, mesh), Triangulation(mesh),
+                            at_boundary);
 }
 
 // Two rows of needles between two lines of points that are close together.
@@ -468,8 +469,8 @@ std::vector<std::string> data_meshes()
 {
   std::vector<std::string> result;
 #ifdef CGAL_DATA_DIR
-  for(const char* name : {"elephant.off", "oblong.off", "camel.off", "pig.off", "knot1.off",
-                          "hand.off", "cheese.off"})
+  for(const char* name :
+      {"elephant.off", "oblong.off", "camel.off", "pig.off", "knot1.off", "hand.off", "cheese.off"})
     result.push_back(std::string(CGAL_DATA_DIR) + "/meshes/" + name);
 #endif
   return result;
@@ -569,7 +570,8 @@ TEST(Exponential_map, stops_at_the_boundary)
   EXPECT_EQ(from_boundary.length, 0);
 }
 
-// Transport along the straight parts of the boundary keeps a vector; a corner turns it with the boundary.
+// Transport along the straight parts of the boundary keeps a vector; a corner turns it with the
+// boundary.
 TEST(Exponential_map, slides_along_the_boundary)
 {
   const Mesh mesh = grid(3, 3, [](double x, double y) { return Point(x, y, 0); });
@@ -611,8 +613,8 @@ TEST(Exponential_map, needles)
     std::vector<long double> lengths;
     for(Edge_index e : t.mesh().edges())
       lengths.push_back(t.length(e));
-    const auto map = boost::make_function_property_map<Edge_index>(
-      [&](Edge_index e) { return lengths[e.idx()]; });
+    const auto map =
+      boost::make_function_property_map<Edge_index>([&](Edge_index e) { return lengths[e.idx()]; });
     CGAL::Random random(1);
     for(int i = 0; i < 300; ++i) {
       const Location p = random_location(t.mesh(), random);
@@ -621,10 +623,9 @@ TEST(Exponential_map, needles)
       const auto exact = IT::trace_geodesic(
         IT::Face_location<long double>(p.first, {p.second[0], p.second[1], p.second[2]}),
         std::complex<long double>(v.real(), v.imag()), t.mesh(), map);
-      const Location q(exact.end.first,
-                       {static_cast<double>(exact.end.second[0]),
-                        static_cast<double>(exact.end.second[1]),
-                        static_cast<double>(exact.end.second[2])});
+      const Location q(exact.end.first, {static_cast<double>(exact.end.second[0]),
+                                         static_cast<double>(exact.end.second[1]),
+                                         static_cast<double>(exact.end.second[2])});
       EXPECT_EQ(g.status, exact.status);
       EXPECT_LT(static_cast<double>(Flat_faces(Side::input, t).path(g.end, q)), 1e-12 * height)
         << height << ' ' << i;
@@ -632,6 +633,29 @@ TEST(Exponential_map, needles)
     check_reverse(Side::input, t);
     check_logarithm(Side::input, t);
     check_path(Side::input, t);
+  }
+}
+
+// Eight faces in the plane, four of them on a line: whatever face of that line a geodesic starts or
+// ends in, it is where the plane has it.
+TEST(Exponential_map, faces_without_area)
+{
+  const Mesh mesh = make_mesh(
+    {{4, -2, 0}, {6, 0, 0}, {4, 0, 0}, {2, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 0, 0}, {3, 2, 0}},
+    {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {2, 1, 6}, {2, 6, 4}, {4, 6, 5}, {5, 6, 7}, {4, 5, 7}});
+  const Triangulation t(mesh);
+  CGAL::Random random(4);
+  for(int i = 0; i < 2000; ++i) {
+    const Location p = random_location(t.mesh(), random);
+    const Complex v = random_vector(3, random);
+    const Geodesic g = IT::trace_geodesic(Side::input, p, v, t);
+    const Halfedge_index h = mesh.halfedge(p.first);
+    const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h));
+    const Complex axis(b.x() - a.x(), b.y() - a.y());
+    const Complex step = std::polar(g.length, std::arg(v) + std::arg(axis));
+    const Point start = place_in_space(p, mesh);
+    expect_at(g, start + Kernel::Vector_3(step.real(), step.imag(), 0), mesh);
+    expect_at(IT::trace_geodesic(Side::input, g.end, -g.length * g.direction, t), start, mesh);
   }
 }
 
@@ -652,7 +676,7 @@ TEST(Exponential_map, endless_lengths_are_refused)
   EXPECT_THROW(IT::trace_geodesic(Side::input, Vertex_index(0), Complex(1e30), t),
                IT::Numerical_error);
   const Triangulation s = square();
-  EXPECT_THROW(IT::trace_geodesic(Side::input, Vertex_index(0), Complex(0, -1e30), s,
-                                  At_boundary::slide),
-               IT::Numerical_error);
+  EXPECT_THROW(
+    IT::trace_geodesic(Side::input, Vertex_index(0), Complex(0, -1e30), s, At_boundary::slide),
+    IT::Numerical_error);
 }

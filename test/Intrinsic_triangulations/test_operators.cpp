@@ -84,8 +84,8 @@ Values planar_values(const Flat_surface& surface, double a, double b)
 {
   Values result(static_cast<Eigen::Index>(surface.point.size()));
   for(Vertex_index v : surface.mesh.vertices())
-    result[v.idx()] = 3 + a * static_cast<double>(surface.point[v].x) +
-                      b * static_cast<double>(surface.point[v].y);
+    result[v.idx()] =
+      3 + a * static_cast<double>(surface.point[v].x) + b * static_cast<double>(surface.point[v].y);
   return result;
 }
 
@@ -134,8 +134,8 @@ Field parallel_field(const Flat_surface& surface, const IT::Tangent_frames<>& fr
   for(Vertex_index v : surface.mesh.vertices()) {
     const Halfedge_index h = IT::first_spoke(v, surface.mesh);
     const Vector d = surface.vector[h];
-    result[v.idx()] =
-      std::polar(1., frames.angle(h) - std::atan2(static_cast<double>(d.y), static_cast<double>(d.x)));
+    result[v.idx()] = std::polar(
+      1., frames.angle(h) - std::atan2(static_cast<double>(d.y), static_cast<double>(d.x)));
   }
   return result;
 }
@@ -234,7 +234,8 @@ TEST(Operators, gradient_of_linear_functions)
     const Values g = IT::gradient_matrix(Side::intrinsic, t) * planar_values(surface, a, b);
     for(Face_index f : surface.mesh.faces()) {
       const Vector d = surface.vector[surface.mesh.halfedge(f)];
-      const double x = static_cast<double>(d.x) / length(d), y = static_cast<double>(d.y) / length(d);
+      const double x = static_cast<double>(d.x) / length(d),
+                   y = static_cast<double>(d.y) / length(d);
       EXPECT_NEAR(g[2 * f.idx()], a * x + b * y, 1e-9);
       EXPECT_NEAR(g[2 * f.idx() + 1], b * x - a * y, 1e-9);
     }
@@ -292,7 +293,8 @@ TEST(Operators, isolated_vertices_and_components)
   EXPECT_EQ(u[alone], 0);
   const Values moments = IT::mass_matrix(Side::input, t) * f;
   const Values area = IT::lumped_mass_matrix(Side::input, t).diagonal();
-  for(const auto& [first, size] : {std::pair(Eigen::Index(0), alone), std::pair(alone + 1, Eigen::Index(4))}) {
+  for(const auto& [first, size] :
+      {std::pair(Eigen::Index(0), alone), std::pair(alone + 1, Eigen::Index(4))}) {
     const double mean = moments.segment(first, size).sum() / area.segment(first, size).sum();
     const Values rest = (moments - mean * area - l * u).segment(first, size);
     EXPECT_LT(largest(rest), 1e-12);
@@ -322,7 +324,8 @@ TEST(Operators, unit_of_length)
     const Triangulation t = triangulation(complex.mesh, lengths);
     for(double factor : {1e-30, 1e-3, 1e30}) {
       const Triangulation s = scaled(complex.mesh, lengths, factor);
-      const Matrix l = IT::cotan_laplacian(Side::input, t), ls = IT::cotan_laplacian(Side::input, s);
+      const Matrix l = IT::cotan_laplacian(Side::input, t),
+                   ls = IT::cotan_laplacian(Side::input, s);
       EXPECT_LE(largest_distance(l, ls), 1e-13 * largest(l));
       const Matrix m = IT::mass_matrix(Side::input, t), ms = IT::mass_matrix(Side::input, s);
       EXPECT_LE(largest_distance(m, ms / (factor * factor)), 1e-13 * largest(m));
@@ -389,8 +392,8 @@ TEST(Tangent_frames, transport_back_is_the_inverse)
     const Triangulation t = triangulation(complex.mesh, random_lengths(complex.mesh, 4));
     const IT::Tangent_frames<> frames(Side::input, t);
     for(Halfedge_index h : complex.mesh.halfedges()) {
-      EXPECT_NEAR(std::abs(frames.transport(h) * frames.transport(complex.mesh.opposite(h)) - 1.), 0,
-                  1e-14);
+      EXPECT_NEAR(std::abs(frames.transport(h) * frames.transport(complex.mesh.opposite(h)) - 1.),
+                  0, 1e-14);
       // the edge itself arrives as the edge
       EXPECT_NEAR(std::abs(frames.transport(h) * std::polar(1., frames.angle(h)) +
                            std::polar(1., frames.angle(complex.mesh.opposite(h)))),
@@ -410,7 +413,8 @@ TEST(Tangent_frames, holonomy_around_a_cone)
       for(std::size_t i = 0; i < n; ++i) {
         const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(n);
         const double radius = static_cast<double>(r);
-        points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height * (1 - radius));
+        points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                            height * (1 - radius));
       }
     for(std::size_t i = 0; i < n; ++i) {
       const std::size_t a = 1 + i, b = 1 + (i + 1) % n;
@@ -489,8 +493,8 @@ TEST(Poisson, prescribed_values_on_a_square)
     const Values f = values(mesh, [](const Point& p) {
       return 5 * pi * pi * std::sin(pi * p.x()) * std::sin(2 * pi * p.y());
     });
-    const auto is_fixed =
-      boost::make_function_property_map<Vertex_index>([&](Vertex_index v) { return mesh.is_border(v); });
+    const auto is_fixed = boost::make_function_property_map<Vertex_index>(
+      [&](Vertex_index v) { return mesh.is_border(v); });
     const Values computed = IT::solve_poisson(Side::intrinsic, t, f, is_fixed, u);
     for(Vertex_index v : mesh.vertices())
       if(mesh.is_border(v)) {
@@ -507,8 +511,8 @@ TEST(Poisson, free_boundary_of_a_square)
   for(std::size_t n : {8, 16, 32, 64}) {
     const Mesh mesh = unit_square(n, 2);
     const Triangulation t(mesh);
-    const Values u = values(
-      mesh, [](const Point& p) { return std::cos(pi * p.x()) * std::cos(2 * pi * p.y()); });
+    const Values u =
+      values(mesh, [](const Point& p) { return std::cos(pi * p.x()) * std::cos(2 * pi * p.y()); });
     const Values computed = IT::solve_poisson(Side::input, t, Values(5 * pi * pi * u));
     errors.push_back(mean_square(computed - u, IT::mass_matrix(Side::input, t)));
   }
@@ -540,7 +544,8 @@ TEST(Poisson, wave_on_a_flat_torus)
     for(Vertex_index v : surface.mesh.vertices())
       u[v.idx()] = std::sin(2 * pi * static_cast<double>(det(surface.point[v], surface.b)) / area);
     const double wave_number = 2 * pi * length(surface.b) / area;
-    const Values computed = IT::solve_poisson(Side::input, t, Values(wave_number * wave_number * u));
+    const Values computed =
+      IT::solve_poisson(Side::input, t, Values(wave_number * wave_number * u));
     errors.push_back(mean_square(computed - u, IT::mass_matrix(Side::input, t)));
   }
   expect_second_order(errors);
@@ -552,7 +557,8 @@ TEST(Poisson, on_all_complexes)
   for(const Named_complex& complex : complexes()) {
     SCOPED_TRACE(complex.name);
     const auto lengths = random_lengths(complex.mesh, 5);
-    const Triangulation t = triangulation(complex.mesh, lengths), s = scaled(complex.mesh, lengths, 1e-20);
+    const Triangulation t = triangulation(complex.mesh, lengths),
+                        s = scaled(complex.mesh, lengths, 1e-20);
     const Values f = Values::Random(static_cast<Eigen::Index>(complex.mesh.number_of_vertices()));
     const Matrix l = IT::cotan_laplacian(Side::input, t);
     const Values u = IT::solve_poisson(Side::input, t, f);

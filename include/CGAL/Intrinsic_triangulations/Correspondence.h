@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Edge_tracer.h>
+#include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
 
 #include <cstddef>
 #include <limits>
@@ -63,12 +64,15 @@ public:
       m_first_on_input(tri.input_mesh().num_edges(), 0),
       m_count_on_input(tri.input_mesh().num_edges(), 0),
       m_spoke_before(tri.input_mesh().num_halfedges()),
-      m_first_on_intrinsic(tri.mesh().num_edges() + 1, 0)
+      m_first_on_intrinsic(internal::first_crossings(tri.coordinates(), tri.mesh())),
+      m_records(m_first_on_intrinsic.back())
   {
-    count_crossings();
+    m_order_on_input.reserve(m_records.size());
     trace_all();
     order_along_intrinsic();
   }
+
+  Correspondence(Triangulation&&) = delete; // it would refer to what is gone
 
   /// the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
@@ -160,22 +164,6 @@ private:
     const Record& r = m_records[id];
     const Halfedge_index first = first_halfedge(r.intrinsic);
     return {id, on(h, r.s), on(h == r.input ? twin(first) : first, r.t)};
-  }
-
-  void count_crossings()
-  {
-    const Delta_complex& mesh = m_tri.mesh();
-    const Integer limit((std::numeric_limits<size_type>::max)() / 8);
-    Integer total(0);
-    for(Edge_index e : mesh.edges()) {
-      m_first_on_intrinsic[e] = static_cast<size_type>(total);
-      total += m_tri.coordinates().crossings(mesh.halfedge(e));
-      if(total > limit)
-        throw Overflow_error("more crossings than a mesh can number");
-    }
-    m_first_on_intrinsic.back() = static_cast<size_type>(total);
-    m_records.resize(static_cast<size_type>(total));
-    m_order_on_input.reserve(static_cast<size_type>(total));
   }
 
   // Every curve is met at both its ends; it is traced from the source of its first halfedge.

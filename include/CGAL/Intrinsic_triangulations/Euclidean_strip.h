@@ -116,7 +116,7 @@ private:
   // of the corner between the sides `p` and `q`
   static FT cosine(const FT& p, const FT& q, const FT& opposite)
   {
-    return (p * p + (q - opposite) * (q + opposite)) / (2 * p * q);
+    return doubled_corner_product(opposite, p, q) / (2 * p * q);
   }
 
   static FT sine(const FT& p, const FT& q, const FT& opposite)

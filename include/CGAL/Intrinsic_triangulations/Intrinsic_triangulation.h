@@ -129,7 +129,8 @@ public:
         throw Invalid_input(internal::Delta_complex_defect(*complex));
     m_spokes = Vertex_spokes(m_input, boost::dummy_property_map());
     check_lengths();
-    check_triangles();
+    check_triangles(m_input, m_input_length);
+    check_triangles(m_mesh, m_length);
     const std::string defect = this->defect();
     if(!defect.empty())
       throw Invalid_input(defect);
@@ -227,7 +228,9 @@ public:
   /// computes the length of every edge of \f$T_2\f$ afresh, from the lengths of \f$T_1\f$ in the strip of
   /// triangles that the edge passes. Where many flips have let rounding add up, this takes it away: the
   /// strips are known exactly. Complexity: linear in the edges and crossings.
-  /// \throws Numerical_error if a length is not positive and finite; nothing has changed then.
+  /// \throws Numerical_error if a length is not positive and finite
+  /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
+  /// After an exception nothing has changed.
   void recompute_lengths()
   {
     const internal::Input_crossings crossings(m_coordinates, m_mesh, m_spokes);
@@ -334,7 +337,7 @@ private:
     if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_length_map_t>::value) {
       const auto length = get_parameter(np, internal_np::edge_length_map);
       set_input_lengths(g, numbering, [&](auto e) { return FT(get(length, e)); });
-      check_triangles();
+      check_triangles(m_input, m_input_length);
     } else {
       const auto point = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                           get_const_property_map(CGAL::vertex_point, g));
@@ -381,13 +384,13 @@ private:
         fail_at_length(e);
   }
 
-  void check_triangles() const
+  void check_triangles(const Delta_complex& mesh, const Edge_length_map& length_map) const
   {
     const auto is_triangle = m_traits.is_triangle_object();
-    for(Face_index f : m_input.faces()) {
-      const Halfedge_index h = m_input.halfedge(f);
-      const auto length = [&](Halfedge_index x) { return m_input_length[m_input.edge(x)]; };
-      if(!is_triangle(length(h), length(m_input.next(h)), length(m_input.prev(h))))
+    for(Face_index f : mesh.faces()) {
+      const Halfedge_index h = mesh.halfedge(f);
+      const auto length = [&](Halfedge_index x) { return length_map[mesh.edge(x)]; };
+      if(!is_triangle(length(h), length(mesh.next(h)), length(mesh.prev(h))))
         throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()));
     }
   }

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <Eigen/Dense>
@@ -133,24 +134,6 @@ typename Traits::FT area(Face_index f, Side side, const Intrinsic_triangulation<
 }
 
 } // namespace internal
-
-/// \ingroup PkgIntrinsicTriangulationsTransfer
-/// the integrals \f$\int \varphi_i \varphi_j\f$ of products of hat functions of one triangulation (its
-/// consistent mass matrix). Complexity: linear.
-template <typename Traits>
-Eigen::SparseMatrix<typename Traits::FT> mass_matrix(Side side,
-                                                     const Intrinsic_triangulation<Traits>& tri)
-{
-  typedef typename Traits::FT FT;
-  const Delta_complex& mesh = side == Side::input ? tri.input_mesh() : tri.mesh();
-  const internal::Corner_matrix<FT> identity = internal::Corner_matrix<FT>::Identity();
-  internal::Matrix_assembly<FT> assembly;
-  for(Face_index f : mesh.faces())
-    assembly.add(f, mesh, f, mesh,
-                 internal::area(f, side, tri) *
-                   internal::integrals_of_products<FT>(identity, identity));
-  return assembly.matrix(mesh.number_of_vertices(), mesh.number_of_vertices());
-}
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// the integrals \f$\int \varphi_i \psi_j\f$ of products of hat functions \f$\varphi_i\f$ of

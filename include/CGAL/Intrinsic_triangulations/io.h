@@ -11,13 +11,14 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/number_text.h>
 
+#include <array>
 #include <cstdint>
 #include <istream>
 #include <limits>
-#include <new>
 #include <ostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -26,128 +27,186 @@ namespace internal {
 
 constexpr const char* file_header = "intrinsic_triangulation 1";
 
-// the number of an element in a file: -1 for none
-template <typename Index>
-std::string number_text(Index index)
+// Numbers in a file follow neither the locale nor the flags of the stream; -1 stands for no element.
+template <typename Number>
+std::string number_text(const Number& number)
 {
-  return index.is_valid() ? std::to_string(index.idx()) : "-1";
+  return std::to_string(number);
 }
 
-// What a file says of one triangulation. `write_more` adds what it has for an edge beside its length.
-template <typename LengthMap, typename WriteMore>
-void write_complex(std::ostream& os, const Delta_complex& mesh, const LengthMap& length,
-                   const WriteMore& write_more)
+inline std::string number_text(Halfedge_index h)
 {
-  os << mesh.number_of_vertices() << ' ' << mesh.number_of_edges() << ' ' << mesh.number_of_faces()
-     << '\n';
+  return h.is_valid() ? std::to_string(h.idx()) : "-1";
+}
+inline std::string number_text(Vertex_index v) { return std::to_string(v.idx()); }
+inline std::string number_text(const std::string& text) { return text; }
+
+template <typename First, typename... Rest>
+void write_line(std::ostream& os, const First& first, const Rest&... rest)
+{
+  os << number_text(first);
+  ((os << ' ' << number_text(rest)), ...);
+  os << '\n';
+}
+
+// What a file says of one triangulation. `more(e)` is the rest of the line of an edge.
+template <typename LengthMap, typename More>
+void write_complex(std::ostream& os, const Delta_complex& mesh, const LengthMap& length,
+                   const More& more)
+{
+  write_line(os, mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
   for(Vertex_index v : mesh.vertices())
-    os << number_text(mesh.halfedge(v)) << '\n';
+    write_line(os, mesh.halfedge(v));
   for(Edge_index e : mesh.edges()) {
     const Halfedge_index h(2 * e.idx()), o = mesh.opposite(h);
-    os << mesh.target(h).idx() << ' ' << mesh.target(o).idx() << ' ' << mesh.next(h).idx() << ' '
-       << mesh.next(o).idx() << ' ' << hexadecimal_text(length[e]);
-    write_more(e);
-    os << '\n';
+    write_line(os, mesh.target(h), mesh.target(o), mesh.next(h), mesh.next(o),
+               hexadecimal_text(length[e]) + more(e));
   }
   for(Face_index f : mesh.faces())
-    os << mesh.halfedge(f).idx() << '\n';
+    write_line(os, mesh.halfedge(f));
 }
 
-// Reads one triangulation line by line.
+// Reads triangulations line by line. Memory is taken as lines come, not as the file promises them.
+template <typename FT, typename Integer>
 class Complex_reader
 {
   typedef Delta_complex::size_type size_type;
 
+  struct Edge_line
+  {
+    std::array<size_type, 2> target, next;
+    FT length;
+    Integer normal_coordinate;
+    std::array<size_type, 2> roundabout;
+    bool is_constrained;
+  };
+
 public:
   explicit Complex_reader(std::istream& is) : m_lines(is) {}
 
-  Line_reader& lines() { return m_lines; }
-
-  // `read_more` reads what the file has for an edge beside its length.
-  template <typename FT, typename ReadMore>
-  Delta_complex read(const ReadMore& read_more)
+  void read_header()
   {
-    Delta_complex mesh;
     m_lines.next_line();
-    const size_type vertices = count(), edges = count(), faces = count();
-    m_lines.end_line();
-    grow(mesh, vertices, edges, faces);
-    for(Vertex_index v : mesh.vertices())
-      read_line([&] { mesh.set_halfedge(v, optional_halfedge(mesh)); });
-    auto length = mesh.template add_property_map<Edge_index, FT>("e:length", FT(0)).first;
-    auto more = read_more(mesh);
-    for(Edge_index e : mesh.edges())
-      read_line([&] {
-        read_links(e, mesh);
-        length[e] = m_lines.template hexadecimal<FT>();
-        more(e);
-      });
-    for(Face_index f : mesh.faces())
-      read_line([&] { read_face(f, mesh); });
+    m_lines.expect(file_header);
+  }
+
+  Delta_complex read_input()
+  {
+    read_lines(false);
+    return assembled();
+  }
+
+  // with the integer coordinates and constraints of its edges
+  Delta_complex read_intrinsic()
+  {
+    read_lines(true);
+    Delta_complex mesh = assembled();
+    Integer_coordinates<Integer> coordinates(mesh);
+    auto is_constrained =
+      mesh.template add_property_map<Edge_index, bool>("e:is_constrained", false).first;
+    for(Edge_index e : mesh.edges()) {
+      const Edge_line& line = m_edges[e];
+      coordinates.set(e, line.normal_coordinate);
+      for(unsigned side : {0u, 1u})
+        coordinates.set(mesh.halfedge(e, side), line.roundabout[side]);
+      is_constrained[e] = line.is_constrained;
+    }
     return mesh;
   }
 
 private:
-  template <typename Read>
-  void read_line(const Read& read)
+  void read_lines(bool with_coordinates)
   {
     m_lines.next_line();
-    read();
+    const size_type most = (std::numeric_limits<size_type>::max)() / 4;
+    const size_type vertices = number(most), edges = number(most), faces = number(most);
     m_lines.end_line();
+    m_vertices.clear();
+    m_edges.clear();
+    m_faces.clear();
+    for_lines(vertices, [&] { m_vertices.push_back(read_halfedge(edges)); });
+    for_lines(edges, [&] { m_edges.push_back(read_edge(vertices, edges, with_coordinates)); });
+    for_lines(faces, [&] { m_faces.push_back(index(2 * edges)); });
   }
 
-  size_type count() { return m_lines.integer<size_type>(0, Delta_complex::size_type(-1) / 4); }
-
-  // A file that promises more than it has must not exhaust the memory first.
-  void grow(Delta_complex& mesh, size_type vertices, size_type edges, size_type faces)
+  template <typename Read>
+  void for_lines(size_type count, const Read& read)
   {
-    try {
-      mesh.resize(vertices, edges, faces);
-    } catch(const std::bad_alloc&) {
-      m_lines.fail("not enough memory for so many elements");
+    for(size_type line = 0; line < count; ++line) {
+      m_lines.next_line();
+      read();
+      m_lines.end_line();
     }
   }
 
-  template <typename Index>
-  Index index(size_type size)
+  size_type number(size_type most) { return m_lines.integer<size_type>(0, most); }
+
+  size_type index(size_type count)
   {
-    if(size == 0)
+    if(count == 0)
       m_lines.fail("there is no element to refer to");
-    return Index(m_lines.integer<size_type>(0, size - 1));
+    return number(count - 1);
   }
 
-  Halfedge_index halfedge(const Delta_complex& mesh)
+  Halfedge_index read_halfedge(size_type edges)
   {
-    return index<Halfedge_index>(mesh.num_halfedges());
-  }
-
-  Halfedge_index optional_halfedge(const Delta_complex& mesh)
-  {
-    const auto i = m_lines.integer<std::int64_t>(-1, std::int64_t(mesh.num_halfedges()) - 1);
+    const auto i = m_lines.integer<std::int64_t>(-1, 2 * std::int64_t(edges) - 1);
     return i < 0 ? Delta_complex::null_halfedge() : Halfedge_index(static_cast<size_type>(i));
   }
 
-  void read_links(Edge_index e, Delta_complex& mesh)
+  Edge_line read_edge(size_type vertices, size_type edges, bool with_coordinates)
   {
-    const Halfedge_index h = mesh.halfedge(e);
-    for(Halfedge_index x : {h, mesh.opposite(h)})
-      mesh.set_target(x, index<Vertex_index>(mesh.num_vertices()));
-    for(Halfedge_index x : {h, mesh.opposite(h)})
-      mesh.set_next(x, halfedge(mesh));
+    Edge_line line{};
+    for(size_type& target : line.target)
+      target = index(vertices);
+    for(size_type& next : line.next)
+      next = index(2 * edges);
+    line.length = m_lines.template hexadecimal<FT>();
+    if(with_coordinates) {
+      line.normal_coordinate =
+        m_lines.template integer<Integer>(-1, (std::numeric_limits<Integer>::max)() / 16);
+      for(size_type& r : line.roundabout)
+        r = number((std::numeric_limits<size_type>::max)());
+      line.is_constrained = m_lines.template integer<int>(0, 1) == 1;
+    }
+    return line;
   }
 
-  void read_face(Face_index f, Delta_complex& mesh)
+  Delta_complex assembled() const
   {
-    Halfedge_index h = halfedge(mesh);
+    Delta_complex mesh;
+    mesh.resize(static_cast<size_type>(m_vertices.size()), static_cast<size_type>(m_edges.size()),
+                static_cast<size_type>(m_faces.size()));
+    auto length = mesh.template add_property_map<Edge_index, FT>("e:length", FT(0)).first;
+    for(Vertex_index v : mesh.vertices())
+      mesh.set_halfedge(v, m_vertices[v]);
+    for(Edge_index e : mesh.edges()) {
+      for(unsigned side : {0u, 1u}) {
+        const Halfedge_index h = mesh.halfedge(e, side);
+        mesh.set_target(h, Vertex_index(m_edges[e].target[side]));
+        mesh.set_next(h, Halfedge_index(m_edges[e].next[side]));
+      }
+      length[e] = m_edges[e].length;
+    }
+    for(Face_index f : mesh.faces())
+      set_face(f, Halfedge_index(m_faces[f]), mesh);
+    return mesh;
+  }
+
+  static void set_face(Face_index f, Halfedge_index h, Delta_complex& mesh)
+  {
     mesh.set_halfedge(f, h);
     for(int side = 0; side < 3; ++side, h = mesh.next(h)) {
       if(!mesh.is_border(h))
-        m_lines.fail("halfedge " + std::to_string(h.idx()) + " is in two faces");
+        throw Invalid_input("halfedge " + std::to_string(h.idx()) + " is in two faces");
       mesh.set_face(h, f);
     }
   }
 
   Line_reader m_lines;
+  std::vector<Halfedge_index> m_vertices;
+  std::vector<Edge_line> m_edges;
+  std::vector<size_type> m_faces;
 };
 
 } // namespace internal
@@ -161,13 +220,16 @@ private:
 template <typename Traits>
 bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulation<Traits>& tri)
 {
+  using internal::number_text;
   os << internal::file_header << '\n';
-  internal::write_complex(os, tri.input_mesh(), tri.input_length_map(), [](Edge_index) {});
+  internal::write_complex(os, tri.input_mesh(), tri.input_length_map(),
+                          [](Edge_index) { return std::string(); });
   internal::write_complex(os, tri.mesh(), tri.length_map(), [&](Edge_index e) {
-    const Halfedge_index h(2 * e.idx());
-    os << ' ' << tri.coordinates().normal_coordinate(e) << ' ' << tri.coordinates().roundabout(h)
-       << ' ' << tri.coordinates().roundabout(tri.mesh().opposite(h)) << ' '
-       << tri.is_constrained(e);
+    const auto& coordinates = tri.coordinates();
+    return ' ' + number_text(coordinates.normal_coordinate(e)) + ' ' +
+           number_text(coordinates.roundabout(tri.mesh().halfedge(e, 0))) + ' ' +
+           number_text(coordinates.roundabout(tri.mesh().halfedge(e, 1))) +
+           (tri.is_constrained(e) ? " 1" : " 0");
   });
   return os.good();
 }
@@ -181,26 +243,10 @@ template <typename Traits = Euclidean_geometry_traits<double>>
 Intrinsic_triangulation<Traits> read_intrinsic_triangulation(std::istream& is,
                                                              const Traits& traits = Traits())
 {
-  typedef typename Traits::FT FT;
-  typedef typename Traits::Integer Integer;
-  internal::Complex_reader reader(is);
-  internal::Line_reader& lines = reader.lines();
-  lines.next_line();
-  lines.expect(internal::file_header);
-  Delta_complex input = reader.read<FT>([](const Delta_complex&) { return [](Edge_index) {}; });
-  Delta_complex mesh = reader.read<FT>([&](Delta_complex& complex) {
-    Integer_coordinates<Integer> coordinates(complex);
-    auto is_constrained =
-      complex.template add_property_map<Edge_index, bool>("e:is_constrained", false).first;
-    return [=, &lines, &complex](Edge_index e) mutable {
-      typedef typename Integer_coordinates<Integer>::size_type size_type;
-      const Halfedge_index h = complex.halfedge(e);
-      coordinates.set(e, lines.integer<Integer>(-1, (std::numeric_limits<Integer>::max)() / 16));
-      for(Halfedge_index x : {h, complex.opposite(h)})
-        coordinates.set(x, lines.integer<size_type>(0, (std::numeric_limits<size_type>::max)()));
-      is_constrained[e] = lines.integer<int>(0, 1) == 1;
-    };
-  });
+  internal::Complex_reader<typename Traits::FT, typename Traits::Integer> reader(is);
+  reader.read_header();
+  Delta_complex input = reader.read_input();
+  Delta_complex mesh = reader.read_intrinsic();
   return Intrinsic_triangulation<Traits>(std::move(input), std::move(mesh), traits);
 }
 

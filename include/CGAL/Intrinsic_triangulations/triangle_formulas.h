@@ -61,6 +61,16 @@ FT scaled_foot(const FT& jk, const FT& ki)
   return (ki - jk) * (ki + jk);
 }
 
+/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// twice the scalar product of the two sides at the corner opposite to side `a` of the triangle with
+/// sides `a`, `b`, `c`: \f$b^2 + c^2 - a^2\f$ without its cancellation.
+template <typename FT>
+FT doubled_corner_product(const FT& a, const FT& b, const FT& c)
+{
+  const FT shorter = (std::min)(b, c);
+  return shorter * shorter + scaled_foot(a, (std::max)(b, c));
+}
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

@@ -71,10 +71,55 @@ public:
         weight = w;
       }
     }
-    return best == 0 ? image_on_diagonal(p) : combination(weight, 0, best, best + 1);
+    return best == 0 ? image_on_diagonal(p) : image_in_triangle(p, {0, best, best + 1}, weight);
   }
 
 private:
+  // The image of a point of a triangle, given its barycentric coordinates. Where the triangle is thin,
+  // rounding spoils them. So only one is used, that across the longest side, or across a side on which
+  // the point lies; the place along that side is found by projection.
+  Coordinates image_in_triangle(const Coordinates& p, const std::array<std::size_t, 3>& corner,
+                                const Coordinates& weight) const
+  {
+    const std::size_t s = apex(corner, weight);
+    const std::size_t a = corner[s], b = corner[(s + 1) % 3], c = corner[(s + 2) % 3];
+    const FT t = place_along(b, c, p), foot = place_along(b, c, m_corner[a]);
+    FT across = clamped(weight[s]);
+    // the other two weights must not become negative
+    if(across * foot > t)
+      across = t / foot;
+    if(across * (1 - foot) > 1 - t)
+      across = (1 - t) / (1 - foot);
+    return combination({across, 1 - t - across * (1 - foot), t - across * foot}, a, b, c);
+  }
+
+  // the corner of a triangle opposite to a side on which a point lies, or to the longest side
+  std::size_t apex(const std::array<std::size_t, 3>& corner, const Coordinates& weight) const
+  {
+    std::size_t result = 0;
+    FT longest(-1);
+    for(std::size_t s = 0; s < 3; ++s) {
+      if(weight[s] == 0)
+        return s;
+      const Coordinates &b = m_corner[corner[(s + 1) % 3]], &c = m_corner[corner[(s + 2) % 3]];
+      const FT squared = dot(b, c, b, c);
+      if(squared > longest) {
+        longest = squared;
+        result = s;
+      }
+    }
+    return result;
+  }
+
+  // the place of the projection of `p` on the line from corner `a` to corner `b`, from 0 to 1
+  FT place_along(std::size_t a, std::size_t b, const Coordinates& p) const
+  {
+    return clamped(dot(m_corner[a], m_corner[b], m_corner[a], p) /
+                   dot(m_corner[a], m_corner[b], m_corner[a], m_corner[b]));
+  }
+
+  static FT clamped(const FT& x) { return (std::min)((std::max)(x, FT(0)), FT(1)); }
+
   // For a polygon without area: the image of the projection to its longest diagonal or side.
   Coordinates image_on_diagonal(const Coordinates& p) const
   {
@@ -89,8 +134,7 @@ private:
           to = b;
         }
       }
-    const FT t =
-      longest > 0 ? FT(dot(m_corner[from], m_corner[to], m_corner[from], p) / longest) : FT(0);
+    const FT t = longest > 0 ? place_along(from, to, p) : FT(0);
     return combination({1 - t, t, FT(0)}, from, to, to);
   }
 

@@ -10,29 +10,45 @@
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// For each edge of T2 the number of crossings on all edges before it, and last the number of all.
+template <typename Integer>
+std::vector<Delta_complex::size_type>
+first_crossings(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh)
+{
+  typedef Delta_complex::size_type size_type;
+  const std::uint64_t limit = (std::numeric_limits<size_type>::max)() / 8;
+  std::vector<size_type> first(mesh.num_edges() + 1, 0);
+  std::uint64_t total = 0;
+  for(Edge_index e : mesh.edges()) {
+    first[e] = static_cast<size_type>(total);
+    total += static_cast<std::uint64_t>(coordinates.crossings(mesh.halfedge(e)));
+    if(total > limit)
+      throw Overflow_error("more crossings than a mesh can number");
+  }
+  first.back() = static_cast<size_type>(total);
+  return first;
+}
+
 // The halfedges of T1 that cross each edge of T2, in order. No geometry.
 // Complexity: linear in the edges and crossings.
 class Input_crossings
 {
+  typedef Delta_complex::size_type size_type;
+
 public:
   template <typename Integer>
   Input_crossings(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
                   const Vertex_spokes& spokes)
-    : m_first(mesh.num_edges() + 1, 0)
+    : m_first(first_crossings(coordinates, mesh)), m_crossing(m_first.back())
   {
-    std::size_t total = 0;
-    for(Edge_index e : mesh.edges()) {
-      m_first[e] = total;
-      total += static_cast<std::size_t>(coordinates.crossings(mesh.halfedge(e)));
-    }
-    m_first.back() = total;
-    m_crossing.resize(total);
     coordinates.for_each_curve_end(
       mesh, spokes, [&](Halfedge_index h, const Integer& k, Halfedge_index start) {
         if(start.idx() % 2 == 0)
@@ -41,7 +57,7 @@ public:
   }
 
   // the number of crossings on the edge `e` of T2
-  std::size_t count(Edge_index e) const { return m_first[e.idx() + 1] - m_first[e]; }
+  size_type count(Edge_index e) const { return m_first[e.idx() + 1] - m_first[e]; }
 
   // the halfedge of T1 that crosses the first halfedge of `e` as its number `m` from left to right
   Halfedge_index operator()(Edge_index e, std::size_t m) const
@@ -57,7 +73,7 @@ private:
     typedef typename Integer_coordinates<Integer>::Turn Turn;
     do {
       const Edge_index e(c.halfedge);
-      const std::size_t number = static_cast<std::size_t>(c.number);
+      const size_type number = static_cast<size_type>(c.number);
       if(c.halfedge.idx() % 2 == 0)
         m_crossing[m_first[e] + number] = input;
       else
@@ -65,7 +81,7 @@ private:
     } while(coordinates.advance(c, mesh) != Turn::ends);
   }
 
-  std::vector<std::size_t> m_first;
+  std::vector<size_type> m_first;
   std::vector<Halfedge_index> m_crossing;
 };
 

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXPONENTIAL_MAP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXPONENTIAL_MAP_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Geodesic.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/Geodesic_tracer.h>
+#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+
+#include <CGAL/iterator.h>
+#include <boost/property_map/property_map.hpp>
+
+#include <complex>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTangent
+/// follows the geodesic that starts at the vertex `v` with the tangent vector `vector`, for the
+/// length of this vector: the exponential map at `v`.
+///
+/// In every face the geodesic is straight, and it runs straight from face to face. If it hits an
+/// interior vertex (to within `rounding_unit()`), it goes on with half of the angles there on
+/// either side. A vertex on the boundary is boundary. If the end is within rounding of an edge or a
+/// vertex, it is put there, with coordinates that are exactly zero.
+///
+/// Directions are turned by corner angles and points are kept as barycentric coordinates, so that
+/// thin triangles on the way do no harm: end and length are accurate to rounding of the longest
+/// edge for every face passed. But geodesics on either side of a vertex with curvature part there:
+/// what passes a vertex at the distance of such errors has an end on one of its two sides.
+///
+/// \param v the start, not isolated
+/// \param vector the tangent vector, with an angle normalized as in `Tangent_frames`
+/// \param mesh a triangulated surface; loops, parallel edges and faces that meet themselves are
+/// welcome
+/// \param length a readable property map from its edges to their lengths, floating point numbers
+/// \param at_boundary whether the geodesic stops at the boundary or goes on along it; in the latter
+///        case it stays on the boundary until its length is used up
+/// \param path an output iterator for `Edge_point`s: where the geodesic crosses an edge, the
+///        halfedge through which it leaves a face; where it passes a vertex, one that ends there
+///        (and on the boundary one that starts there, if the geodesic slides against the halfedges
+///        of the faces). Start and end are not part of it.
+/// Complexity: linear in the faces passed, and the degrees of vertices hit.
+/// \throws Numerical_error if the angles at a vertex on the way have no positive finite sum, or the
+///         length is so great that steps vanish beside it
+template <typename EdgeLengthMap, typename OutputIterator = CGAL::Emptyset_iterator>
+Geodesic<typename boost::property_traits<EdgeLengthMap>::value_type> trace_geodesic(
+  Vertex_index v,
+  const std::complex<typename boost::property_traits<EdgeLengthMap>::value_type>& vector,
+  const Delta_complex& mesh, const EdgeLengthMap& length,
+  At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
+{
+  return internal::Geodesic_tracer<EdgeLengthMap, OutputIterator>(mesh, length, at_boundary, path)
+    .from_vertex(v, vector);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTangent
+/// the same from the point `p`, with a vector in the frame of its face, whose real axis is along
+/// `halfedge(p.first)`.
+///
+/// From a point on an edge the vector may point out of the face. At a vertex its angle is measured
+/// from the sides of the face, on the surface, and may lead beyond the face too.
+/// \param p the start, with barycentric coordinates that are not negative and sum up to one
+/// \param vector the vector
+/// \param mesh, length, at_boundary, path as above
+template <typename EdgeLengthMap, typename OutputIterator = CGAL::Emptyset_iterator>
+Geodesic<typename boost::property_traits<EdgeLengthMap>::value_type> trace_geodesic(
+  const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& p,
+  const std::complex<typename boost::property_traits<EdgeLengthMap>::value_type>& vector,
+  const Delta_complex& mesh, const EdgeLengthMap& length,
+  At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
+{
+  return internal::Geodesic_tracer<EdgeLengthMap, OutputIterator>(mesh, length, at_boundary, path)
+    .from_point(p, vector);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTangent
+/// the same on one of the two triangulations of `tri`, from a vertex.
+template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
+Geodesic<typename Traits::FT>
+trace_geodesic(Side side, Vertex_index v, const std::complex<typename Traits::FT>& vector,
+               const Intrinsic_triangulation<Traits>& tri,
+               At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
+{
+  return trace_geodesic(v, vector, internal::mesh_of(side, tri), internal::lengths_of(side, tri),
+                        at_boundary, path);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTangent
+/// the same on one of the two triangulations of `tri`, from a point of a face.
+template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
+Geodesic<typename Traits::FT> trace_geodesic(Side side, const Face_location<typename Traits::FT>& p,
+                                             const std::complex<typename Traits::FT>& vector,
+                                             const Intrinsic_triangulation<Traits>& tri,
+                                             At_boundary at_boundary = At_boundary::stop,
+                                             OutputIterator path = OutputIterator())
+{
+  return trace_geodesic(p, vector, internal::mesh_of(side, tri), internal::lengths_of(side, tri),
+                        at_boundary, path);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXPONENTIAL_MAP_H

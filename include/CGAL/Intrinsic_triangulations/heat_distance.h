@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_HEAT_DISTANCE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_HEAT_DISTANCE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/Heat_flow.h>
+#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/poisson.h>
+#include <CGAL/Intrinsic_triangulations/time_step.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// computes geodesic distances on a triangulated surface by the heat method \cgalCite{CWW17}, for one set
+/// of sources after the other; the two matrices are factorized once.
+///
+/// Distances are approximate: on a Delaunay triangulation with evenly spread vertices they are off by one
+/// to three percent on average, on others they can be far off. Refinement makes the error smaller, but
+/// since the time step shrinks along, not without end; a greater `time_step_factor` on a finer mesh does.
+///
+/// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
+///
+/// \tparam FT_ a floating point type
+template <typename FT_ = double>
+class Heat_distance
+{
+public:
+  /// the type of distances.
+  typedef FT_ FT;
+  /// the type of functions: a value for each vertex, by its index.
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+
+  /// prepares for distances on a surface. Complexity: two sparse Cholesky factorizations.
+  ///
+  /// \param mesh the surface, with any number of components, with or without boundary
+  /// \param length a readable property map from its edges to their lengths
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{time_step_factor}
+  ///     \cgalParamDescription{the time for which heat flows, in squared mean edge lengths}
+  ///     \cgalParamType{a number}
+  ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves a
+  ///         matrix without a factorization
+  /// \throws Invalid_input if the factor is not positive and finite
+  template <typename EdgeLengthMap,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Heat_distance(const Delta_complex& mesh, const EdgeLengthMap& length,
+                const NamedParameters& np = CGAL::parameters::default_values())
+    : m_flow(mesh, length, np),
+      m_gradient(gradient_matrix(mesh, length)),
+      m_divergence(divergence_matrix(mesh, length)),
+      m_poisson(mesh, length)
+  {}
+
+  /// prepares for distances on one of the two triangulations of `tri`; otherwise as above.
+  template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Heat_distance(Side side, const Intrinsic_triangulation<Traits>& tri,
+                const NamedParameters& np = CGAL::parameters::default_values())
+    : Heat_distance(internal::mesh_of(side, tri), internal::lengths_of(side, tri), np)
+  {}
+
+  /// computes the distance of every vertex to the nearest source. On each component the least value at
+  /// a source is exactly zero; on a component without a source all values are infinite.
+  /// Complexity: linear in the size of the factorizations.
+  /// \param sources a range of vertices
+  /// \throws Numerical_error if the heat is below the range of `FT` somewhere: with `double` that takes
+  ///         some 1400 mean edge lengths (and less with a factor below one)
+  template <typename VertexRange>
+  Vector distances(const VertexRange& sources) const
+  {
+    const Vector is_source = m_flow.indicator(sources);
+    const Vector descent = unit_descent(m_flow.spread_everywhere(is_source));
+    Vector result = m_poisson.solve(-(m_divergence * descent));
+    shift(result, is_source);
+    return result;
+  }
+
+  /// computes the distance of every vertex to `source`; otherwise as above.
+  Vector distances(Vertex_index source) const { return distances(std::array{source}); }
+
+private:
+  // against the gradient of the heat, of length one; zero where the gradient is
+  Vector unit_descent(const Vector& heat) const
+  {
+    Vector field = -(m_gradient * heat);
+    for(Eigen::Index i = 0; i < field.size(); i += 2)
+      if(const FT norm = std::hypot(field[i], field[i + 1]); norm > 0)
+        field.template segment<2>(i) /= norm;
+    return field;
+  }
+
+  void shift(Vector& distance, const Vector& is_source) const
+  {
+    const auto& components = m_flow.components();
+    const auto component = [&](Eigen::Index v) { return components[static_cast<std::size_t>(v)]; };
+    std::vector<FT> least(components.size(), std::numeric_limits<FT>::infinity());
+    for(Eigen::Index v = 0; v < distance.size(); ++v)
+      if(is_source[v] != 0)
+        least[component(v)] = (std::min)(least[component(v)], distance[v]);
+    for(Eigen::Index v = 0; v < distance.size(); ++v)
+      distance[v] = CGAL::is_finite(least[component(v)]) ? distance[v] - least[component(v)]
+                                                         : std::numeric_limits<FT>::infinity();
+  }
+
+  internal::Heat_flow<FT> m_flow;
+  Eigen::SparseMatrix<FT> m_gradient, m_divergence;
+  Poisson_solver<FT> m_poisson;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// computes the geodesic distance of every vertex to the nearest source (see `Heat_distance`).
+/// Complexity: two sparse Cholesky factorizations.
+/// \param mesh the surface
+/// \param length a readable property map from its edges to their lengths
+/// \param sources a vertex or a range of vertices
+/// \param np as for `Heat_distance`
+/// \throws Numerical_error, Invalid_input as `Heat_distance`
+template <typename EdgeLengthMap, typename Sources,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+auto heat_distance(const Delta_complex& mesh, const EdgeLengthMap& length, const Sources& sources,
+                   const NamedParameters& np = CGAL::parameters::default_values())
+{
+  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  return Heat_distance<FT>(mesh, length, np).distances(sources);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// the same for one of the two triangulations of `tri`.
+template <typename Traits, typename Sources,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+auto heat_distance(Side side, const Intrinsic_triangulation<Traits>& tri, const Sources& sources,
+                   const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return heat_distance(internal::mesh_of(side, tri), internal::lengths_of(side, tri), sources, np);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_HEAT_DISTANCE_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TANGENT_FRAMES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TANGENT_FRAMES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+
+#include <CGAL/number_utils.h>
+#include <boost/property_map/property_map.hpp>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// a frame of the tangent space at every vertex of a triangulated surface (Section 2.3.2).
+///
+/// A tangent vector at a vertex is a complex number. Its argument is a normalized angle: the angle on
+/// the surface, counterclockwise from `first_spoke()`, scaled so that once around is \f$2\pi\f$, or from
+/// one border edge to the other \f$\pi\f$.
+///
+/// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
+/// Memory: a number for each vertex and halfedge.
+///
+/// \tparam FT_ a floating point type
+template <typename FT_ = double>
+class Tangent_frames
+{
+public:
+  /// the type of angles.
+  typedef FT_ FT;
+
+  /// computes the frames of a triangulated surface with edge lengths. Complexity: linear.
+  /// \param mesh the surface; isolated vertices have a frame without edges
+  /// \param length a readable property map from its edges to their lengths
+  /// \throws Numerical_error if the angles at a vertex are all zero or one of them is not finite
+  template <typename EdgeLengthMap>
+  Tangent_frames(const Delta_complex& mesh, const EdgeLengthMap& length)
+    : m_angle_sum(mesh.num_vertices(), FT(0)),
+      m_is_border(mesh.num_vertices(), 0),
+      m_angle(mesh.num_halfedges(), FT(0))
+  {
+    for(Vertex_index v : mesh.vertices())
+      if(!mesh.is_isolated(v))
+        set_frame(v, mesh, length);
+  }
+
+  /// computes the frames of one of the two triangulations of `tri`; otherwise as above.
+  template <typename Traits>
+  Tangent_frames(Side side, const Intrinsic_triangulation<Traits>& tri)
+    : Tangent_frames(internal::mesh_of(side, tri), internal::lengths_of(side, tri))
+  {}
+
+  /// the normalized angle \f$\varphi\f$ of the direction in which `h` leaves its source: between 0 and
+  /// \f$2\pi\f$, and exactly \f$\pi\f$ for a border halfedge.
+  const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
+
+  /// the sum \f$\Theta\f$ of the angles of the surface at `v`; zero if `v` is isolated.
+  const FT& angle_sum(Vertex_index v) const { return m_angle_sum[v.idx()]; }
+
+  /// what the angle sum lacks of \f$2\pi\f$, or of \f$\pi\f$ on the boundary: the Gaussian curvature of
+  /// `v`, or the geodesic curvature of the boundary there. The sum over a surface without isolated
+  /// vertices is \f$2\pi\f$ times its Euler characteristic.
+  FT angle_defect(Vertex_index v) const { return normalized_sum(v) - angle_sum(v); }
+
+  /// the parallel transport \f$R_{ij} = e^{\mathbf{i}((\varphi_{ji} + \pi) - \varphi_{ij})}\f$ from the
+  /// source of `h` to its target: a tangent vector is multiplied with it.
+  std::complex<FT> transport(Halfedge_index h) const
+  {
+    const Halfedge_index o(h.idx() ^ 1); // the opposite, as in every Surface_mesh
+    return -std::polar(FT(1), angle(o) - angle(h));
+  }
+
+private:
+  static FT pi() { return std::acos(FT(-1)); }
+
+  FT normalized_sum(Vertex_index v) const { return m_is_border[v.idx()] ? pi() : 2 * pi(); }
+
+  template <typename EdgeLengthMap>
+  static FT angle_left_of(Halfedge_index h, const Delta_complex& mesh, const EdgeLengthMap& length)
+  {
+    return corner_angle<FT>(get(length, mesh.edge(mesh.next(h))), get(length, mesh.edge(h)),
+                            get(length, mesh.edge(mesh.prev(h))));
+  }
+
+  // The angles on the surface first, then normalized.
+  template <typename EdgeLengthMap>
+  void set_frame(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
+  {
+    const Halfedge_index first = first_spoke(v, mesh);
+    m_is_border[v.idx()] = mesh.is_border(mesh.opposite(first));
+    FT sum(0);
+    Halfedge_index h = first;
+    do {
+      m_angle[h.idx()] = sum;
+      if(mesh.is_border(h))
+        break;
+      sum += angle_left_of(h, mesh, length);
+      h = next_spoke(h, mesh);
+    } while(h != first);
+    m_angle_sum[v.idx()] = sum;
+    normalize(v, mesh);
+  }
+
+  void normalize(Vertex_index v, const Delta_complex& mesh)
+  {
+    const FT& sum = angle_sum(v);
+    if(!(sum > 0) || !CGAL::is_finite(sum))
+      throw Numerical_error("the angles at vertex " + std::to_string(v.idx()) +
+                            " have no positive finite sum");
+    const Halfedge_index first = first_spoke(v, mesh);
+    Halfedge_index h = first;
+    do {
+      FT& angle = m_angle[h.idx()];
+      angle = normalized_sum(v) * (angle / sum);
+      if(mesh.is_border(h))
+        return;
+      h = next_spoke(h, mesh);
+    } while(h != first);
+  }
+
+  std::vector<FT> m_angle_sum;
+  std::vector<char> m_is_border;
+  std::vector<FT> m_angle; // of each halfedge, at its source
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TANGENT_FRAMES_H

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/internal/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/internal/Heat_flow.h>
+#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
+#include <CGAL/Intrinsic_triangulations/time_step.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// transports tangent vectors from some vertices to all others by the vector heat method
+/// \cgalCite{SSC19b}: approximately along shortest geodesics from the nearest source. The two matrices
+/// are factorized once.
+///
+/// Tangent vectors are complex numbers in the frames of `Tangent_frames`. A Delaunay triangulation is
+/// much to be preferred: edges of negative weight (see `cotan_laplacian()`) do not carry vectors.
+///
+/// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
+///
+/// \tparam FT_ a floating point type
+template <typename FT_ = double>
+class Vector_heat
+{
+public:
+  /// the type of numbers.
+  typedef FT_ FT;
+  /// the type of vector fields: a tangent vector for each vertex, by its index.
+  typedef Eigen::Matrix<std::complex<FT>, Eigen::Dynamic, 1> Vector_field;
+  /// a vertex and a tangent vector there.
+  typedef std::pair<Vertex_index, std::complex<FT>> Source;
+
+  /// prepares for transport on a surface. Complexity: two sparse Cholesky factorizations.
+  ///
+  /// \param mesh the surface, with any number of components, with or without boundary
+  /// \param length a readable property map from its edges to their lengths
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{time_step_factor}
+  ///     \cgalParamDescription{the time for which heat flows, in squared mean edge lengths}
+  ///     \cgalParamType{a number}
+  ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves a
+  ///         matrix without a factorization
+  /// \throws Invalid_input if the factor is not positive and finite
+  template <typename EdgeLengthMap,
+            typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Vector_heat(const Delta_complex& mesh, const EdgeLengthMap& length,
+              const NamedParameters& np = CGAL::parameters::default_values())
+    : m_frames(mesh, length),
+      m_flow(mesh, length, np),
+      m_vector_flow(internal::plus_diagonal(definite_laplacian(mesh, length), m_flow.rates()),
+                    "heat flow of vectors")
+  {}
+
+  /// prepares for transport on one of the two triangulations of `tri`; otherwise as above.
+  template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Vector_heat(Side side, const Intrinsic_triangulation<Traits>& tri,
+              const NamedParameters& np = CGAL::parameters::default_values())
+    : Vector_heat(internal::mesh_of(side, tri), internal::lengths_of(side, tri), np)
+  {}
+
+  /// the frames of the tangent spaces.
+  const Tangent_frames<FT>& frames() const { return m_frames; }
+
+  /// transports vectors to all vertices. The direction at a vertex is that of the nearby sources, the
+  /// length an average of theirs: with one source, its length. A vector is zero on a component without
+  /// a source, and where vectors from several sides cancel exactly.
+  /// Complexity: linear in the size of the factorizations.
+  /// \param sources a range of `Source`, not two at one vertex
+  /// \pre their vectors are finite
+  /// \throws Numerical_error if the heat is below the range of `FT` somewhere (see `Heat_distance`)
+  template <typename SourceRange>
+  Vector_field transport(const SourceRange& sources) const
+  {
+    Vector_field vectors = Vector_field::Zero(m_flow.rates().size());
+    Vector is_source = Vector::Zero(vectors.size());
+    for(const Source& source : sources) {
+      vectors[source.first.idx()] = source.second;
+      is_source[source.first.idx()] = FT(1);
+    }
+    const FT longest = vectors.size() == 0 ? FT(0) : vectors.cwiseAbs().maxCoeff();
+    if(longest > 0)
+      vectors /= longest;
+    return longest * spread(vectors, is_source);
+  }
+
+  /// transports the vector `vector` at `source` to all vertices; otherwise as above.
+  Vector_field transport(Vertex_index source, const std::complex<FT>& vector) const
+  {
+    return transport(std::array{Source(source, vector)});
+  }
+
+private:
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+
+  // Negative weights, and with them all risk of an indefinite matrix, are left out. A Delaunay
+  // triangulation has them on border edges only. Parallel fields stay parallel.
+  template <typename EdgeLengthMap>
+  Eigen::SparseMatrix<std::complex<FT>> definite_laplacian(const Delta_complex& mesh,
+                                                           const EdgeLengthMap& length) const
+  {
+    std::vector<FT> weights = internal::cotan_weights(mesh, length);
+    for(FT& w : weights)
+      w = (std::max)(w, FT(0));
+    return internal::connection_laplacian(mesh, weights, m_frames);
+  }
+
+  // Directions come from the heat of the vectors, lengths from the heat of their lengths over that of
+  // the sources.
+  Vector_field spread(const Vector_field& vectors, const Vector& is_source) const
+  {
+    const Vector heat = m_flow.spread_everywhere(is_source);
+    const Vector length = m_flow.spread(vectors.cwiseAbs());
+    Vector_field result = m_vector_flow.solve(m_flow.unit() * vectors);
+    for(Eigen::Index v = 0; v < result.size(); ++v)
+      if(const FT norm = std::abs(result[v]); norm > 0)
+        result[v] = result[v] / norm * (length[v] / heat[v]);
+    return result;
+  }
+
+  Tangent_frames<FT> m_frames;
+  internal::Heat_flow<FT> m_flow;
+  internal::Factorization<std::complex<FT>> m_vector_flow;
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_H
