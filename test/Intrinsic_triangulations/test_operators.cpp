@@ -233,11 +233,12 @@ TEST(Operators, gradient_of_linear_functions)
     const double a = 1e-3, b = -2e-3;
     const Values g = IT::gradient_matrix(Side::intrinsic, t) * planar_values(surface, a, b);
     for(Face_index f : surface.mesh.faces()) {
+      const Eigen::Index row = 2 * Eigen::Index(f.idx());
       const Vector d = surface.vector[surface.mesh.halfedge(f)];
       const double x = static_cast<double>(d.x) / length(d),
                    y = static_cast<double>(d.y) / length(d);
-      EXPECT_NEAR(g[2 * f.idx()], a * x + b * y, 1e-9);
-      EXPECT_NEAR(g[2 * f.idx() + 1], b * x - a * y, 1e-9);
+      EXPECT_NEAR(g[row], a * x + b * y, 1e-9);
+      EXPECT_NEAR(g[row + 1], b * x - a * y, 1e-9);
     }
   }
 }

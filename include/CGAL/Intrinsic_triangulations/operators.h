@@ -156,10 +156,10 @@ auto gradient_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
     metric.refuse_if_degenerate();
     for(std::size_t s = 0; s < 3; ++s)
       for(std::size_t k = 0; k < 2; ++k)
-        assembly.add(2 * f.idx() + k, metric.corner((s + 2) % 3).idx(),
+        assembly.add(metric.component(k), metric.corner((s + 2) % 3).idx(),
                      metric.turned_side(s)[k] / metric.doubled_area());
   }
-  return assembly.matrix(2 * mesh.num_faces(), mesh.num_vertices());
+  return assembly.matrix(std::size_t(2) * mesh.num_faces(), mesh.num_vertices());
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -187,10 +187,10 @@ auto divergence_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
     const internal::Face_metric<FT> metric(f, mesh, length);
     for(std::size_t s = 0; s < 3; ++s)
       for(std::size_t k = 0; k < 2; ++k)
-        assembly.add(metric.corner((s + 2) % 3).idx(), 2 * f.idx() + k,
+        assembly.add(metric.corner((s + 2) % 3).idx(), metric.component(k),
                      -metric.turned_side(s)[k] / 2);
   }
-  return assembly.matrix(mesh.num_vertices(), 2 * mesh.num_faces());
+  return assembly.matrix(mesh.num_vertices(), std::size_t(2) * mesh.num_faces());
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators

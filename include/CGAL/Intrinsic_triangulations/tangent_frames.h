@@ -99,7 +99,7 @@ private:
   void set_frame(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
   {
     const Halfedge_index first = first_spoke(v, mesh);
-    m_is_border[v.idx()] = mesh.is_border(mesh.opposite(first));
+    m_is_border[v.idx()] = mesh.is_border(mesh.opposite(first)) ? 1 : 0;
     FT sum(0);
     Halfedge_index h = first;
     do {

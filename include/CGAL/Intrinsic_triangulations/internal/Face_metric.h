@@ -40,6 +40,8 @@ public:
 
   Vertex_index corner(std::size_t s) const { return m_corner[s]; }
   const std::array<Vertex_index, 3>& corners() const { return m_corner; }
+  // the number of component k of the vector in this face, among those of all faces
+  std::size_t component(std::size_t k) const { return 2 * std::size_t(m_face.idx()) + k; }
   FT area() const { return m_quadrupled_area / 4; }
   FT doubled_area() const { return m_quadrupled_area / 2; }
 

@@ -119,7 +119,7 @@ public:
   // the same, but sure to be there on all of the components
   Vector spread_everywhere(const Vector& sources) const
   {
-    const Vector heat = spread(sources);
+    Vector heat = spread(sources);
     const auto has_source = components_with_source(sources);
     for(Eigen::Index v = 0; v < heat.size(); ++v)
       if(has_source[m_components[static_cast<std::size_t>(v)]] &&
