@@ -177,7 +177,7 @@ Kernel::Vector_3 carried(const Kernel::Vector_3& x, const Kernel::Vector_3& p,
 TEST(Heat_distance, plane)
 {
   std::vector<double> errors;
-  for(std::size_t n : {16, 32, 64}) {
+  for(std::size_t n : {16u, 32u, 64u}) {
     const Mesh mesh = unit_square(n, 1);
     const Vertex_index source = vertex(n / 2 * (n + 1) + n / 2);
     const Values exact =
@@ -191,7 +191,7 @@ TEST(Heat_distance, plane)
 TEST(Heat_distance, sphere)
 {
   std::vector<double> errors;
-  for(std::size_t n : {8, 16, 32}) {
+  for(std::size_t n : {8u, 16u, 32u}) {
     const Mesh mesh = unit_sphere(n);
     const Vertex_index source = vertex(3);
     const Values exact = exact_distances(
@@ -394,7 +394,7 @@ TEST(Vector_heat, holonomy_around_a_cone)
 TEST(Vector_heat, sphere)
 {
   for(const auto& [factor, bound] : {std::pair(1., 0.06), std::pair(16., 0.005)})
-    for(std::size_t n : {8, 16, 32}) {
+    for(std::size_t n : {8u, 16u, 32u}) {
       const Mesh mesh = unit_sphere(n);
       const IT::Vector_heat<> heat(Side::input, Triangulation(mesh),
                                    IT::parameters::time_step_factor(factor));

@@ -468,7 +468,7 @@ TEST(Connection_laplacian, parallel_fields_on_flat_tori_are_its_kernel)
 TEST(Connection_laplacian, spectrum_of_the_sphere)
 {
   std::vector<double> errors;
-  for(std::size_t n : {4, 8, 16, 32}) {
+  for(std::size_t n : {4u, 8u, 16u, 32u}) {
     const Triangulation t(unit_sphere(n));
     const IT::Tangent_frames<> frames(Side::input, t);
     const Eigen::SparseMatrix<Complex> l = IT::connection_laplacian(Side::input, t, frames);
@@ -485,7 +485,7 @@ TEST(Connection_laplacian, spectrum_of_the_sphere)
 TEST(Poisson, prescribed_values_on_a_square)
 {
   std::vector<double> errors;
-  for(std::size_t n : {8, 16, 32, 64}) {
+  for(std::size_t n : {8u, 16u, 32u, 64u}) {
     const Mesh mesh = unit_square(n, 1);
     Triangulation t(mesh);
     const Values u = values(mesh, [](const Point& p) {
@@ -509,7 +509,7 @@ TEST(Poisson, prescribed_values_on_a_square)
 TEST(Poisson, free_boundary_of_a_square)
 {
   std::vector<double> errors;
-  for(std::size_t n : {8, 16, 32, 64}) {
+  for(std::size_t n : {8u, 16u, 32u, 64u}) {
     const Mesh mesh = unit_square(n, 2);
     const Triangulation t(mesh);
     const Values u =
@@ -523,7 +523,7 @@ TEST(Poisson, free_boundary_of_a_square)
 TEST(Poisson, spherical_harmonics)
 {
   std::vector<double> errors;
-  for(std::size_t n : {4, 8, 16, 32}) {
+  for(std::size_t n : {4u, 8u, 16u, 32u}) {
     const Mesh mesh = unit_sphere(n);
     const Triangulation t(mesh);
     const Values u = values(mesh, [](const Point& p) { return p.x() * p.y() + p.y() * p.z(); });
