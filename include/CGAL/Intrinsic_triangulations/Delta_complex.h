@@ -224,8 +224,7 @@ Halfedge_index split_edge(Halfedge_index h, Surface_mesh<P>& mesh)
     mesh.set_halfedge(i, back);
   mesh.set_halfedge(m, mesh.is_border(o) ? o : first);
 
-  const Halfedge_index pivot = winds_around_source ? o : first;
-  for(Halfedge_index x : {pivot, in_one_face ? pivot : o})
+  for(Halfedge_index x : {first, in_one_face ? first : o})
     if(!mesh.is_border(x))
       internal::cut_ear(x, mesh);
   return first;

@@ -18,6 +18,10 @@ enum edge_length_map_t
 {
   edge_length_map
 };
+enum time_step_factor_t
+{
+  time_step_factor
+};
 } // namespace internal_np
 
 namespace parameters {
@@ -38,6 +42,24 @@ auto edge_length_map(const Map& map, const NamedParameters& np)
 {
   return CGAL::Named_function_parameters<Map, internal_np::edge_length_map_t, NamedParameters>(map,
                                                                                                np);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// names the time for which heat flows, in squared mean edge lengths of the component. Less follows the
+/// surface more closely, more is smoother.
+template <typename Number>
+auto time_step_factor(const Number& factor)
+{
+  return CGAL::Named_function_parameters<Number, internal_np::time_step_factor_t>(factor);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// the same, after the parameters `np`.
+template <typename Number, typename NamedParameters>
+auto time_step_factor(const Number& factor, const NamedParameters& np)
+{
+  return CGAL::Named_function_parameters<Number, internal_np::time_step_factor_t, NamedParameters>(
+    factor, np);
 }
 
 } // namespace parameters

@@ -13,8 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/Heat_flow.h>
 #include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
-#include <CGAL/Intrinsic_triangulations/time_step.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

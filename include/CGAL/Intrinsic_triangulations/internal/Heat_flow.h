@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
-#include <CGAL/Intrinsic_triangulations/time_step.h>
 
 #include <CGAL/number_utils.h>
 
