@@ -102,7 +102,7 @@ private:
   Edge_length_map mollified_lengths()
   {
     Mesh& mesh = m_input.mesh;
-    const auto lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+    auto lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
     IT::compute_edge_lengths(mesh, lengths);
     m_statistics["added_length"] = IT::mollify(mesh, lengths, m_options.mollification);
     return lengths;
