@@ -236,7 +236,7 @@ TEST(Io, round_trip_with_constraints)
     const auto third =
       boost::make_function_property_map<Edge_index>([](Edge_index e) { return e.idx() % 3 == 0; });
     Triangulation t(m.mesh, CGAL::parameters::edge_is_constrained_map(third));
-    flip_at_random(t, 20 * m.mesh.number_of_edges(), 1);
+    flip_at_random(t, std::size_t(20) * m.mesh.number_of_edges(), 1);
     check_round_trip(t);
   }
 }
