@@ -11,14 +11,16 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/Face_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include <vector>
+#include <cstddef>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -36,24 +38,19 @@ interpolation_matrix(Side side, const Common_subdivision<Traits, Point>& subdivi
                      const Intrinsic_triangulation<Traits>& tri)
 {
   typedef typename Traits::FT FT;
-  const Delta_complex& mesh = side == Side::input ? tri.input_mesh() : tri.mesh();
-  std::vector<Eigen::Triplet<FT>> entries;
-  const auto add = [&](Vertex_index row, Vertex_index column, const FT& value) {
-    entries.emplace_back(static_cast<int>(row.idx()), static_cast<int>(column.idx()), value);
-  };
+  const Delta_complex& mesh = internal::mesh_of(side, tri);
+  const std::size_t rows = subdivision.mesh().number_of_vertices();
+  internal::Sparse_assembly<FT> assembly(2 * rows);
   for(Vertex_index v : subdivision.mesh().vertices()) {
     if(subdivision.is_input_vertex(v)) {
-      add(v, v, FT(1));
+      assembly.add(v, v, FT(1));
       continue;
     }
     const auto& p = subdivision.place(side, v);
-    add(v, mesh.source(p.halfedge), 1 - p.t);
-    add(v, mesh.target(p.halfedge), p.t);
+    assembly.add(v, mesh.source(p.halfedge), 1 - p.t);
+    assembly.add(v, mesh.target(p.halfedge), p.t);
   }
-  Eigen::SparseMatrix<FT> matrix(static_cast<int>(subdivision.mesh().number_of_vertices()),
-                                 static_cast<int>(mesh.number_of_vertices()));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  return assembly.matrix(rows, mesh.number_of_vertices());
 }
 
 namespace internal {
@@ -94,43 +91,17 @@ Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& region)
   return sum;
 }
 
+// Adds what two faces contribute to the entries of their corners.
 template <typename FT>
-class Matrix_assembly
+void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_index column_face,
+                    const Delta_complex& column_mesh, const Corner_matrix<FT>& values,
+                    Sparse_assembly<FT>& assembly)
 {
-public:
-  void add(Face_index row_face, const Delta_complex& row_mesh, Face_index column_face,
-           const Delta_complex& column_mesh, const Corner_matrix<FT>& values)
-  {
-    const auto row = sides(row_face, row_mesh), column = sides(column_face, column_mesh);
-    for(int a = 0; a < 3; ++a)
-      for(int b = 0; b < 3; ++b)
-        m_entries.emplace_back(
-          static_cast<int>(row_mesh.source(row[static_cast<std::size_t>(a)]).idx()),
-          static_cast<int>(column_mesh.source(column[static_cast<std::size_t>(b)]).idx()),
-          values(a, b));
-  }
-
-  Eigen::SparseMatrix<FT> matrix(std::size_t rows, std::size_t columns) const
-  {
-    Eigen::SparseMatrix<FT> result(static_cast<int>(rows), static_cast<int>(columns));
-    result.setFromTriplets(m_entries.begin(), m_entries.end());
-    return result;
-  }
-
-private:
-  std::vector<Eigen::Triplet<FT>> m_entries;
-};
-
-template <typename Traits>
-typename Traits::FT area(Face_index f, Side side, const Intrinsic_triangulation<Traits>& tri)
-{
-  const bool is_input = side == Side::input;
-  const Delta_complex& mesh = is_input ? tri.input_mesh() : tri.mesh();
-  const auto& length = is_input ? tri.input_length_map() : tri.length_map();
-  const auto h = sides(f, mesh);
-  return quadrupled_area(length[mesh.edge(h[0])], length[mesh.edge(h[1])],
-                         length[mesh.edge(h[2])]) /
-         4;
+  const auto row = sides(row_face, row_mesh), column = sides(column_face, column_mesh);
+  for(std::size_t a = 0; a < 3; ++a)
+    for(std::size_t b = 0; b < 3; ++b)
+      assembly.add(row_mesh.source(row[a]), column_mesh.source(column[b]),
+                   values(static_cast<int>(a), static_cast<int>(b)));
 }
 
 } // namespace internal
@@ -147,15 +118,15 @@ mixed_mass_matrix(const Correspondence<Traits>& correspondence)
   typedef typename Traits::FT FT;
   typedef internal::Correspondence_marks<Traits> Marks;
   const auto& tri = correspondence.triangulation();
-  internal::Matrix_assembly<FT> assembly;
+  internal::Sparse_assembly<FT> assembly(9 * tri.mesh().number_of_faces());
   for(Face_index f : tri.mesh().faces()) {
     const Marks marks(Side::intrinsic, f, correspondence);
     const internal::Face_map<FT, Marks> face_map(marks, tri.input_mesh());
-    const FT area = internal::area(f, Side::intrinsic, tri);
+    const FT area = internal::Face_metric<FT>(f, tri.mesh(), tri.length_map()).area();
     for(std::size_t m = 0; m < face_map.number_of_regions(); ++m) {
       const auto [input_face, region] = face_map.region_map(m);
-      assembly.add(f, tri.mesh(), input_face, tri.input_mesh(),
-                   area * internal::integrals_on_region(region));
+      internal::add_at_corners<FT>(f, tri.mesh(), input_face, tri.input_mesh(),
+                                   area * internal::integrals_on_region(region), assembly);
     }
   }
   return assembly.matrix(tri.mesh().number_of_vertices(), tri.input_mesh().number_of_vertices());

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -29,7 +30,7 @@ void interpolate(Side side, const Common_subdivision<Traits, Point>& subdivision
                  const Intrinsic_triangulation<Traits>& tri, const ValueMap& value,
                  ResultMap result)
 {
-  const Delta_complex& mesh = side == Side::input ? tri.input_mesh() : tri.mesh();
+  const Delta_complex& mesh = internal::mesh_of(side, tri);
   for(Vertex_index v : subdivision.mesh().vertices()) {
     if(subdivision.is_input_vertex(v)) {
       put(result, v, get(value, v));
