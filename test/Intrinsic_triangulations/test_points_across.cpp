@@ -71,7 +71,7 @@ void expect_single_equals_many(const Triangulation& t)
       const Location many = IT::point_across(side, p, c), single = IT::point_across(side, p, t);
       EXPECT_EQ(many.first, single.first);
       for(std::size_t s = 0; s < 3; ++s)
-        EXPECT_NEAR(many.second[s], single.second[s], 1e-14);
+        EXPECT_NEAR(many.second[s], single.second[s], 1e-11); // of two ways to lay out the edges
     }
 }
 

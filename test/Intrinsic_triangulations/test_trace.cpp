@@ -83,7 +83,7 @@ void expect_same(const Trace& a, const Trace& b)
   for(std::size_t k = 0; k < a.size(); ++k)
     for(Side side : both_sides) {
       EXPECT_EQ(on(side, a[k]).halfedge, on(side, b[k]).halfedge);
-      EXPECT_NEAR(on(side, a[k]).t, on(side, b[k]).t, 1e-15);
+      EXPECT_NEAR(on(side, a[k]).t, on(side, b[k]).t, 1e-11); // of two ways to lay out an edge
     }
 }
 

@@ -138,6 +138,18 @@ struct Traits_archetype
       return std::sqrt(d.ki * d.ki + d.il * d.il - 2 * d.ki * d.il * std::cos(at_i));
     }
   };
+  struct Distance
+  {
+    // Equation 3.7 as it stands
+    double operator()(const std::array<double, 3>& side, const std::array<double, 3>& p,
+                      const std::array<double, 3>& q) const
+    {
+      double square = 0;
+      for(std::size_t s = 0; s < 3; ++s)
+        square -= side[s] * side[s] * (q[s] - p[s]) * (q[(s + 1) % 3] - p[(s + 1) % 3]);
+      return std::sqrt(std::max(square, 0.));
+    }
+  };
   struct Locally_Delaunay
   {
     bool operator()(const Diamond<double>& d) const
@@ -167,6 +179,7 @@ struct Traits_archetype
   };
 
   Flipped_length compute_flipped_length_object() const { return {}; }
+  Distance compute_distance_object() const { return {}; }
   Locally_Delaunay is_locally_Delaunay_object() const { return {}; }
   Convex is_convex_object() const { return {}; }
   Length is_length_object() const { return {}; }

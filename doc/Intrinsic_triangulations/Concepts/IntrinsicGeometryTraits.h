@@ -36,6 +36,12 @@ public:
   /// \f$kl\f$ that replaces \f$ij\f$. A result that is no length is allowed; it is refused later.
   typedef unspecified_type Compute_flipped_length;
 
+  /// provides `FT operator()(const std::array<FT, 3>& side, const std::array<FT, 3>& p,
+  /// const std::array<FT, 3>& q) const`, which returns the distance of the points with barycentric
+  /// coordinates `p` and `q` in a triangle whose side `s` leads from corner `s` to the next and has length
+  /// `side[s]`.
+  typedef unspecified_type Compute_distance;
+
   /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the edge
   /// \f$ij\f$ satisfies the local Delaunay condition. It must hold of ties, and of an edge that has just
   /// been made by flipping one for which it does not hold; otherwise `make_Delaunay()` may use up its
@@ -60,6 +66,8 @@ public:
 
   /// returns the function object.
   Compute_flipped_length compute_flipped_length_object() const;
+  /// returns the function object.
+  Compute_distance compute_distance_object() const;
   /// returns the function object.
   Is_locally_Delaunay is_locally_Delaunay_object() const;
   /// returns the function object.

@@ -21,8 +21,8 @@ namespace Intrinsic_triangulations {
 /// (Section 3.3). Its faces are convex polygons with three to six corners, each part of one face of
 /// \f$T_1\f$ and one face of \f$T_2\f$.
 ///
-/// Vertices 0 to \f$|V| - 1\f$ are those of the triangulations, with their numbers; vertex
-/// \f$|V| + c\f$ is crossing \f$c\f$ of the correspondence. The connectivity is exact; the places of
+/// Vertices 0 to \f$|V| - 1\f$ are those of \f$T_2\f$, with their numbers, among them those of \f$T_1\f$;
+/// vertex \f$|V| + c\f$ is crossing \f$c\f$ of the correspondence. The connectivity is exact; the places of
 /// crossings are rounded, and in order along every edge.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
@@ -42,14 +42,17 @@ public:
 
   /// builds the subdivision. Complexity: linear in the vertices, edges and crossings.
   explicit Common_subdivision(const Correspondence<Traits>& correspondence)
-    : m_number_of_input_vertices(correspondence.mesh(Side::input).number_of_vertices())
+    : m_number_of_input_vertices(correspondence.mesh(Side::input).number_of_vertices()),
+      m_number_of_intrinsic_vertices(correspondence.mesh(Side::intrinsic).number_of_vertices())
   {
     Builder(correspondence, *this).build();
   }
 
   /// copies everything. Complexity: linear.
   Common_subdivision(const Common_subdivision& other)
-    : m_number_of_input_vertices(other.m_number_of_input_vertices), m_mesh(other.m_mesh)
+    : m_number_of_input_vertices(other.m_number_of_input_vertices),
+      m_number_of_intrinsic_vertices(other.m_number_of_intrinsic_vertices),
+      m_mesh(other.m_mesh)
   {
     attach();
   }
@@ -70,13 +73,24 @@ public:
   /// the mesh, for more properties and for points; its connectivity must stay.
   Mesh& mesh() { return m_mesh; }
 
-  /// whether `v` is a vertex of the triangulations, not a crossing.
+  /// whether `v` is a vertex of \f$T_1\f$, hence of \f$T_2\f$.
   bool is_input_vertex(Vertex_index v) const { return v.idx() < m_number_of_input_vertices; }
 
-  /// the number of vertices of the triangulations.
+  /// whether `v` is a vertex of \f$T_2\f$, not a crossing.
+  bool is_intrinsic_vertex(Vertex_index v) const
+  {
+    return v.idx() < m_number_of_intrinsic_vertices;
+  }
+
+  /// the number of vertices of \f$T_1\f$.
   size_type number_of_input_vertices() const { return m_number_of_input_vertices; }
 
-  /// the place of `v` on both triangulations. Both halfedges are null if `v` is an isolated vertex.
+  /// the number of vertices of \f$T_2\f$.
+  size_type number_of_intrinsic_vertices() const { return m_number_of_intrinsic_vertices; }
+
+  /// the place of `v` on edges of both triangulations. Both halfedges are null if `v` is an isolated
+  /// vertex; that of \f$T_1\f$ is null if `v` has been inserted inside a face of \f$T_1\f$ (see
+  /// `Intrinsic_triangulation::inserted_vertex()`).
   const Trace_point<FT>& place(Vertex_index v) const { return m_place[v]; }
 
   /// the place of `v` on one of them.
@@ -137,6 +151,7 @@ private:
   class Builder;
 
   size_type m_number_of_input_vertices;
+  size_type m_number_of_intrinsic_vertices;
   Mesh m_mesh;
   typename Mesh::template Property_map<Vertex_index, Trace_point<FT>> m_place;
   std::array<Parent_face_map, 2> m_parent_face;
@@ -144,7 +159,7 @@ private:
 };
 
 // Cuts each face of T2 into its regions. An edge of T2 with n crossings becomes n + 1 edges, its
-// "pieces"; so does an edge of T1, unless it is shared.
+// "pieces"; so does a part of an edge of T1, unless it is shared. Those of T1 come first.
 template <typename Traits, typename Point>
 class Common_subdivision<Traits, Point>::Builder
 {
@@ -160,7 +175,7 @@ public:
   void build()
   {
     number_pieces();
-    m_mesh.resize(m_result.m_number_of_input_vertices + m_correspondence.number_of_crossings(),
+    m_mesh.resize(m_result.m_number_of_intrinsic_vertices + m_correspondence.number_of_crossings(),
                   m_number_of_pieces, count_regions());
     m_result.attach();
     set_parent_edges();
@@ -176,31 +191,22 @@ private:
 
   void number_pieces()
   {
-    for(Side side : {Side::input, Side::intrinsic}) {
-      const Delta_complex& mesh = m_correspondence.mesh(side);
-      std::vector<size_type>& first = m_first_piece[index(side)];
-      first.resize(mesh.num_edges());
-      for(Edge_index e : mesh.edges())
-        if(has_pieces(side, e)) {
-          first[e.idx()] = m_number_of_pieces;
-          m_number_of_pieces += m_correspondence.number_of_crossings(side, e) + 1;
-        }
+    m_number_of_pieces = m_correspondence.number_of_input_pieces();
+    m_first_piece.resize(m_intrinsic.num_edges());
+    for(Edge_index e : m_intrinsic.edges()) {
+      m_first_piece[e] = m_number_of_pieces;
+      m_number_of_pieces += m_correspondence.number_of_crossings(Side::intrinsic, e) + 1;
     }
   }
 
-  bool has_pieces(Side side, Edge_index e) const
-  {
-    return side == Side::intrinsic || !m_correspondence.is_shared(side, e);
-  }
-
-  // piece `p` of the halfedge `h` of `side`, counted from its source
-  Halfedge_index piece(Side side, Halfedge_index h, size_type p) const
+  // piece `p` of the halfedge `h` of T2, counted from its source
+  Halfedge_index intrinsic_piece(Halfedge_index h, size_type p) const
   {
     const Edge_index e(h);
-    const size_type first = m_first_piece[index(side)][e.idx()];
     if(h.idx() % 2 == 0)
-      return Halfedge_index(2 * (first + p));
-    return Halfedge_index(2 * (first + m_correspondence.number_of_crossings(side, e) - p) + 1);
+      return Halfedge_index(2 * (m_first_piece[e] + p));
+    const size_type n = m_correspondence.number_of_crossings(Side::intrinsic, e);
+    return Halfedge_index(2 * (m_first_piece[e] + n - p) + 1);
   }
 
   internal::Face_regions regions(const Sides& side) const
@@ -221,31 +227,38 @@ private:
 
   void set_parent_edges()
   {
-    for(Side side : {Side::input, Side::intrinsic})
-      for(Edge_index e : m_correspondence.mesh(side).edges())
-        if(has_pieces(side, e)) {
-          const Halfedge_index h = m_correspondence.mesh(side).halfedge(e);
-          for(size_type p = 0; p <= m_correspondence.number_of_crossings(side, e); ++p)
-            m_result.m_parent_edge[index(side)][m_mesh.edge(piece(side, h, p))] = e;
-          if(m_correspondence.is_shared(side, e))
-            m_result.m_parent_edge[index(Side::input)][m_mesh.edge(piece(side, h, 0))] =
-              m_input.edge(m_correspondence.spoke_before(side, h));
-        }
+    auto& parent = m_result.m_parent_edge;
+    for(Edge_index e : m_input.edges())
+      for(size_type i = 0; i < m_correspondence.number_of_parts(e); ++i) {
+        const auto& part = m_correspondence.part(e, i);
+        for(size_type p = 0; !part.is_shared && p <= part.count; ++p)
+          parent[index(Side::input)][Edge_index(part.first_piece + p)] = e;
+      }
+    for(Edge_index e : m_intrinsic.edges()) {
+      const Halfedge_index h(2 * e.idx());
+      for(size_type p = 0; p <= m_correspondence.number_of_crossings(Side::intrinsic, e); ++p)
+        parent[index(Side::intrinsic)][m_mesh.edge(intrinsic_piece(h, p))] = e;
+      if(m_correspondence.is_shared(Side::intrinsic, e))
+        parent[index(Side::input)][m_mesh.edge(intrinsic_piece(h, 0))] =
+          m_input.edge(m_correspondence.spoke_before(Side::intrinsic, h));
+    }
   }
 
   void set_places()
   {
-    for(Vertex_index v : m_input.vertices())
-      if(!m_input.is_isolated(v))
-        m_result.m_place[v] = {{first_spoke(v, m_input), FT(0)},
-                               {first_spoke(v, m_intrinsic), FT(0)}};
+    const auto& tri = m_correspondence.triangulation();
+    for(Vertex_index v : m_intrinsic.vertices())
+      if(!m_intrinsic.is_isolated(v)) {
+        const Halfedge_index spoke = first_spoke(v, m_intrinsic);
+        m_result.m_place[v] = {tri.start_on_spoke(spoke), {spoke, FT(0)}};
+      }
     for(size_type c = 0; c < m_correspondence.number_of_crossings(); ++c)
       m_result.m_place[crossing_vertex(c)] = m_correspondence.crossing(c);
   }
 
   Vertex_index crossing_vertex(size_type id) const
   {
-    return Vertex_index(m_result.m_number_of_input_vertices + id);
+    return Vertex_index(m_result.m_number_of_intrinsic_vertices + id);
   }
 
   typename Correspondence<Traits>::Crossing crossing(const internal::Region_corner& corner,
@@ -274,15 +287,16 @@ private:
 
   void add_region(Face_index f, const internal::Region& region, const Sides& side)
   {
-    Face_index input_face = m_input.face(m_correspondence.spoke_before(Side::intrinsic, side[0]));
+    Face_index input_face = m_correspondence.triangulation().input_location(side[0]).first;
     std::array<Halfedge_index, 6> halfedge;
     for(std::size_t c = 0; c < region.size(); ++c)
       if(region[c].arc_follows) {
         const Halfedge_index arc = input_arc(region[c], region.next(c), side, halfedge[c]);
         input_face = m_input.face(arc);
       } else
-        halfedge[c] = piece(Side::intrinsic, side[region[c].side],
-                            static_cast<size_type>(region[c].is_vertex() ? 0 : region[c].mark + 1));
+        halfedge[c] =
+          intrinsic_piece(side[region[c].side],
+                          static_cast<size_type>(region[c].is_vertex() ? 0 : region[c].mark + 1));
     for(std::size_t c = 0; c < region.size(); ++c) {
       m_mesh.set_next(halfedge[c], halfedge[c + 1 == region.size() ? 0 : c + 1]);
       m_mesh.set_face(halfedge[c], f);
@@ -298,12 +312,8 @@ private:
   {
     const auto c = crossing(to.is_vertex() ? from : to, side);
     const Halfedge_index outward = c.across.halfedge;
-    const size_type rank = m_correspondence.rank_on_input(c.id);
-    const size_type before =
-      outward.idx() % 2 == 0
-        ? rank
-        : m_correspondence.number_of_crossings(Side::input, Edge_index(outward)) - 1 - rank;
-    piece_of_arc = piece(Side::input, outward, before);
+    const size_type before = m_correspondence.piece_before(c.id);
+    piece_of_arc = Halfedge_index(outward.idx() % 2 == 0 ? 2 * before : 2 * (before + 1) + 1);
     if(!to.is_vertex())
       return outward;
     piece_of_arc = m_mesh.opposite(piece_of_arc);
@@ -315,8 +325,8 @@ private:
   {
     for(Halfedge_index h : m_intrinsic.halfedges())
       if(m_intrinsic.is_border(h)) {
-        const Halfedge_index x = piece(Side::intrinsic, h, 0);
-        m_mesh.set_next(x, piece(Side::intrinsic, m_intrinsic.next(h), 0));
+        const Halfedge_index x = intrinsic_piece(h, 0);
+        m_mesh.set_next(x, intrinsic_piece(m_intrinsic.next(h), 0));
         m_mesh.set_target(x, m_intrinsic.target(h));
       }
   }
@@ -333,7 +343,7 @@ private:
   const Delta_complex& m_input;
   Common_subdivision& m_result;
   Mesh& m_mesh;
-  std::array<std::vector<size_type>, 2> m_first_piece;
+  std::vector<size_type> m_first_piece; // of each edge of T2
   size_type m_number_of_pieces = 0;
   size_type m_number_of_faces = 0;
 };

@@ -13,8 +13,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/Edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -27,8 +28,11 @@ namespace Intrinsic_triangulations {
 /// Orders and incidences are exact. Places are rounded, but never out of order: along every edge of
 /// either side they do not decrease.
 ///
+/// An edge of \f$T_1\f$ consists of one or more parts: vertices that have been inserted on it lie between
+/// them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
+///
 /// The object refers to the triangulation and is valid until that changes.
-/// Memory: 36 bytes for each crossing (with `double`), and 20 for each edge.
+/// Memory: 36 bytes for each crossing (with `double`), and 28 for each edge.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 template <typename Traits_ = Euclidean_geometry_traits<double>>
@@ -55,21 +59,32 @@ public:
                            ///< the first one there
   };
 
+  /// a part of an edge of \f$T_1\f$.
+  struct Part
+  {
+    size_type first;       ///< the number of crossings on all parts before it
+    size_type count;       ///< the number of its crossings
+    size_type first_piece; ///< the number of pieces into which crossings cut all parts before it; a
+                           ///< shared part counts none
+    bool is_shared;        ///< whether it is an edge of \f$T_2\f$
+    Vertex_index end;      ///< the vertex of \f$T_2\f$ at its end
+  };
+
   /// traces all edges of \f$T_1\f$ over \f$T_2\f$.
   /// Complexity: linear in the vertices, edges and crossings, whatever the degrees.
   /// \throws Numerical_error if the layout of an edge has no positive finite length
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
+  /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
   explicit Correspondence(const Triangulation& tri)
     : m_tri(tri),
-      m_first_on_input(tri.input_mesh().num_edges(), 0),
-      m_count_on_input(tri.input_mesh().num_edges(), 0),
       m_spoke_before(tri.input_mesh().num_halfedges()),
       m_first_on_intrinsic(internal::first_crossings(tri.coordinates(), tri.mesh())),
       m_records(m_first_on_intrinsic.back())
   {
-    m_order_on_input.reserve(m_records.size());
+    CGAL_precondition(!tri.mesh().has_garbage());
     trace_all();
     order_along_intrinsic();
+    order_along_input();
   }
 
   Correspondence(Triangulation&&) = delete; // it would refer to what is gone
@@ -86,10 +101,41 @@ public:
   /// the number of all crossings.
   size_type number_of_crossings() const { return static_cast<size_type>(m_records.size()); }
 
-  /// whether the edge `e` of `side` is in the other triangulation too.
+  /// whether the edge `e` of `side` is in the other triangulation too, or for \f$T_2\f$, a part of one.
   bool is_shared(Side side, Edge_index e) const
   {
-    return side == Side::input ? m_count_on_input[e] == shared : m_tri.coordinates().is_shared(e);
+    if(side == Side::intrinsic)
+      return m_tri.coordinates().is_shared(e);
+    return number_of_parts(e) == 1 && part(e, 0).is_shared;
+  }
+
+  /// the number of parts of the edge `e` of \f$T_1\f$.
+  size_type number_of_parts(Edge_index e) const
+  {
+    return m_first_part[e.idx() + 1] - m_first_part[e];
+  }
+
+  /// part `i` of the edge `e` of \f$T_1\f$, counted from the source of its first halfedge.
+  const Part& part(Edge_index e, size_type i) const { return m_parts[m_first_part[e] + i]; }
+
+  /// the number of pieces into which crossings cut the parts that are not shared.
+  size_type number_of_input_pieces() const
+  {
+    return m_parts.empty() ? 0 : end_of_pieces(m_parts.back());
+  }
+
+  /// the number of the piece that ends at crossing `id` in the direction of the first halfedge of its edge
+  /// of \f$T_1\f$; the next one starts there. Complexity: logarithmic in the number of parts of the edge.
+  size_type piece_before(size_type id) const
+  {
+    const Record& r = m_records[id];
+    const auto begin = m_parts.begin() + m_first_part[Edge_index(r.input)];
+    const auto end = m_parts.begin() + m_first_part[Edge_index(r.input).idx() + 1];
+    const auto part =
+      std::upper_bound(begin, end, r.order,
+                       [](size_type order, const Part& p) { return order < p.first; }) -
+      1;
+    return part->first_piece + r.order - part->first;
   }
 
   /// the number of crossings on the edge `e` of `side`.
@@ -97,7 +143,8 @@ public:
   {
     if(side == Side::intrinsic)
       return m_first_on_intrinsic[e.idx() + 1] - m_first_on_intrinsic[e];
-    return is_shared(side, e) ? 0 : m_count_on_input[e];
+    const Part& last = m_parts[m_first_part[e.idx() + 1] - 1];
+    return last.first + last.count - part(e, 0).first;
   }
 
   /// crossing `p` on the halfedge `h` of `side`, counted from its source. Complexity: constant.
@@ -105,9 +152,8 @@ public:
   {
     const Edge_index e(h);
     const size_type from_even = is_even(h) ? p : number_of_crossings(side, e) - 1 - p;
-    return side == Side::input
-             ? seen_from_input(h, m_order_on_input[m_first_on_input[e] + from_even])
-             : seen_from_intrinsic(h, m_first_on_intrinsic[e] + from_even);
+    return side == Side::input ? seen_from_input(h, m_order_on_input[part(e, 0).first + from_even])
+                               : seen_from_intrinsic(h, m_first_on_intrinsic[e] + from_even);
   }
 
   /// the crossing with number `id`: its places on the first halfedges of its two edges.
@@ -117,12 +163,9 @@ public:
     return {{even(record.input), record.s}, {first_halfedge(record.intrinsic), record.t}};
   }
 
-  /// the number of crossing `id` along the edge of \f$T_1\f$ on which it lies, from the source of its
-  /// first halfedge.
-  size_type rank_on_input(size_type id) const { return m_records[id].rank; }
-
   /// the halfedge of the other side that is the last spoke at or clockwise from the halfedge `h` of
   /// `side` around its source: `h` itself if its edge is shared, otherwise it starts in the same corner.
+  /// Null if the source lies inside a face of the other side.
   Halfedge_index spoke_before(Side side, Halfedge_index h) const
   {
     if(side == Side::input)
@@ -131,14 +174,12 @@ public:
   }
 
 private:
-  static constexpr size_type shared = (std::numeric_limits<size_type>::max)();
-
   struct Record
   {
     Halfedge_index input; // leaves the face of the first halfedge of the intrinsic edge
     Edge_index intrinsic;
-    size_type rank; // along the first halfedge of the input edge
-    FT s, t;        // along the first halfedges of the input edge and the intrinsic edge
+    size_type order; // among all crossings, along the first halfedges of the input edges
+    FT s, t;         // along the first halfedges of the input edge and the intrinsic edge
   };
 
   static bool is_even(Halfedge_index h) { return h.idx() % 2 == 0; }
@@ -166,38 +207,65 @@ private:
     return {id, on(h, r.s), on(h == r.input ? twin(first) : first, r.t)};
   }
 
-  // Every curve is met at both its ends; it is traced from the source of its first halfedge.
+  static size_type end_of_pieces(const Part& part)
+  {
+    return part.first_piece + (part.is_shared ? 0 : part.count + 1);
+  }
+
+  // a part as it is met: `first` is in the order of tracing
+  struct Traced_part
+  {
+    Edge_index edge;
+    FT begin;
+    Part part;
+  };
+
+  // Every curve is met at both its ends; it is traced along the first halfedge of its edge.
   void trace_all()
   {
     const Delta_complex& mesh = m_tri.mesh();
     const auto& coordinates = m_tri.coordinates();
+    m_traced.reserve(m_records.size());
+    m_traced_parts.reserve(m_tri.input_mesh().num_edges());
     for(Halfedge_index h : mesh.halfedges())
       if(coordinates.is_shared(mesh.edge(h)))
         note_shared(h);
     internal::Edge_tracer<Traits> tracer(m_tri);
     coordinates.for_each_curve_end(mesh, m_tri.spokes(),
                                    [&](Halfedge_index h, const Integer& k, Halfedge_index start) {
-                                     m_spoke_before[start.idx()] = h;
+                                     note_spoke(start, h);
                                      if(is_even(start)) {
                                        tracer.trace(h, k);
-                                       record(start, tracer);
+                                       record(start, mesh.source(h), tracer);
                                      }
                                    });
+  }
+
+  void note_spoke(Halfedge_index input, Halfedge_index intrinsic)
+  {
+    if(!m_tri.is_inserted(m_tri.mesh().source(intrinsic)))
+      m_spoke_before[input.idx()] = intrinsic;
   }
 
   void note_shared(Halfedge_index h)
   {
     const Halfedge_index input = m_tri.input_halfedge(h);
-    m_spoke_before[input.idx()] = h;
-    m_count_on_input[Edge_index(input)] = shared;
+    note_spoke(input, h);
+    if(is_even(input))
+      m_traced_parts.push_back({Edge_index(input),
+                                m_tri.place_along(input, m_tri.mesh().source(h)),
+                                {0, 0, 0, true, m_tri.mesh().target(h)}});
   }
 
-  void record(Halfedge_index start, const internal::Edge_tracer<Traits>& tracer)
+  void record(Halfedge_index start, Vertex_index v, const internal::Edge_tracer<Traits>& tracer)
   {
-    const Edge_index e(start);
-    m_first_on_input[e] = static_cast<size_type>(m_order_on_input.size());
-    m_count_on_input[e] = static_cast<size_type>(tracer.size());
-    for(size_type m = 0; m < m_count_on_input[e]; ++m) {
+    const Vertex_index end = m_tri.mesh().target(tracer.last_spoke());
+    const auto part = internal::part_of_edge(start, v, end, m_tri);
+    m_traced_parts.push_back({Edge_index(start),
+                              part.begin,
+                              {static_cast<size_type>(m_traced.size()),
+                               static_cast<size_type>(tracer.size()), 0, false, end}});
+    for(std::size_t m = 0; m < tracer.size(); ++m) {
       const auto& c = tracer.crossing(m);
       const auto& position = tracer.position(m);
       const Edge_index crossed(c.halfedge);
@@ -205,10 +273,45 @@ private:
       const bool forward = is_even(c.halfedge);
       const size_type id = forward ? m_first_on_intrinsic[crossed] + p
                                    : m_first_on_intrinsic[crossed.idx() + 1] - 1 - p;
-      m_records[id] = {forward ? start : twin(start), crossed, m, position.along_line,
+      m_records[id] = {forward ? start : twin(start), crossed, 0, part(position.along_line),
                        on(c.halfedge, position.along_edge).t};
-      m_order_on_input.push_back(id);
+      m_traced.push_back(id);
     }
+  }
+
+  // Brings the parts into the order of the edges of T1, and along these.
+  void order_along_input()
+  {
+    m_first_part.assign(m_tri.input_mesh().num_edges() + 1, 0);
+    for(const Traced_part& t : m_traced_parts)
+      ++m_first_part[t.edge.idx() + 1];
+    std::partial_sum(m_first_part.begin(), m_first_part.end(), m_first_part.begin());
+    std::vector<size_type> order(m_traced_parts.size()), free(m_first_part);
+    for(size_type i = 0; i < order.size(); ++i)
+      order[free[m_traced_parts[i].edge.idx()]++] = i;
+    for(Edge_index e : m_tri.input_mesh().edges())
+      std::sort(order.begin() + m_first_part[e], order.begin() + m_first_part[e.idx() + 1],
+                [&](size_type a, size_type b) {
+                  return m_traced_parts[a].begin < m_traced_parts[b].begin;
+                });
+    m_parts.reserve(order.size());
+    m_order_on_input.reserve(m_traced.size());
+    for(size_type i : order)
+      add_part(m_traced_parts[i].part);
+    m_traced = {};
+    m_traced_parts = {};
+  }
+
+  void add_part(Part part)
+  {
+    const auto begin = m_traced.begin() + part.first;
+    part.first = static_cast<size_type>(m_order_on_input.size());
+    part.first_piece = number_of_input_pieces();
+    for(auto id = begin; id != begin + part.count; ++id) {
+      m_records[*id].order = static_cast<size_type>(m_order_on_input.size());
+      m_order_on_input.push_back(*id);
+    }
+    m_parts.push_back(part);
   }
 
   // Rounding may move a crossing, but never past another.
@@ -220,14 +323,53 @@ private:
   }
 
   const Triangulation& m_tri;
-  std::vector<size_type> m_first_on_input; // into m_order_on_input
-  std::vector<size_type> m_count_on_input;
+  std::vector<Traced_part> m_traced_parts; // until they are in order
+  std::vector<size_type> m_traced;
+  std::vector<size_type> m_first_part; // for each edge of T1, into m_parts
+  std::vector<Part> m_parts;
   std::vector<size_type> m_order_on_input; // crossings along each edge of T1
   std::vector<Halfedge_index> m_spoke_before;
   std::vector<size_type>
     m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
   std::vector<Record> m_records;
 };
+
+namespace internal {
+
+// The place of the source of the halfedge `h` of `side` on the other triangulation.
+template <typename Traits>
+Edge_point<typename Traits::FT> end_of_edge(Side side, Halfedge_index h,
+                                            const Correspondence<Traits>& correspondence)
+{
+  typedef typename Traits::FT FT;
+  if(side == Side::intrinsic)
+    return correspondence.triangulation().start_on_spoke(h);
+  return {correspondence.spoke_before(side, h), FT(0)};
+}
+
+// Adds to the trace of the halfedge `h` of T1 the vertices of T2 that lie inside it.
+template <typename Traits>
+void add_inserted_vertices(Halfedge_index h, const Correspondence<Traits>& correspondence,
+                           std::vector<Trace_point<typename Traits::FT>>& trace)
+{
+  typedef typename Traits::FT FT;
+  typedef Delta_complex::size_type size_type;
+  const auto& tri = correspondence.triangulation();
+  const Edge_index e(h);
+  const size_type parts = correspondence.number_of_parts(e);
+  const size_type crossings = correspondence.number_of_crossings(Side::input, e);
+  for(size_type i = 0; i + 1 < parts; ++i) { // from the target of h backwards
+    const bool is_even = h.idx() % 2 == 0;
+    const auto& part = correspondence.part(e, is_even ? parts - 2 - i : i);
+    const size_type before = part.first + part.count - correspondence.part(e, 0).first;
+    const Halfedge_index spoke = first_spoke(part.end, tri.mesh());
+    const std::ptrdiff_t place = 1 + std::ptrdiff_t(is_even ? before : crossings - before);
+    trace.insert(trace.begin() + place,
+                 Trace_point<FT>{{h, tri.place_along(h, part.end)}, {spoke, FT(0)}});
+  }
+}
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// the trace of the halfedge `h` of `side` over the other triangulation, as `trace_input_edge()` and
@@ -242,17 +384,17 @@ trace_edge(Side side, Halfedge_index h, const Correspondence<Traits>& correspond
   const auto point = [side](const Edge_point<FT>& here, const Edge_point<FT>& there) {
     return side == Side::input ? Trace_point<FT>{here, there} : Trace_point<FT>{there, here};
   };
-  const Halfedge_index back =
-    correspondence.spoke_before(side, correspondence.mesh(side).opposite(h));
-  const Edge_index e(h);
   std::vector<Trace_point<FT>> trace;
-  trace.reserve(correspondence.number_of_crossings(side, e) + 2);
-  trace.push_back(point({h, FT(0)}, {correspondence.spoke_before(side, h), FT(0)}));
-  for(size_type p = 0; p < correspondence.number_of_crossings(side, e); ++p) {
+  trace.push_back(point({h, FT(0)}, internal::end_of_edge(side, h, correspondence)));
+  for(size_type p = 0; p < correspondence.number_of_crossings(side, Edge_index(h)); ++p) {
     const auto c = correspondence.crossing(side, h, p);
     trace.push_back(point(c.here, reversed(c.across, correspondence.mesh(other))));
   }
-  trace.push_back(point({h, FT(1)}, {correspondence.mesh(other).opposite(back), FT(1)}));
+  const auto back =
+    internal::end_of_edge(side, correspondence.mesh(side).opposite(h), correspondence);
+  trace.push_back(point({h, FT(1)}, internal::reversed_if_valid(back, correspondence.mesh(other))));
+  if(side == Side::input)
+    internal::add_inserted_vertices(h, correspondence, trace);
   return trace;
 }
 

@@ -33,12 +33,32 @@ Edge_point<FT> reversed(const Edge_point<FT>& p, const Delta_complex& mesh)
   return {mesh.opposite(p.halfedge), 1 - p.t};
 }
 
+namespace internal {
+
+// the same for a point that may lie on no edge: its halfedge is null then
+template <typename FT>
+Edge_point<FT> reversed_if_valid(const Edge_point<FT>& p, const Delta_complex& mesh)
+{
+  return p.halfedge.is_valid() ? reversed(p, mesh) : p;
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// a point in a face, with barycentric coordinates that sum up to one and belong to the source of
 /// `halfedge(f)`, its target, and the target of the next halfedge, as in `CGAL::Polygon_mesh_processing`.
 /// A point on an edge or at a vertex has coordinates that are exactly zero.
 template <typename FT>
 using Face_location = std::pair<Face_index, std::array<FT, 3>>;
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// where a vertex of \f$T_2\f$ that is no vertex of \f$T_1\f$ lies on \f$T_1\f$.
+template <typename FT>
+struct Inserted_vertex
+{
+  Halfedge_index along; ///< a halfedge of the edge on which it lies; null if it lies inside a face
+  Face_location<FT> location; ///< its place in the face, or in that of `along`
+};
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// a point where an edge of \f$T_1\f$ and an edge of \f$T_2\f$ meet: its place on both.
@@ -77,14 +97,25 @@ std::array<FT, 3> barycentric_coordinates(std::size_t s, const FT& t)
   return b;
 }
 
+// the number of the side `h` of its face
+inline std::size_t side_number(Halfedge_index h, const Delta_complex& mesh)
+{
+  const auto side = sides(mesh.face(h), mesh);
+  return h == side[0] ? 0 : h == side[1] ? 1 : 2;
+}
+
 // the place of `p` in the face of its halfedge
 template <typename FT>
 Face_location<FT> face_location(const Edge_point<FT>& p, const Delta_complex& mesh)
 {
-  const Face_index f = mesh.face(p.halfedge);
-  const auto side = sides(f, mesh);
-  const std::size_t s = p.halfedge == side[0] ? 0 : p.halfedge == side[1] ? 1 : 2;
-  return {f, barycentric_coordinates(s, p.t)};
+  return {mesh.face(p.halfedge), barycentric_coordinates(side_number(p.halfedge, mesh), p.t)};
+}
+
+// the place on the side `h` of its face of a point that lies on that side
+template <typename FT>
+Edge_point<FT> edge_point(Halfedge_index h, const Face_location<FT>& p, const Delta_complex& mesh)
+{
+  return {h, p.second[(side_number(h, mesh) + 1) % 3]};
 }
 
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -148,6 +149,18 @@ public:
     }
   };
 
+  /// computes the distance of two points of a triangle (Equation 3.7).
+  struct Compute_distance
+  {
+    /// returns the distance of the points with barycentric coordinates `p` and `q`; side `s` leads from
+    /// corner `s` to the next and has length `side[s]`.
+    FT operator()(const std::array<FT, 3>& side, const std::array<FT, 3>& p,
+                  const std::array<FT, 3>& q) const
+    {
+      return vector_length(side, {q[0] - p[0], q[1] - p[1], q[2] - p[2]});
+    }
+  };
+
   /// decides whether three lengths obey the triangle inequality; equality, to within the
   /// rounding of the lengths, is a degenerate triangle and allowed.
   struct Is_triangle
@@ -162,6 +175,8 @@ public:
 
   /// returns the function object.
   Compute_flipped_length compute_flipped_length_object() const { return {}; }
+  /// returns the function object.
+  Compute_distance compute_distance_object() const { return {}; }
   /// returns the function object.
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
   /// returns the function object.

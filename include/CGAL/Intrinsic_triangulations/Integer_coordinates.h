@@ -11,10 +11,25 @@
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
+/// four values on the edges at a vertex \f$m\f$ that splits the edge \f$ij\f$ of a diamond. On the
+/// boundary one of \f$mk\f$ and \f$ml\f$ does not exist, and its value means nothing.
+template <typename T>
+struct Edge_split
+{
+  T im, ///< on the first part of the edge
+    mj, ///< on the second part
+    mk, ///< on the edge to the vertex on the left of \f$ij\f$
+    ml; ///< on the edge to the vertex on the right
+};
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// the normal coordinates \f$n\f$ and roundabouts \f$r\f$ of Section 3.1, as property maps on the edges
@@ -215,6 +230,76 @@ public:
     m_r[lk] = following_roundabout(lj, n.lj, n.jk, n_kl, spokes.degree(mesh.target(kl)));
   }
 
+  /// inserts a vertex into the face of `h` as `split_face()` does, inside a face of \f$T_1\f$
+  /// (Section 3.5.1). Complexity: constant.
+  /// \param h a halfedge that is no border halfedge
+  /// \param n the normal coordinates of the edges from the new vertex to the source of `h`, its target,
+  ///        and the target of the next halfedge; not negative
+  /// \param mesh the mesh
+  /// \param spokes the spokes of \f$T_1\f$; the new vertex has none
+  /// \returns the new vertex
+  /// \throws Overflow_error if a normal coordinate is out of range; nothing has changed then.
+  Vertex_index split_face(Halfedge_index h, const std::array<Integer, 3>& n, Delta_complex& mesh,
+                          Vertex_spokes& spokes)
+  {
+    for(const Integer& value : n)
+      internal::check_range(value);
+    const std::array<Halfedge_index, 3> side{h, mesh.next(h), mesh.prev(h)};
+    const Vertex_index m = mesh.target(Intrinsic_triangulations::split_face(h, mesh));
+    spokes.set_inserted(m, Halfedge_index());
+    for(std::size_t s = 0; s < 3; ++s) {
+      const Halfedge_index inward = mesh.opposite(mesh.prev(side[s]));
+      m_n[edge_of(inward)] = n[s];
+      m_r[mesh.opposite(inward)] = 0;
+      m_r[inward] = following_roundabout(side[s], m_n[edge_of(side[s])], n[(s + 1) % 3], n[s],
+                                         spokes.degree(mesh.source(inward)));
+    }
+    return m;
+  }
+
+  /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` as `split_edge()` does (Section 3.5.1): on an
+  /// edge of \f$T_1\f$ if \f$ij\f$ is shared, otherwise inside a face of \f$T_1\f$.
+  /// Complexity: constant.
+  /// \param h the halfedge from \f$i\f$ to \f$j\f$
+  /// \param n the normal coordinates of the new edges; the two parts of a shared edge are shared
+  /// \param mesh the mesh
+  /// \param spokes the spokes of \f$T_1\f$, to which those of \f$m\f$ are added
+  /// \returns \f$m\f$; `h` leads on from there to \f$j\f$
+  /// \throws Overflow_error if a normal coordinate is out of range; nothing has changed then.
+  /// \pre the two sides of the edge are not in one face
+  Vertex_index split_edge(Halfedge_index h, const Edge_split<Integer>& n, Delta_complex& mesh,
+                          Vertex_spokes& spokes)
+  {
+    CGAL_precondition(flip_status(h, mesh) != Operation_status::same_face);
+    for(const Integer& value : {n.im, n.mj, n.mk, n.ml})
+      internal::check_range(value);
+    const Halfedge_index o = mesh.opposite(h);
+    Halfedge_index along, first;
+    if(is_shared(edge_of(h))) {
+      along = shared_halfedge(h, mesh, spokes);
+      first = internal::first_inserted_spoke(along, mesh.is_border(h), mesh.is_border(o));
+    }
+    const size_type r_i = m_r[h], r_h = first == along ? 0 : 1;
+    const Halfedge_index im = Intrinsic_triangulations::split_edge(h, mesh);
+    const Vertex_index m = mesh.target(im);
+    spokes.set_inserted(m, first);
+    m_r[im] = r_i;
+    m_n[edge_of(im)] = n.im;
+    m_n[edge_of(h)] = n.mj;
+    set_cut(im, n.mk, along.is_valid() ? 1 - r_h : 0, mesh, spokes);
+    set_cut(o, n.ml, r_h, mesh, spokes);
+    return m;
+  }
+
+  /// makes the edge of `h` shared: its ends are joined by an edge of \f$T_1\f$ that starts along the spoke
+  /// with number `r_source` of one and `r_target` of the other.
+  void set_shared(Halfedge_index h, size_type r_source, size_type r_target)
+  {
+    m_n[edge_of(h)] = Integer(-1);
+    m_r[h] = r_source;
+    m_r[Halfedge_index(h.idx() ^ 1)] = r_target;
+  }
+
   /// sets the coordinates as they come from a file.
   void set(Edge_index e, const Integer& n) { m_n[e] = n; }
   /// sets the coordinates as they come from a file.
@@ -259,6 +344,21 @@ private:
     return wrap(m_r[ki] + static_cast<size_type>(leaving) + along, degree);
   }
 
+  // The coordinates at a vertex m that has split an edge, on the side of the part `im` that leads to it;
+  // `r_m` is the roundabout of m->i.
+  void set_cut(Halfedge_index im, const Integer& n_mk, size_type r_m, const Delta_complex& mesh,
+               const Vertex_spokes& spokes)
+  {
+    m_r[mesh.opposite(im)] = r_m;
+    if(mesh.is_border(im))
+      return;
+    const Halfedge_index mk = mesh.next(im), ki = mesh.next(mk);
+    m_n[edge_of(mk)] = n_mk;
+    m_r[mk] = r_m;
+    m_r[mesh.opposite(mk)] = following_roundabout(ki, m_n[edge_of(ki)], m_n[edge_of(im)], n_mk,
+                                                  spokes.degree(mesh.source(ki)));
+  }
+
   bool has_valid_crossings(Halfedge_index h, const Delta_complex& mesh) const
   {
     return are_valid_crossings(crossings(h), crossings(mesh.next(h)), crossings(mesh.prev(h)));
@@ -271,7 +371,7 @@ private:
     const Halfedge_index first = first_spoke(v, mesh);
     Integer total(0);
     for(Halfedge_index h = first;; h = next_spoke(h, mesh)) {
-      if(m_r[h] >= degree)
+      if(m_r[h] >= (std::max)(degree, size_type(1)))
         return false;
       total += spokes_from(h, mesh);
       if(mesh.is_border(h))

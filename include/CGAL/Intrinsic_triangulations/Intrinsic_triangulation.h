@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
@@ -19,6 +20,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/lay_out_strip.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,7 +40,8 @@ namespace Intrinsic_triangulations {
 ///
 /// Vertices of both triangulations, and edges and faces of \f$T_1\f$, have the numbers of their order in
 /// the ranges `vertices(g)`, `edges(g)`, `faces(g)` of the input; `halfedge(e, g)` becomes halfedge
-/// \f$2e\f$. Isolated vertices are kept.
+/// \f$2e\f$. Isolated vertices are kept. \f$T_2\f$ can have more vertices (Section 3.5), whose places on
+/// \f$T_1\f$ are kept too; they come after those of the input.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 template <typename Traits_ = Euclidean_geometry_traits<double>>
@@ -117,11 +121,17 @@ public:
   }
 
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the property
-  /// map "e:length", `mesh` has this map and "e:normal_coordinate", "h:roundabout", "e:is_constrained".
+  /// map "e:length", `mesh` has this map and "e:normal_coordinate", "h:roundabout", "e:is_constrained",
+  /// and `inserted` has the places of the vertices that only `mesh` has, in their order.
   /// Complexity: linear in the elements and crossings.
-  /// \throws Invalid_input if the two do not fit together.
-  Intrinsic_triangulation(Delta_complex input, Delta_complex mesh, const Traits& traits = Traits())
-    : m_traits(traits), m_input(std::move(input)), m_mesh(std::move(mesh))
+  /// \throws Invalid_input if they do not fit together.
+  Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
+                          std::vector<Inserted_vertex<FT>> inserted = {},
+                          const Traits& traits = Traits())
+    : m_traits(traits),
+      m_input(std::move(input)),
+      m_mesh(std::move(mesh)),
+      m_inserted(std::move(inserted))
   {
     attach();
     for(const Delta_complex* complex : {&m_input, &m_mesh})
@@ -129,6 +139,8 @@ public:
         throw Invalid_input(internal::Delta_complex_defect(*complex));
     m_spokes = Vertex_spokes(m_input, boost::dummy_property_map());
     check_lengths();
+    check_inserted();
+    number_inserted_spokes();
     check_triangles(m_input, m_input_length);
     check_triangles(m_mesh, m_length);
     const std::string defect = this->defect();
@@ -141,7 +153,8 @@ public:
     : m_traits(other.m_traits),
       m_input(other.m_input),
       m_spokes(other.m_spokes),
-      m_mesh(other.m_mesh)
+      m_mesh(other.m_mesh),
+      m_inserted(other.m_inserted)
   {
     attach();
   }
@@ -222,7 +235,7 @@ public:
                             " gives no positive finite length");
     m_coordinates.flip(h, m_mesh, m_spokes);
     const Edge_index e = m_mesh.edge(h);
-    m_length[e] = m_coordinates.is_shared(e) ? input_length_along(h) : length;
+    m_length[e] = m_coordinates.is_shared(e) ? shared_length(h) : length;
   }
 
   /// computes the length of every edge of \f$T_2\f$ afresh, from the lengths of \f$T_1\f$ in the strip of
@@ -237,12 +250,12 @@ public:
     std::vector<FT> lengths(m_mesh.num_edges());
     typename Traits::Geodesic_strip strip;
     for(Edge_index e : m_mesh.edges()) {
-      lengths[e] = m_length[e];
-      if(crossings.count(e) == 0)
-        continue;
+      const Halfedge_index h(2 * e.idx());
       const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(e, m)); };
-      internal::lay_out_strip(strip, m_input, m_input_length, exit, crossings.count(e));
-      lengths[e] = strip.length();
+      lengths[e] = m_coordinates.is_shared(e) ? shared_length(h)
+                   : crossings.count(e) == 0
+                     ? distance(input_location(h), input_location(m_mesh.opposite(h)))
+                     : lay_out(strip, h, exit, crossings.count(e));
       if(!m_traits.is_length_object()(lengths[e]))
         throw Numerical_error("the strip of edge " + std::to_string(e.idx()) +
                               " has no positive finite length");
@@ -256,20 +269,201 @@ public:
   /// Complexity: finite; in practice below the number of crossings.
   /// \returns the number of flips
   /// \throws Overflow_error if a normal coordinate on the way is out of range; nothing has changed then.
+  /// \pre no vertex has been inserted
   std::size_t flip_to_input()
   {
+    CGAL_precondition(number_of_inserted_vertices() == 0);
     Self result(*this);
     const std::size_t flips =
       internal::flip_to_shared(result.m_coordinates, result.m_mesh, result.m_spokes);
     for(Edge_index e : result.m_mesh.edges())
-      result.m_length[e] = result.input_length_along(result.m_mesh.halfedge(e));
+      result.m_length[e] = result.shared_length(result.m_mesh.halfedge(e));
     *this = std::move(result);
     return flips;
   }
 
   /// @}
+  /// \name Inserted Vertices
+  /// Section 3.5. `Vertex_inserter` calls these operations with the right arguments.
+  /// @{
+
+  /// the number of vertices that only \f$T_2\f$ has.
+  size_type number_of_inserted_vertices() const
+  {
+    return m_mesh.number_of_vertices() - m_input.number_of_vertices();
+  }
+
+  /// whether `v` is a vertex of \f$T_2\f$ only.
+  bool is_inserted(Vertex_index v) const { return v.idx() >= m_input.number_of_vertices(); }
+
+  /// where the inserted vertex `v` lies on \f$T_1\f$. \pre `is_inserted(v)`
+  const Inserted_vertex<FT>& inserted_vertex(Vertex_index v) const
+  {
+    return m_inserted[v.idx() - m_input.number_of_vertices()];
+  }
+
+  /// inserts a vertex into a face of \f$T_2\f$ and joins it to the corners (see
+  /// `Integer_coordinates::split_face()`). Complexity: constant.
+  /// \param p the point on \f$T_2\f$
+  /// \param n the normal coordinates of the edges from the new vertex to the corners of the face, in the
+  ///        order of the coordinates of `p`
+  /// \param q the same point on \f$T_1\f$
+  /// \returns the new vertex
+  /// \throws Numerical_error if an edge has no positive finite length
+  /// \throws Overflow_error if a normal coordinate is out of range
+  /// After an exception nothing has changed.
+  Vertex_index split_face(const Face_location<FT>& p, const std::array<Integer, 3>& n,
+                          const Face_location<FT>& q)
+  {
+    const auto side = internal::sides(p.first, m_mesh);
+    std::array<FT, 3> spoke_length;
+    for(std::size_t s = 0; s < 3; ++s)
+      spoke_length[s] = checked_length(distance_to_corner(side[0], p.second, s));
+    const Vertex_index m = m_coordinates.split_face(side[0], n, m_mesh, m_spokes);
+    for(std::size_t s = 0; s < 3; ++s)
+      set_edge(m_mesh.prev(side[s]), spoke_length[s], false);
+    set_inserted(m, {Halfedge_index(), q});
+    return m;
+  }
+
+  /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` in \f$T_2\f$ (see
+  /// `Integer_coordinates::split_edge()`). If it is shared, the place on \f$T_1\f$ follows from `t`, and
+  /// lengths of both parts are exact parts of the length in \f$T_1\f$. Both parts of a constrained edge are
+  /// constrained. Complexity: constant.
+  /// \param h the halfedge from \f$i\f$ to \f$j\f$; afterwards it leads from \f$m\f$ to \f$j\f$
+  /// \param t the place of \f$m\f$ on it, between 0 and 1
+  /// \param n the normal coordinates of the new edges
+  /// \param q the place of \f$m\f$ on \f$T_1\f$ if the edge is not shared
+  /// \returns \f$m\f$
+  /// \throws Numerical_error if an edge has no positive finite length
+  /// \throws Overflow_error if a normal coordinate is out of range
+  /// After an exception nothing has changed.
+  /// \pre the two sides of the edge are not in one face
+  Vertex_index split_edge(Halfedge_index h, const FT& t, const Edge_split<Integer>& n,
+                          const Face_location<FT>& q = {})
+  {
+    const Halfedge_index o = m_mesh.opposite(h);
+    const Edge_index e = m_mesh.edge(h);
+    const bool is_shared = m_coordinates.is_shared(e), was_constrained = m_is_constrained[e];
+    const Inserted_vertex<FT> place =
+      is_shared ? place_on_shared(h, t) : Inserted_vertex<FT>{Halfedge_index(), q};
+    const Edge_split<FT> length{checked_length(t * m_length[e]),
+                                checked_length((1 - t) * m_length[e]), distance_to_apex(h, t),
+                                distance_to_apex(o, 1 - t)};
+    const Vertex_index m = m_coordinates.split_edge(h, n, m_mesh, m_spokes);
+    set_inserted(m, place);
+    const Halfedge_index im =
+      m_mesh.prev(m_mesh.is_border(h) ? h : m_mesh.opposite(m_mesh.prev(h)));
+    set_edge(im, is_shared ? shared_length(im) : length.im, was_constrained);
+    set_edge(h, is_shared ? shared_length(h) : length.mj, was_constrained);
+    if(!m_mesh.is_border(im))
+      set_edge(m_mesh.next(im), length.mk, false);
+    if(!m_mesh.is_border(o))
+      set_edge(m_mesh.next(o), length.ml, false);
+    return m;
+  }
+
+  /// removes an inserted vertex that three edges, or on the boundary two faces, are left at (see
+  /// `remove_degree_3_vertex()`). If it lies on an edge of \f$T_1\f$ and both parts are edges of
+  /// \f$T_2\f$, the edge in their place is shared again. The elements are marked as removed, see
+  /// `collect_garbage()`. Complexity: constant.
+  /// \returns the face that takes the place
+  /// \pre `is_inserted(v)`, and `removal_status(v, mesh()) == Operation_status::possible`
+  Face_index remove_degree_3_vertex(Vertex_index v)
+  {
+    const Merged_edge merged = merged_edge(v);
+    const Face_index f = Intrinsic_triangulations::remove_degree_3_vertex(v, m_mesh);
+    if(merged.side.is_valid()) {
+      m_coordinates.set_shared(merged.side, merged.r_source, merged.r_target);
+      set_edge(merged.side, shared_length(merged.side), merged.is_constrained);
+    }
+    return f;
+  }
+
+  /// gives the elements of \f$T_2\f$ consecutive numbers again after vertices have been removed; those of
+  /// the input keep theirs. Complexity: linear.
+  void collect_garbage()
+  {
+    typedef Inserted_vertex<FT> Place;
+    auto place = m_mesh.template add_property_map<Vertex_index, Place>("v:inserted", Place()).first;
+    for(Vertex_index v : m_mesh.vertices())
+      if(is_inserted(v))
+        place[v] = inserted_vertex(v);
+    m_mesh.collect_garbage();
+    m_inserted.clear();
+    for(Vertex_index v : m_mesh.vertices())
+      if(is_inserted(v))
+        m_inserted.push_back(place[v]);
+    m_mesh.remove_property_map(place);
+    number_inserted_spokes();
+  }
+
+  /// @}
   /// \name Correspondence
   /// @{
+
+  /// the distance of two points of one face of \f$T_1\f$. \pre `p.first == q.first`
+  FT distance(const Face_location<FT>& p, const Face_location<FT>& q) const
+  {
+    return m_traits.compute_distance_object()(
+      side_lengths(m_input.halfedge(p.first), m_input, m_input_length), p.second, q.second);
+  }
+
+  /// the place of the source of the halfedge `h` of \f$T_2\f$ on `input_spoke_before(h)`, if that is not
+  /// null.
+  Edge_point<FT> start_on_spoke(Halfedge_index h) const
+  {
+    const Halfedge_index spoke = input_spoke_before(h);
+    return {spoke, spoke.is_valid() ? place_along(spoke, m_mesh.source(h)) : FT(0)};
+  }
+
+  /// the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose source it is
+  /// unless it has been inserted. \pre it lies on the edge of `input`
+  FT place_along(Halfedge_index input, Vertex_index v) const
+  {
+    if(!is_inserted(v))
+      return FT(0);
+    const Inserted_vertex<FT>& m = inserted_vertex(v);
+    const FT t = internal::edge_point(m.along, m.location, m_input).t;
+    return input == m.along ? t : FT(1 - t);
+  }
+
+  /// the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of `at.halfedge`, which
+  /// contains `v`, unless `v` lies inside a face. If `v` is a vertex of \f$T_1\f$, its place is `at`.
+  Face_location<FT> input_location(Vertex_index v, const Edge_point<FT>& at) const
+  {
+    if(!is_inserted(v))
+      return internal::face_location(at, m_input);
+    if(!inserted_vertex(v).along.is_valid())
+      return inserted_vertex(v).location;
+    return internal::face_location(Edge_point<FT>{at.halfedge, place_along(at.halfedge, v)},
+                                   m_input);
+  }
+
+  /// the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into which `h`
+  /// leads, or which lies on its left if its edge is shared. \pre `h` is no border halfedge
+  Face_location<FT> input_location(Halfedge_index h) const
+  {
+    return input_location(m_mesh.source(h), {input_spoke_before(h), FT(0)});
+  }
+
+  /// lays out the triangles of \f$T_1\f$ through which the halfedge `h` of \f$T_2\f$ runs.
+  /// \param strip the strip to be laid out
+  /// \param h the halfedge
+  /// \param exit a function: exit(m) is the halfedge of \f$T_1\f$ through which `h` leaves a face as its
+  ///        number m
+  /// \param n the number of crossings, positive
+  /// \returns the length of `h`
+  template <typename Exit>
+  FT lay_out(typename Traits::Geodesic_strip& strip, Halfedge_index h, const Exit& exit,
+             std::size_t n) const
+  {
+    const auto first = distances(input_location(h), exit(0));
+    const auto last = distances(input_location(m_mesh.opposite(h)), m_input.opposite(exit(n - 1)));
+    internal::lay_out_strip(strip, m_input, m_input_length, exit, n, first,
+                            internal::End_distances<FT>{last.target, last.source});
+    return strip.length();
+  }
 
   /// the halfedge of \f$T_1\f$ that coincides with the halfedge `h` of \f$T_2\f$.
   /// \pre the edge of `h` is shared
@@ -278,10 +472,13 @@ public:
     return m_coordinates.shared_halfedge(h, m_mesh, m_spokes);
   }
 
-  /// the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around its source.
+  /// the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around its source; null
+  /// if the source lies inside a face of \f$T_1\f$.
   Halfedge_index input_spoke_before(Halfedge_index h) const
   {
     const Vertex_index v = m_mesh.source(h);
+    if(m_spokes.degree(v) == 0)
+      return m_mesh.null_halfedge();
     const size_type r = m_coordinates.roundabout(h);
     if(m_coordinates.is_shared(m_mesh.edge(h)))
       return m_spokes.halfedge(v, r);
@@ -323,9 +520,103 @@ private:
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
   }
 
-  const FT& input_length_along(Halfedge_index h) const
+  // the length of an edge that lies along one of T1, as the part between its ends
+  FT shared_length(Halfedge_index h) const
   {
-    return m_input_length[m_input.edge(input_halfedge(h))];
+    const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
+    const FT& length = m_input_length[m_input.edge(start.halfedge)];
+    return start.t == 0 && end.t == 0 ? length : FT((1 - end.t - start.t) * length);
+  }
+
+  Inserted_vertex<FT> place_on_shared(Halfedge_index h, const FT& t) const
+  {
+    const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
+    const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
+    if(!(start.t < p.t && p.t < 1 - end.t))
+      throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
+    const Edge_point<FT> inside = m_input.is_border(p.halfedge) ? reversed(p, m_input) : p;
+    return {inside.halfedge, internal::face_location(inside, m_input)};
+  }
+
+  static std::array<FT, 3> side_lengths(Halfedge_index h, const Delta_complex& mesh,
+                                        const Edge_length_map& length)
+  {
+    return {length[mesh.edge(h)], length[mesh.edge(mesh.next(h))], length[mesh.edge(mesh.prev(h))]};
+  }
+
+  // in the face of `h` in T2, whose corner 0 is the source of `h`
+  FT distance_to_corner(Halfedge_index h, const std::array<FT, 3>& p, std::size_t corner) const
+  {
+    return m_traits.compute_distance_object()(side_lengths(h, m_mesh, m_length), p,
+                                              internal::barycentric_coordinates(corner, FT(0)));
+  }
+
+  // the distance from the point at `t` on `h` to the opposite corner, 0 beyond the boundary
+  FT distance_to_apex(Halfedge_index h, const FT& t) const
+  {
+    if(m_mesh.is_border(h))
+      return FT(0);
+    return checked_length(distance_to_corner(h, internal::barycentric_coordinates(0, t), 2));
+  }
+
+  // the distances of a point of a face of T1 from the ends of a side of that face
+  internal::End_distances<FT> distances(const Face_location<FT>& p, Halfedge_index side) const
+  {
+    return {distance(p, internal::face_location(Edge_point<FT>{side, FT(0)}, m_input)),
+            distance(p, internal::face_location(Edge_point<FT>{side, FT(1)}, m_input))};
+  }
+
+  FT checked_length(const FT& length) const
+  {
+    if(!m_traits.is_length_object()(length))
+      throw Numerical_error("an edge at an inserted vertex has no positive finite length");
+    return length;
+  }
+
+  void set_edge(Halfedge_index h, const FT& length, bool is_constrained)
+  {
+    m_length[m_mesh.edge(h)] = length;
+    m_is_constrained[m_mesh.edge(h)] = is_constrained;
+  }
+
+  void set_inserted(Vertex_index v, const Inserted_vertex<FT>& place)
+  {
+    const std::size_t i = v.idx() - m_input.number_of_vertices();
+    if(i >= m_inserted.size())
+      m_inserted.resize(i + 1);
+    m_inserted[i] = place;
+  }
+
+  // The edge that takes the place of two at an inserted vertex which lie along one edge of T1.
+  struct Merged_edge
+  {
+    Halfedge_index side; // null if there are no such two
+    size_type r_source, r_target;
+    bool is_constrained;
+  };
+
+  // \pre `v` has three spokes
+  Merged_edge merged_edge(Vertex_index v) const
+  {
+    const Halfedge_index a = first_spoke(v, m_mesh);
+    if(m_mesh.is_border(v))
+      return merged_edge(next_spoke(next_spoke(a, m_mesh), m_mesh), a, a);
+    Halfedge_index x = a;
+    do {
+      const Halfedge_index y = next_spoke(x, m_mesh);
+      if(m_coordinates.is_shared(m_mesh.edge(x)) && m_coordinates.is_shared(m_mesh.edge(y)))
+        return merged_edge(x, y, m_mesh.next(x));
+      x = y;
+    } while(x != a);
+    return {};
+  }
+
+  // `side` will lead from the target of the spoke `x` to that of the spoke `y`
+  Merged_edge merged_edge(Halfedge_index x, Halfedge_index y, Halfedge_index side) const
+  {
+    return {side, m_coordinates.roundabout(m_mesh.opposite(x)),
+            m_coordinates.roundabout(m_mesh.opposite(y)),
+            is_constrained(m_mesh.edge(x)) && is_constrained(m_mesh.edge(y))};
   }
 
   template <typename Graph, typename Numbering, typename NamedParameters>
@@ -395,12 +686,55 @@ private:
     }
   }
 
+  // Whether the place of an inserted vertex makes sense by itself.
+  bool is_valid_place(const Inserted_vertex<FT>& m) const
+  {
+    const auto& [f, p] = m.location;
+    if(!f.is_valid() || !m_input.has_valid_index(f) || !(p[0] >= 0 && p[1] >= 0 && p[2] >= 0) ||
+       CGAL::abs(p[0] + p[1] + p[2] - 1) > rounding_unit<FT>())
+      return false;
+    if(!m.along.is_valid())
+      return true;
+    return m_input.has_valid_index(m.along) && m_input.face(m.along) == f &&
+           p[(internal::side_number(m.along, m_input) + 2) % 3] == 0;
+  }
+
+  void check_inserted() const
+  {
+    for(std::size_t i = 0; i < m_inserted.size(); ++i)
+      if(!is_valid_place(m_inserted[i]))
+        throw Invalid_input("inserted vertex " + std::to_string(i) + " has no place in the input");
+    if(m_mesh.num_vertices() != m_input.num_vertices() + m_inserted.size())
+      throw Invalid_input("the numbers of vertices and of places do not fit");
+  }
+
+  // The first of the spokes of an inserted vertex follows from the boundary, or from the parity.
+  void number_inserted_spokes()
+  {
+    for(Vertex_index v : m_mesh.vertices())
+      if(is_inserted(v))
+        m_spokes.set_inserted(v, first_inserted_spoke(inserted_vertex(v).along));
+  }
+
+  Halfedge_index first_inserted_spoke(Halfedge_index along) const
+  {
+    return along.is_valid()
+             ? internal::first_inserted_spoke(along, m_input.is_border(along),
+                                              m_input.is_border(m_input.opposite(along)))
+             : along;
+  }
+
+  static std::ptrdiff_t Euler_characteristic(const Delta_complex& mesh)
+  {
+    return std::ptrdiff_t(mesh.number_of_vertices()) - std::ptrdiff_t(mesh.number_of_edges()) +
+           std::ptrdiff_t(mesh.number_of_faces());
+  }
+
   // What is wrong between the two valid complexes, empty if nothing is.
   std::string defect() const
   {
-    if(m_mesh.number_of_vertices() != m_input.number_of_vertices() ||
-       m_mesh.number_of_edges() != m_input.number_of_edges() ||
-       m_mesh.number_of_faces() != m_input.number_of_faces())
+    if(m_mesh.num_vertices() != m_input.num_vertices() + m_inserted.size() ||
+       Euler_characteristic(m_mesh) != Euler_characteristic(m_input))
       return "the two triangulations differ in their numbers of elements";
     for(Edge_index e : m_mesh.edges()) {
       if(!m_traits.is_length_object()(m_length[e]))
@@ -411,7 +745,7 @@ private:
     if(!m_coordinates.is_valid(m_mesh, m_spokes))
       return "the integer coordinates contradict each other";
     for(Edge_index e : m_mesh.edges())
-      if(m_coordinates.is_shared(e) && m_length[e] != input_length_along(m_mesh.halfedge(e)))
+      if(m_coordinates.is_shared(e) && m_length[e] != shared_length(m_mesh.halfedge(e)))
         return "edge " + std::to_string(e.idx()) + " is in the input with another length";
     return internal::curve_defect(m_coordinates, m_mesh, m_input, m_spokes);
   }
@@ -424,6 +758,7 @@ private:
   Edge_length_map m_length;
   Coordinates m_coordinates;
   Delta_complex::Property_map<Edge_index, bool> m_is_constrained;
+  std::vector<Inserted_vertex<FT>> m_inserted; // vertices of T2 after those of T1
 };
 
 } // namespace Intrinsic_triangulations

@@ -18,10 +18,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex, numbered from 0 in
-/// counterclockwise order. Roundabouts are such numbers (Section 3.1.2). At a boundary vertex the
+/// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex \f$T_1\f$, numbered from 0
+/// in counterclockwise order. Roundabouts are such numbers (Section 3.1.2). At a boundary vertex the
 /// numbering starts at the spoke with the boundary on its right and ends at the border halfedge.
-/// Memory: four bytes per vertex and per halfedge.
+///
+/// A vertex that has been inserted on an edge of \f$T_1\f$ has two spokes, the halfedges of that edge:
+/// each stands for the part that starts at the vertex. One that has been inserted in a face has none.
+/// Memory: eight bytes per vertex and four per halfedge.
 class Vertex_spokes
 {
 public:
@@ -38,26 +41,26 @@ public:
   /// \throws Invalid_input if an interior vertex has more than one umbrella
   template <typename NumberMap>
   Vertex_spokes(const Delta_complex& mesh, NumberMap number)
-    : m_first(mesh.number_of_vertices() + 1), m_halfedge(mesh.number_of_halfedges())
+    : m_range(mesh.number_of_vertices()), m_halfedge(mesh.number_of_halfedges())
   {
     size_type position = 0;
     for(Vertex_index v : mesh.vertices()) {
-      m_first[v] = position;
+      const size_type first = position;
       if(!mesh.is_isolated(v))
         position = number_spokes(v, position, mesh, number);
+      m_range[v] = {first, position - first};
     }
-    m_first.back() = position;
     if(position != mesh.number_of_halfedges())
       throw Invalid_input(internal::Delta_complex_defect(mesh));
   }
 
   /// returns the number of edges at `v`, a self-edge counted twice.
-  size_type degree(Vertex_index v) const { return m_first[v + 1] - m_first[v]; }
+  size_type degree(Vertex_index v) const { return m_range[v].degree; }
 
   /// returns spoke `number` of `v`. \pre `number < degree(v)`
   Halfedge_index halfedge(Vertex_index v, size_type number) const
   {
-    return m_halfedge[m_first[v] + number];
+    return m_halfedge[m_range[v].first + number];
   }
 
   /// returns the number of the spoke `h` of `v`. Complexity: linear in the degree.
@@ -69,7 +72,25 @@ public:
     return number;
   }
 
+  /// gives the inserted vertex `v` its spokes: `spoke` and its opposite, or none if `spoke` is null.
+  /// Complexity: amortized constant.
+  void set_inserted(Vertex_index v, Halfedge_index spoke)
+  {
+    if(v.idx() >= m_range.size())
+      m_range.resize(v.idx() + 1);
+    m_range[v] = {};
+    if(spoke.is_valid()) {
+      m_range[v] = {static_cast<size_type>(m_halfedge.size()), 2};
+      m_halfedge.insert(m_halfedge.end(), {spoke, Halfedge_index(spoke.idx() ^ 1)});
+    }
+  }
+
 private:
+  struct Range
+  {
+    size_type first = 0, degree = 0;
+  };
+
   template <typename NumberMap>
   size_type number_spokes(Vertex_index v, size_type position, const Delta_complex& mesh,
                           NumberMap& number)
@@ -85,9 +106,22 @@ private:
     return position;
   }
 
-  std::vector<size_type> m_first;
+  std::vector<Range> m_range;
   std::vector<Halfedge_index> m_halfedge;
 };
+
+namespace internal {
+
+// The first spoke of a vertex inserted on the edge of the halfedge `along`, given whether this and its
+// opposite are border halfedges: the one with the boundary on its right, otherwise the even one.
+inline Halfedge_index first_inserted_spoke(Halfedge_index along, bool is_border,
+                                           bool opposite_is_border)
+{
+  const bool is_first = opposite_is_border || (!is_border && along.idx() % 2 == 0);
+  return is_first ? along : Halfedge_index(along.idx() ^ 1);
+}
+
+} // namespace internal
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Face_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 
 #include <Eigen/Dense>
@@ -27,8 +28,8 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// the matrix that takes the values of a function that is linear on the faces of `side`, at the
-/// vertices of the triangulations, to its values at the vertices of the subdivision. Rows sum up to one
-/// and have at most two entries, which are not negative. Complexity: linear.
+/// vertices of that triangulation, to its values at the vertices of the subdivision. Rows sum up to one
+/// and have at most three entries, which are not negative. Complexity: linear.
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision
 /// \param tri the triangulation of which it is the subdivision
@@ -42,13 +43,9 @@ interpolation_matrix(Side side, const Common_subdivision<Traits, Point>& subdivi
   const std::size_t rows = subdivision.mesh().number_of_vertices();
   internal::Sparse_assembly<FT> assembly(2 * rows);
   for(Vertex_index v : subdivision.mesh().vertices()) {
-    if(subdivision.is_input_vertex(v)) {
-      assembly.add(v, v, FT(1));
-      continue;
-    }
-    const auto& p = subdivision.place(side, v);
-    assembly.add(v, mesh.source(p.halfedge), 1 - p.t);
-    assembly.add(v, mesh.target(p.halfedge), p.t);
+    const auto w = internal::interpolation_weights(side, v, subdivision, tri);
+    for(std::size_t c = 0; c < w.size; ++c)
+      assembly.add(v, w.vertex[c], w.weight[c]);
   }
   return assembly.matrix(rows, mesh.number_of_vertices());
 }
@@ -123,7 +120,7 @@ mixed_mass_matrix(const Correspondence<Traits>& correspondence)
     const Marks marks(Side::intrinsic, f, correspondence);
     const internal::Face_map<FT, Marks> face_map(marks, tri.input_mesh());
     const FT area = internal::Face_metric<FT>(f, tri.mesh(), tri.length_map()).area();
-    for(std::size_t m = 0; m < face_map.number_of_regions(); ++m) {
+    for(std::size_t m = 0; m < face_map.regions().size(); ++m) {
       const auto [input_face, region] = face_map.region_map(m);
       internal::add_at_corners<FT>(f, tri.mesh(), input_face, tri.input_mesh(),
                                    area * internal::integrals_on_region(region), assembly);
@@ -156,8 +153,8 @@ transfer_function(Side from, const Eigen::Matrix<typename Traits::FT, Eigen::Dyn
   if(from == Side::intrinsic)
     mixed = Matrix(mixed.transpose());
   Eigen::Matrix<FT, Eigen::Dynamic, 1> moments = mixed * values;
-  for(Vertex_index v : tri.mesh().vertices())
-    if(tri.mesh().is_isolated(v)) {
+  for(Vertex_index v : tri.input_mesh().vertices())
+    if(tri.input_mesh().is_isolated(v)) {
       const int i = static_cast<int>(v.idx());
       mass.coeffRef(i, i) = FT(1);
       moments[i] = values[i];

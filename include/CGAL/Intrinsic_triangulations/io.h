@@ -25,7 +25,7 @@ namespace Intrinsic_triangulations {
 
 namespace internal {
 
-constexpr const char* file_header = "intrinsic_triangulation 1";
+constexpr const char* file_header = "intrinsic_triangulation 2";
 
 // Numbers in a file follow neither the locale nor the flags of the stream; -1 stands for no element.
 template <typename Number>
@@ -38,6 +38,7 @@ inline std::string number_text(Halfedge_index h)
 {
   return h.is_valid() ? std::to_string(h.idx()) : "-1";
 }
+inline std::string number_text(Face_index f) { return std::to_string(f.idx()); }
 inline std::string number_text(Vertex_index v) { return std::to_string(v.idx()); }
 inline std::string number_text(const std::string& text) { return text; }
 
@@ -112,6 +113,23 @@ public:
       is_constrained[e] = line.is_constrained;
     }
     return mesh;
+  }
+
+  // the places of the vertices that only T2 has
+  std::vector<Inserted_vertex<FT>> read_inserted(const Delta_complex& input)
+  {
+    m_lines.next_line();
+    const size_type count = number((std::numeric_limits<size_type>::max)() / 4);
+    m_lines.end_line();
+    std::vector<Inserted_vertex<FT>> inserted;
+    for_lines(count, [&] {
+      Inserted_vertex<FT> m{read_halfedge(input.number_of_edges()), {}};
+      m.location.first = Face_index(index(input.number_of_faces()));
+      for(FT& coordinate : m.location.second)
+        coordinate = m_lines.template hexadecimal<FT>();
+      inserted.push_back(m);
+    });
+    return inserted;
   }
 
 private:
@@ -216,6 +234,7 @@ private:
 /// the same elements with the same numbers, and the same lengths to the bit. The format is described in
 /// the user manual (\ref Intrinsic_triangulations_file_format).
 /// The number type of the traits must be a floating point type. Complexity: linear.
+/// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
 /// \returns whether the stream is good after that.
 template <typename Traits>
 bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulation<Traits>& tri)
@@ -231,6 +250,14 @@ bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulati
            number_text(coordinates.roundabout(tri.mesh().halfedge(e, 1))) +
            (tri.is_constrained(e) ? " 1" : " 0");
   });
+  internal::write_line(os, tri.number_of_inserted_vertices());
+  for(Vertex_index v : tri.mesh().vertices())
+    if(tri.is_inserted(v)) {
+      const auto& m = tri.inserted_vertex(v);
+      const auto& b = m.location.second;
+      internal::write_line(os, m.along, m.location.first, internal::hexadecimal_text(b[0]),
+                           internal::hexadecimal_text(b[1]), internal::hexadecimal_text(b[2]));
+    }
   return os.good();
 }
 
@@ -247,7 +274,9 @@ Intrinsic_triangulation<Traits> read_intrinsic_triangulation(std::istream& is,
   reader.read_header();
   Delta_complex input = reader.read_input();
   Delta_complex mesh = reader.read_intrinsic();
-  return Intrinsic_triangulation<Traits>(std::move(input), std::move(mesh), traits);
+  auto inserted = reader.read_inserted(input);
+  return Intrinsic_triangulation<Traits>(std::move(input), std::move(mesh), std::move(inserted),
+                                         traits);
 }
 
 } // namespace Intrinsic_triangulations

@@ -51,6 +51,8 @@ public:
 
   void push(Edge_index e)
   {
+    if(e.idx() >= m_waits.size())
+      m_waits.resize(e.idx() + 1, 0);
     if(!m_waits[e.idx()]) {
       m_waits[e.idx()] = 1;
       m_edges.push_back(e);

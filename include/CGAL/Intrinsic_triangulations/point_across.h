@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 
 #include <array>
@@ -28,14 +29,12 @@ class Traced_marks
   typedef typename Traits::FT FT;
 
 public:
-  Traced_marks(Side side, Face_index f, const Intrinsic_triangulation<Traits>& tri) : m_side(side)
+  Traced_marks(Side side, Face_index f, const Intrinsic_triangulation<Traits>& tri)
+    : m_side(side), m_halfedge(sides(f, mesh_of(side, tri))), m_tri(tri)
   {
-    const bool is_input = side == Side::input;
-    const auto halfedge = sides(f, is_input ? tri.input_mesh() : tri.mesh());
     for(std::size_t s = 0; s < 3; ++s)
-      m_trace[s] =
-        is_input ? trace_input_edge(halfedge[s], tri) : trace_intrinsic_edge(halfedge[s], tri);
-    m_other = is_input ? &tri.mesh() : &tri.input_mesh();
+      m_trace[s] = side == Side::input ? trace_input_edge(m_halfedge[s], tri)
+                                       : trace_intrinsic_edge(m_halfedge[s], tri);
   }
 
   // an edge has two ends, and so has its trace
@@ -47,11 +46,21 @@ public:
   }
   Edge_point<FT> across(std::size_t s, std::size_t p) const
   {
-    return reversed(there(s, p + 1), *m_other);
+    return reversed(there(s, p + 1), other());
   }
   Halfedge_index spoke_before(std::size_t s) const { return there(s, 0).halfedge; }
+  Face_location<FT> vertex_across(std::size_t s, const Edge_point<FT>& at) const
+  {
+    return m_side == Side::input ? face_location(at, m_tri.mesh())
+                                 : m_tri.input_location(m_tri.mesh().source(m_halfedge[s]), at);
+  }
 
 private:
+  const Delta_complex& other() const
+  {
+    return mesh_of(m_side == Side::input ? Side::intrinsic : Side::input, m_tri);
+  }
+
   const Edge_point<FT>& there(std::size_t s, std::size_t point) const
   {
     const Trace_point<FT>& p = m_trace[s][point];
@@ -59,8 +68,9 @@ private:
   }
 
   Side m_side;
+  std::array<Halfedge_index, 3> m_halfedge;
+  const Intrinsic_triangulation<Traits>& m_tri;
   std::array<std::vector<Trace_point<FT>>, 3> m_trace;
-  const Delta_complex* m_other;
 };
 
 } // namespace internal

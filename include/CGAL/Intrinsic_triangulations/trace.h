@@ -28,15 +28,15 @@ struct Curve_start
   bool is_shared;
 };
 
-// The first half of Algorithm 1. Complexity: linear in the degree of the source of `h`.
+// The first half of Algorithm 1, from the vertex `v` on the edge of `h`.
+// Complexity: linear in the degree of `v`.
 template <typename Traits>
-Curve_start<typename Traits::Integer> find_curve(Halfedge_index h,
+Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index v,
                                                  const Intrinsic_triangulation<Traits>& tri)
 {
   typedef typename Traits::Integer Integer;
   const Delta_complex& mesh = tri.mesh();
   const auto& coordinates = tri.coordinates();
-  const Vertex_index v = tri.input_mesh().source(h);
   const auto degree = tri.spokes().degree(v), number = tri.spokes().number(v, h);
   Halfedge_index spoke = first_spoke(v, mesh);
   for(;;) {
@@ -51,11 +51,31 @@ Curve_start<typename Traits::Integer> find_curve(Halfedge_index h,
   }
 }
 
-// The trace of an edge that both triangulations have.
-template <typename FT>
-std::vector<Trace_point<FT>> shared_trace(Halfedge_index input, Halfedge_index intrinsic)
+// Adds the points on the even halfedge `h` of T1 after the vertex `v` on it, up to the next vertex of T2,
+// which is returned.
+template <typename Traits>
+Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& tracer,
+                        const Intrinsic_triangulation<Traits>& tri,
+                        std::vector<Trace_point<typename Traits::FT>>& trace)
 {
-  return {{{input, FT(0)}, {intrinsic, FT(0)}}, {{input, FT(1)}, {intrinsic, FT(1)}}};
+  typedef typename Traits::FT FT;
+  const Delta_complex& mesh = tri.mesh();
+  const auto start = find_curve(h, v, tri);
+  Halfedge_index last = start.spoke;
+  if(trace.empty())
+    trace.push_back({{h, FT(0)}, {start.spoke, FT(0)}});
+  if(!start.is_shared) {
+    tracer.trace(start.spoke, start.k);
+    last = tracer.last_spoke();
+  }
+  const Part_of_edge<FT> part = part_of_edge(h, v, mesh.target(last), tri);
+  for(std::size_t m = 0; !start.is_shared && m < tracer.size(); ++m) {
+    const auto& position = tracer.position(m);
+    trace.push_back(
+      {{h, part(position.along_line)}, {tracer.crossing(m).halfedge, position.along_edge}});
+  }
+  trace.push_back({{h, part.end}, {last, FT(1)}});
+  return mesh.target(last);
 }
 
 // The trace of the even halfedge `h` of T1.
@@ -63,20 +83,12 @@ template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
 trace_even_halfedge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 {
-  typedef typename Traits::FT FT;
-  const Delta_complex& mesh = tri.mesh();
-  const auto start = find_curve(h, tri);
-  if(start.is_shared)
-    return shared_trace<FT>(h, start.spoke);
+  std::vector<Trace_point<typename Traits::FT>> trace;
   Edge_tracer<Traits> tracer(tri);
-  tracer.trace(start.spoke, start.k);
-  std::vector<Trace_point<FT>> trace{{{h, FT(0)}, {start.spoke, FT(0)}}};
-  for(std::size_t m = 0; m < tracer.size(); ++m) {
-    const auto& position = tracer.position(m);
-    trace.push_back({{h, position.along_line}, {tracer.crossing(m).halfedge, position.along_edge}});
-  }
-  const Halfedge_index last = mesh.opposite(tracer.crossing(tracer.size() - 1).halfedge);
-  trace.push_back({{h, FT(1)}, {mesh.opposite(mesh.prev(last)), FT(1)}});
+  Vertex_index v = tri.input_mesh().source(h);
+  do
+    v = trace_part(h, v, tracer, tri, trace);
+  while(tri.is_inserted(v));
   return trace;
 }
 
@@ -97,7 +109,7 @@ void reverse_trace(std::vector<Trace_point<typename Traits::FT>>& trace,
 ///
 /// \returns the points where it meets edges of \f$T_2\f$, from its source to its target, both included;
 ///   the places on `h` never decrease. At a crossing the halfedge of \f$T_2\f$ is the one through which
-///   `h` leaves a face. At the ends it is one that starts or ends at the vertex.
+///   `h` leaves a face. At the ends, and at inserted vertices, it is one that starts or ends there.
 ///   The sequence of crossed edges is exact; their places are rounded.
 /// Complexity: linear in the crossings, and in the degree of the source in \f$T_2\f$. To trace many edges
 /// use `Correspondence`, which is linear in all crossings.
@@ -115,23 +127,17 @@ trace_input_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// The point where the curve of T1 that is number `number` on the halfedge `h` of T2 crosses it: the
+// The halfedge of T1 through which the halfedge `h` of T2 leaves a face at its crossing `number`: the
 // curve is followed to its end, which tells its edge.
 template <typename Traits>
-Trace_point<typename Traits::FT> crossing_point(Halfedge_index h,
-                                                const typename Traits::Integer& number,
-                                                const Intrinsic_triangulation<Traits>& tri)
+Halfedge_index crossed_halfedge(Halfedge_index h, const typename Traits::Integer& number,
+                                const Intrinsic_triangulation<Traits>& tri)
 {
   typedef typename Intrinsic_triangulation<Traits>::Coordinates Coordinates;
-  const Delta_complex& mesh = tri.mesh();
-  const auto& coordinates = tri.coordinates();
   typename Coordinates::Crossing c{h, number};
-  std::size_t from_end = 2;
-  while(coordinates.advance(c, mesh) != Coordinates::Turn::ends)
-    ++from_end;
-  const Halfedge_index back = coordinates.spoke_at_end(c, mesh, tri.spokes());
-  const auto trace = trace_input_edge(tri.input_mesh().opposite(back), tri);
-  return trace[trace.size() - from_end];
+  while(tri.coordinates().advance(c, tri.mesh()) != Coordinates::Turn::ends) {
+  }
+  return tri.coordinates().spoke_at_end(c, tri.mesh(), tri.spokes());
 }
 
 } // namespace internal
@@ -141,7 +147,8 @@ Trace_point<typename Traits::FT> crossing_point(Halfedge_index h,
 ///
 /// \returns the points where it meets edges of \f$T_1\f$, from its source to its target, both included;
 ///   the places on `h` never decrease. At a crossing the halfedge of \f$T_1\f$ is the one through which
-///   `h` leaves a face. At the ends it is one that starts or ends at the vertex.
+///   `h` leaves a face. At the ends it is one that starts or ends at the vertex, or on which it has been
+///   inserted; it is null if the vertex has been inserted inside a face.
 ///   The sequence of crossed edges is exact; their places are rounded.
 /// Complexity: linear in the crossings of all the edges of \f$T_1\f$ that `h` crosses, since these are
 /// recognised by their ends. To trace many edges use `Correspondence`, which is linear in all crossings.
@@ -152,18 +159,22 @@ trace_intrinsic_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tr
 {
   typedef typename Traits::FT FT;
   typedef typename Traits::Integer Integer;
-  const auto& coordinates = tri.coordinates();
-  const Halfedge_index first = tri.input_spoke_before(h);
-  const Halfedge_index last = tri.input_spoke_before(tri.mesh().opposite(h));
-  if(coordinates.is_shared(tri.mesh().edge(h)))
-    return internal::shared_trace<FT>(first, h);
-  std::vector<Trace_point<FT>> trace{{{first, FT(0)}, {h, FT(0)}}};
-  for(Integer number(0); number < coordinates.crossings(h); ++number) {
-    const auto p = internal::crossing_point(h, number, tri);
-    const FT t = (std::max)(p.on_intrinsic.t, trace.back().on_intrinsic.t);
-    trace.push_back({reversed(p.on_input, tri.input_mesh()), {h, t}});
+  const Halfedge_index o = tri.mesh().opposite(h);
+  std::vector<Trace_point<FT>> trace{{tri.start_on_spoke(h), {h, FT(0)}}};
+  std::vector<Halfedge_index> exits;
+  for(Integer number(0); number < tri.coordinates().crossings(h); ++number)
+    exits.push_back(internal::crossed_halfedge(h, number, tri));
+  typename Traits::Geodesic_strip strip;
+  if(!exits.empty())
+    tri.lay_out(
+      strip, h, [&](std::size_t m) { return exits[m]; }, exits.size());
+  for(std::size_t m = 0; m < exits.size(); ++m) {
+    const auto position = strip.crossing(m);
+    const FT t = (std::max)(position.along_line, trace.back().on_intrinsic.t);
+    trace.push_back({{exits[m], position.along_edge}, {h, t}});
   }
-  trace.push_back({{tri.input_mesh().opposite(last), FT(1)}, {h, FT(1)}});
+  trace.push_back(
+    {internal::reversed_if_valid(tri.start_on_spoke(o), tri.input_mesh()), {h, FT(1)}});
   return trace;
 }
 

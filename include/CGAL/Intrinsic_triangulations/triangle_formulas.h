@@ -10,6 +10,8 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 
 namespace CGAL {
@@ -59,6 +61,22 @@ template <typename FT>
 FT scaled_foot(const FT& jk, const FT& ki)
 {
   return (ki - jk) * (ki + jk);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// the length of a vector in a triangle whose side `s` leads from corner `s` to the next and has length
+/// `side[s]`. The vector has barycentric coordinates `w`, whose sum is zero. This is Equation 3.7,
+/// evaluated along the longest side and across it, so that thin triangles lose no digits.
+template <typename FT>
+FT vector_length(const std::array<FT, 3>& side, const std::array<FT, 3>& w)
+{
+  const std::size_t a =
+    static_cast<std::size_t>(std::max_element(side.begin(), side.end()) - side.begin());
+  const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+  const FT doubled_foot = side[a] + scaled_foot(side[b], side[c]) / side[a];
+  const FT along = w[b] * side[a] + w[c] * doubled_foot / 2;
+  const FT across = w[c] * quadrupled_area(side[0], side[1], side[2]) / (2 * side[a]);
+  return CGAL::sqrt(along * along + across * across);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas

@@ -40,6 +40,12 @@ public:
   {
     return m_correspondence.spoke_before(m_side, m_halfedge[s]);
   }
+  Face_location<FT> vertex_across(std::size_t s, const Edge_point<FT>& at) const
+  {
+    const auto& tri = m_correspondence.triangulation();
+    return m_side == Side::input ? face_location(at, tri.mesh())
+                                 : tri.input_location(tri.mesh().source(m_halfedge[s]), at);
+  }
 
 private:
   auto crossing(std::size_t s, std::size_t p) const

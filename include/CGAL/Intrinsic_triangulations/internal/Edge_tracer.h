@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/lay_out_strip.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,6 +19,24 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// The places on a halfedge of T1 from one vertex of T2 on it to the next.
+template <typename FT>
+struct Part_of_edge
+{
+  FT begin, end;
+
+  // the place at a part `t` of the way
+  FT operator()(const FT& t) const { return (std::min)(begin + t * (end - begin), end); }
+};
+
+// The part of the halfedge `h` of T1 from the vertex `v` of T2 to the vertex `w`.
+template <typename Traits>
+Part_of_edge<typename Traits::FT> part_of_edge(Halfedge_index h, Vertex_index v, Vertex_index w,
+                                               const Intrinsic_triangulation<Traits>& tri)
+{
+  return {tri.place_along(h, v), 1 - tri.place_along(tri.input_mesh().opposite(h), w)};
+}
 
 // Follows edges of T1 over T2, first through the crossings (Algorithm 2), then along the straight line
 // in the strip of triangles (Algorithm 3). One object traces many edges and allocates no memory for
@@ -53,6 +72,12 @@ public:
 
   // Crossing number `m` of the curve: it leaves the face of the halfedge there.
   const Crossing& crossing(std::size_t m) const { return m_crossings[m]; }
+
+  // The halfedge of T2 that ends with the curve, clockwise from it.
+  Halfedge_index last_spoke() const
+  {
+    return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(m_crossings.back().halfedge)));
+  }
 
   // The barycentric coordinates of that crossing along the curve (they never decrease) and along the
   // halfedge.

@@ -168,8 +168,10 @@ private:
 // lies, and maps that.
 //
 // `Marks` describes the sides of the face: crossings(s) on side s; here(s, p), the place of crossing p on
-// it; across(s, p), the place on the halfedge of the other triangulation that leaves the face there; and
-// spoke_before(s), the last spoke of the other triangulation at or clockwise from side s.
+// it; across(s, p), the place on the halfedge of the other triangulation that leaves the face there;
+// spoke_before(s), the last spoke of the other triangulation at or clockwise from side s; and
+// vertex_across(s, at), the place of the source of side s on the other triangulation, which is `at`
+// unless it is no vertex there: then only the face of `at` counts.
 template <typename FT, typename Marks>
 class Face_map
 {
@@ -186,27 +188,14 @@ public:
   {
     for(std::size_t s = 0; s < 3; ++s)
       if(p[(s + 1) % 3] == 0 && p[(s + 2) % 3] == 0)
-        return face_location<FT>({m_marks.spoke_before(s), FT(0)}, m_other);
+        return m_marks.vertex_across(s, {m_marks.spoke_before(s), FT(0)});
     const auto [f, map] = region_map(region_of(p));
     return {f, map(p)};
   }
 
-  std::size_t number_of_regions() const { return m_regions.size(); }
+  const Face_regions& regions() const { return m_regions; }
 
-  // the face of the other triangulation in which region `m` lies, and the map of the region to it
-  std::pair<Face_index, Polygon_map<FT>> region_map(std::size_t m) const
-  {
-    const Region region = m_regions[m];
-    std::pair<Face_index, Polygon_map<FT>> result;
-    for(std::size_t c = 0; c < region.size(); ++c) {
-      const Face_location<FT> image = face_location(corner_across(region, c), m_other);
-      result.first = image.first;
-      result.second.add_corner(coordinates(region[c]), image.second);
-    }
-    return result;
-  }
-
-private:
+  // the number of the region in which `p` lies
   std::size_t region_of(const Coordinates& p) const
   {
     for(std::size_t s = 0; s < 3; ++s) {
@@ -219,6 +208,20 @@ private:
     return m_regions.first_of_rest() + first_where(is_before, m_regions.leaving());
   }
 
+  // the face of the other triangulation in which region `m` lies, and the map of the region to it
+  std::pair<Face_index, Polygon_map<FT>> region_map(std::size_t m) const
+  {
+    const Region region = m_regions[m];
+    std::pair<Face_index, Polygon_map<FT>> result;
+    for(std::size_t c = 0; c < region.size(); ++c) {
+      const Face_location<FT> image = corner_across(region, c);
+      result.first = image.first;
+      result.second.add_corner(coordinates(region[c]), image.second);
+    }
+    return result;
+  }
+
+private:
   // the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
   template <typename Condition>
   static std::size_t first_where(const Condition& condition, std::size_t n)
@@ -255,20 +258,25 @@ private:
       corner.side, corner.is_vertex() ? FT(0) : m_marks.here(corner.side, corner.mark));
   }
 
-  // The place of a corner on a halfedge of the other triangulation that has the region on its left.
-  Edge_point<FT> corner_across(const Region& region, std::size_t c) const
+  // The place of a corner in the face of the other triangulation in which the region lies.
+  Face_location<FT> corner_across(const Region& region, std::size_t c) const
   {
     const Region_corner& corner = region[c];
-    if(!corner.is_vertex()) {
-      const Edge_point<FT> outward = m_marks.across(corner.side, corner.mark);
-      return corner.arc_follows ? reversed(outward, m_other) : outward;
-    }
-    if(corner.arc_follows) // towards a mark
+    if(corner.is_vertex())
+      return m_marks.vertex_across(corner.side, vertex_on_left_side(region, c));
+    const Edge_point<FT> outward = m_marks.across(corner.side, corner.mark);
+    return face_location(corner.arc_follows ? reversed(outward, m_other) : outward, m_other);
+  }
+
+  // A corner that is a vertex, on a halfedge of the other triangulation with the region on its left.
+  Edge_point<FT> vertex_on_left_side(const Region& region, std::size_t c) const
+  {
+    if(region[c].arc_follows) // towards a mark
       return {m_marks.across(region.next(c).side, region.next(c).mark).halfedge, FT(0)};
     const Region_corner& previous = region.previous(c);
     if(previous.arc_follows) // away from a mark
       return {m_other.opposite(m_marks.across(previous.side, previous.mark).halfedge), FT(1)};
-    return {m_marks.spoke_before(corner.side), FT(0)};
+    return {m_marks.spoke_before(region[c].side), FT(0)};
   }
 
   const Marks& m_marks;

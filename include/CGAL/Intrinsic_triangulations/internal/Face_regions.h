@@ -78,7 +78,7 @@ public:
 
   std::size_t size() const { return m_around[0] + m_around[1] + m_around[2] + m_leaving + 1; }
 
-  // the number of curves that cut off corner `s`, and of those that leave corner `apex()`
+  // The number of curves that cut off corner `s`, and of those that leave corner `apex()`
   std::size_t around(std::size_t s) const { return m_around[s]; }
   std::size_t leaving() const { return m_leaving; }
   std::size_t apex() const { return m_apex; }
@@ -104,6 +104,35 @@ public:
     return {near, m_around[near] + j, true};
   }
 
+  // The number of curves between region `number` and each corner of the face.
+  std::array<std::size_t, 3> crossings_to_corners(std::size_t number) const
+  {
+    for(std::size_t s = 0; s < 3; ++s) {
+      if(number < m_around[s])
+        return crossings_from_corner_region(s, number);
+      number -= m_around[s];
+    }
+    std::array<std::size_t, 3> crossings = m_around;
+    if(m_leaving > 0) {
+      crossings[(m_apex + 1) % 3] += number;
+      crossings[(m_apex + 2) % 3] += m_leaving - number;
+    }
+    return crossings;
+  }
+
+  // The region beside the piece of side `s` after `p` of its crossings.
+  std::size_t region_at_side(std::size_t s, std::size_t p) const
+  {
+    const std::size_t t = (s + 1) % 3, from_target = m_crossings[s] - p;
+    if(p < m_around[s])
+      return around_corner(s, p);
+    if(from_target < m_around[t])
+      return around_corner(t, from_target);
+    if(m_leaving == 0 || m_apex == s)
+      return first_of_rest();
+    return first_of_rest() + (m_apex == t ? m_leaving : p - m_around[s]);
+  }
+
   Region operator[](std::size_t number) const
   {
     for(std::size_t s = 0; s < 3; ++s) {
@@ -115,6 +144,17 @@ public:
   }
 
 private:
+  // all curves around another corner lie beyond all those around `s`
+  std::array<std::size_t, 3> crossings_from_corner_region(std::size_t s, std::size_t j) const
+  {
+    std::array<std::size_t, 3> crossings;
+    for(std::size_t t = 0; t < 3; ++t) {
+      const std::size_t fan = t == m_apex ? 0 : m_leaving;
+      crossings[t] = t == s ? j : m_around[s] - j + fan + m_around[t];
+    }
+    return crossings;
+  }
+
   Region corner_region(std::size_t s, std::size_t j) const
   {
     const std::size_t before = (s + 2) % 3, far = m_crossings[before] - j;

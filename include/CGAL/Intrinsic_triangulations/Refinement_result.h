@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_REFINEMENT_RESULT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_REFINEMENT_RESULT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// how a refinement has ended.
+enum class Refinement_status
+{
+  bounds_met,             ///< every face obeys the bounds
+  bounds_met_but_excused, ///< every face does that is not excused by a narrow vertex
+  insertion_limit,        ///< as many vertices have been inserted as are allowed
+  no_room                 ///< the number type has no room for vertices where they would be needed
+};
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// returns the name of `status`.
+inline const char* to_string(Refinement_status status)
+{
+  switch(status) {
+    case Refinement_status::bounds_met: return "bounds_met";
+    case Refinement_status::bounds_met_but_excused: return "bounds_met_but_excused";
+    case Refinement_status::insertion_limit: return "insertion_limit";
+    case Refinement_status::no_room: return "no_room";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// why a face violates the bounds after a refinement.
+enum class Remaining_reason
+{
+  at_narrow_vertex,     ///< exactly one of its corners is narrow (Section 3.6)
+  beside_narrow_vertex, ///< it lies in one face of \f$T_1\f$, and a corner of that is narrow
+  insertion_limit,      ///< no more insertions were allowed
+  no_room               ///< the number type has no room for the new edges
+};
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// returns a short sentence for `reason`.
+inline const char* to_string(Remaining_reason reason)
+{
+  switch(reason) {
+    case Remaining_reason::at_narrow_vertex: return "one of its corners is a narrow vertex";
+    case Remaining_reason::beside_narrow_vertex:
+      return "it lies in an input face with a narrow vertex";
+    case Remaining_reason::insertion_limit: return "no more insertions are allowed";
+    case Remaining_reason::no_room: return "there is no room for new edges";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// a face that violates the bounds after a refinement.
+struct Remaining_face
+{
+  Face_index face;         ///< the face of \f$T_2\f$
+  Remaining_reason reason; ///< why it is left
+  Vertex_index vertex;     ///< the narrow vertex, if that is the reason
+};
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// what `refine()` has done.
+struct Refinement_result
+{
+  Refinement_status status = Refinement_status::bounds_met; ///< how it ended
+  std::size_t insertions = 0;                               ///< the number of vertices inserted
+  std::size_t removals = 0;              ///< how many of these have been removed again
+  std::size_t flips = 0;                 ///< the number of flips, removals not counted
+  std::vector<Remaining_face> remaining; ///< the faces that violate the bounds
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_REFINEMENT_RESULT_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_REFINE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_REFINE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/internal/Delaunay_refinement.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// The bounds that faces shall obey.
+template <typename Traits, typename Predicate>
+class Face_bounds
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef typename Traits::FT FT;
+
+public:
+  Face_bounds(const Triangulation& tri, const FT& degrees, const FT& circumradius,
+              const Predicate& predicate)
+    : m_tri(tri),
+      m_sine(std::sin(degrees * FT(CGAL_PI) / 180)),
+      m_circumradius(circumradius),
+      m_predicate(predicate)
+  {}
+
+  // whether `f` violates them
+  bool operator()(Face_index f) const
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    const Halfedge_index h = mesh.halfedge(f);
+    std::array<FT, 3> side{m_tri.length(mesh.edge(h)), m_tri.length(mesh.edge(mesh.next(h))),
+                           m_tri.length(mesh.edge(mesh.prev(h)))};
+    const FT area = quadrupled_area(side[0], side[1], side[2]);
+    const FT product = side[0] * side[1] * side[2];
+    const FT shortest = (std::min)({side[0], side[1], side[2]});
+    // the sine of the least angle is shortest * area / (2 product), the circumradius product / area
+    return area * shortest < 2 * product * m_sine || product > m_circumradius * area ||
+           m_predicate(f);
+  }
+
+private:
+  const Triangulation& m_tri;
+  FT m_sine, m_circumradius;
+  const Predicate& m_predicate;
+};
+
+struct No_face
+{
+  bool operator()(Face_index) const { return false; }
+};
+
+// Faces that violate the bounds, with the reason; those without an excuse have `otherwise`.
+template <typename Traits, typename Is_bad>
+std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits>& tri,
+                                            const Is_bad& is_bad, Remaining_reason otherwise)
+{
+  const Narrow_vertices<Traits> narrow(tri);
+  std::vector<Remaining_face> remaining;
+  for(Face_index f : tri.mesh().faces())
+    if(is_bad(f))
+      remaining.push_back(
+        narrow.excuse(f).value_or(Remaining_face{f, otherwise, tri.mesh().null_vertex()}));
+  return remaining;
+}
+
+// Sets the faces that remain, and says whether one of them has no excuse.
+template <typename Traits, typename Is_bad>
+bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Is_bad& is_bad,
+                    Refinement_result& result)
+{
+  const bool limited = result.status == Refinement_status::insertion_limit;
+  const Remaining_reason otherwise =
+    limited ? Remaining_reason::insertion_limit : Remaining_reason::no_room;
+  result.remaining = remaining_faces(tri, is_bad, otherwise);
+  const bool all_excused =
+    std::none_of(result.remaining.begin(), result.remaining.end(),
+                 [&](const Remaining_face& f) { return f.reason == otherwise; });
+  if(!limited)
+    result.status = result.remaining.empty() ? Refinement_status::bounds_met
+                    : all_excused            ? Refinement_status::bounds_met_but_excused
+                                             : Refinement_status::no_room;
+  return !all_excused;
+}
+
+// Lengths that come from many roundings are computed afresh, and what that brings to light is mended.
+template <typename Traits, typename Is_bad>
+Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Is_bad& is_bad,
+                         std::size_t limit)
+{
+  Refinement_result result;
+  result.flips = CGAL::Intrinsic_triangulations::make_Delaunay(tri);
+  for(int round = 0; round < 4; ++round) {
+    Delaunay_refinement<Traits, Is_bad>(tri, is_bad, limit).run(result);
+    tri.collect_garbage();
+    tri.recompute_lengths();
+    result.flips += CGAL::Intrinsic_triangulations::make_Delaunay(tri);
+    if(!note_remaining(tri, is_bad, result) || result.status == Refinement_status::insertion_limit)
+      break;
+  }
+  return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// inserts vertices into `tri` and flips it to Delaunay until every face obeys the bounds: Chew's second
+/// algorithm (Algorithm 5), in which a circumcenter is inserted, or the boundary or constrained edge that
+/// hides it is split in the middle. The surface and the vertices of the input stay as they are.
+///
+/// With bounds on the angle of up to 25 degrees, and on closed surfaces without constraints up to 30, it
+/// ends on all surfaces; in practice higher bounds work too. Vertices with less than 60 degrees around
+/// them, or between two boundary or constrained edges, are narrow: no triangulation has large angles
+/// there, and faces at such a vertex are excused (Section 3.6).
+///
+/// \tparam Traits a model of `IntrinsicGeometryTraits` whose number type is a floating point type
+/// \tparam NamedParameters a sequence of named parameters
+/// \param tri the triangulation
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{minimum_angle}
+///     \cgalParamDescription{the least angle, in degrees; 0 for no bound}
+///     \cgalParamDefault{25}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_circumradius}
+///     \cgalParamDescription{the greatest circumradius}
+///     \cgalParamDefault{infinite}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{face_predicate}
+///     \cgalParamDescription{a function that says of a face of \f$T_2\f$ whether it shall be refined}
+///     \cgalParamType{callable with a `Face_index`, returns `bool`}
+///     \cgalParamDefault{no face}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_insertions}
+///     \cgalParamDescription{how many vertices may be inserted}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{100,000,000}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// Complexity: an insertion takes time that depends on the faces around the new vertex and the crossings
+/// on them; beyond that linear in the elements and crossings.
+/// \returns what has been done, how it ended, and the faces that violate the bounds, with the reason
+/// \throws Numerical_error, Overflow_error as `make_Delaunay()`
+/// \post `tri` is Delaunay and has no garbage
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
+                         const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef typename Traits::FT FT;
+  const FT degrees(choose_parameter(get_parameter(np, internal_np::minimum_angle), FT(25)));
+  const FT circumradius(choose_parameter(get_parameter(np, internal_np::maximum_circumradius),
+                                         std::numeric_limits<FT>::infinity()));
+  const auto predicate =
+    choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
+  const std::size_t limit(choose_parameter(
+    get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(100000000)));
+  return internal::refine(
+    tri, internal::Face_bounds<Traits, decltype(predicate)>(tri, degrees, circumradius, predicate),
+    limit);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_REFINE_H
