@@ -30,7 +30,7 @@ public:
   Progress_bar& progress() { return m_progress; }
   Statistics& statistics() { return m_statistics; }
 
-  // Returns what `stage()` returns.
+  // Returns what `stage()` returns. Stages do not contain others.
   template <class Stage>
   auto timed(const std::string& name, const Stage& stage)
   {
