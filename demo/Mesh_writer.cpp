@@ -5,54 +5,26 @@
 #include "Mesh_writer.h"
 
 #include "Program_error.h"
+#include "Text.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
+#include <filesystem>
 #include <string_view>
 
 namespace {
 
-class Text
+Text& operator<<(Text& text, const Attribute::Value& value)
 {
-public:
-  Text& operator<<(std::string_view s)
-  {
-    m_text += s;
-    return *this;
-  }
+  std::visit([&](auto x) { text << x; }, value);
+  return text;
+}
 
-  Text& operator<<(char c)
-  {
-    m_text += c;
-    return *this;
-  }
-
-  Text& operator<<(double x) { return add_number(x); }
-  Text& operator<<(std::size_t n) { return add_number(n); }
-  Text& operator<<(std::int64_t n) { return add_number(n); }
-  Text& operator<<(const Attribute::Value& value)
-  {
-    std::visit([this](auto x) { *this << x; }, value);
-    return *this;
-  }
-  Text& operator<<(const Point& p) { return *this << p.x() << ' ' << p.y() << ' ' << p.z(); }
-
-  std::string take() { return std::move(m_text); }
-
-private:
-  template <class Number>
-  Text& add_number(Number x)
-  {
-    std::array<char, 32> digits;
-    const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + 32, x);
-    m_text.append(digits.data(), end.ptr);
-    return *this;
-  }
-
-  std::string m_text;
-};
+Text& operator<<(Text& text, const Point& p)
+{
+  return text << p.x() << ' ' << p.y() << ' ' << p.z();
+}
 
 void add_polygon(Text& text, const std::vector<std::size_t>& polygon)
 {
@@ -208,8 +180,7 @@ constexpr std::array<Format_description, 4> formats = {{{"off", Mesh_format::OFF
                                                         {"ply", Mesh_format::PLY, ply},
                                                         {"vtp", Mesh_format::VTP, vtp}}};
 
-} // namespace
-
+// By its name or extension, with or without dot, in any case.
 Mesh_format mesh_format(const std::string& name)
 {
   std::string key = name.substr(name.compare(0, 1, ".") == 0 ? 1 : 0);
@@ -219,6 +190,18 @@ Mesh_format mesh_format(const std::string& name)
     if(f.name == key)
       return f.format;
   throw Program_error("no such output format: '" + name + "' (there are off, obj, ply and vtp)");
+}
+
+} // namespace
+
+Mesh_format output_format(const std::string& path, const std::string& name)
+{
+  return mesh_format(path == "-" ? name : std::filesystem::path(path).extension().string());
+}
+
+bool has_attributes(Mesh_format format)
+{
+  return format == Mesh_format::PLY || format == Mesh_format::VTP;
 }
 
 std::string text_of(const Output_mesh& mesh, Mesh_format format)

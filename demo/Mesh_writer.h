@@ -18,9 +18,12 @@ enum class Mesh_format
   VTP
 };
 
-// The format with the name or extension `name`, with or without dot, in any case.
+// The format of the file `path`, by its extension; on standard output (-) the one with the name `name`.
 // Throws Program_error if there is none.
-Mesh_format mesh_format(const std::string& name);
+Mesh_format output_format(const std::string& path, const std::string& name);
+
+// Whether a file carries the attributes of points and polygons.
+bool has_attributes(Mesh_format format);
 
 // The mesh as text; coordinates are the shortest that are read back as the same numbers.
 std::string text_of(const Output_mesh& mesh, Mesh_format format);

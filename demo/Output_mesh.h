@@ -36,4 +36,7 @@ struct Output_mesh
   std::vector<Attribute> polygon_data;
 };
 
+// The points and polygons of a mesh.
+Output_mesh output_mesh(const Mesh& mesh);
+
 #endif // INTRINSIC_OUTPUT_MESH_H

@@ -75,16 +75,9 @@ Attribute parent_faces(const Subdivision& subdivision, const char* name, IT::Sid
 Output_mesh subdivision_mesh(const Subdivision& subdivision)
 {
   const Mesh& mesh = subdivision.mesh();
-  Output_mesh result;
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    result.points.push_back(mesh.point(v));
+  Output_mesh result = output_mesh(mesh);
   for(const Mesh::Edge_index e : mesh.edges())
     result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
-  for(const Mesh::Face_index f : mesh.faces()) {
-    result.polygons.emplace_back();
-    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      result.polygons.back().push_back(v);
-  }
   result.point_data = point_data(subdivision);
   result.edge_data = {parent_edges(subdivision, "input_edge", IT::Side::input),
                       parent_edges(subdivision, "intrinsic_edge", IT::Side::intrinsic)};

@@ -57,6 +57,36 @@ off()
   } >"$1.mesh.off"
 }
 
+# grid NAME N SHEAR: the flat unit square as N x N cells (or, with a shear, a parallelogram as high with
+# the same cells cut apart), each of them two triangles; vertex i of row j has the number (N + 1) j + i.
+grid()
+{
+  awk -v n="$2" -v shear="$3" 'BEGIN {
+    print "OFF\n" (n + 1) ^ 2, 2 * n * n, 0
+    for(j = 0; j <= n; ++j)
+      for(i = 0; i <= n; ++i)
+        print (i + shear * j) / n, j / n, 0
+    for(j = 0; j < n; ++j)
+      for(i = 0; i < n; ++i) {
+        v = (n + 1) * j + i
+        print 3, v, v + 1, v + n + 2
+        print 3, v, v + n + 2, v + n + 1
+      }
+  }' >"$1.mesh.off"
+}
+
+# vertices FILE: the lines of the vertices of a PLY file.
+vertices()
+{
+  awk '/^element vertex/ { n = $3 } body && n-- > 0; /^end_header/ { body = 1 }' "$1"
+}
+
+# keys FILE: the names in a JSON file, in their order.
+keys()
+{
+  sed -n 's/^ *"\([a-z_]*\)":.*/\1/p' "$1" | tr '\n' ' '
+}
+
 square='0 0 0,1 0 0,1 1 0,0 1 0'
 tetrahedron='0 0 0,1 0 0,0 1 0,0 0 1'
 tetrahedron_faces='0 2 1,0 1 3,1 2 3,2 0 3'

@@ -31,12 +31,6 @@ for format in ply off obj; do
 done
 rm a.* b.*
 
-# keys FILE: the names in a JSON file, in their order.
-keys()
-{
-  sed -n 's/^ *"\([a-z_]*\)":.*/\1/p' "$1" | tr '\n' ' '
-}
-
 expect 0 delaunay slivers.mesh.off -o - --stats statistics.json
 expected='command input vertices edges faces euler_characteristic boundary_loops components flips '
 expected+='is_delaunay shared_edges crossings edge_length_sum min_angle_degrees subdivision vertices '

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Command_run.h"
+
+#include <iostream>
+
+namespace {
+
+std::vector<std::string> all_outputs(std::vector<std::string> outputs,
+                                     const Common_options& options)
+{
+  outputs.push_back(options.save);
+  outputs.push_back(options.statistics);
+  return outputs;
+}
+
+} // namespace
+
+Command_run::Command_run(const std::string& command, const Common_options& options,
+                         std::vector<std::string> outputs, std::size_t number_of_stages)
+  : m_options(options),
+    m_output(options.input, all_outputs(std::move(outputs), options)),
+    m_progress(number_of_stages, options.is_quiet)
+{
+  read(command);
+}
+
+// Has no progress bar: repairs and notes are told meanwhile.
+void Command_run::read(const std::string& command)
+{
+  {
+    const Timer timer(m_seconds["read"]);
+    m_input = read_input(m_options.input, {m_options.is_repair_wanted, m_options.mollification > 0},
+                         m_options.is_quiet);
+  }
+  m_statistics = common_statistics(command, m_options.input, m_input.diagnosis);
+  for(const auto& [what, count] : m_input.repairs)
+    m_statistics["repairs"][what] = count;
+}
+
+void Command_run::finish(const std::string& summary)
+{
+  m_statistics["seconds"] = m_seconds;
+  m_statistics["peak_memory_bytes"] = peak_memory_in_bytes();
+  m_output.add(m_options.statistics, text_of(m_statistics));
+  m_progress.clear();
+  m_output.commit();
+  if(!m_options.is_quiet)
+    std::cerr << m_options.input << ": " << summary << '\n';
+}

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_COMMAND_RUN_H
+#define INTRINSIC_COMMAND_RUN_H
+
+#include "Input_mesh.h"
+#include "Output.h"
+#include "Progress_bar.h"
+#include "Statistics.h"
+#include "commands.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// What the commands on intrinsic triangulations do alike: they read a mesh, go through stages, each of
+// them timed, gather statistics, and let all files appear together at the end.
+class Command_run
+{
+public:
+  // Reads the input, after the paths of the command, `outputs`, and the common ones are checked.
+  // Throws Program_error as `Output` and `read_input()` do.
+  Command_run(const std::string& command, const Common_options& options,
+              std::vector<std::string> outputs, std::size_t number_of_stages);
+
+  const Common_options& options() const { return m_options; }
+  Input_mesh& input() { return m_input; }
+  Progress_bar& progress() { return m_progress; }
+  Statistics& statistics() { return m_statistics; }
+
+  // Returns what `stage()` returns. Stages do not contain others.
+  template <class Stage>
+  auto timed(const std::string& name, const Stage& stage)
+  {
+    m_progress.start_stage(name);
+    const Timer timer(m_seconds[name]);
+    return stage();
+  }
+
+  // Nothing if the path is empty.
+  void add_output(const std::string& path, const std::string& content)
+  {
+    m_output.add(path, content);
+  }
+
+  // Adds the statistics to the files, makes these appear and tells the summary.
+  void finish(const std::string& summary);
+
+private:
+  // Sets the seconds when it goes.
+  class Timer
+  {
+  public:
+    explicit Timer(Statistics& seconds) : m_seconds(seconds) {}
+    ~Timer() { m_seconds = m_watch.seconds(); }
+
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+  private:
+    Statistics& m_seconds;
+    Stopwatch m_watch;
+  };
+
+  void read(const std::string& command);
+
+  const Common_options& m_options;
+  Output m_output;
+  Progress_bar m_progress;
+  Input_mesh m_input;
+  Statistics m_statistics;
+  Statistics m_seconds;
+};
+
+#endif // INTRINSIC_COMMAND_RUN_H

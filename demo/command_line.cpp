@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "command_line.h"
+
+#include <CGAL/version.h>
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  intrinsic info bunny.obj
+  intrinsic delaunay bunny.obj -o subdivision.ply --stats bunny.json
+  intrinsic delaunay scan.stl --repair -o - --format obj | gzip > scan.obj.gz
+  intrinsic distance bunny.obj --source 17 -o distance.vtp
+  intrinsic operators bunny.obj --prefix bunny
+
+Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
+
+constexpr const char* distance_notes =
+  R"(Distances are approximate: on evenly spread vertices by some two percent on average, on coarse or
+uneven ones by more. The distance of a vertex that no source can reach is -1.
+
+Example:
+  intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply)";
+
+constexpr const char* operators_notes =
+  R"(Files, with v vertices and f faces of the intrinsic triangulation:
+  PREFIX_laplacian.mtx             cotan Laplacian, positive semidefinite (v x v, symmetric)
+  PREFIX_mass.mtx                  consistent mass (v x v, symmetric)
+  PREFIX_lumped_mass.mtx           lumped mass (v x v, diagonal)
+  PREFIX_connection_laplacian.mtx  connection Laplacian (v x v, complex Hermitian)
+  PREFIX_gradient.mtx              values at vertices to vectors on faces (2f x v)
+  PREFIX_divergence.mtx            vectors on faces to integrals at vertices (v x 2f)
+Rows and columns of vertices are in the order of the input. Those of faces, two for each, and the
+frames of tangent vectors are those of the triangulation that --save writes.
+
+Example:
+  intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
+
+constexpr const char* version = "intrinsic " INTRINSIC_VERSION " (with CGAL " CGAL_VERSION_STR ")";
+
+CLI::App& add_command(CLI::App& app, const char* name, const char* description, std::string& input)
+{
+  CLI::App& command = *app.add_subcommand(name, description);
+  command.add_option("mesh", input, "Mesh (.off, .obj, .ply, .stl)")->required();
+  return command;
+}
+
+void add_common_options(CLI::App& command, Common_options& options)
+{
+  command.add_option("--save", options.save, "File for the intrinsic triangulation itself");
+  command.add_option("--stats", options.statistics, "JSON file for statistics");
+  command
+    .add_option("--mollify", options.mollification,
+                "Lengthen all edges until every triangle inequality has this slack, "
+                "relative to the mean edge length")
+    ->check(CLI::Range(1e-16, 1.));
+  command.add_flag("--repair", options.is_repair_wanted,
+                   "Mend what can be mended in the mesh and tell it; indices may change");
+}
+
+void add_info(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "info", "Say what a mesh is and what is wrong with it", options.info.input);
+  command.add_flag("--json", options.info.is_json, "Print JSON");
+  command.footer("Example:\n  intrinsic info bunny.obj --json\n\n"
+                 "Exit code: 0 if the mesh can be worked on, 2 if not.");
+}
+
+void add_delaunay(CLI::App& app, Options& options)
+{
+  CLI::App& command = add_command(
+    app, "delaunay", "Flip a mesh to its intrinsic Delaunay triangulation", options.common.input);
+  Delaunay_options& own = options.delaunay;
+  command
+    .add_option("-o,--output", own.output,
+                "Common subdivision of the mesh and its intrinsic Delaunay triangulation "
+                "(.off, .obj, .ply, .vtp; - for standard output)")
+    ->required();
+  command.add_option("--format", own.format, "Format on standard output: off, obj, ply or vtp")
+    ->capture_default_str();
+  add_common_options(command, options.common);
+  command
+    .add_option("--constrain-angle", own.constrained_angle,
+                "Never flip an edge at which the normals differ by this many degrees or more")
+    ->check(CLI::Range(0.001, 180.));
+  command.footer(
+    "Example:\n  intrinsic delaunay bunny.obj -o subdivision.vtp --constrain-angle 40");
+}
+
+void add_distance_outputs(CLI::App& command, Distance_options& options)
+{
+  command
+    .add_option(
+      "-o,--output", options.output,
+      "The mesh with the vertex property \"distance\" (.ply, .vtp; - for standard output)")
+    ->required();
+  command.add_option("--subdivision", options.subdivision,
+                     "Common subdivision of the mesh and its intrinsic Delaunay triangulation, "
+                     "with the same property");
+  command.add_option("--format", options.format, "Format on standard output: ply or vtp")
+    ->capture_default_str();
+}
+
+void add_distance(CLI::App& app, Options& options)
+{
+  CLI::App& command = add_command(app, "distance", "Compute geodesic distances by the heat method",
+                                  options.common.input);
+  Distance_options& own = options.distance;
+  command
+    .add_option(
+      "--source", own.sources,
+      "Vertex to which distances are measured, counted from 0; with several, to the nearest")
+    ->required()
+    ->allow_extra_args(false);
+  add_distance_outputs(command, own);
+  add_common_options(command, options.common);
+  command
+    .add_option("--time-step", own.time_step_factor,
+                "Time for which heat flows, in squared mean edge lengths")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command.footer(distance_notes);
+}
+
+void add_operators(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "operators", "Write matrices of the intrinsic Delaunay triangulation",
+                options.common.input);
+  command
+    .add_option("--prefix", options.operators.prefix,
+                "Start of the names of the Matrix Market files")
+    ->required();
+  add_common_options(command, options.common);
+  command.footer(operators_notes);
+}
+
+} // namespace
+
+void define_command_line(CLI::App& app, Options& options)
+{
+  app.description("Intrinsic triangulations of surface meshes");
+  app.set_version_flag("--version", version);
+  app.add_flag("-q,--quiet", options.common.is_quiet, "Print errors and repairs only");
+  app.footer(examples);
+  app.require_subcommand(1);
+  app.fallthrough();
+  add_info(app, options);
+  add_delaunay(app, options);
+  add_distance(app, options);
+  add_operators(app, options);
+}

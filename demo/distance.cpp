@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+
+#include "Command_run.h"
+#include "Mesh_writer.h"
+#include "Program_error.h"
+#include "triangulation_stages.h"
+
+#include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+constexpr double unreachable = -1;
+
+Mesh_format format_with_attributes(const std::string& path, const std::string& format_name)
+{
+  const Mesh_format format = output_format(path, format_name);
+  if(!has_attributes(format))
+    throw Program_error(path + ": this format cannot carry distances (.ply and .vtp can)");
+  return format;
+}
+
+std::vector<IT::Vertex_index> checked_sources(const std::vector<std::int64_t>& numbers,
+                                              const std::string& path, const Mesh& mesh)
+{
+  const std::int64_t last = std::int64_t(mesh.number_of_vertices()) - 1;
+  std::vector<IT::Vertex_index> result;
+  for(const std::int64_t n : numbers) {
+    if(n < 0 || n > last)
+      throw Program_error(path + ": there is no vertex " + std::to_string(n) +
+                          " to be a source; the vertices are 0 to " + std::to_string(last));
+    result.emplace_back(static_cast<IT::Vertex_index::size_type>(n));
+  }
+  return result;
+}
+
+// Values below zero are errors of the method.
+double presentable(double distance)
+{
+  return std::isfinite(distance) ? (std::max)(distance, 0.) : unreachable;
+}
+
+std::vector<double> distances(const Triangulation& triangulation,
+                              const std::vector<IT::Vertex_index>& sources, double time_step_factor)
+{
+  const auto np = IT::parameters::time_step_factor(time_step_factor);
+  const auto values = IT::heat_distance(IT::Side::intrinsic, triangulation, sources, np);
+  std::vector<double> result(values.begin(), values.end());
+  std::transform(result.begin(), result.end(), result.begin(), presentable);
+  return result;
+}
+
+// A vertex is reachable or not like the ends of its edge: both have a distance, or neither.
+std::vector<double> interpolated(const std::vector<double>& values, const Subdivision& subdivision,
+                                 const Triangulation& triangulation)
+{
+  std::vector<double> result(subdivision.mesh().number_of_vertices());
+  IT::interpolate(IT::Side::intrinsic, subdivision, triangulation,
+                  boost::make_iterator_property_map(values.begin(),
+                                                    get(boost::vertex_index, triangulation.mesh())),
+                  boost::make_iterator_property_map(result.begin(),
+                                                    get(boost::vertex_index, subdivision.mesh())));
+  return result;
+}
+
+void describe_distances(Statistics& statistics, const Distance_options& options,
+                        const std::vector<double>& values)
+{
+  statistics["sources"] = options.sources;
+  statistics["max_distance"] = *std::max_element(values.begin(), values.end());
+  statistics["unreachable_vertices"] = std::count(values.begin(), values.end(), unreachable);
+}
+
+std::string text_of(Output_mesh mesh, const std::vector<double>& distance, Mesh_format format)
+{
+  mesh.point_data.push_back({"distance", {distance.begin(), distance.end()}});
+  return text_of(mesh, format);
+}
+
+std::string summary_of(Command_run& run)
+{
+  const Statistics& s = run.statistics();
+  std::ostringstream text;
+  text << flip_summary(run) << ", greatest distance " << s["max_distance"].get<double>();
+  if(s["unreachable_vertices"] > 0)
+    text << ", " << s["unreachable_vertices"] << " vertices out of reach (distance -1)";
+  return text.str();
+}
+
+class Distance_command
+{
+public:
+  Distance_command(const Common_options& common, const Distance_options& options)
+    : m_options(options),
+      m_format(format_with_attributes(options.output, options.format)),
+      m_subdivision_format(subdivision_format(options)),
+      m_run("distance", common, {options.output, options.subdivision}, m_subdivision_format ? 6 : 4)
+  {}
+
+  void run()
+  {
+    const auto sources =
+      checked_sources(m_options.sources, m_run.options().input, m_run.input().mesh);
+    const Triangulation triangulation = make_delaunay_triangulation(m_run);
+    describe(m_run, triangulation);
+    const std::vector<double> values = m_run.timed(
+      "solve", [&] { return distances(triangulation, sources, m_options.time_step_factor); });
+    describe_distances(m_run.statistics(), m_options, values);
+    const auto subdivision = subdivide_if_wanted(triangulation);
+    m_run.timed("write", [&] { write(values, subdivision, triangulation); });
+    m_run.finish(summary_of(m_run));
+  }
+
+private:
+  static std::optional<Mesh_format> subdivision_format(const Distance_options& options)
+  {
+    if(options.subdivision.empty())
+      return std::nullopt;
+    return format_with_attributes(options.subdivision, options.format);
+  }
+
+  std::optional<Subdivision> subdivide_if_wanted(const Triangulation& triangulation)
+  {
+    if(!m_subdivision_format)
+      return std::nullopt;
+    return subdivide(m_run, triangulation);
+  }
+
+  void write(const std::vector<double>& values, const std::optional<Subdivision>& subdivision,
+             const Triangulation& triangulation)
+  {
+    m_run.add_output(m_options.output, text_of(output_mesh(m_run.input().mesh), values, m_format));
+    if(subdivision)
+      m_run.add_output(m_options.subdivision,
+                       text_of(subdivision_mesh(*subdivision),
+                               interpolated(values, *subdivision, triangulation),
+                               *m_subdivision_format));
+    save(m_run, triangulation);
+  }
+
+  const Distance_options& m_options;
+  Mesh_format m_format;
+  std::optional<Mesh_format> m_subdivision_format; // none if it is not wanted
+  Command_run m_run;
+};
+
+} // namespace
+
+int distance(const Common_options& common, const Distance_options& options)
+{
+  Distance_command(common, options).run();
+  return 0;
+}

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "triangulation_stages.h"
+
+#include "sharp_edges.h"
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Intrinsic_triangulations/edge_lengths.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/mollify.h>
+
+#include <functional>
+#include <sstream>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+using Edge_length_map = Mesh::Property_map<Mesh::Edge_index, double>;
+
+// Shows the flips while they are made.
+struct Flip_counter
+{
+  Progress_bar& progress;
+
+  void after_flip(IT::Halfedge_index) { progress.step(); }
+};
+
+Edge_bool_map constrained_edges(Mesh& mesh, double angle)
+{
+  if(angle > 0)
+    return mark_sharp_edges(mesh, angle);
+  return mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+}
+
+// With the length that was added to each edge in the statistics.
+Edge_length_map mollified_lengths(Command_run& run)
+{
+  Mesh& mesh = run.input().mesh;
+  auto lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+  IT::compute_edge_lengths(mesh, lengths);
+  run.statistics()["added_length"] = IT::mollify(mesh, lengths, run.options().mollification);
+  return lengths;
+}
+
+Triangulation build(Command_run& run, double constrained_angle)
+{
+  Mesh& mesh = run.input().mesh;
+  const auto np =
+    CGAL::parameters::edge_is_constrained_map(constrained_edges(mesh, constrained_angle));
+  if(run.options().mollification > 0)
+    return Triangulation(mesh, IT::parameters::edge_length_map(mollified_lengths(run), np));
+  return Triangulation(mesh, np);
+}
+
+} // namespace
+
+Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle)
+{
+  Triangulation result = run.timed("build", [&] { return build(run, constrained_angle); });
+  run.timed("flip", [&] {
+    Flip_counter counter{run.progress()};
+    run.statistics()["flips"] =
+      IT::make_Delaunay(result, CGAL::parameters::visitor(std::ref(counter)));
+  });
+  return result;
+}
+
+void describe(Command_run& run, const Triangulation& triangulation)
+{
+  const auto& coordinates = triangulation.coordinates();
+  std::size_t shared = 0;
+  std::int64_t crossings = 0;
+  double length = 0;
+  for(const IT::Edge_index e : triangulation.mesh().edges()) {
+    if(coordinates.is_shared(e))
+      ++shared;
+    else
+      crossings += coordinates.normal_coordinate(e);
+    length += triangulation.length(e);
+  }
+  const auto lengths = IT::parameters::edge_length_map(triangulation.length_map());
+  Statistics& statistics = run.statistics();
+  statistics["is_delaunay"] = IT::is_Delaunay(triangulation);
+  statistics["shared_edges"] = shared;
+  statistics["crossings"] = crossings;
+  statistics["edge_length_sum"] = length;
+  statistics["min_angle_degrees"] =
+    IT::diagnose(triangulation.mesh(), lengths).statistics().min_angle;
+}
+
+Subdivision subdivide(Command_run& run, const Triangulation& triangulation)
+{
+  const auto correspondence =
+    run.timed("trace", [&] { return IT::Correspondence<>(triangulation); });
+  Subdivision result = run.timed("subdivide", [&] {
+    Subdivision subdivision(correspondence);
+    IT::interpolate(IT::Side::input, subdivision, triangulation, run.input().mesh.points(),
+                    subdivision.mesh().points());
+    return subdivision;
+  });
+  const Mesh& mesh = result.mesh();
+  run.statistics()["subdivision"] = {{"vertices", mesh.number_of_vertices()},
+                                     {"edges", mesh.number_of_edges()},
+                                     {"faces", mesh.number_of_faces()}};
+  return result;
+}
+
+void save(Command_run& run, const Triangulation& triangulation)
+{
+  if(run.options().save.empty())
+    return;
+  std::ostringstream text;
+  IT::write_intrinsic_triangulation(text, triangulation);
+  run.add_output(run.options().save, text.str());
+}
+
+std::string flip_summary(Command_run& run)
+{
+  const Statistics& s = run.statistics();
+  std::ostringstream text;
+  text << s["flips"] << " flips, smallest angle " << run.input().diagnosis.statistics().min_angle
+       << " -> " << s["min_angle_degrees"].get<double>() << " degrees";
+  return text.str();
+}

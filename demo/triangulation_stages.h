@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_TRIANGULATION_STAGES_H
+#define INTRINSIC_TRIANGULATION_STAGES_H
+
+#include "Command_run.h"
+#include "subdivision_mesh.h"
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+
+#include <string>
+
+using Triangulation = CGAL::Intrinsic_triangulations::Intrinsic_triangulation<>;
+
+// The stages "build" and "flip": the intrinsic Delaunay triangulation of the input, mollified if that is
+// wanted. Edges at which the normals differ by `constrained_angle` degrees or more stay; zero for none.
+Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle = 0);
+
+// Adds what the triangulation is to the statistics.
+void describe(Command_run& run, const Triangulation& triangulation);
+
+// The stages "trace" and "subdivide": the common subdivision in space, its size in the statistics.
+Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
+
+// Adds the file of the triangulation to the outputs, if it is wanted.
+void save(Command_run& run, const Triangulation& triangulation);
+
+// What the flips did, for a summary.
+// Precondition: the triangulation has been described.
+std::string flip_summary(Command_run& run);
+
+#endif // INTRINSIC_TRIANGULATION_STAGES_H
