@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <array>
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
@@ -85,6 +86,16 @@ Face_location<FT> face_location(const Edge_point<FT>& p, const Delta_complex& me
   const auto side = sides(f, mesh);
   const std::size_t s = p.halfedge == side[0] ? 0 : p.halfedge == side[1] ? 1 : 2;
   return {f, barycentric_coordinates(s, p.t)};
+}
+
+// the coordinates of a point of the face of `h`, that of the source of `h` first
+template <typename FT>
+std::array<FT, 3> coordinates_from(Halfedge_index h, const Face_location<FT>& p,
+                                   const Delta_complex& mesh)
+{
+  const auto side = sides(p.first, mesh);
+  const std::size_t s = h == side[0] ? 0 : h == side[1] ? 1 : 2;
+  return {p.second[s], p.second[(s + 1) % 3], p.second[(s + 2) % 3]};
 }
 
 } // namespace internal

@@ -114,11 +114,13 @@ template <typename Source, typename EdgeLengthMap, typename FT>
 Logarithm<FT> logarithm_at(const Source& source, const Face_location<FT>& target,
                            const Delta_complex& mesh, const EdgeLengthMap& length)
 {
-  Shortest_paths<EdgeLengthMap> paths(mesh, length);
-  paths.start_at(source);
+  typedef Shortest_paths<EdgeLengthMap> Paths;
+  const Logarithm_of_path<EdgeLengthMap> logarithm(is_vertex(source, mesh), mesh, length);
   const Vertex_index v = vertex_at(target, mesh);
-  return Logarithm_of_path<EdgeLengthMap>(is_vertex(source, mesh), mesh, length)(
-    v == Delta_complex::null_vertex() ? paths.path_to(target) : paths.path_to(v));
+  const bool to_vertex = v != Delta_complex::null_vertex();
+  Paths paths(mesh, length, to_vertex ? Face_location<FT>() : target);
+  paths.start_at(source);
+  return logarithm(to_vertex ? paths.path_to(v) : paths.path_to_target());
 }
 
 template <typename Source, typename EdgeLengthMap>
@@ -144,7 +146,8 @@ auto logarithms_at(const Source& source, const Delta_complex& mesh, const EdgeLe
 /// The shortest path is found among all, by unfolding faces along the views from `v`, from edge
 /// lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at a vertex
 /// with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary. Behind such a vertex
-/// there may be points to which no straight line leads. Of several shortest paths any one is taken.
+/// there may be points to which no straight line leads. A straight path may touch the boundary, where
+/// `At_boundary::slide` leads on. Of several shortest paths any one is taken.
 ///
 /// Lengths are accurate to rounding for every face passed. A vector that passes close to a vertex with
 /// curvature may be traced to the wrong side of it (see `trace_geodesic()`).
@@ -153,8 +156,8 @@ auto logarithms_at(const Source& source, const Delta_complex& mesh, const EdgeLe
 /// \param mesh a triangulated surface; loops, parallel edges and faces that meet themselves are welcome
 /// \param length a readable property map from its edges to their lengths, floating point numbers
 /// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views up to the
-/// distance of `target`; these can be quadratic in the faces within that distance, but tend to be some
-/// dozens for each.
+/// distance of `target`; these can be quadratic in the number of faces or more, but tend to be some dozens
+/// for each face within that distance.
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
 template <typename EdgeLengthMap>
 Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type> logarithmic_map(

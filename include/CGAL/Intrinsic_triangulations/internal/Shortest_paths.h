@@ -49,8 +49,10 @@ public:
     Vector direction;
   };
 
-  Shortest_paths(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_mesh(mesh), m_length(length), m_path(mesh.num_vertices()), m_nearest(mesh.num_halfedges())
+  // `target` is one more point, which is no vertex; without it its face is null.
+  Shortest_paths(const Delta_complex& mesh, const EdgeLengthMap& length,
+                 const Face_location<FT>& target = {})
+    : m_mesh(mesh), m_length(length), m_target(target), m_path(mesh.num_vertices())
   {}
 
   void start_at(Vertex_index v)
@@ -64,12 +66,13 @@ public:
   {
     const Halfedge_index h = m_mesh.halfedge(p.first);
     const Face face(h, m_mesh, m_length);
+    const Origin origin{FT(0), Delta_complex::null_vertex(), h, Vector(1)};
     for(std::size_t s = 0; s < 3; ++s) {
-      const Vector to_corner = face.to_corner(s, p.second);
-      reach(m_mesh.source(sides(p.first, m_mesh)[s]), {std::abs(to_corner), true, h, to_corner});
-      open_view(h, face, s, p.second, {FT(0), Delta_complex::null_vertex(), h, Vector(1)});
+      const Vertex_index corner = m_mesh.source(sides(p.first, m_mesh)[s]);
+      reach(corner, path_from(origin, face.to_corner(s, p.second)));
+      open_view(h, face, s, p.second, origin);
     }
-    m_start = p;
+    look_for_target(h, face, p.second, origin);
   }
 
   // to all vertices
@@ -88,16 +91,9 @@ public:
     return m_path[v.idx()];
   }
 
-  // to the point `q`, which is no vertex, alone
-  Path path_to(const Face_location<FT>& q)
+  // The path to the point given at construction alone.
+  Path path_to_target()
   {
-    m_target = q;
-    const Halfedge_index h = m_mesh.halfedge(q.first);
-    const Face face(h, m_mesh, m_length);
-    if(m_start.first == q.first) {
-      const Vector v = face.between(m_start.second, q.second);
-      improve(m_path_to_target, {std::abs(v), true, h, v});
-    }
     run([&] { return m_path_to_target.length; });
     return m_path_to_target;
   }
@@ -135,18 +131,6 @@ private:
     Vertex_index vertex;
 
     friend bool operator<(const Bend& b, const Bend& c) { return b.length > c.length; }
-  };
-
-  struct Sides_seen
-  {
-    bool left, right;
-  };
-
-  // The shortest line through an edge to the apex beyond it, and where it crosses the edge.
-  struct Nearest_line
-  {
-    FT length = std::numeric_limits<FT>::infinity();
-    FT crossing = FT(0);
   };
 
   FT length(Halfedge_index h) const { return get(m_length, m_mesh.edge(h)); }
@@ -200,11 +184,22 @@ private:
       reach(m_mesh.target(h), path_from(origin, Vector(length(h))));
       if(m_mesh.is_border(h))
         return;
-      open_view(h, Face(h, m_mesh, m_length), 1, {FT(1), FT(0), FT(0)}, origin);
+      const Face face(h, m_mesh, m_length);
+      open_view(h, face, 1, {FT(1), FT(0), FT(0)}, origin);
+      look_for_target(h, face, {FT(1), FT(0), FT(0)}, origin);
       h = next_spoke(h, m_mesh);
       if(h == first)
         return;
     }
+  }
+
+  Place target_in(Halfedge_index h) const { return coordinates_from(h, m_target, m_mesh); }
+
+  // In the face of `h`, from the point `p` of this face.
+  void look_for_target(Halfedge_index h, const Face& face, const Place& p, const Origin& origin)
+  {
+    if(m_mesh.face(h) == m_target.first)
+      improve(m_path_to_target, path_from(origin, face.between(p, target_in(h))));
   }
 
   // Through side `s` of the face of `h`, from the point `p` of this face.
@@ -311,19 +306,11 @@ private:
     if(is_seen(apex))
       reach(m_mesh.target(m_mesh.next(o)), path_from(view.origin, apex - view.position));
     if(m_mesh.face(o) == m_target.first) {
-      const Vector q = target - position_in(o, face, m_target);
+      const Vector q = target - face.between({FT(1), FT(0), FT(0)}, target_in(o));
       if(is_seen(q))
         improve(m_path_to_target, path_from(view.origin, q - view.position));
     }
     split(view, face, apex, tolerance);
-  }
-
-  // the place of `q` from the source of the side `o` of its face
-  Vector position_in(Halfedge_index o, const Face& face, const Face_location<FT>& q) const
-  {
-    const auto side = sides(q.first, m_mesh);
-    const std::size_t s = o == side[0] ? 0 : o == side[1] ? 1 : 2;
-    return q.second[(s + 1) % 3] * face.side(0) - q.second[(s + 2) % 3] * face.side(2);
   }
 
   // Hands the view on to the two sides beyond the edge, left and right of the apex.
@@ -338,30 +325,13 @@ private:
       if((to - from) * l > tolerance)
         push(edge, a - view.position, axis, from * l, to * l, turned(view.origin));
     };
-    const Sides_seen seen = sides_seen(view, middle, apex);
-    if(seen.left)
+    if(view.begin < middle)
       hand_on(m_mesh.next(o), source, hit(view, view.begin, source, apex),
               middle < view.end ? FT(1) : hit(view, view.end, source, apex), face.direction(1));
-    if(seen.right)
+    if(middle < view.end)
       hand_on(m_mesh.prev(o), apex,
               view.begin < middle ? FT(0) : hit(view, view.begin, apex, target),
               hit(view, view.end, apex, target), face.direction(2));
-  }
-
-  // The sides on which a view through an edge sees anything. Of all views that have the apex inside,
-  // only the one from which it is nearest needs both (Chen and Han): lines of another one that pass
-  // the apex on the side of the nearest one's line cross that line.
-  Sides_seen sides_seen(const View& view, const FT& middle, const Vector& apex)
-  {
-    if(!(view.begin < middle && middle < view.end))
-      return {view.begin < middle, middle < view.end};
-    Nearest_line& nearest = m_nearest[view.edge.idx()];
-    const FT length = view.origin.before + std::abs(apex - view.position);
-    if(length < nearest.length) {
-      nearest = {length, middle};
-      return {true, true};
-    }
-    return {middle <= nearest.crossing, nearest.crossing <= middle};
   }
 
   // as seen from the opposite halfedge
@@ -372,12 +342,11 @@ private:
 
   const Delta_complex& m_mesh;
   const EdgeLengthMap& m_length;
-  Vertex_index m_source;                   // null if the source is no vertex
-  Face_location<FT> m_start{}, m_target{}; // with null faces if there are none
-  std::vector<Path> m_path;                // to each vertex
+  Vertex_index m_source;      // null if the source is no vertex
+  Face_location<FT> m_target; // in a null face if there is none
+  std::vector<Path> m_path;   // to each vertex
   Path m_path_to_target;
-  std::vector<Nearest_line> m_nearest; // through each halfedge
-  std::priority_queue<Bend> m_bends;   // from which no views have been opened
+  std::priority_queue<Bend> m_bends; // from which no views have been opened
   std::priority_queue<View> m_views;
 };
 
