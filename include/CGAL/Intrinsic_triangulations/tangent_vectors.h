@@ -84,7 +84,7 @@ tangent_vector_at_vertex(Side side, Halfedge_index spoke,
 /// \f$\varphi\f$ counterclockwise from `first_spoke()`.
 ///
 /// `trace_geodesic()` of the result ends at `p`. There may be shorter geodesics through other
-/// faces.
+/// faces: see `logarithmic_map()`.
 /// \param spoke a halfedge of the face of `p`
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
 /// \param mesh a triangulated surface
