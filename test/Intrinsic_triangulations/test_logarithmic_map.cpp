@@ -302,6 +302,23 @@ TEST(Logarithmic_map, bends_at_the_boundary)
   EXPECT_EQ(logarithms[7].status, Status::straight); // straight on along the edge
 }
 
+// Rounding gives needles on a folded strip some curvature, but no shadow without a way into it.
+TEST(Logarithmic_map, needles)
+{
+  const auto height = [](double x) { return 0.3 * std::sin(x); };
+  const Triangulation t(
+    grid(60, 60, [&](double x, double y) { return Point(x, 1e-5 * y, height(x)); }));
+  const auto logarithms = IT::logarithmic_map(Side::input, Vertex_index(0), t);
+  double unrolled = 0;
+  for(std::size_t i = 0; i <= 60; ++i) {
+    for(std::size_t j = 0; j <= 60; ++j)
+      EXPECT_NEAR(std::abs(logarithms[61 * i + j].vector),
+                  std::hypot(unrolled, 1e-5 * static_cast<double>(j)), 1e-10);
+    const double x = static_cast<double>(i);
+    unrolled += std::hypot(1, height(x + 1) - height(x));
+  }
+}
+
 TEST(Logarithmic_map, itself)
 {
   const Triangulation t(cube());

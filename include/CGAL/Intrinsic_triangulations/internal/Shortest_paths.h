@@ -124,7 +124,7 @@ private:
     friend bool operator<(const View& v, const View& w) { return v.least > w.least; }
   };
 
-  // A vertex where a shortest path can bend.
+  // A vertex where a shortest path may bend.
   struct Bend
   {
     FT length; // of the path to it
@@ -151,15 +151,15 @@ private:
 
   void reach(Vertex_index v, const Path& path)
   {
-    if(improve(m_path[v.idx()], path) && v != m_source && can_bend(v))
+    if(improve(m_path[v.idx()], path) && v != m_source)
       m_bends.push({path.length, v});
   }
 
+  // The shadow of a vertex that is not counted is no wider than the tolerance of what is seen.
   bool can_bend(Vertex_index v) const
   {
     const Vertex_angles<FT> angles(first_spoke(v, m_mesh), m_mesh, m_length);
-    const FT flat = angles.is_border() ? pi<FT>() : 2 * pi<FT>();
-    return angles.sum() > flat * (1 + rounding_unit<FT>());
+    return angles.sum() - (angles.is_border() ? 1 : 2) * pi<FT>() > rounding_unit<FT>();
   }
 
   // `vector` leads from the origin to the end of the path, in a frame with the axis of the origin.
@@ -174,9 +174,11 @@ private:
 
   // ---- Opening views ----
 
-  // All around `v`; `bend` is `v` or, if this is the source, null.
+  // All around `v`; `bend` is `v` or, if this is the source, null. Where paths cannot bend, ways along
+  // edges are bounds for others, and stand in for views that rounding has closed.
   void open_views(Vertex_index v, Vertex_index bend)
   {
+    const bool is_open = v == m_source || can_bend(v);
     const Halfedge_index first = first_spoke(v, m_mesh);
     Halfedge_index h = first;
     for(;;) {
@@ -185,7 +187,8 @@ private:
       if(m_mesh.is_border(h))
         return;
       const Face face(h, m_mesh, m_length);
-      open_view(h, face, 1, {FT(1), FT(0), FT(0)}, origin);
+      if(is_open)
+        open_view(h, face, 1, {FT(1), FT(0), FT(0)}, origin);
       look_for_target(h, face, {FT(1), FT(0), FT(0)}, origin);
       h = next_spoke(h, m_mesh);
       if(h == first)
