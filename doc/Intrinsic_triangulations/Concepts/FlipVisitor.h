@@ -9,6 +9,7 @@
 /// record the flips, or to stop them by an exception.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Default_flip_visitor`
+/// \cgalHasModel `CGAL::Intrinsic_triangulations::Angular_coordinates`
 class FlipVisitor
 {
 public:

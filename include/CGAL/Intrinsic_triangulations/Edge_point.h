@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <array>
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
@@ -116,6 +117,16 @@ template <typename FT>
 Edge_point<FT> edge_point(Halfedge_index h, const Face_location<FT>& p, const Delta_complex& mesh)
 {
   return {h, p.second[(side_number(h, mesh) + 1) % 3]};
+}
+
+// the coordinates of a point of the face of `h`, that of the source of `h` first
+template <typename FT>
+std::array<FT, 3> coordinates_from(Halfedge_index h, const Face_location<FT>& p,
+                                   const Delta_complex& mesh)
+{
+  const auto side = sides(p.first, mesh);
+  const std::size_t s = h == side[0] ? 0 : h == side[1] ? 1 : 2;
+  return {p.second[s], p.second[(s + 1) % 3], p.second[(s + 2) % 3]};
 }
 
 } // namespace internal

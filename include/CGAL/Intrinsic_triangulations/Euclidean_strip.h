@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -101,6 +102,10 @@ public:
 
   /// the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
+
+  /// the angle at \f$a\f$ from the first side \f$\overrightarrow{ai}\f$ counterclockwise to the line; `FT`
+  /// is a floating point type. \pre `finish()` has been called
+  FT angle() const { return std::atan2(m_end.y, m_end.x); }
 
   /// the crossing of the line with inner edge `m`. \pre `finish()` has been called
   Crossing crossing(std::size_t m) const

@@ -74,6 +74,10 @@ public:
   /// vertices is \f$2\pi\f$ times its Euler characteristic.
   FT angle_defect(Vertex_index v) const { return normalized_sum(v) - angle_sum(v); }
 
+  /// the factor that makes angles of the surface at `v` normalized angles: \f$2\pi/\Theta\f$, or
+  /// \f$\pi/\Theta\f$ on the boundary. \pre `v` is not isolated
+  FT scale(Vertex_index v) const { return normalized_sum(v) / angle_sum(v); }
+
   /// the parallel transport \f$R_{ij} = e^{\mathbf{i}((\varphi_{ji} + \pi) - \varphi_{ij})}\f$ from the
   /// source of `h` to its target: a tangent vector is multiplied with it.
   std::complex<FT> transport(Halfedge_index h) const

@@ -27,16 +27,6 @@ namespace Intrinsic_triangulations {
 
 namespace internal {
 
-// the coordinates of a point of the face of `h`, that of the source of `h` first
-template <typename FT>
-std::array<FT, 3> coordinates_from(Halfedge_index h, const Face_location<FT>& p,
-                                   const Delta_complex& mesh)
-{
-  const auto side = sides(p.first, mesh);
-  const std::size_t s = h == side[0] ? 0 : h == side[1] ? 1 : 2;
-  return {p.second[s], p.second[(s + 1) % 3], p.second[(s + 2) % 3]};
-}
-
 // the tangent vector at the source of `spoke` that is `vector` in the frame of this halfedge
 template <typename EdgeLengthMap, typename FT>
 std::complex<FT> at_vertex(Halfedge_index spoke, const std::complex<FT>& vector,
@@ -94,7 +84,7 @@ tangent_vector_at_vertex(Side side, Halfedge_index spoke,
 /// \f$\varphi\f$ counterclockwise from `first_spoke()`.
 ///
 /// `trace_geodesic()` of the result ends at `p`. There may be shorter geodesics through other
-/// faces.
+/// faces: see `logarithmic_map()`.
 /// \param spoke a halfedge of the face of `p`
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
 /// \param mesh a triangulated surface

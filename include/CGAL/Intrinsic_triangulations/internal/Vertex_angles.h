@@ -47,6 +47,8 @@ public:
       h = next_spoke(h, mesh);
     } while(h != first && !mesh.is_border(h));
     m_is_border = mesh.is_border(h);
+    if(m_is_border && h == spoke)
+      m_before = m_sum;
     if(!(m_sum > 0) || !CGAL::is_finite(m_sum))
       throw Numerical_error("the angles at vertex " + std::to_string(v.idx()) +
                             " have no positive finite sum");

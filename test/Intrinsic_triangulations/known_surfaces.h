@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_TRIANGULATIONS_TEST_KNOWN_SURFACES_H
+#define INTRINSIC_TRIANGULATIONS_TEST_KNOWN_SURFACES_H
+
+#include "measuring.h"
+
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+// Surfaces whose geodesics have formulas.
+namespace Test_surfaces {
+
+using Complex = std::complex<double>;
+
+const double pi = std::acos(-1.);
+
+inline Complex random_vector(double length, CGAL::Random& random)
+{
+  return std::polar(length * random.get_double(0.01, 1), random.get_double(-pi, pi));
+}
+
+// ---- The plane, or the plane modulo a lattice ----
+
+class Flat_places
+{
+public:
+  Flat_places(Side side, const Flat_triangulation& flat)
+    : m_side(side), m_flat(flat), m_faces(side, *flat)
+  {}
+
+  const Flat_faces& faces() const { return m_faces; }
+
+  Complex vector(Halfedge_index h) const
+  {
+    const Vector& v = m_side == Side::input ? m_flat.input_vector(h) : m_flat.vector(h);
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+  }
+
+  Complex place(const Location& p) const
+  {
+    const auto h = m_faces.sides(p.first);
+    const Vector& origin = m_flat.surface().point[m_faces.mesh().source(h[0])];
+    return Complex(static_cast<double>(origin.x), static_cast<double>(origin.y)) +
+           p.second[1] * vector(h[0]) - p.second[2] * vector(h[2]);
+  }
+
+  // takes vectors of the frame of a face to the plane
+  Complex frame(Face_index f) const
+  {
+    const Complex axis = vector(m_faces.sides(f)[0]);
+    return axis / std::abs(axis);
+  }
+
+  double distance(const Complex& p, const Complex& q) const
+  {
+    const auto det = [](const Complex& v, const Complex& w) { return (std::conj(v) * w).imag(); };
+    const Vector &u = m_flat.surface().a, &v = m_flat.surface().b;
+    const Complex d = p - q, a(static_cast<double>(u.x), static_cast<double>(u.y)),
+                  b(static_cast<double>(v.x), static_cast<double>(v.y));
+    return std::abs(d - std::round(det(d, b) / det(a, b)) * a -
+                    std::round(det(a, d) / det(a, b)) * b);
+  }
+
+private:
+  Side m_side;
+  const Flat_triangulation& m_flat;
+  Flat_faces m_faces;
+};
+
+// ---- A cone ----
+
+// n triangles around an apex, which is vertex 0, with these angles and long legs.
+struct Cone
+{
+  explicit Cone(const std::vector<double>& angles)
+  {
+    const int n = static_cast<int>(angles.size());
+    Sides sides;
+    std::vector<double> lengths(angles.size(), leg);
+    for(int i = 0; i < n; ++i) {
+      sides.push_back({i + 1, n + i + 1, -((i + 1) % n + 1)});
+      lengths.push_back(2 * leg * std::sin(angles[static_cast<std::size_t>(i)] / 2));
+    }
+    for(double a : angles)
+      total += a;
+    mesh = triangulation(glue(sides), lengths);
+    apex = mesh.input_mesh().source(halfedge_of(1));
+  }
+
+  Halfedge_index spoke(Face_index f) const
+  {
+    for(Halfedge_index h : Flat_faces(Side::input, mesh).sides(f))
+      if(mesh.input_mesh().source(h) == apex)
+        return h;
+    return {};
+  }
+
+  // distance and angle (on the surface) from the apex
+  Complex polar(const Location& p) const
+  {
+    const Complex v = IT::logarithm(Side::input, spoke(p.first), p, mesh);
+    return {std::abs(v), std::arg(v) / (2 * pi) * total};
+  }
+
+  // the unit vector away from the apex, in the frame of the face
+  Complex outwards(const Location& p) const
+  {
+    const Location tip = Flat_faces(Side::input, mesh).on(spoke(p.first), 0);
+    const Complex v = IT::logarithm(Side::input, tip, p, mesh);
+    return v / std::abs(v);
+  }
+
+  static constexpr double leg = 10;
+  Triangulation mesh;
+  Vertex_index apex;
+  double total = 0;
+};
+
+inline std::vector<Cone> cones()
+{
+  return {Cone({0.3}),
+          Cone({1.1, 0.4}),
+          Cone({1, 0.2, 0.7}),
+          Cone({2, 1.5, 2, 0.7}),
+          Cone({2.5, 2.5, 2.5, 1}),
+          Cone({1e-9, 1, 1e-9, 2, 0.01})};
+}
+
+} // namespace Test_surfaces
+
+#endif // INTRINSIC_TRIANGULATIONS_TEST_KNOWN_SURFACES_H
