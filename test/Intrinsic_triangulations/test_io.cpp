@@ -255,7 +255,7 @@ TEST(Io, header)
 {
   const std::string text = text_of(Triangulation(tetrahedron()));
   EXPECT_EQ(lines_of(text)[0], "intrinsic_triangulation 2");
-  for(const char* header : {"", "intrinsic_triangulation 2", "intrinsic_triangulation", "OFF",
+  for(const char* header : {"", "intrinsic_triangulation 1", "intrinsic_triangulation", "OFF",
                             " intrinsic_triangulation 2", "intrinsic_triangulation 2 "}) {
     Lines lines = lines_of(text);
     lines[0] = header;

@@ -85,6 +85,7 @@ public:
     trace_all();
     order_along_intrinsic();
     order_along_input();
+    note_inserted();
   }
 
   Correspondence(Triangulation&&) = delete; // it would refer to what is gone
@@ -163,6 +164,19 @@ public:
     return {{even(record.input), record.s}, {first_halfedge(record.intrinsic), record.t}};
   }
 
+  /// the number of crossing `id` on the halfedge `h` of \f$T_2\f$ that it is on, counted from its source.
+  size_type rank_on_intrinsic(size_type id, Halfedge_index h) const
+  {
+    const Edge_index e(h);
+    return is_even(h) ? id - m_first_on_intrinsic[e] : m_first_on_intrinsic[e.idx() + 1] - 1 - id;
+  }
+
+  /// whether the face `f` of \f$T_1\f$ contains inserted vertices, inside it or inside its edges.
+  bool contains_inserted(Face_index f) const
+  {
+    return !m_contains_inserted.empty() && m_contains_inserted[f.idx()];
+  }
+
   /// the halfedge of the other side that is the last spoke at or clockwise from the halfedge `h` of
   /// `side` around its source: `h` itself if its edge is shared, otherwise it starts in the same corner.
   /// Null if the source lies inside a face of the other side.
@@ -205,6 +219,20 @@ private:
     const Record& r = m_records[id];
     const Halfedge_index first = first_halfedge(r.intrinsic);
     return {id, on(h, r.s), on(h == r.input ? twin(first) : first, r.t)};
+  }
+
+  void note_inserted()
+  {
+    const Delta_complex& input = m_tri.input_mesh();
+    if(m_tri.number_of_inserted_vertices() > 0)
+      m_contains_inserted.assign(input.num_faces(), false);
+    for(Vertex_index v : m_tri.mesh().vertices())
+      if(m_tri.is_inserted(v)) {
+        const auto& m = m_tri.inserted_vertex(v);
+        m_contains_inserted[m.location.first.idx()] = true;
+        if(m.along.is_valid() && !input.is_border(input.opposite(m.along)))
+          m_contains_inserted[input.face(input.opposite(m.along)).idx()] = true;
+      }
   }
 
   static size_type end_of_pieces(const Part& part)
@@ -329,6 +357,7 @@ private:
   std::vector<Part> m_parts;
   std::vector<size_type> m_order_on_input; // crossings along each edge of T1
   std::vector<Halfedge_index> m_spoke_before;
+  std::vector<char> m_contains_inserted; // for each face of T1; empty if there are none
   std::vector<size_type>
     m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
   std::vector<Record> m_records;

@@ -98,6 +98,13 @@ std::array<FT, 3> barycentric_coordinates(std::size_t s, const FT& t)
   return b;
 }
 
+// whether two barycentric coordinates are zero
+template <typename FT>
+bool is_corner(const std::array<FT, 3>& p)
+{
+  return (p[0] == 0) + (p[1] == 0) + (p[2] == 0) == 2;
+}
+
 // the number of the side `h` of its face
 inline std::size_t side_number(Halfedge_index h, const Delta_complex& mesh)
 {

@@ -32,6 +32,17 @@ struct Edge_split
 };
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
+/// the coordinates of the edges from a vertex \f$m\f$ that splits a face to the three corners.
+template <typename Integer>
+struct Face_split
+{
+  std::array<Integer, 3> n; ///< the normal coordinates
+  std::array<Vertex_spokes::size_type, 3>
+    r; ///< the roundabouts at \f$m\f$; 0 if it is in a face of
+       ///< \f$T_1\f$
+};
+
+/// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// the normal coordinates \f$n\f$ and roundabouts \f$r\f$ of Section 3.1, as property maps on the edges
 /// and halfedges of a triangulation \f$T_2\f$, which encode how the edges of a triangulation \f$T_1\f$
 /// of the same surface run over it. They know no lengths; all their answers are exact.
@@ -230,28 +241,29 @@ public:
     m_r[lk] = following_roundabout(lj, n.lj, n.jk, n_kl, spokes.degree(mesh.target(kl)));
   }
 
-  /// inserts a vertex into the face of `h` as `split_face()` does, inside a face of \f$T_1\f$
-  /// (Section 3.5.1). Complexity: constant.
+  /// inserts a vertex into the face of `h` as `split_face()` does (Section 3.5.1).
+  /// Complexity: constant.
   /// \param h a halfedge that is no border halfedge
-  /// \param n the normal coordinates of the edges from the new vertex to the source of `h`, its target,
-  ///        and the target of the next halfedge; not negative
+  /// \param at the coordinates of the edges from the new vertex to the source of `h`, its target, and the
+  ///        target of the next halfedge; at most one of them is shared
+  /// \param spoke the first spoke of the new vertex if it is on an edge of \f$T_1\f$, otherwise null
   /// \param mesh the mesh
-  /// \param spokes the spokes of \f$T_1\f$; the new vertex has none
+  /// \param spokes the spokes of \f$T_1\f$, to which those of the new vertex are added
   /// \returns the new vertex
   /// \throws Overflow_error if a normal coordinate is out of range; nothing has changed then.
-  Vertex_index split_face(Halfedge_index h, const std::array<Integer, 3>& n, Delta_complex& mesh,
-                          Vertex_spokes& spokes)
+  Vertex_index split_face(Halfedge_index h, const Face_split<Integer>& at, Halfedge_index spoke,
+                          Delta_complex& mesh, Vertex_spokes& spokes)
   {
-    for(const Integer& value : n)
+    for(const Integer& value : at.n)
       internal::check_range(value);
     const std::array<Halfedge_index, 3> side{h, mesh.next(h), mesh.prev(h)};
     const Vertex_index m = mesh.target(Intrinsic_triangulations::split_face(h, mesh));
-    spokes.set_inserted(m, Halfedge_index());
+    spokes.set_inserted(m, spoke);
     for(std::size_t s = 0; s < 3; ++s) {
       const Halfedge_index inward = mesh.opposite(mesh.prev(side[s]));
-      m_n[edge_of(inward)] = n[s];
-      m_r[mesh.opposite(inward)] = 0;
-      m_r[inward] = following_roundabout(side[s], m_n[edge_of(side[s])], n[(s + 1) % 3], n[s],
+      m_n[edge_of(inward)] = at.n[s];
+      m_r[mesh.opposite(inward)] = at.r[s];
+      m_r[inward] = following_roundabout(side[s], m_n[edge_of(side[s])], at.n[(s + 1) % 3], at.n[s],
                                          spokes.degree(mesh.source(inward)));
     }
     return m;

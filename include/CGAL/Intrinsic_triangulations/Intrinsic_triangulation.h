@@ -305,24 +305,27 @@ public:
   /// inserts a vertex into a face of \f$T_2\f$ and joins it to the corners (see
   /// `Integer_coordinates::split_face()`). Complexity: constant.
   /// \param p the point on \f$T_2\f$
-  /// \param n the normal coordinates of the edges from the new vertex to the corners of the face, in the
+  /// \param at the integer coordinates of the edges from the new vertex to the corners of the face, in the
   ///        order of the coordinates of `p`
   /// \param q the same point on \f$T_1\f$
   /// \returns the new vertex
   /// \throws Numerical_error if an edge has no positive finite length
   /// \throws Overflow_error if a normal coordinate is out of range
   /// After an exception nothing has changed.
-  Vertex_index split_face(const Face_location<FT>& p, const std::array<Integer, 3>& n,
-                          const Face_location<FT>& q)
+  Vertex_index split_face(const Face_location<FT>& p, const Face_split<Integer>& at,
+                          const Inserted_vertex<FT>& q)
   {
     const auto side = internal::sides(p.first, m_mesh);
     std::array<FT, 3> spoke_length;
     for(std::size_t s = 0; s < 3; ++s)
       spoke_length[s] = checked_length(distance_to_corner(side[0], p.second, s));
-    const Vertex_index m = m_coordinates.split_face(side[0], n, m_mesh, m_spokes);
-    for(std::size_t s = 0; s < 3; ++s)
-      set_edge(m_mesh.prev(side[s]), spoke_length[s], false);
-    set_inserted(m, {Halfedge_index(), q});
+    const Vertex_index m =
+      m_coordinates.split_face(side[0], at, first_inserted_spoke(q.along), m_mesh, m_spokes);
+    set_inserted(m, q);
+    for(std::size_t s = 0; s < 3; ++s) {
+      const Halfedge_index h = m_mesh.prev(side[s]);
+      set_edge(h, at.n[s] < 0 ? shared_length(h) : spoke_length[s], false);
+    }
     return m;
   }
 

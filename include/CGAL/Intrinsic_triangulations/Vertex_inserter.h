@@ -14,9 +14,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/Local_marks.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <limits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -54,9 +55,10 @@ public:
   /// edges of \f$T_1\f$ (Section 3.5.1), and if `p` is on a shared edge, the vertex is on that edge of
   /// \f$T_1\f$. Complexity: linear in the crossings on the sides of the face.
   /// \param p a point with coordinates that are not negative and sum up to one
+  /// \param closeness a point inside the face that is closer to an edge of \f$T_1\f$ is put on that edge
   /// \returns the vertex; one that was there already if two coordinates are zero
   /// \throws Numerical_error if a new edge has no positive finite length; nothing has changed then.
-  Vertex_index insert(const Face_location<FT>& p)
+  Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
     const auto side = internal::sides(p.first, m_tri.mesh());
     for(std::size_t s = 0; s < 3; ++s) {
@@ -66,7 +68,7 @@ public:
       if(at_apex == 0 && p.second[s] > 0 && at_target > 0 && can_be_split(side[s]))
         return split_edge(side[s], at_target);
     }
-    return split_face(p);
+    return split_face(p, closeness);
   }
 
   /// whether the edge of `h` can be split: not if both of its sides are in one face.
@@ -112,20 +114,111 @@ public:
 
 private:
   typedef internal::Local_marks<Traits> Marks;
+  typedef internal::Face_map<FT, Marks> Face_map;
+  typedef internal::Barycentric_coordinates<FT> Coordinates;
 
-  Vertex_index split_face(const Face_location<FT>& p)
+  Vertex_index split_face(const Face_location<FT>& p, const FT& closeness)
   {
     m_marks.set_face(p.first, m_lists);
-    const internal::Face_map<FT, Marks> face_map(m_marks, m_tri.input_mesh());
-    const std::size_t region = face_map.region_of(p.second);
-    const auto [input_face, map] = face_map.region_map(region);
-    const auto n = face_map.regions().crossings_to_corners(region);
-    const Vertex_index m = m_tri.split_face(p, {Integer(n[0]), Integer(n[1]), Integer(n[2])},
-                                            {input_face, map(p.second)});
+    const Face_map face_map(m_marks, m_tri.input_mesh());
+    const std::size_t number = face_map.region_of(p.second);
+    const Curve_near_by near = nearest_curve(face_map, number, p);
+    const Vertex_index m = near.distance < closeness ? split_face_on_curve(p, near.curve, face_map)
+                                                     : split_face_in_region(p, number, face_map);
     const Halfedge_index a = first_spoke(m, m_tri.mesh());
     const Halfedge_index b = next_spoke(a, m_tri.mesh());
     m_lists.after_cut({a, b, next_spoke(b, m_tri.mesh())});
     return m;
+  }
+
+  Vertex_index split_face_in_region(const Face_location<FT>& p, std::size_t number,
+                                    const Face_map& face_map)
+  {
+    const auto [input_face, map] = face_map.region_map(number);
+    const auto n = face_map.regions().crossings_to_corners(number);
+    return m_tri.split_face(p, {{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {0, 0, 0}},
+                            {Halfedge_index(), {input_face, map(p.second)}});
+  }
+
+  struct Curve_near_by
+  {
+    internal::Face_regions::Curve curve;
+    FT distance = std::numeric_limits<FT>::infinity();
+  };
+
+  // of those on the boundary of a region
+  Curve_near_by nearest_curve(const Face_map& face_map, std::size_t number,
+                              const Face_location<FT>& p) const
+  {
+    Curve_near_by nearest;
+    const internal::Region region = face_map.regions()[number];
+    for(std::size_t c = 0; c < region.size(); ++c)
+      if(region[c].arc_follows) {
+        const FT d = distance_from_line(face_map.coordinates(region[c]),
+                                        face_map.coordinates(region.next(c)), p);
+        if(d < nearest.distance)
+          nearest = {face_map.regions().curve(region[c], region.next(c)), d};
+      }
+    return nearest;
+  }
+
+  // of `p` from the line through the points `a` and `b` of its face
+  FT distance_from_line(const Coordinates& a, const Coordinates& b,
+                        const Face_location<FT>& p) const
+  {
+    const auto side = side_lengths(p.first);
+    const FT area = quadrupled_area(side[0], side[1], side[2]) / 2;
+    const FT length = m_tri.traits().compute_distance_object()(side, a, b);
+    return CGAL::abs(internal::orientation(a, b, p.second)) * area / length;
+  }
+
+  std::array<FT, 3> side_lengths(Face_index f) const
+  {
+    std::array<FT, 3> length;
+    for(std::size_t s = 0; s < 3; ++s)
+      length[s] = m_tri.length(m_tri.mesh().edge(internal::sides(f, m_tri.mesh())[s]));
+    return length;
+  }
+
+  // Inserts a vertex where `curve` comes closest to `p`. One spoke of the new vertex leads to the mark
+  // where the curve leaves the face, and one back.
+  Vertex_index split_face_on_curve(const Face_location<FT>& p,
+                                   const internal::Face_regions::Curve& curve,
+                                   const Face_map& face_map)
+  {
+    const Coordinates end = face_map.coordinates(curve.mark),
+                      begin = face_map.coordinates(curve.other);
+    const FT square = internal::dot(begin, end, begin, end);
+    const FT t = square > 0 ? internal::dot(begin, end, begin, p.second) / square : FT(0);
+    Coordinates foot;
+    for(std::size_t s = 0; s < 3; ++s)
+      foot[s] = begin[s] + t * (end[s] - begin[s]);
+    const Edge_point<FT> across = m_marks.across(curve.mark.side, curve.mark.mark);
+    const FT start = place_of_other_end(curve, across.halfedge);
+    const Edge_point<FT> place{across.halfedge, start + t * (across.t - start)};
+    return m_tri.split_face({p.first, foot},
+                            split_on_curve(curve, across.halfedge, face_map.regions()),
+                            {place.halfedge, internal::face_location(place, m_tri.input_mesh())});
+  }
+
+  // on the halfedge `input` of T1, along which the curve leaves the face
+  FT place_of_other_end(const internal::Face_regions::Curve& curve, Halfedge_index input) const
+  {
+    if(curve.from_apex)
+      return m_tri.place_along(input, m_tri.mesh().source(m_marks.side(curve.corner)));
+    return 1 - m_marks.across(curve.other.side, curve.other.mark).t;
+  }
+
+  static Face_split<Integer> split_on_curve(const internal::Face_regions::Curve& curve,
+                                            Halfedge_index input,
+                                            const internal::Face_regions& regions)
+  {
+    const unsigned int forward = input.idx() % 2, back = 1 - forward; // the even spoke is the first
+    const auto n = regions.crossings_to_corners(curve);
+    Face_split<Integer> split{{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {back, back, back}};
+    // between this corner and the next lies the spoke that leads forward
+    split.r[curve.from_apex ? (curve.corner + 1) % 3 : curve.corner] = forward;
+    return split;
   }
 
   // the number of crossings from a point on `h` after `p` of its crossings to the opposite corner
@@ -151,7 +244,7 @@ private:
   Vertex_index split_crossed_edge(Halfedge_index h, const FT& t)
   {
     m_marks.set_face(m_tri.mesh().face(h), m_lists);
-    const internal::Face_map<FT, Marks> face_map(m_marks, m_tri.input_mesh());
+    const Face_map face_map(m_marks, m_tri.input_mesh());
     const std::size_t s = internal::side_number(h, m_tri.mesh()), n = m_lists.count(h);
     std::size_t p = 0;
     while(p < n && m_marks.here(s, p) < t)

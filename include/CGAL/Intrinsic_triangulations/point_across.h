@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/Input_face_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 
@@ -84,13 +85,18 @@ private:
 /// \param side the triangulation on which `p` lies
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
 /// \param correspondence the crossings of both
-/// Complexity: logarithmic in the number of crossings on the sides of the face.
+/// Complexity: logarithmic in the number of crossings on the sides of the face. In a face of \f$T_1\f$ that
+/// contains inserted vertices: linear in the regions of the subdivision on the way from a corner, and
+/// logarithmic in their crossings.
 template <typename Traits>
 Face_location<typename Traits::FT> point_across(Side side,
                                                 const Face_location<typename Traits::FT>& p,
                                                 const Correspondence<Traits>& correspondence)
 {
   typedef internal::Correspondence_marks<Traits> Marks;
+  if(side == Side::input && correspondence.contains_inserted(p.first) &&
+     !internal::is_corner(p.second))
+    return internal::Input_face_walk<Traits>(correspondence)(p);
   const Marks marks(side, p.first, correspondence);
   const Delta_complex& other =
     correspondence.mesh(side == Side::input ? Side::intrinsic : Side::input);
@@ -99,13 +105,16 @@ Face_location<typename Traits::FT> point_across(Side side,
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// the same for a single point, without a correspondence: the sides of the face of `p` are traced.
-/// Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for these sides.
+/// Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for these sides; if `p` is on
+/// \f$T_1\f$ and vertices have been inserted, that of `Correspondence`.
 template <typename Traits>
 Face_location<typename Traits::FT> point_across(Side side,
                                                 const Face_location<typename Traits::FT>& p,
                                                 const Intrinsic_triangulation<Traits>& tri)
 {
   typedef internal::Traced_marks<Traits> Marks;
+  if(side == Side::input && tri.number_of_inserted_vertices() > 0)
+    return point_across(side, p, Correspondence<Traits>(tri));
   const Marks marks(side, p.first, tri);
   const Delta_complex& other = side == Side::input ? tri.mesh() : tri.input_mesh();
   return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);

@@ -77,6 +77,9 @@ public:
 
   const FT& along() const { return m_along; }
 
+  // The distance by which a circumcenter may be moved: it is as good then.
+  FT closeness() const { return m_radius / 1048576; }
+
 private:
   // Corner 0 is at the origin, corner 1 on the real axis.
   void set_first_face(Halfedge_index h)
@@ -126,8 +129,8 @@ private:
     m_corner = {source, target, source - normalized(target - source) * face.side(2)};
   }
 
-  // A circumcenter is as good when it is moved a little. One that is close to an edge is put there, since
-  // it would leave a face without area and, on an edge of T1, a piece without length.
+  // A circumcenter close to an edge is put there, since it would leave a face without area and, on an edge
+  // of T1, a piece without length.
   template <typename Is_fixed>
   End place(const Is_fixed& is_fixed)
   {
@@ -139,7 +142,7 @@ private:
     for(FT& w : m_weight)
       w /= sum;
     for(std::size_t s = 0; s < 3; ++s)
-      if(area_at_side(s) <= closeness() * m_radius * length_of_side(s))
+      if(area_at_side(s) <= closeness() * length_of_side(s))
         return move_to_side(s, is_fixed);
     return End::inside;
   }
@@ -152,8 +155,6 @@ private:
     m_along = target / (source + target);
     return is_fixed(m_halfedge) ? End::blocked : End::on_edge;
   }
-
-  static FT closeness() { return FT(1) / 1048576; }
 
   FT length_of_side(std::size_t s) const { return get(m_length, m_mesh.edge(side(s))); }
 

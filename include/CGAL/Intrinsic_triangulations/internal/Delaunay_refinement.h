@@ -119,7 +119,8 @@ private:
   {
     const auto is_fixed = [this](Halfedge_index h) { return this->is_fixed(h); };
     switch(m_walk.walk(f, is_fixed)) {
-      case Walk::End::inside: return add_vertex(m_inserter.insert(m_walk.location()));
+      case Walk::End::inside:
+        return add_vertex(m_inserter.insert(m_walk.location(), m_walk.closeness()));
       case Walk::End::on_edge: return split(m_walk.halfedge(), m_walk.along());
       case Walk::End::blocked: return split_fixed(m_walk.halfedge());
       case Walk::End::lost: return;

@@ -33,6 +33,17 @@ FT orientation(const Barycentric_coordinates<FT>& a, const Barycentric_coordinat
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
+// (b - a) . (d - c)
+template <typename FT>
+FT dot(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& b,
+       const Barycentric_coordinates<FT>& c, const Barycentric_coordinates<FT>& d)
+{
+  FT sum(0);
+  for(std::size_t s = 0; s < 3; ++s)
+    sum += (b[s] - a[s]) * (d[s] - c[s]);
+  return sum;
+}
+
 // An affine map, given by the corners of a convex polygon and their images. Sums to be computed are
 // convex combinations of images, so that rounding in nearly flat polygons is not amplified.
 template <typename FT>
@@ -50,6 +61,13 @@ public:
   std::size_t size() const { return m_size; }
   const Coordinates& corner(std::size_t c) const { return m_corner[c]; }
   const Coordinates& image(std::size_t c) const { return m_image[c]; }
+
+  Polygon_map inverse() const
+  {
+    Polygon_map result = *this;
+    std::swap(result.m_corner, result.m_image);
+    return result;
+  }
 
   // the image of a point of the polygon, with coordinates that sum up to one
   Coordinates operator()(const Coordinates& p) const
@@ -138,16 +156,6 @@ private:
     return combination({1 - t, t, FT(0)}, from, to, to);
   }
 
-  // (b - a) . (d - c)
-  static FT dot(const Coordinates& a, const Coordinates& b, const Coordinates& c,
-                const Coordinates& d)
-  {
-    FT sum(0);
-    for(std::size_t s = 0; s < 3; ++s)
-      sum += (b[s] - a[s]) * (d[s] - c[s]);
-    return sum;
-  }
-
   Coordinates combination(Coordinates weight, std::size_t a, std::size_t b, std::size_t c) const
   {
     for(FT& w : weight)
@@ -194,6 +202,12 @@ public:
   }
 
   const Face_regions& regions() const { return m_regions; }
+
+  Coordinates coordinates(const Region_corner& corner) const
+  {
+    return barycentric_coordinates(
+      corner.side, corner.is_vertex() ? FT(0) : m_marks.here(corner.side, corner.mark));
+  }
 
   // the number of the region in which `p` lies
   std::size_t region_of(const Coordinates& p) const
@@ -250,12 +264,6 @@ private:
     Coordinates apex{};
     apex[m_regions.apex()] = FT(1);
     return orientation(coordinates(m_regions.end_of_curve(j)), apex, p) > 0;
-  }
-
-  Coordinates coordinates(const Region_corner& corner) const
-  {
-    return barycentric_coordinates(
-      corner.side, corner.is_vertex() ? FT(0) : m_marks.here(corner.side, corner.mark));
   }
 
   // The place of a corner in the face of the other triangulation in which the region lies.

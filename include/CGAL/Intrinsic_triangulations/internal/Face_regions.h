@@ -120,6 +120,46 @@ public:
     return crossings;
   }
 
+  // The curve around corner `corner`, or if it ends there, from the apex; `number` counts from the corner,
+  // or from the side after the apex. `mark` is where it leaves, and `other` where it comes from.
+  struct Curve
+  {
+    std::size_t corner, number;
+    bool from_apex;
+    Region_corner mark, other;
+  };
+
+  // the curve from one corner of a region to the next
+  Curve curve(const Region_corner& from, const Region_corner& to) const
+  {
+    if(from.is_vertex() || to.is_vertex()) {
+      const Region_corner &mark = from.is_vertex() ? to : from,
+                          &apex = from.is_vertex() ? from : to;
+      return {m_apex, mark.mark - m_around[mark.side], true, mark, apex};
+    }
+    const bool leaves_at_from = to.side == (from.side + 2) % 3;
+    const Region_corner &mark = leaves_at_from ? from : to, &other = leaves_at_from ? to : from;
+    return {mark.side, mark.mark, false, mark, other};
+  }
+
+  // The number of curves between a point on `curve` and each corner of the face; -1 to where it ends.
+  std::array<std::ptrdiff_t, 3> crossings_to_corners(const Curve& curve) const
+  {
+    std::array<std::ptrdiff_t, 3> crossings;
+    const std::size_t s = curve.corner, t = (s + 1) % 3, u = (s + 2) % 3, j = curve.number;
+    if(curve.from_apex) {
+      crossings[s] = -1;
+      crossings[t] = std::ptrdiff_t(j + m_around[t]);
+      crossings[u] = std::ptrdiff_t(m_leaving - 1 - j + m_around[u]);
+      return crossings;
+    }
+    const auto beyond = crossings_from_corner_region(s, j);
+    crossings[s] = std::ptrdiff_t(j);
+    crossings[t] = std::ptrdiff_t(beyond[t]) - 1;
+    crossings[u] = std::ptrdiff_t(beyond[u]) - 1;
+    return crossings;
+  }
+
   // The region beside the piece of side `s` after `p` of its crossings.
   std::size_t region_at_side(std::size_t s, std::size_t p) const
   {
