@@ -97,6 +97,20 @@ Halfedge_index first_spoke(Vertex_index v, const Surface_mesh<P>& mesh)
 
 namespace internal {
 
+// Calls `visit(h)` for every outgoing halfedge of `v`, in the order of `next_spoke()`.
+template <typename P, typename Visit>
+void for_each_spoke(Vertex_index v, const Surface_mesh<P>& mesh, const Visit& visit)
+{
+  const Halfedge_index first = first_spoke(v, mesh);
+  Halfedge_index h = first;
+  do {
+    visit(h);
+    if(mesh.is_border(h))
+      return;
+    h = next_spoke(h, mesh);
+  } while(h != first);
+}
+
 template <typename P>
 void set_triangle(Halfedge_index a, Halfedge_index b, Halfedge_index c, Face_index f,
                   Surface_mesh<P>& mesh)

@@ -299,36 +299,27 @@ private:
   Marks m_marks;
 };
 
-// A vertex with less than three spokes gets more if an edge opposite to it is flipped; otherwise a flip of
-// a spoke takes one away, and that of a loop two. Angles at the vertex itself may exceed pi by rounding.
+// A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three spokes
+// gets more by a flip of an edge opposite to it. Angles at `v` exceed pi by rounding only.
 template <typename Traits>
 Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
 {
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
-  FT best = FT(1e-6); // beyond rounding of the angles
-  Halfedge_index result, link;
-  FT best_link = best;
-  Halfedge_index h = first_spoke(v, mesh);
-  const Halfedge_index first = h;
-  do {
-    ++degree;
-    if(can_be_flipped(h)) {
-      const FT c = mesh.target(h) == v ? FT(-4) : concavity(h);
-      if(c < best) {
-        best = c;
-        result = h;
-      }
+  internal::for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
+  FT least(1e-6); // beyond rounding of the angles
+  Halfedge_index result;
+  internal::for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
+    const Halfedge_index h = degree < 3 ? mesh.next(spoke) : spoke;
+    if((degree < 3 && mesh.is_border(spoke)) || !can_be_flipped(h))
+      return;
+    const FT c = mesh.target(h) == mesh.source(h) ? FT(-4) : concavity(h); // loops first
+    if(c < least) {
+      least = c;
+      result = h;
     }
-    if(mesh.is_border(h))
-      break;
-    if(can_be_flipped(mesh.next(h)) && concavity(mesh.next(h)) < best_link) {
-      best_link = concavity(mesh.next(h));
-      link = mesh.next(h);
-    }
-    h = next_spoke(h, mesh);
-  } while(h != first);
-  return degree < 3 ? link : result;
+  });
+  return result;
 }
 
 template <typename Traits>

@@ -20,20 +20,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Calls `visit(h)` for every outgoing halfedge of `v`.
-template <typename Visit>
-void for_each_spoke(Vertex_index v, const Delta_complex& mesh, const Visit& visit)
-{
-  const Halfedge_index first = first_spoke(v, mesh);
-  Halfedge_index h = first;
-  do {
-    visit(h);
-    if(mesh.is_border(h))
-      return;
-    h = next_spoke(h, mesh);
-  } while(h != first);
-}
-
 // Finds vertices whose distance along edges is at most a radius. A call costs no more than its ball.
 template <typename EdgeLengthMap>
 class Dijkstra_ball

@@ -31,7 +31,6 @@ class Narrow_vertices
   typedef typename Traits::FT FT;
 
 public:
-  // \pre no vertex of T2 is in the middle of constrained edges that meet at a small angle
   explicit Narrow_vertices(const Triangulation& tri)
     : m_tri(tri), m_is_narrow(tri.mesh().num_vertices(), false)
   {
@@ -81,8 +80,7 @@ private:
     return m_tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
   }
 
-  // The least of the angles between fixed edges; the whole angle if there are none. Going around twice
-  // closes every sector; one with a single fixed edge is the whole angle too.
+  // The least of the angles between fixed edges; the whole angle if there are less than two.
   FT least_sector(Vertex_index v) const
   {
     const Delta_complex& mesh = m_tri.mesh();
