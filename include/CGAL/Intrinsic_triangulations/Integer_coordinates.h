@@ -269,37 +269,36 @@ public:
     return m;
   }
 
-  /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` as `split_edge()` does (Section 3.5.1): on an
-  /// edge of \f$T_1\f$ if \f$ij\f$ is shared, otherwise inside a face of \f$T_1\f$.
+  /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` as `split_edge()` does (Section 3.5.1).
   /// Complexity: constant.
   /// \param h the halfedge from \f$i\f$ to \f$j\f$
   /// \param n the normal coordinates of the new edges; the two parts of a shared edge are shared
+  /// \param r the roundabouts of the halfedges from \f$m\f$ along these edges
+  /// \param spoke the first spoke of \f$m\f$ if it is on an edge of \f$T_1\f$, otherwise null
   /// \param mesh the mesh
   /// \param spokes the spokes of \f$T_1\f$, to which those of \f$m\f$ are added
   /// \returns \f$m\f$; `h` leads on from there to \f$j\f$
   /// \throws Overflow_error if a normal coordinate is out of range; nothing has changed then.
   /// \pre the two sides of the edge are not in one face
-  Vertex_index split_edge(Halfedge_index h, const Edge_split<Integer>& n, Delta_complex& mesh,
+  Vertex_index split_edge(Halfedge_index h, const Edge_split<Integer>& n,
+                          const Edge_split<size_type>& r, Halfedge_index spoke, Delta_complex& mesh,
                           Vertex_spokes& spokes)
   {
     CGAL_precondition(flip_status(h, mesh) != Operation_status::same_face);
     for(const Integer& value : {n.im, n.mj, n.mk, n.ml})
       internal::check_range(value);
     const Halfedge_index o = mesh.opposite(h);
-    Halfedge_index along, first;
-    if(is_shared(edge_of(h))) {
-      along = shared_halfedge(h, mesh, spokes);
-      first = internal::first_inserted_spoke(along, mesh.is_border(h), mesh.is_border(o));
-    }
-    const size_type r_i = m_r[h], r_h = first == along ? 0 : 1;
+    const size_type r_i = m_r[h];
     const Halfedge_index im = Intrinsic_triangulations::split_edge(h, mesh);
     const Vertex_index m = mesh.target(im);
-    spokes.set_inserted(m, first);
-    m_r[im] = r_i;
+    spokes.set_inserted(m, spoke);
     m_n[edge_of(im)] = n.im;
     m_n[edge_of(h)] = n.mj;
-    set_cut(im, n.mk, along.is_valid() ? 1 - r_h : 0, mesh, spokes);
-    set_cut(o, n.ml, r_h, mesh, spokes);
+    m_r[im] = r_i;
+    m_r[mesh.opposite(im)] = r.im;
+    m_r[h] = r.mj;
+    set_cut(im, n.mk, r.mk, mesh, spokes);
+    set_cut(o, n.ml, r.ml, mesh, spokes);
     return m;
   }
 
@@ -356,17 +355,15 @@ private:
     return wrap(m_r[ki] + static_cast<size_type>(leaving) + along, degree);
   }
 
-  // The coordinates at a vertex m that has split an edge, on the side of the part `im` that leads to it;
-  // `r_m` is the roundabout of m->i.
-  void set_cut(Halfedge_index im, const Integer& n_mk, size_type r_m, const Delta_complex& mesh,
+  // The coordinates of the edge mk after a vertex m has split an edge: k is on the left of its part `im`.
+  void set_cut(Halfedge_index im, const Integer& n_mk, size_type r_mk, const Delta_complex& mesh,
                const Vertex_spokes& spokes)
   {
-    m_r[mesh.opposite(im)] = r_m;
     if(mesh.is_border(im))
       return;
     const Halfedge_index mk = mesh.next(im), ki = mesh.next(mk);
     m_n[edge_of(mk)] = n_mk;
-    m_r[mk] = r_m;
+    m_r[mk] = r_mk;
     m_r[mesh.opposite(mk)] = following_roundabout(ki, m_n[edge_of(ki)], m_n[edge_of(im)], n_mk,
                                                   spokes.degree(mesh.source(ki)));
   }

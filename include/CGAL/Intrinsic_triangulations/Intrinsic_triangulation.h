@@ -322,48 +322,69 @@ public:
     const Vertex_index m =
       m_coordinates.split_face(side[0], at, first_inserted_spoke(q.along), m_mesh, m_spokes);
     set_inserted(m, q);
-    for(std::size_t s = 0; s < 3; ++s) {
-      const Halfedge_index h = m_mesh.prev(side[s]);
-      set_edge(h, at.n[s] < 0 ? shared_length(h) : spoke_length[s], false);
-    }
+    for(std::size_t s = 0; s < 3; ++s)
+      set_new_edge(m_mesh.prev(side[s]), spoke_length[s], false);
     return m;
   }
 
   /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` in \f$T_2\f$ (see
-  /// `Integer_coordinates::split_edge()`). If it is shared, the place on \f$T_1\f$ follows from `t`, and
-  /// lengths of both parts are exact parts of the length in \f$T_1\f$. Both parts of a constrained edge are
-  /// constrained. Complexity: constant.
+  /// `Integer_coordinates::split_edge()`). The parts of a shared edge have the lengths of those parts of
+  /// the edge of \f$T_1\f$; both parts of a constrained edge are constrained. Complexity: constant.
   /// \param h the halfedge from \f$i\f$ to \f$j\f$; afterwards it leads from \f$m\f$ to \f$j\f$
   /// \param t the place of \f$m\f$ on it, between 0 and 1
   /// \param n the normal coordinates of the new edges
-  /// \param q the place of \f$m\f$ on \f$T_1\f$ if the edge is not shared
+  /// \param r the roundabouts of the halfedges from \f$m\f$ along these edges
+  /// \param q the place of \f$m\f$ on \f$T_1\f$; that of `place_on_shared()` if the edge is shared
   /// \returns \f$m\f$
   /// \throws Numerical_error if an edge has no positive finite length
   /// \throws Overflow_error if a normal coordinate is out of range
   /// After an exception nothing has changed.
   /// \pre the two sides of the edge are not in one face
   Vertex_index split_edge(Halfedge_index h, const FT& t, const Edge_split<Integer>& n,
-                          const Face_location<FT>& q = {})
+                          const Edge_split<size_type>& r, const Inserted_vertex<FT>& q)
   {
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
-    const bool is_shared = m_coordinates.is_shared(e), was_constrained = m_is_constrained[e];
-    const Inserted_vertex<FT> place =
-      is_shared ? place_on_shared(h, t) : Inserted_vertex<FT>{Halfedge_index(), q};
+    const bool was_constrained = m_is_constrained[e];
     const Edge_split<FT> length{checked_length(t * m_length[e]),
                                 checked_length((1 - t) * m_length[e]), distance_to_apex(h, t),
                                 distance_to_apex(o, 1 - t)};
-    const Vertex_index m = m_coordinates.split_edge(h, n, m_mesh, m_spokes);
-    set_inserted(m, place);
-    const Halfedge_index im =
-      m_mesh.prev(m_mesh.is_border(h) ? h : m_mesh.opposite(m_mesh.prev(h)));
-    set_edge(im, is_shared ? shared_length(im) : length.im, was_constrained);
-    set_edge(h, is_shared ? shared_length(h) : length.mj, was_constrained);
+    const Vertex_index m =
+      m_coordinates.split_edge(h, n, r, first_inserted_spoke(q.along), m_mesh, m_spokes);
+    set_inserted(m, q);
+    const Halfedge_index im = first_part(h);
+    set_new_edge(im, length.im, was_constrained);
+    set_new_edge(h, length.mj, was_constrained);
     if(!m_mesh.is_border(im))
-      set_edge(m_mesh.next(im), length.mk, false);
+      set_new_edge(m_mesh.next(im), length.mk, false);
     if(!m_mesh.is_border(o))
-      set_edge(m_mesh.next(o), length.ml, false);
+      set_new_edge(m_mesh.next(o), length.ml, false);
     return m;
+  }
+
+  /// the first part of an edge that has been split, of which `h` is the second part.
+  Halfedge_index first_part(Halfedge_index h) const
+  {
+    return m_mesh.prev(m_mesh.is_border(h) ? h : m_mesh.opposite(m_mesh.prev(h)));
+  }
+
+  /// the place on \f$T_1\f$ of the point at `t` on the halfedge `h` of \f$T_2\f$.
+  /// \pre the edge of `h` is shared and \f$0 < t < 1\f$
+  /// \throws Numerical_error if there is no number between the places of its ends
+  Inserted_vertex<FT> place_on_shared(Halfedge_index h, const FT& t) const
+  {
+    const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
+    const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
+    if(!(start.t < p.t && p.t < 1 - end.t))
+      throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
+    const Edge_point<FT> inside = m_input.is_border(p.halfedge) ? reversed(p, m_input) : p;
+    return {inside.halfedge, internal::face_location(inside, m_input)};
+  }
+
+  /// the number of the spoke `spoke` at a vertex inserted on its edge.
+  size_type number_of_inserted_spoke(Halfedge_index spoke) const
+  {
+    return first_inserted_spoke(spoke) == spoke ? 0 : 1;
   }
 
   /// removes an inserted vertex that three edges, or on the boundary two faces, are left at (see
@@ -531,16 +552,6 @@ private:
     return start.t == 0 && end.t == 0 ? length : FT((1 - end.t - start.t) * length);
   }
 
-  Inserted_vertex<FT> place_on_shared(Halfedge_index h, const FT& t) const
-  {
-    const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
-    const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
-    if(!(start.t < p.t && p.t < 1 - end.t))
-      throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
-    const Edge_point<FT> inside = m_input.is_border(p.halfedge) ? reversed(p, m_input) : p;
-    return {inside.halfedge, internal::face_location(inside, m_input)};
-  }
-
   static std::array<FT, 3> side_lengths(Halfedge_index h, const Delta_complex& mesh,
                                         const Edge_length_map& length)
   {
@@ -580,6 +591,13 @@ private:
   {
     m_length[m_mesh.edge(h)] = length;
     m_is_constrained[m_mesh.edge(h)] = is_constrained;
+  }
+
+  // a shared edge has the length of its part of T1, whatever was computed on T2
+  void set_new_edge(Halfedge_index h, const FT& length, bool is_constrained)
+  {
+    set_edge(h, m_coordinates.is_shared(m_mesh.edge(h)) ? shared_length(h) : length,
+             is_constrained);
   }
 
   void set_inserted(Vertex_index v, const Inserted_vertex<FT>& place)

@@ -55,7 +55,7 @@ public:
   /// edges of \f$T_1\f$ (Section 3.5.1), and if `p` is on a shared edge, the vertex is on that edge of
   /// \f$T_1\f$. Complexity: linear in the crossings on the sides of the face.
   /// \param p a point with coordinates that are not negative and sum up to one
-  /// \param closeness a point inside the face that is closer to an edge of \f$T_1\f$ is put on that edge
+  /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
   /// \returns the vertex; one that was there already if two coordinates are zero
   /// \throws Numerical_error if a new edge has no positive finite length; nothing has changed then.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
@@ -66,7 +66,7 @@ public:
       if(at_target == 0 && at_apex == 0)
         return m_tri.mesh().source(side[s]);
       if(at_apex == 0 && p.second[s] > 0 && at_target > 0 && can_be_split(side[s]))
-        return split_edge(side[s], at_target);
+        return split_edge(side[s], at_target, closeness);
     }
     return split_face(p, closeness);
   }
@@ -79,12 +79,19 @@ public:
 
   /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` leads on from
   /// there. Complexity: linear in the crossings on the sides of its faces.
+  /// \param h the halfedge
+  /// \param t the place
+  /// \param closeness if the point is closer to a crossing, it is put there
+  /// \returns the vertex
   /// \throws Numerical_error if a new edge has no positive finite length; nothing has changed then.
   /// \pre `can_be_split(h)` and \f$0 < t < 1\f$
-  Vertex_index split_edge(Halfedge_index h, const FT& t)
+  Vertex_index split_edge(Halfedge_index h, const FT& t, const FT& closeness = FT(0))
   {
-    return m_tri.coordinates().is_shared(m_tri.mesh().edge(h)) ? split_shared_edge(h, t)
-                                                               : split_crossed_edge(h, t);
+    const Vertex_index m = m_tri.coordinates().is_shared(m_tri.mesh().edge(h))
+                             ? split_shared_edge(h, t)
+                             : split_crossed_edge(h, t, closeness);
+    update_split(h);
+    return m;
   }
 
   /// flips the edge of `h`, see `Intrinsic_triangulation::flip()`. Complexity: linear in the crossings.
@@ -209,11 +216,11 @@ private:
     return 1 - m_marks.across(curve.other.side, curve.other.mark).t;
   }
 
-  static Face_split<Integer> split_on_curve(const internal::Face_regions::Curve& curve,
-                                            Halfedge_index input,
-                                            const internal::Face_regions& regions)
+  Face_split<Integer> split_on_curve(const internal::Face_regions::Curve& curve,
+                                     Halfedge_index input,
+                                     const internal::Face_regions& regions) const
   {
-    const unsigned int forward = input.idx() % 2, back = 1 - forward; // the even spoke is the first
+    const auto forward = m_tri.number_of_inserted_spoke(input), back = 1 - forward;
     const auto n = regions.crossings_to_corners(curve);
     Face_split<Integer> split{{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {back, back, back}};
     // between this corner and the next lies the spoke that leads forward
@@ -221,49 +228,94 @@ private:
     return split;
   }
 
+  // the regions of the face of `h`, with `h` as side 0
+  internal::Face_regions regions_at(Halfedge_index h) const
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    return internal::Face_regions(
+      {m_lists.count(h), m_lists.count(mesh.next(h)), m_lists.count(mesh.prev(h))});
+  }
+
   // the number of crossings from a point on `h` after `p` of its crossings to the opposite corner
   Integer crossings_to_apex(Halfedge_index h, std::size_t p) const
   {
     if(m_tri.mesh().is_border(h))
       return Integer(0);
-    const internal::Face_regions regions(
-      {m_lists.count(h), m_lists.count(m_tri.mesh().next(h)), m_lists.count(m_tri.mesh().prev(h))});
+    const internal::Face_regions regions = regions_at(h);
     return Integer(regions.crossings_to_corners(regions.region_at_side(0, p))[2]);
   }
 
   Vertex_index split_shared_edge(Halfedge_index h, const FT& t)
   {
     const Halfedge_index o = m_tri.mesh().opposite(h);
-    const Edge_split<Integer> n{Integer(-1), Integer(-1), crossings_to_apex(h, 0),
-                                crossings_to_apex(o, 0)};
-    const Vertex_index m = m_tri.split_edge(h, t, n);
-    update_split(h);
-    return m;
+    const auto forward = m_tri.number_of_inserted_spoke(m_tri.input_halfedge(h)),
+               back = 1 - forward;
+    return m_tri.split_edge(
+      h, t, {Integer(-1), Integer(-1), crossings_to_apex(h, 0), crossings_to_apex(o, 0)},
+      {back, forward, back, forward}, m_tri.place_on_shared(h, t));
   }
 
-  Vertex_index split_crossed_edge(Halfedge_index h, const FT& t)
+  Vertex_index split_crossed_edge(Halfedge_index h, const FT& t, const FT& closeness)
   {
     m_marks.set_face(m_tri.mesh().face(h), m_lists);
-    const Face_map face_map(m_marks, m_tri.input_mesh());
     const std::size_t s = internal::side_number(h, m_tri.mesh()), n = m_lists.count(h);
-    std::size_t p = 0;
+    const FT distance = closeness / m_tri.length(m_tri.mesh().edge(h));
+    std::size_t p = 0; // crossings before the point
     while(p < n && m_marks.here(s, p) < t)
       ++p;
+    for(std::size_t mark : {p - 1, p})
+      if(mark < n && CGAL::abs(m_marks.here(s, mark) - t) < distance)
+        return split_edge_at_crossing(h, s, mark);
+    return split_edge_between_crossings(h, t, s, p);
+  }
+
+  Vertex_index split_edge_between_crossings(Halfedge_index h, const FT& t, std::size_t s,
+                                            std::size_t p)
+  {
+    const std::size_t n = m_lists.count(h);
+    const Face_map face_map(m_marks, m_tri.input_mesh());
     const auto [input_face, map] = face_map.region_map(face_map.regions().region_at_side(s, p));
-    const Edge_split<Integer> split{Integer(p), Integer(n - p), crossings_to_apex(h, p),
-                                    crossings_to_apex(m_tri.mesh().opposite(h), n - p)};
-    const Vertex_index m =
-      m_tri.split_edge(h, t, split, {input_face, map(internal::barycentric_coordinates(s, t))});
-    update_split(h);
-    return m;
+    return m_tri.split_edge(
+      h, t,
+      {Integer(p), Integer(n - p), crossings_to_apex(h, p),
+       crossings_to_apex(m_tri.mesh().opposite(h), n - p)},
+      {0, 0, 0, 0}, {Halfedge_index(), {input_face, map(internal::barycentric_coordinates(s, t))}});
+  }
+
+  // How the curve at crossing `p` of side 0 of a face goes on there.
+  struct Side_of_crossing
+  {
+    Integer to_apex; // the crossings between it and the opposite corner, -1 if it ends there
+    bool is_around_target;
+
+    Side_of_crossing(std::size_t p, const internal::Face_regions& regions)
+    {
+      const auto curve = regions.curve_at_side(0, p);
+      to_apex = Integer(regions.crossings_to_corners(curve)[2]);
+      is_around_target = curve.corner == 1;
+    }
+  };
+
+  // The vertex is on the edge of T1 that crosses `h` at its crossing `p`, from left to right.
+  Vertex_index split_edge_at_crossing(Halfedge_index h, std::size_t s, std::size_t p)
+  {
+    const std::size_t n = m_lists.count(h);
+    const Edge_point<FT> across = m_marks.across(s, p);
+    const auto forward = m_tri.number_of_inserted_spoke(across.halfedge), back = 1 - forward;
+    const Side_of_crossing left(p, regions_at(h));
+    const Side_of_crossing right(n - 1 - p, regions_at(m_tri.mesh().opposite(h)));
+    return m_tri.split_edge(h, m_marks.here(s, p),
+                            {Integer(p), Integer(n - 1 - p), left.to_apex, right.to_apex},
+                            {forward, back, left.is_around_target ? forward : back,
+                             right.is_around_target ? back : forward},
+                            {across.halfedge, internal::face_location(across, m_tri.input_mesh())});
   }
 
   // after an edge has been split, of which `h` is the second part
   void update_split(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index o = mesh.opposite(h);
-    const Halfedge_index im = mesh.prev(mesh.is_border(h) ? h : mesh.opposite(mesh.prev(h)));
+    const Halfedge_index o = mesh.opposite(h), im = m_tri.first_part(h);
     m_lists.after_split(im, h);
     if(!mesh.is_border(im) && !mesh.is_border(o))
       m_lists.after_cut({mesh.next(im), mesh.next(o)});

@@ -130,9 +130,10 @@ private:
   void split(Halfedge_index h, const FT& t)
   {
     if(m_inserter.can_be_split(h))
-      add_vertex(m_inserter.split_edge(h, t));
+      add_vertex(m_inserter.split_edge(h, t, m_walk.closeness()));
     else
-      add_vertex(m_inserter.insert(face_location(Edge_point<FT>{h, t}, m_mesh)));
+      add_vertex(
+        m_inserter.insert(face_location(Edge_point<FT>{h, t}, m_mesh), m_walk.closeness()));
   }
 
   void split_fixed(Halfedge_index h)

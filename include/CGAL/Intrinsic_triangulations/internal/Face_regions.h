@@ -142,6 +142,18 @@ public:
     return {mark.side, mark.mark, false, mark, other};
   }
 
+  // the curve that leaves the face at crossing `p` of side `s`; its other end is not told
+  Curve curve_at_side(std::size_t s, std::size_t p) const
+  {
+    const std::size_t t = (s + 1) % 3, from_target = m_crossings[s] - 1 - p;
+    const Region_corner mark{s, p, false};
+    if(p < m_around[s])
+      return {s, p, false, mark, {}};
+    if(from_target < m_around[t])
+      return {t, from_target, false, mark, {}};
+    return {m_apex, p - m_around[s], true, mark, {}};
+  }
+
   // The number of curves between a point on `curve` and each corner of the face; -1 to where it ends.
   std::array<std::ptrdiff_t, 3> crossings_to_corners(const Curve& curve) const
   {
