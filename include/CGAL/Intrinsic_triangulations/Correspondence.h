@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -72,7 +73,8 @@ public:
 
   /// traces all edges of \f$T_1\f$ over \f$T_2\f$.
   /// Complexity: linear in the vertices, edges and crossings, whatever the degrees.
-  /// \throws Numerical_error if the layout of an edge has no positive finite length
+  /// \throws Numerical_error if the layout of an edge has no positive finite length, or rounding has brought
+  ///         vertices out of order that were inserted next to each other on an edge of \f$T_1\f$
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
   /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
   explicit Correspondence(const Triangulation& tri)
@@ -244,6 +246,7 @@ private:
   struct Traced_part
   {
     Edge_index edge;
+    Vertex_index start;
     FT begin;
     Part part;
   };
@@ -281,6 +284,7 @@ private:
     note_spoke(input, h);
     if(is_even(input))
       m_traced_parts.push_back({Edge_index(input),
+                                m_tri.mesh().source(h),
                                 m_tri.place_along(input, m_tri.mesh().source(h)),
                                 {0, 0, 0, true, m_tri.mesh().target(h)}});
   }
@@ -290,6 +294,7 @@ private:
     const Vertex_index end = m_tri.mesh().target(tracer.last_spoke());
     const auto part = internal::part_of_edge(start, v, end, m_tri);
     m_traced_parts.push_back({Edge_index(start),
+                              v,
                               part.begin,
                               {static_cast<size_type>(m_traced.size()),
                                static_cast<size_type>(tracer.size()), 0, false, end}});
@@ -318,16 +323,28 @@ private:
     for(size_type i = 0; i < order.size(); ++i)
       order[free[m_traced_parts[i].edge.idx()]++] = i;
     for(Edge_index e : m_tri.input_mesh().edges())
-      std::sort(order.begin() + m_first_part[e], order.begin() + m_first_part[e.idx() + 1],
-                [&](size_type a, size_type b) {
-                  return m_traced_parts[a].begin < m_traced_parts[b].begin;
-                });
+      order_parts(order.begin() + m_first_part[e], order.begin() + m_first_part[e.idx() + 1]);
     m_parts.reserve(order.size());
     m_order_on_input.reserve(m_traced.size());
     for(size_type i : order)
       add_part(m_traced_parts[i].part);
     m_traced = {};
     m_traced_parts = {};
+  }
+
+  template <typename Iterator>
+  void order_parts(Iterator begin, Iterator end) const
+  {
+    std::sort(begin, end, [this](size_type a, size_type b) {
+      return m_traced_parts[a].begin < m_traced_parts[b].begin;
+    });
+    const auto is_gap = [this](size_type a, size_type b) {
+      return m_traced_parts[a].part.end != m_traced_parts[b].start;
+    };
+    if(std::adjacent_find(begin, end, is_gap) != end)
+      throw Numerical_error("rounding has brought the vertices on edge " +
+                            std::to_string(m_traced_parts[*begin].edge.idx()) +
+                            " of the input out of order");
   }
 
   void add_part(Part part)

@@ -318,12 +318,13 @@ public:
     const auto side = internal::sides(p.first, m_mesh);
     std::array<FT, 3> spoke_length;
     for(std::size_t s = 0; s < 3; ++s)
-      spoke_length[s] = checked_length(distance_to_corner(side[0], p.second, s));
+      spoke_length[s] = at.n[s] < 0 ? shared_length(q, at.r[s], m_mesh.source(side[s]))
+                                    : checked_length(distance_to_corner(side[0], p.second, s));
     const Vertex_index m =
       m_coordinates.split_face(side[0], at, first_inserted_spoke(q.along), m_mesh, m_spokes);
     set_inserted(m, q);
     for(std::size_t s = 0; s < 3; ++s)
-      set_new_edge(m_mesh.prev(side[s]), spoke_length[s], false);
+      set_edge(m_mesh.prev(side[s]), spoke_length[s], false);
     return m;
   }
 
@@ -346,19 +347,22 @@ public:
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
     const bool was_constrained = m_is_constrained[e];
-    const Edge_split<FT> length{checked_length(t * m_length[e]),
-                                checked_length((1 - t) * m_length[e]), distance_to_apex(h, t),
-                                distance_to_apex(o, 1 - t)};
+    const Vertex_index i = m_mesh.source(h), j = m_mesh.target(h);
+    const Edge_split<FT> length{
+      n.im < 0 ? shared_length(q, r.im, i) : checked_length(t * m_length[e]),
+      n.mj < 0 ? shared_length(q, r.mj, j) : checked_length((1 - t) * m_length[e]),
+      n.mk < 0 ? shared_length(q, r.mk, apex(h)) : distance_to_apex(h, t),
+      n.ml < 0 ? shared_length(q, r.ml, apex(o)) : distance_to_apex(o, 1 - t)};
     const Vertex_index m =
       m_coordinates.split_edge(h, n, r, first_inserted_spoke(q.along), m_mesh, m_spokes);
     set_inserted(m, q);
     const Halfedge_index im = first_part(h);
-    set_new_edge(im, length.im, was_constrained);
-    set_new_edge(h, length.mj, was_constrained);
+    set_edge(im, length.im, was_constrained);
+    set_edge(h, length.mj, was_constrained);
     if(!m_mesh.is_border(im))
-      set_new_edge(m_mesh.next(im), length.mk, false);
+      set_edge(m_mesh.next(im), length.mk, false);
     if(!m_mesh.is_border(o))
-      set_new_edge(m_mesh.next(o), length.ml, false);
+      set_edge(m_mesh.next(o), length.ml, false);
     return m;
   }
 
@@ -544,12 +548,37 @@ private:
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
   }
 
-  // the length of an edge that lies along one of T1, as the part between its ends
+  // the length of an edge that lies along one of T1
   FT shared_length(Halfedge_index h) const
   {
-    const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
+    return part_length(start_on_spoke(h), start_on_spoke(m_mesh.opposite(h)));
+  }
+
+  // the length of such an edge from a new vertex at `m` to the vertex `v`, along spoke `r` of the new one
+  FT shared_length(const Inserted_vertex<FT>& m, size_type r, Vertex_index v) const
+  {
+    const Halfedge_index first = first_inserted_spoke(m.along);
+    const Halfedge_index spoke = r == 0 ? first : m_input.opposite(first);
+    const FT t = internal::edge_point(m.along, m.location, m_input).t;
+    const Halfedge_index back = m_input.opposite(spoke);
+    return checked_length(
+      part_length({spoke, spoke == m.along ? t : FT(1 - t)}, {back, place_along(back, v)}));
+  }
+
+  // The length of the part of an edge of T1 between two points, one seen from each of its ends. It is the
+  // same to the bit from both sides.
+  FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
+  {
+    if(start.halfedge.idx() % 2 == 1)
+      return part_length(end, start);
     const FT& length = m_input_length[m_input.edge(start.halfedge)];
     return start.t == 0 && end.t == 0 ? length : FT((1 - end.t - start.t) * length);
+  }
+
+  // of the corner opposite to `h`; null beyond the boundary
+  Vertex_index apex(Halfedge_index h) const
+  {
+    return m_mesh.is_border(h) ? m_mesh.null_vertex() : m_mesh.target(m_mesh.next(h));
   }
 
   static std::array<FT, 3> side_lengths(Halfedge_index h, const Delta_complex& mesh,
@@ -591,13 +620,6 @@ private:
   {
     m_length[m_mesh.edge(h)] = length;
     m_is_constrained[m_mesh.edge(h)] = is_constrained;
-  }
-
-  // a shared edge has the length of its part of T1, whatever was computed on T2
-  void set_new_edge(Halfedge_index h, const FT& length, bool is_constrained)
-  {
-    set_edge(h, m_coordinates.is_shared(m_mesh.edge(h)) ? shared_length(h) : length,
-             is_constrained);
   }
 
   void set_inserted(Vertex_index v, const Inserted_vertex<FT>& place)
