@@ -1,0 +1,455 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "generators.h"
+#include "measuring.h"
+#include "more_generators.h"
+#include "refined_meshes.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/poisson.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using IT::Refinement_result;
+using IT::Refinement_status;
+using IT::Remaining_face;
+using IT::Remaining_reason;
+using IT::Side;
+
+typedef long double Real;
+typedef Eigen::VectorXd Values;
+
+const double pi = std::acos(-1.);
+
+// ---- Independent measures, in long double and by the law of cosines ----
+
+std::array<Halfedge_index, 3> sides_of(Face_index f, const Delta_complex& mesh)
+{
+  const Halfedge_index h = mesh.halfedge(f);
+  return {h, mesh.next(h), mesh.prev(h)};
+}
+
+// at the source of `h`, in degrees
+template <typename LengthMap>
+Real angle(Halfedge_index h, const Delta_complex& mesh, const LengthMap& length)
+{
+  const Real a = length[mesh.edge(mesh.next(h))], b = length[mesh.edge(h)],
+             c = length[mesh.edge(mesh.prev(h))];
+  return std::acos((b * b + c * c - a * a) / (2 * b * c)) * 180 / std::acos(Real(-1));
+}
+
+Real least_angle(Face_index f, const Triangulation& t)
+{
+  Real least = 180;
+  for(Halfedge_index h : sides_of(f, t.mesh()))
+    least = (std::min)(least, angle(h, t.mesh(), t.length_map()));
+  return least;
+}
+
+// of all input faces at each vertex
+std::vector<Real> angle_sums(const Triangulation& t)
+{
+  std::vector<Real> sum(t.input_mesh().num_vertices(), 0);
+  for(Halfedge_index h : t.input_mesh().halfedges())
+    if(!t.input_mesh().is_border(h))
+      sum[t.input_mesh().source(h).idx()] += angle(h, t.input_mesh(), t.input_length_map());
+  return sum;
+}
+
+Real area(Side side, const Triangulation& t)
+{
+  const Delta_complex& mesh = side == Side::input ? t.input_mesh() : t.mesh();
+  const auto& length = side == Side::input ? t.input_length_map() : t.length_map();
+  Real sum = 0;
+  for(Face_index f : mesh.faces()) {
+    const auto h = sides_of(f, mesh);
+    const Real a = length[mesh.edge(h[0])], b = length[mesh.edge(h[1])],
+               c = length[mesh.edge(h[2])];
+    sum +=
+      std::sqrt((std::max)((a + b + c) * (a + b - c) * (a - b + c) * (b + c - a), Real(0))) / 4;
+  }
+  return sum;
+}
+
+template <typename Any_mesh>
+std::int64_t Euler_characteristic(const Any_mesh& mesh)
+{
+  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
+         std::int64_t(mesh.number_of_faces());
+}
+
+std::string text_of(const Triangulation& t)
+{
+  std::ostringstream os;
+  IT::write_intrinsic_triangulation(os, t);
+  return os.str();
+}
+
+// ---- What every refinement must fulfil ----
+
+void check_structure(const Triangulation& t)
+{
+  EXPECT_TRUE(t.is_valid(true));
+  EXPECT_FALSE(t.mesh().has_garbage());
+  EXPECT_TRUE(IT::is_Delaunay(t));
+  EXPECT_NEAR(static_cast<double>(area(Side::intrinsic, t) / area(Side::input, t)), 1, 1e-11);
+  const IT::Correspondence<> c(t);
+  const IT::Common_subdivision<> s(c);
+  EXPECT_TRUE(s.mesh().is_valid());
+  EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
+  EXPECT_EQ(s.mesh().number_of_vertices(), t.mesh().number_of_vertices() + c.number_of_crossings());
+}
+
+// Every face obeys the bound or is among those that remain, with a narrow vertex to blame.
+void check_angles(const Triangulation& t, double degrees, const Refinement_result& result)
+{
+  std::map<std::size_t, Remaining_face> remaining;
+  for(const Remaining_face& r : result.remaining)
+    remaining[r.face.idx()] = r;
+  const std::vector<Real> sums = angle_sums(t);
+  for(Face_index f : t.mesh().faces()) {
+    const auto found = remaining.find(f.idx());
+    if(found == remaining.end()) {
+      EXPECT_GT(least_angle(f, t), degrees - 1e-9);
+      continue;
+    }
+    EXPECT_LT(least_angle(f, t), degrees + 1e-9);
+    const Remaining_face& r = found->second;
+    ASSERT_TRUE(r.reason == Remaining_reason::at_narrow_vertex ||
+                r.reason == Remaining_reason::beside_narrow_vertex)
+      << to_string(r.reason);
+    EXPECT_LT(sums[r.vertex.idx()], 60 + 1e-9);
+    if(r.reason == Remaining_reason::at_narrow_vertex) {
+      const auto h = sides_of(f, t.mesh());
+      EXPECT_EQ(std::count_if(h.begin(), h.end(),
+                              [&](Halfedge_index x) { return t.mesh().source(x) == r.vertex; }),
+                1);
+    }
+  }
+  EXPECT_EQ(result.status, remaining.empty() ? Refinement_status::bounds_met
+                                             : Refinement_status::bounds_met_but_excused);
+}
+
+void check_refined(Triangulation t, double degrees)
+{
+  const auto vertices = t.mesh().number_of_vertices();
+  const Refinement_result result = IT::refine(t, IT::parameters::minimum_angle(degrees));
+  EXPECT_EQ(t.mesh().number_of_vertices(), vertices + result.insertions - result.removals);
+  EXPECT_EQ(t.number_of_inserted_vertices(), result.insertions - result.removals);
+  check_structure(t);
+  check_angles(t, degrees, result);
+}
+
+bool is_closed(const Delta_complex& mesh)
+{
+  const auto edges = mesh.edges();
+  return std::none_of(edges.begin(), edges.end(), [&](Edge_index e) { return mesh.is_border(e); });
+}
+
+// a highest bound with a guarantee: closed surfaces allow more
+double guaranteed_bound(const Triangulation& t)
+{
+  const std::vector<Real> sums = angle_sums(t);
+  const Real least = *std::min_element(sums.begin(), sums.end());
+  return is_closed(t.input_mesh()) && least >= 60 ? 30 : 25;
+}
+
+} // namespace
+
+TEST(Refine, small_meshes)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    const Triangulation t(m.mesh);
+    check_refined(t, guaranteed_bound(t));
+  }
+}
+
+TEST(Refine, Delta_complexes)
+{
+  for(const Named_complex& c : complexes())
+    for(unsigned int seed = 0; seed < 4; ++seed) {
+      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+      const Triangulation t = triangulation(c.mesh, random_lengths(c.mesh, seed));
+      check_refined(t, guaranteed_bound(t));
+    }
+}
+
+TEST(Refine, triangulations_far_from_Delaunay)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    check_refined(t.triangulation, 25);
+  }
+}
+
+TEST(Refine, data_meshes)
+{
+  for(const std::string& file : data_meshes(400000)) {
+    SCOPED_TRACE(file);
+    Mesh mesh;
+    try {
+      if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
+        continue;
+      Triangulation t(mesh);
+      check_refined(t, guaranteed_bound(t));
+    } catch(const IT::Invalid_input&) { // not a surface
+    }
+  }
+}
+
+TEST(Refine, same_bytes_every_time)
+{
+  Triangulation a(embedded_torus(5, 4)), b(embedded_torus(5, 4));
+  IT::refine(a);
+  IT::refine(b);
+  EXPECT_GT(a.number_of_inserted_vertices(), 0u);
+  EXPECT_EQ(text_of(a), text_of(b));
+}
+
+TEST(Refine, again_changes_nothing)
+{
+  Triangulation t(random_sphere(60, 4));
+  IT::refine(t);
+  const std::string before = text_of(t);
+  const Refinement_result again = IT::refine(t);
+  EXPECT_EQ(again.insertions, 0u);
+  EXPECT_EQ(text_of(t), before);
+}
+
+// ---- Bounds and limits ----
+
+TEST(Refine, maximum_circumradius)
+{
+  Triangulation t(unit_square(1, 0));
+  const double radius = 0.03;
+  const auto result = IT::refine(t, IT::parameters::maximum_circumradius(radius));
+  EXPECT_EQ(result.status, Refinement_status::bounds_met);
+  for(Face_index f : t.mesh().faces()) {
+    const auto h = sides_of(f, t.mesh());
+    const Real side = t.length(t.mesh().edge(h[0]));
+    EXPECT_LE(side / (2 * std::sin(angle(h[2], t.mesh(), t.length_map()) * pi / 180)),
+              radius * (1 + 1e-12));
+  }
+  check_structure(t);
+  check_angles(t, 25, result);
+}
+
+TEST(Refine, face_predicate)
+{
+  Triangulation t(random_sphere(30, 2));
+  const auto has_first_vertex = [&](Face_index f) { // with a side that is not short
+    for(Halfedge_index h : sides_of(f, t.mesh()))
+      if(t.mesh().source(h) == Vertex_index(0) && t.length(t.mesh().edge(h)) > 0.05)
+        return true;
+    return false;
+  };
+  const auto result = IT::refine(t, IT::parameters::face_predicate(has_first_vertex));
+  EXPECT_EQ(result.status, Refinement_status::bounds_met);
+  for(Face_index f : t.mesh().faces())
+    EXPECT_FALSE(has_first_vertex(f));
+  check_structure(t);
+}
+
+TEST(Refine, number_of_insertions)
+{
+  Triangulation t(random_sphere(100, 3));
+  const auto result = IT::refine(t, IT::parameters::maximum_number_of_insertions(std::size_t(7)));
+  EXPECT_EQ(result.status, Refinement_status::insertion_limit);
+  EXPECT_EQ(result.insertions, 7u);
+  check_structure(t);
+  EXPECT_FALSE(result.remaining.empty());
+  for(const Remaining_face& r : result.remaining) {
+    EXPECT_EQ(r.reason, Remaining_reason::insertion_limit);
+    EXPECT_LT(least_angle(r.face, t), 25);
+  }
+}
+
+// ---- Narrow vertices ----
+
+TEST(Refine, narrow_cone)
+{
+  // a pyramid as slim as a needle: 4 faces with 1 degree each at the apex
+  const double height = 1 / (2 * std::tan(0.5 * pi / 180));
+  const Mesh mesh = make_mesh({{0.5, 0.5, height}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                              {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {1, 3, 2}, {1, 4, 3}});
+  Triangulation t(mesh);
+  const auto result = IT::refine(t);
+  EXPECT_EQ(result.status, Refinement_status::bounds_met_but_excused);
+  check_structure(t);
+  check_angles(t, 25, result);
+  for(const Remaining_face& r : result.remaining)
+    EXPECT_EQ(r.vertex, Vertex_index(0));
+}
+
+// ---- Constraints ----
+
+// Each constrained edge of the input is a chain of shared, constrained edges of T2, in order and without
+// gaps, as is each border edge.
+void check_chains(const Triangulation& t, const std::set<std::size_t>& constrained)
+{
+  std::map<std::size_t, Real> covered;
+  for(Edge_index e : t.mesh().edges())
+    if(t.is_constrained(e) || t.mesh().is_border(e)) {
+      ASSERT_TRUE(t.coordinates().is_shared(e));
+      covered[t.input_mesh().edge(t.input_halfedge(t.mesh().halfedge(e))).idx()] += t.length(e);
+    }
+  EXPECT_EQ(covered.size(), constrained.size());
+  for(const auto& [e, length] : covered) {
+    EXPECT_EQ(constrained.count(e), 1u);
+    EXPECT_NEAR(static_cast<double>(
+                  length / t.input_length(Edge_index(static_cast<Edge_index::size_type>(e)))),
+                1, 1e-14);
+  }
+}
+
+TEST(Refine, constrained_edges_stay)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    const auto is_constrained = boost::make_function_property_map<Mesh::Edge_index>(
+      [](Mesh::Edge_index e) { return e.idx() % 5 == 0; });
+    Triangulation t(m.mesh, CGAL::parameters::edge_is_constrained_map(is_constrained));
+    std::set<std::size_t> fixed;
+    for(Mesh::Edge_index e : m.mesh.edges())
+      if(get(is_constrained, e) || m.mesh.is_border(e))
+        fixed.insert(e.idx());
+    const auto result = IT::refine(t);
+    EXPECT_TRUE(result.status == Refinement_status::bounds_met ||
+                result.status == Refinement_status::bounds_met_but_excused)
+      << to_string(result.status);
+    check_structure(t);
+    check_chains(t, fixed);
+  }
+}
+
+// Edges are split in the middle only, so every vertex on the boundary is at a dyadic place, to the bit.
+TEST(Refine, vertices_on_the_boundary_are_at_dyadic_places)
+{
+  Triangulation t(unit_square(1, 0));
+  IT::refine(t, IT::parameters::maximum_circumradius(0.01));
+  std::size_t count = 0;
+  for(Vertex_index v : t.mesh().vertices())
+    if(t.is_inserted(v) && t.mesh().is_border(v)) {
+      const double place = t.place_along(t.inserted_vertex(v).along, v) * 1024;
+      EXPECT_EQ(place, std::floor(place));
+      EXPECT_TRUE(place > 0 && place < 1024);
+      ++count;
+    }
+  EXPECT_GT(count, 100u);
+}
+
+// A circumcenter that falls on an edge of the input is put on it: no piece is without length.
+TEST(Refine, no_short_pieces_on_regular_grids)
+{
+  Triangulation t(grid(6, 6, [](double x, double y) { return Point(8 * x, y, 0); }));
+  IT::refine(t);
+  check_structure(t);
+  const IT::Correspondence<> c(t);
+  for(Edge_index e : t.mesh().edges()) {
+    double before = 0;
+    for(IT::Correspondence<>::size_type p = 0; p < c.number_of_crossings(Side::intrinsic, e); ++p) {
+      const double place = c.crossing(Side::intrinsic, Halfedge_index(2 * e.idx()), p).here.t;
+      EXPECT_GT(place - before, 1e-6);
+      before = place;
+    }
+    EXPECT_GT(1 - before, 1e-6);
+  }
+}
+
+// ---- What it is for ----
+
+namespace {
+
+// positions of the vertices of T2, from those of the input
+std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
+{
+  const IT::Correspondence<> c(t);
+  const IT::Common_subdivision<> s(c);
+  std::vector<Point> result(s.mesh().number_of_vertices());
+  const auto result_map =
+    boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, s.mesh()));
+  IT::interpolate(Side::input, s, t, mesh.points(), result_map);
+  result.resize(t.mesh().number_of_vertices());
+  return result;
+}
+
+Mesh terrible_mesh(std::size_t n)
+{
+  return grid(n, n, [n](double x, double y) { // rows sheared against each other, columns of needles
+    const double u = x / static_cast<double>(n), v = y / static_cast<double>(n);
+    const double shear = std::sin(25 * v) * u * (1 - u);
+    return Point(u + 0.95 * shear, v, 0);
+  });
+}
+
+} // namespace
+
+TEST(Refine, Poisson_is_of_second_order)
+{
+  std::vector<double> errors;
+  const std::vector<double> radii{0.08, 0.04, 0.02};
+  const Mesh mesh = terrible_mesh(9);
+  for(double radius : radii) {
+    Triangulation t(mesh);
+    IT::refine(t, IT::parameters::maximum_circumradius(radius));
+    const std::vector<Point> place = positions(t, mesh);
+    Values u(Eigen::Index(place.size())), f(u.size());
+    for(Eigen::Index i = 0; i < u.size(); ++i) {
+      const Point& p = place[std::size_t(i)];
+      u[i] = std::sin(pi * p.x()) * std::sin(2 * pi * p.y()) + 2 * p.x() - p.y();
+      f[i] = 5 * pi * pi * std::sin(pi * p.x()) * std::sin(2 * pi * p.y());
+    }
+    const auto is_fixed = boost::make_function_property_map<Vertex_index>(
+      [&](Vertex_index v) { return t.mesh().is_border(v); });
+    const Values error = IT::solve_poisson(Side::intrinsic, t, f, is_fixed, u) - u;
+    errors.push_back(std::sqrt(error.dot(IT::mass_matrix(Side::intrinsic, t) * error)));
+  }
+  for(std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.7) << errors[i - 1] << ' ' << errors[i];
+}
+
+TEST(Refine, heat_distance_on_a_terrible_mesh)
+{
+  const Mesh terrible = terrible_mesh(9);
+  Triangulation t(terrible), good(unit_square(60, 1));
+  IT::refine(t, IT::parameters::maximum_circumradius(0.01));
+  IT::make_Delaunay(good);
+  const std::vector<Point> place = positions(t, terrible);
+  const auto distance =
+    IT::heat_distance(Side::intrinsic, t, std::vector<Vertex_index>{Vertex_index(0)});
+  const auto on_good =
+    IT::heat_distance(Side::intrinsic, good, std::vector<Vertex_index>{Vertex_index(0)});
+  const auto error = [](double d, const Point& p) { return d - std::hypot(p.x(), p.y()); };
+  double mean = 0, mean_on_good = 0;
+  for(Vertex_index v : t.mesh().vertices())
+    mean += std::abs(error(distance[Eigen::Index(v.idx())], place[v.idx()]));
+  const Mesh good_mesh = unit_square(60, 1);
+  for(Vertex_index v : good_mesh.vertices())
+    mean_on_good += std::abs(error(on_good[Eigen::Index(v.idx())], good_mesh.point(v)));
+  mean /= double(t.mesh().number_of_vertices());
+  mean_on_good /= double(good_mesh.number_of_vertices());
+  EXPECT_NEAR(mean, mean_on_good, 0.01); // of a square with side 1
+  EXPECT_LT(mean, 0.01);
+}
