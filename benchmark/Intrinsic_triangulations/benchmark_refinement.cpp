@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Delaunay refinement: on meshes named as arguments or on CGAL's own; against CGAL's planar mesher, which
+// has no correspondence, on one domain; and how the time for an insertion grows with the size of the mesh,
+// the degree of vertices and the length of input edges.
+
+#include "measure.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Delaunay_mesh_vertex_base_2.h>
+#include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef IT::Intrinsic_triangulation<> Triangulation;
+
+constexpr int repetitions = 5;
+
+struct Times
+{
+  double delaunay, before, all; // flipping; that and setting up; everything; in milliseconds
+  IT::Refinement_result result;
+  std::size_t crossings;
+};
+
+// `np` are the bounds.
+template <typename NamedParameters>
+Times refine(const Mesh& mesh, const NamedParameters& np)
+{
+  Samples delaunay, before, all;
+  Times times{};
+  for(int i = 0; i < repetitions; ++i) {
+    Triangulation flipped(mesh), set_up(mesh), tri(mesh);
+    delaunay.time([&] { return IT::make_Delaunay(flipped); });
+    before.time([&] {
+      return IT::refine(set_up, IT::parameters::maximum_number_of_insertions(std::size_t(0), np));
+    });
+    times.result = all.time([&] { return IT::refine(tri, np); });
+    times.crossings = IT::Correspondence<>(tri).number_of_crossings();
+  }
+  times.delaunay = delaunay.median();
+  times.before = before.median();
+  times.all = all.median();
+  return times;
+}
+
+void print_header(const char* title)
+{
+  std::printf("\n%s\n%-28s%9s%10s%9s%9s%10s%10s%10s%10s%9s\n", title, "", "faces", "inserted",
+              "removed", "flips", "Delaunay", "set up", "refine", "crossings", "us/ins.");
+}
+
+void print(const std::string& name, const Mesh& mesh, const Times& t)
+{
+  std::printf("%-28s%9u%10zu%9zu%9zu%10.2f%10.2f%10.2f%10zu%9.2f\n", name.c_str(),
+              mesh.number_of_faces(), t.result.insertions, t.result.removals, t.result.flips,
+              t.delaunay, t.before, t.all, t.crossings,
+              1e3 * (t.all - t.before) / double(t.result.insertions));
+}
+
+void benchmark(const std::string& file)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh)) {
+    std::printf("%s: cannot be read\n", file.c_str());
+    return;
+  }
+  print(file.substr(file.find_last_of('/') + 1), mesh,
+        refine(mesh, IT::parameters::minimum_angle(25.)));
+}
+
+// ---- The planar mesher ----
+
+namespace Plane {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<K>,
+                                             CGAL::Delaunay_mesh_face_base_2<K>>
+  Data_structure;
+typedef CGAL::Constrained_Delaunay_triangulation_2<K, Data_structure> Triangulation;
+typedef CGAL::Delaunay_mesh_size_criteria_2<Triangulation> Criteria;
+
+// Meshes the unit square with edges of at most `size`; returns the number of vertices.
+std::size_t mesh_square(double size)
+{
+  Triangulation t;
+  const std::vector<Triangulation::Vertex_handle> corner{t.insert({0, 0}), t.insert({1, 0}),
+                                                         t.insert({1, 1}), t.insert({0, 1})};
+  for(std::size_t i = 0; i < 4; ++i)
+    t.insert_constraint(corner[i], corner[(i + 1) % 4]);
+  const double sine = std::sin(25 * CGAL_PI / 180);
+  CGAL::Delaunay_mesher_2<Triangulation, Criteria> mesher(t, Criteria(sine * sine, size));
+  mesher.refine_mesh();
+  return t.number_of_vertices();
+}
+
+} // namespace Plane
+
+template <typename Place>
+Mesh grid(unsigned int m, unsigned int n, const Place& place)
+{
+  Mesh mesh;
+  for(unsigned int y = 0; y <= n; ++y)
+    for(unsigned int x = 0; x <= m; ++x)
+      mesh.add_vertex(place(x, y));
+  const auto v = [m](unsigned int x, unsigned int y) {
+    return Mesh::Vertex_index(y * (m + 1) + x);
+  };
+  for(unsigned int y = 0; y < n; ++y)
+    for(unsigned int x = 0; x < m; ++x) {
+      mesh.add_face(v(x, y), v(x + 1, y), v(x + 1, y + 1));
+      mesh.add_face(v(x, y), v(x + 1, y + 1), v(x, y + 1));
+    }
+  return mesh;
+}
+
+Mesh square()
+{
+  return grid(1, 1, [](unsigned int x, unsigned int y) { return Kernel::Point_3(x, y, 0); });
+}
+
+void compare_with_plane()
+{
+  std::printf("\nA square, against CGAL::Delaunay_mesher_2\n%12s%12s%12s%12s%12s%8s\n", "vertices",
+              "us/vertex", "Mesh_2:", "vertices", "us/vertex", "ratio");
+  for(double size : {0.02, 0.01, 0.005}) {
+    Samples ours, theirs;
+    std::size_t count = 0, their_count = 0;
+    for(int i = 0; i < repetitions; ++i) {
+      Triangulation tri(square());
+      ours.time(
+        [&] { return IT::refine(tri, IT::parameters::maximum_circumradius(size / std::sqrt(3))); });
+      count = tri.mesh().number_of_vertices();
+      their_count = theirs.time([&] { return Plane::mesh_square(size); });
+    }
+    const double us = 1e3 * ours.median() / double(count),
+                 their_us = 1e3 * theirs.median() / double(their_count);
+    std::printf("%12zu%12.2f%12s%12zu%12.2f%8.2f\n", count, us, "", their_count, their_us,
+                their_us / us);
+  }
+}
+
+// ---- Growth ----
+
+// A band of 20 columns is squeezed into needles; what is left and right of it needs no refinement.
+Mesh banded_grid(unsigned int n)
+{
+  return grid(n, n, [n](unsigned int x, unsigned int y) {
+    const unsigned int begin = n / 2, end = begin + 20;
+    const double inside = x < begin ? 0 : x < end ? double(x - begin) : double(end - begin);
+    return Kernel::Point_3(double(x) - 0.95 * inside, y, 0);
+  });
+}
+
+Kernel::Point_3 on_circle(unsigned int i, unsigned int n)
+{
+  const double angle = 2 * CGAL_PI * i / n;
+  return {std::cos(angle), std::sin(angle), 0};
+}
+
+// a polygon with `n` needles around its center, or around a corner
+Mesh fan(unsigned int n, bool around_center)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(unsigned int i = 0; i < n; ++i)
+    v.push_back(mesh.add_vertex(on_circle(i, n)));
+  if(around_center) {
+    const Mesh::Vertex_index center = mesh.add_vertex(Kernel::Point_3(0, 0, 0));
+    for(unsigned int i = 0; i < n; ++i)
+      mesh.add_face(center, v[i], v[(i + 1) % n]);
+  } else
+    for(unsigned int i = 1; i + 1 < n; ++i)
+      mesh.add_face(v[0], v[i], v[i + 1]);
+  return mesh;
+}
+
+void growth()
+{
+  const auto angle = IT::parameters::minimum_angle(25.);
+  print_header("Growth: a mesh with a band of needles");
+  for(unsigned int n : {70u, 220u, 707u}) {
+    const Mesh mesh = banded_grid(n);
+    print("grid " + std::to_string(n), mesh, refine(mesh, angle));
+  }
+  print_header("Growth: needles around a vertex");
+  for(bool around_center : {true, false})
+    for(unsigned int n : {125u, 500u, 2000u}) {
+      const Mesh mesh = fan(n, around_center);
+      print((around_center ? "center " : "corner ") + std::to_string(n), mesh, refine(mesh, angle));
+    }
+  print_header("Growth: long input edges, a square of two faces");
+  for(double radius : {0.02, 0.005, 0.00125})
+    print("circumradius " + std::to_string(radius), square(),
+          refine(square(), IT::parameters::maximum_circumradius(radius)));
+}
+
+int main(int argc, char** argv)
+{
+  keep_memory();
+  std::vector<std::string> files(argv + 1, argv + argc);
+  if(files.empty())
+    for(const char* name : {"cheese", "blade", "armadillo"})
+      files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+  std::printf("milliseconds, medians of %d", repetitions);
+  print_header("25 degrees");
+  for(const std::string& file : files)
+    benchmark(file);
+  compare_with_plane();
+  growth();
+}
