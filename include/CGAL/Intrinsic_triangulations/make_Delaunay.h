@@ -91,40 +91,52 @@ void push_sides(Halfedge_index h, Edge_index last, const Intrinsic_triangulation
       stack.push(mesh.edge(x));
 }
 
+// What a run of flips has done.
+struct Flip_count
+{
+  std::size_t flips = 0;
+  std::size_t failed = 0; // those whose new edge is not Delaunay either, for rounding of lengths
+};
+
 template <typename Traits, typename Visitor>
-std::size_t flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor)
+Flip_count flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                            Visitor& visitor)
 {
   const Delta_complex& mesh = tri.mesh();
   Edge_stack stack(mesh.num_edges());
-  std::size_t flips = 0;
+  Flip_count count;
   for(Edge_index last : mesh.edges())
     for(Edge_index e = last;; e = stack.pop()) {
       if(!tri.is_Delaunay(e)) {
-        if(flips == limit)
+        if(count.flips == limit)
           throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
         const Halfedge_index h = mesh.halfedge(e);
         tri.flip(h);
-        ++flips;
+        ++count.flips;
+        if(!tri.is_Delaunay(e))
+          ++count.failed;
         push_sides(h, last, tri, stack);
         visitor.after_flip(h);
       }
       if(stack.empty())
         break;
     }
-  return flips;
+  return count;
 }
 
-// Where edges have been flipped more than once on average, rounding may have added up.
+// Where edges have been flipped more than once on average, rounding may have added up; where a flip
+// failed, it has.
 template <typename Traits, typename Visitor>
 std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
 {
-  std::size_t flips = flip_to_Delaunay(tri, limit, visitor);
-  for(std::size_t last = flips; last > tri.mesh().number_of_edges(); flips += last) {
+  std::size_t flips = 0;
+  for(;;) {
+    const Flip_count last = flip_to_Delaunay(tri, limit - flips, visitor);
+    flips += last.flips;
+    if(last.flips <= tri.mesh().number_of_edges() && last.failed == 0)
+      return flips;
     tri.recompute_lengths();
-    last = flip_to_Delaunay(tri, limit - flips, visitor);
   }
-  return flips;
 }
 
 } // namespace internal
