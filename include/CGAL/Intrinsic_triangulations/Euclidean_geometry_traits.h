@@ -62,12 +62,13 @@ public:
     // the other if k and l are: the one with the smaller differences is taken.
     static FT scaled_distance_of_feet(const Diamond<FT>& length)
     {
-      const FT foot_k = scaled_foot(length.jk, length.ki),
-               foot_l = scaled_foot(length.lj, length.il);
-      const FT at_i = scaled_foot(length.il, length.ki), at_j = scaled_foot(length.lj, length.jk);
-      const bool is_short_kl =
-        CGAL::abs(at_i) + CGAL::abs(at_j) < CGAL::abs(foot_k) + CGAL::abs(foot_l);
-      return is_short_kl ? at_i - at_j : foot_k - foot_l;
+      const FT at_k = scaled_foot(length.jk, length.ki), at_l = scaled_foot(length.lj, length.il);
+      if constexpr(internal::is_rounded<FT>()) {
+        const FT at_i = scaled_foot(length.il, length.ki), at_j = scaled_foot(length.lj, length.jk);
+        if(CGAL::abs(at_i) + CGAL::abs(at_j) < CGAL::abs(at_k) + CGAL::abs(at_l))
+          return at_i - at_j;
+      }
+      return at_k - at_l;
     }
   };
 

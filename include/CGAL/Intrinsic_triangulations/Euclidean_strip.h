@@ -68,7 +68,8 @@ public:
   {
     m_edges.clear();
     m_direction = Vector{-cosine(ai, ij, ja), sine(ai, ij, ja)};
-    m_edges.push_back({Vector{ai, FT(0)}, ja * Vector{cosine(ai, ja, ij), sine(ai, ja, ij)}});
+    m_edges.push_back({Vector{ai, FT(0)}, ja > 0 ? ja * Vector{cosine(ai, ja, ij), sine(ai, ja, ij)}
+                                                 : Vector{FT(0), FT(0)}});
     m_way_to_source = ai;
     m_way_to_target = ja;
   }
@@ -145,9 +146,12 @@ private:
     return m_direction.turned(cosine(ij, jl, li), sine(ij, jl, li));
   }
 
-  bool is_nearer_to_source(const FT& jl, const FT& li) const
+  bool is_nearer_to_source([[maybe_unused]] const FT& jl, [[maybe_unused]] const FT& li) const
   {
-    return m_way_to_source + li <= m_way_to_target + jl;
+    if constexpr(internal::is_rounded<FT>())
+      return m_way_to_source + li <= m_way_to_target + jl;
+    else
+      return true; // all ways are the same
   }
 
   FT way_to_apex(const FT& jl, const FT& li) const
@@ -160,8 +164,8 @@ private:
   {
     const Segment& edge = m_edges.back();
     if(is_nearer_to_source(jl, li))
-      return edge.source + li * direction_at_source(ij, jl, li);
-    return edge.target - jl * direction_to_target(ij, jl, li);
+      return li > 0 ? edge.source + li * direction_at_source(ij, jl, li) : edge.source;
+    return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target;
   }
 
   static FT clamped(const FT& s) { return s < 0 ? FT(0) : s > 1 ? FT(1) : s; }
