@@ -346,6 +346,18 @@ TEST(Euclidean_geometry_traits, area_of_needles_and_caps)
   EXPECT_DOUBLE_EQ(IT::quadrupled_area(3., 4., 5.), 24);
 }
 
+// All five lengths are exact in double, and k and l are on the line through i and j.
+TEST(Euclidean_geometry_traits, a_short_edge_between_long_ones_keeps_its_digits)
+{
+  const Double_traits::Compute_flipped_length flipped_length;
+  for(int digits : {10, 20, 26}) {
+    const double unit = std::ldexp(1, -digits);
+    EXPECT_EQ(flipped_length({1, 1 - 3 * unit, 3 * unit, 5 * unit, 1 - 5 * unit}), 2 * unit);
+    EXPECT_EQ(flipped_length({unit, 1 - unit, 1, 1, 1 - unit}), 0);
+    EXPECT_EQ(flipped_length({unit, 1 - unit, 1, 2, 2 - unit}), 1);
+  }
+}
+
 TEST(Intrinsic_geometry_traits, archetype)
 {
   for_each_small_triangulation<Traits_archetype>([](const auto& t, const auto& reference) {

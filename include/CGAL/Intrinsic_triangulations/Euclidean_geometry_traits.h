@@ -50,11 +50,25 @@ public:
     /// returns the length of \f$kl\f$.
     FT operator()(const Diamond<FT>& length) const
     {
-      const FT x = scaled_foot(length.jk, length.ki) - scaled_foot(length.lj, length.il);
+      const FT x = scaled_distance_of_feet(length);
       const FT height_k = squared_quadrupled_area(length.ij, length.jk, length.ki);
       const FT height_l = squared_quadrupled_area(length.ij, length.lj, length.il);
       const FT squared_height = height_k + height_l + 2 * CGAL::sqrt(height_k * height_l);
       return CGAL::sqrt(x * x + squared_height) / (2 * length.ij);
+    }
+
+  private:
+    // There are two ways to pair the four squares. One loses no digits if i and j are next to each other,
+    // the other if k and l are: the one with the smaller differences is taken.
+    static FT scaled_distance_of_feet(const Diamond<FT>& length)
+    {
+      const FT at_k = scaled_foot(length.jk, length.ki), at_l = scaled_foot(length.lj, length.il);
+      if constexpr(internal::is_rounded<FT>()) {
+        const FT at_i = scaled_foot(length.il, length.ki), at_j = scaled_foot(length.lj, length.jk);
+        if(CGAL::abs(at_i) + CGAL::abs(at_j) < CGAL::abs(at_k) + CGAL::abs(at_l))
+          return at_i - at_j;
+      }
+      return at_k - at_l;
     }
   };
 

@@ -23,8 +23,9 @@ namespace Intrinsic_triangulations {
 /// The strip leaves the corner \f$a\f$ of a first triangle through the opposite side
 /// \f$\overrightarrow{ij}\f$, goes on from triangle to triangle and ends at a corner \f$b\f$. Directions
 /// of edges are turned by corner angles instead of being taken from differences of positions, so that a
-/// short edge in the strip does not spoil what follows. An object can be used again; it then allocates
-/// no memory.
+/// short edge in the strip does not spoil what follows. Every corner is placed along the edges that lead
+/// to it on the shorter way, so that a short line between long edges keeps all its digits. An object can
+/// be used again; it then allocates no memory.
 ///
 /// \cgalModels `GeodesicStrip`
 template <typename FT>
@@ -66,34 +67,38 @@ public:
   void start(const FT& ai, const FT& ij, const FT& ja)
   {
     m_edges.clear();
-    const Vector i{ai, FT(0)};
     m_direction = Vector{-cosine(ai, ij, ja), sine(ai, ij, ja)};
-    m_edges.push_back({i, i + ij * m_direction});
+    m_edges.push_back({Vector{ai, FT(0)}, ja > 0 ? ja * Vector{cosine(ai, ja, ij), sine(ai, ja, ij)}
+                                                 : Vector{FT(0), FT(0)}});
+    m_way_to_source = ai;
+    m_way_to_target = ja;
   }
 
   /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
   /// through \f$\overrightarrow{il}\f$.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li)
   {
-    const Vector i = m_edges.back().source;
+    const Vector i = m_edges.back().source, l = apex(ij, jl, li);
     m_direction = direction_at_source(ij, jl, li);
-    m_edges.push_back({i, i + li * m_direction});
+    m_way_to_target = way_to_apex(jl, li);
+    m_edges.push_back({i, l});
   }
 
   /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
   /// through \f$\overrightarrow{lj}\f$.
   void turn_around_target(const FT& ij, const FT& jl, const FT& li)
   {
-    const Vector j = m_edges.back().target;
-    m_direction = m_direction.turned(cosine(ij, jl, li), sine(ij, jl, li));
-    m_edges.push_back({j - jl * m_direction, j});
+    const Vector j = m_edges.back().target, l = apex(ij, jl, li);
+    m_direction = direction_to_target(ij, jl, li);
+    m_way_to_source = way_to_apex(jl, li);
+    m_edges.push_back({l, j});
   }
 
   /// ends the strip at the corner \f$l\f$ of the triangle \f$jil\f$ beyond the last edge
   /// \f$\overrightarrow{ij}\f$.
   void finish(const FT& ij, const FT& jl, const FT& li)
   {
-    m_end = m_edges.back().source + li * direction_at_source(ij, jl, li);
+    m_end = apex(ij, jl, li);
     m_squared_length = dot(m_end, m_end);
   }
 
@@ -135,10 +140,40 @@ private:
     return m_direction.turned(cosine(li, ij, jl), -sine(li, ij, jl));
   }
 
+  // of l->j in the triangle jil
+  Vector direction_to_target(const FT& ij, const FT& jl, const FT& li) const
+  {
+    return m_direction.turned(cosine(ij, jl, li), sine(ij, jl, li));
+  }
+
+  bool is_nearer_to_source([[maybe_unused]] const FT& jl, [[maybe_unused]] const FT& li) const
+  {
+    if constexpr(internal::is_rounded<FT>())
+      return m_way_to_source + li <= m_way_to_target + jl;
+    else
+      return true; // all ways are the same
+  }
+
+  FT way_to_apex(const FT& jl, const FT& li) const
+  {
+    return is_nearer_to_source(jl, li) ? m_way_to_source + li : m_way_to_target + jl;
+  }
+
+  // the place of l in the triangle jil
+  Vector apex(const FT& ij, const FT& jl, const FT& li) const
+  {
+    const Segment& edge = m_edges.back();
+    if(is_nearer_to_source(jl, li))
+      return li > 0 ? edge.source + li * direction_at_source(ij, jl, li) : edge.source;
+    return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target;
+  }
+
   static FT clamped(const FT& s) { return s < 0 ? FT(0) : s > 1 ? FT(1) : s; }
 
   std::vector<Segment> m_edges;
   Vector m_direction{}; // of the last edge
+  FT m_way_to_source{}; // from a along edges
+  FT m_way_to_target{};
   Vector m_end{};
   FT m_squared_length{};
 };

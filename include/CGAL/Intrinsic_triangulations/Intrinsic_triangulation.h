@@ -602,9 +602,13 @@ private:
     return checked_length(distance_to_corner(h, internal::barycentric_coordinates(0, t), 2));
   }
 
-  // the distances of a point of a face of T1 from the ends of a side of that face
+  // the distances of a point of a face of T1 from the ends of a side of that face; to the last digit if
+  // the point is the corner opposite to that side
   internal::End_distances<FT> distances(const Face_location<FT>& p, Halfedge_index side) const
   {
+    const Halfedge_index before = m_input.prev(side), after = m_input.next(side);
+    if(internal::face_location(Edge_point<FT>{before, FT(0)}, m_input).second == p.second)
+      return {m_input_length[m_input.edge(before)], m_input_length[m_input.edge(after)]};
     return {distance(p, internal::face_location(Edge_point<FT>{side, FT(0)}, m_input)),
             distance(p, internal::face_location(Edge_point<FT>{side, FT(1)}, m_input))};
   }

@@ -91,48 +91,61 @@ void push_sides(Halfedge_index h, Edge_index last, const Intrinsic_triangulation
       stack.push(mesh.edge(x));
 }
 
+// What a run of flips has done.
+struct Flip_count
+{
+  std::size_t flips = 0;
+  std::size_t failed = 0; // those whose new edge is not Delaunay either, for rounding of lengths
+};
+
 template <typename Traits, typename Visitor>
-std::size_t flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor)
+Flip_count flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                            Visitor& visitor)
 {
   const Delta_complex& mesh = tri.mesh();
   Edge_stack stack(mesh.num_edges());
-  std::size_t flips = 0;
+  Flip_count count;
   for(Edge_index last : mesh.edges())
     for(Edge_index e = last;; e = stack.pop()) {
       if(!tri.is_Delaunay(e)) {
-        if(flips == limit)
+        if(count.flips == limit)
           throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
         const Halfedge_index h = mesh.halfedge(e);
         tri.flip(h);
-        ++flips;
+        ++count.flips;
+        if(is_rounded<typename Traits::FT>() && !tri.is_Delaunay(e))
+          ++count.failed;
         push_sides(h, last, tri, stack);
         visitor.after_flip(h);
       }
       if(stack.empty())
         break;
     }
-  return flips;
+  return count;
 }
 
-// Where edges have been flipped more than once on average, rounding may have added up.
+// Where edges have been flipped more than once on average, rounding may have added up; where a flip
+// failed, it has. One or two rounds are enough then, but nothing guarantees it.
 template <typename Traits, typename Visitor>
 std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
 {
-  std::size_t flips = flip_to_Delaunay(tri, limit, visitor);
-  for(std::size_t last = flips; last > tri.mesh().number_of_edges(); flips += last) {
+  std::size_t flips = 0;
+  for(int round = 0; round < 100; ++round) {
+    const Flip_count last = flip_to_Delaunay(tri, limit - flips, visitor);
+    flips += last.flips;
+    if(last.flips <= tri.mesh().number_of_edges() && last.failed == 0)
+      return flips;
     tri.recompute_lengths();
-    last = flip_to_Delaunay(tri, limit - flips, visitor);
   }
-  return flips;
+  throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay. If
-/// there were more flips than edges, lengths are recomputed from \f$T_1\f$ and flipping goes on, until
-/// a round has fewer.
+/// there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths are
+/// recomputed from \f$T_1\f$ and flipping goes on.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -157,7 +170,8 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 /// edges. A mark for each edge and a stack of edges are allocated.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
-/// \throws Numerical_error if a flipped length is not positive and finite
+/// \throws Numerical_error if a flipped length is not positive and finite, or rounding of the lengths
+///         stands against the postcondition
 /// \throws Overflow_error if a normal coordinate is out of range
 /// After an exception `tri` is a valid triangulation of the same surface.
 /// \post `is_Delaunay(tri)`

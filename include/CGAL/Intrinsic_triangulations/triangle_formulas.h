@@ -17,6 +17,17 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
+namespace internal {
+
+// whether operations on numbers of this type are rounded
+template <typename FT>
+constexpr bool is_rounded()
+{
+  return std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact;
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// the one tolerance of the package: the relative error that a decision grants to every length. Zero for
 /// exact number types; for floating point 16 units in the last place, while a length comes from fewer
@@ -24,7 +35,7 @@ namespace Intrinsic_triangulations {
 template <typename FT>
 constexpr FT rounding_unit()
 {
-  if constexpr(std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact)
+  if constexpr(internal::is_rounded<FT>())
     return 16 * std::numeric_limits<FT>::epsilon();
   else
     return FT(0);

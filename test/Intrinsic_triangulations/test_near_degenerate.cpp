@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "measuring.h"
+#include "near_degenerate_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using Subdivision = IT::Common_subdivision<>;
+
+constexpr unsigned int number_of_meshes = 1200;
+
+template <typename Any_mesh>
+std::int64_t Euler_characteristic(const Any_mesh& mesh)
+{
+  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
+         std::int64_t(mesh.number_of_faces());
+}
+
+// How far the area of a triangle can change with its lengths, if these are certain up to `u`
+// of their sum.
+Real uncertainty_of_area(std::array<Real, 3> l, Real u)
+{
+  const auto squared_area = [&](Real error) {
+    const Real sum = l[0] + l[1] + l[2];
+    Real product = sum / 16;
+    for(Real side : l)
+      product *= (std::max)(sum - 2 * side + error * sum, Real(0));
+    return product;
+  };
+  return std::sqrt(squared_area(u)) - std::sqrt(squared_area(-u));
+}
+
+Real uncertainty_of_area(const Flat_faces& faces, Real u)
+{
+  Real sum = 0;
+  for(Face_index f : faces.mesh().faces()) {
+    std::array<Real, 3> l;
+    for(std::size_t s = 0; s < 3; ++s)
+      l[s] = faces.length(faces.sides(f)[s]);
+    sum += uncertainty_of_area(l, u);
+  }
+  return sum;
+}
+
+// The surface keeps its area. A cap as low as 1e-8 of its side has lost half its digits in the lengths
+// already.
+void check_area(const Triangulation& t)
+{
+  const Flat_faces input(Side::input, t), intrinsic(Side::intrinsic, t);
+  const Real u = IT::rounding_unit<double>();
+  const Real tolerance = uncertainty_of_area(input, u) + uncertainty_of_area(intrinsic, u);
+  EXPECT_NEAR(double(intrinsic.area() / input.area()), 1, double(tolerance / input.area()));
+}
+
+// An edge with n crossings is cut into n + 1 pieces, on either side.
+void check_pieces(const Subdivision& s, const Correspondence& c)
+{
+  const Triangulation& t = c.triangulation();
+  for(Side side : both_sides) {
+    std::vector<std::size_t> pieces(c.mesh(side).number_of_edges(), 0);
+    for(Edge_index e : s.mesh().edges())
+      if(const Edge_index parent = s.parent_edge(side, e); parent.is_valid())
+        ++pieces[parent.idx()];
+    for(Edge_index e : c.mesh(side).edges())
+      ASSERT_EQ(pieces[e.idx()], c.number_of_crossings(side, e) + 1) << e;
+  }
+  for(Edge_index e : t.mesh().edges())
+    ASSERT_EQ(c.number_of_crossings(Side::intrinsic, e),
+              (std::max)(t.coordinates().normal_coordinate(e), std::int64_t(0)));
+}
+
+void check_subdivision(const Triangulation& t)
+{
+  const Correspondence c(t);
+  const Subdivision s(c);
+  EXPECT_TRUE(s.mesh().is_valid());
+  EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
+  for(Face_index f : s.mesh().faces()) {
+    ASSERT_GE(s.mesh().degree(f), 3u);
+    ASSERT_LE(s.mesh().degree(f), 6u);
+  }
+  check_pieces(s, c);
+  const auto [area, wrong] = relative_areas(Side::input, s, t);
+  EXPECT_NEAR(area, 1, 1e-9);
+  EXPECT_GT(wrong, -1e-9);
+}
+
+// Short edges of T2 across long needles keep all their digits. The lengths of T1 are the same numbers
+// in both precisions, but every rounding is 2000 times as fine in the longer one.
+void check_recomputed_lengths(const Mesh& mesh)
+{
+  Triangulation t(mesh);
+  IT::make_Delaunay(t);
+  t.recompute_lengths();
+  const IT::internal::Input_crossings crossings(t.coordinates(), t.mesh(), t.spokes());
+  Delta_complex input(t.input_mesh());
+  const auto length = input.add_property_map<Edge_index, Real>("e:long_length").first;
+  for(Edge_index e : input.edges())
+    length[e] = t.input_length(e);
+  IT::Euclidean_strip<Real> strip;
+  for(Edge_index e : t.mesh().edges()) {
+    const std::size_t n = crossings.count(e);
+    if(n == 0)
+      continue;
+    const auto exit = [&](std::size_t m) { return input.opposite(crossings(e, m)); };
+    IT::internal::lay_out_strip(strip, input, length, exit, n);
+    EXPECT_NEAR(double(t.length(e) / strip.length()), 1, 4e-15 * double(n + 1)) << n;
+  }
+}
+
+void check_Delaunay(const Mesh& mesh)
+{
+  Triangulation t(mesh);
+  IT::make_Delaunay(t);
+  EXPECT_TRUE(IT::is_Delaunay(t));
+  ASSERT_TRUE(t.is_valid(true));
+  check_area(t);
+  check_subdivision(t);
+}
+
+template <typename Check>
+void for_each_mesh(const Check& check)
+{
+  for(unsigned int seed = 0; seed < number_of_meshes; ++seed) {
+    const Named_mesh m = near_degenerate_mesh(seed);
+    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+    EXPECT_NO_THROW(check(m.mesh));
+  }
+}
+
+} // namespace
+
+// What the generator promises.
+TEST(Near_degenerate_meshes, are_valid_and_of_every_kind)
+{
+  std::set<std::pair<bool, std::int64_t>> kinds;
+  for_each_mesh([&](const Mesh& mesh) {
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+    EXPECT_TRUE(IT::is_valid_Delta_complex(mesh, true));
+    EXPECT_GE(mesh.number_of_faces(), 30u);
+    EXPECT_LE(mesh.number_of_faces(), 900u);
+    const std::set<Point> places(mesh.points().begin(), mesh.points().end());
+    EXPECT_EQ(places.size(), mesh.number_of_vertices());
+    kinds.emplace(CGAL::is_closed(mesh), Euler_characteristic(mesh));
+  });
+  for(std::int64_t genus = 0; genus <= 6; ++genus)
+    EXPECT_TRUE(kinds.count({true, 2 - 2 * genus})) << genus;
+  for(std::int64_t genus = 0; genus <= 3; ++genus)
+    EXPECT_TRUE(kinds.count({false, 1 - 2 * genus})) << genus;
+}
+
+TEST(Near_degenerate_meshes, recomputed_lengths_of_needles)
+{
+  for(unsigned int seed = 0; seed < number_of_meshes; ++seed)
+    if(const Named_mesh m = near_degenerate_mesh(seed); m.name == "needles") {
+      SCOPED_TRACE(seed);
+      check_recomputed_lengths(m.mesh);
+    }
+}
+
+TEST(Near_degenerate_meshes, Delaunay_with_subdivision) { for_each_mesh(check_Delaunay); }
