@@ -43,7 +43,7 @@ inline const char* to_string(Refinement_status status)
 enum class Remaining_reason
 {
   at_narrow_vertex,     ///< exactly one of its corners is narrow (Section 3.6)
-  beside_narrow_vertex, ///< it lies in one face of \f$T_1\f$, and a corner of that is narrow
+  beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a narrow vertex
   insertion_limit,      ///< no more insertions were allowed
   no_room               ///< the number type has no room for the new edges
 };
@@ -54,8 +54,7 @@ inline const char* to_string(Remaining_reason reason)
 {
   switch(reason) {
     case Remaining_reason::at_narrow_vertex: return "one of its corners is a narrow vertex";
-    case Remaining_reason::beside_narrow_vertex:
-      return "it lies in an input face with a narrow vertex";
+    case Remaining_reason::beside_narrow_vertex: return "it lies in input faces at a narrow vertex";
     case Remaining_reason::insertion_limit: return "no more insertions are allowed";
     case Remaining_reason::no_room: return "there is no room for new edges";
   }

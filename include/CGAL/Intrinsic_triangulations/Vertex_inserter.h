@@ -50,6 +50,9 @@ public:
   /// the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
+  /// the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
+  const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
+
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one coordinate is
   /// zero. Whatever the rounding, the integer coordinates are those of a point in one region between
   /// edges of \f$T_1\f$ (Section 3.5.1), and if `p` is on a shared edge, the vertex is on that edge of

@@ -38,22 +38,32 @@ public:
       m_predicate(predicate)
   {}
 
-  // whether `f` violates them
-  bool operator()(Face_index f) const
+  // whether `f` violates the bound on angles; its least angle has the sine shortest * area / (2 product)
+  bool is_too_thin(Face_index f) const
   {
-    const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index h = mesh.halfedge(f);
-    std::array<FT, 3> side{m_tri.length(mesh.edge(h)), m_tri.length(mesh.edge(mesh.next(h))),
-                           m_tri.length(mesh.edge(mesh.prev(h)))};
-    const FT area = quadrupled_area(side[0], side[1], side[2]);
-    const FT product = side[0] * side[1] * side[2];
-    const FT shortest = (std::min)({side[0], side[1], side[2]});
-    // the sine of the least angle is shortest * area / (2 product), the circumradius product / area
-    return area * shortest < 2 * product * m_sine || product > m_circumradius * area ||
+    const std::array<FT, 3> side = sides_of(f);
+    return quadrupled_area(side[0], side[1], side[2]) * (std::min)({side[0], side[1], side[2]}) <
+           2 * side[0] * side[1] * side[2] * m_sine;
+  }
+
+  // whether `f` violates the bound on the circumradius, or the predicate wants it refined
+  bool is_too_large(Face_index f) const
+  {
+    const std::array<FT, 3> side = sides_of(f);
+    return side[0] * side[1] * side[2] >
+             m_circumradius * quadrupled_area(side[0], side[1], side[2]) ||
            m_predicate(f);
   }
 
 private:
+  std::array<FT, 3> sides_of(Face_index f) const
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    const Halfedge_index h = mesh.halfedge(f);
+    return {m_tri.length(mesh.edge(h)), m_tri.length(mesh.edge(mesh.next(h))),
+            m_tri.length(mesh.edge(mesh.prev(h)))};
+  }
+
   const Triangulation& m_tri;
   FT m_sine, m_circumradius;
   const Predicate& m_predicate;
@@ -65,28 +75,32 @@ struct No_face
 };
 
 // Faces that violate the bounds, with the reason; those without an excuse have `otherwise`.
-template <typename Traits, typename Is_bad>
+template <typename Traits, typename Bounds>
 std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits>& tri,
-                                            const Is_bad& is_bad, Remaining_reason otherwise)
+                                            const Bounds& bounds, Remaining_reason otherwise)
 {
   const Narrow_vertices<Traits> narrow(tri);
+  const Crossing_lists<Traits> lists(tri);
   std::vector<Remaining_face> remaining;
-  for(Face_index f : tri.mesh().faces())
-    if(is_bad(f))
-      remaining.push_back(
-        narrow.excuse(f).value_or(Remaining_face{f, otherwise, tri.mesh().null_vertex()}));
+  for(Face_index f : tri.mesh().faces()) {
+    const Remaining_face unexcused{f, otherwise, tri.mesh().null_vertex()};
+    if(bounds.is_too_large(f))
+      remaining.push_back(unexcused);
+    else if(bounds.is_too_thin(f))
+      remaining.push_back(narrow.excuse(f, lists).value_or(unexcused));
+  }
   return remaining;
 }
 
 // Sets the faces that remain, and says whether one of them has no excuse.
-template <typename Traits, typename Is_bad>
-bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Is_bad& is_bad,
+template <typename Traits, typename Bounds>
+bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                     Refinement_result& result)
 {
   const bool limited = result.status == Refinement_status::insertion_limit;
   const Remaining_reason otherwise =
     limited ? Remaining_reason::insertion_limit : Remaining_reason::no_room;
-  result.remaining = remaining_faces(tri, is_bad, otherwise);
+  result.remaining = remaining_faces(tri, bounds, otherwise);
   const bool all_excused =
     std::none_of(result.remaining.begin(), result.remaining.end(),
                  [&](const Remaining_face& f) { return f.reason == otherwise; });
@@ -98,18 +112,18 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Is_bad& is
 }
 
 // Lengths that come from many roundings are computed afresh, and what that brings to light is mended.
-template <typename Traits, typename Is_bad>
-Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Is_bad& is_bad,
+template <typename Traits, typename Bounds>
+Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                          std::size_t limit)
 {
   Refinement_result result;
   result.flips = CGAL::Intrinsic_triangulations::make_Delaunay(tri);
   for(int round = 0; round < 4; ++round) {
-    Delaunay_refinement<Traits, Is_bad>(tri, is_bad, limit).run(result);
+    Delaunay_refinement<Traits, Bounds>(tri, bounds, limit).run(result);
     tri.collect_garbage();
     tri.recompute_lengths();
     result.flips += CGAL::Intrinsic_triangulations::make_Delaunay(tri);
-    if(!note_remaining(tri, is_bad, result) || result.status == Refinement_status::insertion_limit)
+    if(!note_remaining(tri, bounds, result) || result.status == Refinement_status::insertion_limit)
       break;
   }
   return result;
@@ -125,7 +139,8 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Is_bad& is_
 /// With bounds on the angle of up to 25 degrees, and on closed surfaces without constraints up to 30, it
 /// ends on all surfaces; in practice higher bounds work too. Vertices with less than 60 degrees around
 /// them, or between two boundary or constrained edges, are narrow: no triangulation has large angles
-/// there, and faces at such a vertex are excused (Section 3.6).
+/// there. A face with exactly one narrow corner is excused, and so is one that lies in faces of \f$T_1\f$ at
+/// a narrow vertex (Section 3.6, where it must lie in one such face). Only the bound on angles is excused.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits` whose number type is a floating point type
 /// \tparam NamedParameters a sequence of named parameters

@@ -28,8 +28,8 @@ namespace internal {
 // Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted, or the
 // boundary or constrained edge that hides it is split and circumcenters near by are removed again.
 //
-// `is_bad(f)` says whether a face violates the bounds.
-template <typename Traits, typename Is_bad>
+// `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused.
+template <typename Traits, typename Bounds>
 class Delaunay_refinement
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
@@ -51,10 +51,10 @@ class Delaunay_refinement
   };
 
 public:
-  Delaunay_refinement(Triangulation& tri, const Is_bad& is_bad, std::size_t limit)
+  Delaunay_refinement(Triangulation& tri, const Bounds& bounds, std::size_t limit)
     : m_tri(tri),
       m_mesh(tri.mesh()),
-      m_is_bad(is_bad),
+      m_bounds(bounds),
       m_limit(limit),
       m_inserter(tri),
       m_narrow(tri),
@@ -95,15 +95,21 @@ private:
     return a * b * c / quadrupled_area(a, b, c);
   }
 
+  bool is_bad(Face_index f) const
+  {
+    return m_bounds.is_too_large(f) ||
+           (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, m_inserter.crossing_lists()));
+  }
+
   void push_if_bad(Face_index f)
   {
-    if(m_is_bad(f) && !m_narrow.excuse(f))
+    if(is_bad(f))
       m_queue.push({circumradius(f), f});
   }
 
   bool is_current(const Candidate& c) const
   {
-    return !m_mesh.is_removed(c.face) && circumradius(c.face) == c.circumradius && m_is_bad(c.face);
+    return !m_mesh.is_removed(c.face) && circumradius(c.face) == c.circumradius && is_bad(c.face);
   }
 
   // A face stays as it is when numbers have no room left for the new vertex.
@@ -207,7 +213,7 @@ private:
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
-  const Is_bad& m_is_bad;
+  const Bounds& m_bounds;
   std::size_t m_limit;
   Vertex_inserter<Traits> m_inserter;
   Narrow_vertices<Traits> m_narrow;

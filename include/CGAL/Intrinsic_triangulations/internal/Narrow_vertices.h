@@ -9,12 +9,14 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
-#include <CGAL/Intrinsic_triangulations/internal/Dijkstra_ball.h>
+#include <CGAL/Intrinsic_triangulations/internal/Crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_face.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -38,8 +40,8 @@ public:
       m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < FT(CGAL_PI) / 3;
   }
 
-  // Why a bad face may stay, and the narrow vertex that is to blame.
-  std::optional<Remaining_face> excuse(Face_index f) const
+  // Why a bad face may stay, and the narrow vertex that is to blame. `lists` has the crossings on all edges.
+  std::optional<Remaining_face> excuse(Face_index f, const Crossing_lists<Traits>& lists) const
   {
     Vertex_index narrow;
     int count = 0;
@@ -50,7 +52,7 @@ public:
       }
     if(count == 1)
       return Remaining_face{f, Remaining_reason::at_narrow_vertex, narrow};
-    return excuse_by_input_face(f);
+    return excuse_by_input_faces(f, lists);
   }
 
 private:
@@ -59,19 +61,40 @@ private:
     return v.idx() < m_is_narrow.size() && m_is_narrow[v.idx()];
   }
 
-  // A face without crossings lies in one face of T1.
-  std::optional<Remaining_face> excuse_by_input_face(Face_index f) const
+  // A face that is crossed by edges at one vertex only lies in faces at this vertex. Without this, the wedge
+  // at a narrow vertex would be filled with ever smaller faces where several faces of T1 share it.
+  std::optional<Remaining_face> excuse_by_input_faces(Face_index f,
+                                                      const Crossing_lists<Traits>& lists) const
   {
+    for(Vertex_index v : first_candidates(f, lists))
+      if(is_narrow(v) && is_crossed_by_edges_at(v, f, lists))
+        return Remaining_face{f, Remaining_reason::beside_narrow_vertex, v};
+    return {};
+  }
+
+  // The ends of an edge of T1 that crosses `f`, or if there is none, the corners of the face that contains
+  // it.
+  std::array<Vertex_index, 3> first_candidates(Face_index f,
+                                               const Crossing_lists<Traits>& lists) const
+  {
+    const Delta_complex& input = m_tri.input_mesh();
     const auto side = sides(f, m_tri.mesh());
     for(Halfedge_index h : side)
-      if(m_tri.coordinates().crossings(h) > 0)
-        return {};
-    const Face_index input_face = m_tri.input_location(side[0]).first;
-    for(Halfedge_index h : sides(input_face, m_tri.input_mesh()))
-      if(is_narrow(m_tri.input_mesh().source(h)))
-        return Remaining_face{f, Remaining_reason::beside_narrow_vertex,
-                              m_tri.input_mesh().source(h)};
-    return {};
+      if(lists.count(h) > 0)
+        return {input.source(lists(h, 0)), input.target(lists(h, 0)), input.target(lists(h, 0))};
+    const auto corner = sides(m_tri.input_location(side[0]).first, input);
+    return {input.source(corner[0]), input.source(corner[1]), input.source(corner[2])};
+  }
+
+  bool is_crossed_by_edges_at(Vertex_index v, Face_index f,
+                              const Crossing_lists<Traits>& lists) const
+  {
+    for(Halfedge_index h : sides(f, m_tri.mesh()))
+      for(std::size_t m = 0; m < lists.count(h); ++m)
+        if(m_tri.input_mesh().source(lists(h, m)) != v &&
+           m_tri.input_mesh().target(lists(h, m)) != v)
+          return false;
+    return true;
   }
 
   bool is_fixed(Halfedge_index h) const
