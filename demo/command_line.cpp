@@ -6,6 +6,9 @@
 
 #include <CGAL/version.h>
 
+#include <cmath>
+#include <cstdlib>
+
 namespace {
 
 constexpr const char* examples = R"(Examples:
@@ -56,6 +59,12 @@ writes.
 Example:
   intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
 
+// Ranges do not exclude it.
+std::string not_a_number(const std::string& text)
+{
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "not a number: " + text : "";
+}
+
 constexpr const char* version = "intrinsic " INTRINSIC_VERSION " (with CGAL " CGAL_VERSION_STR ")";
 
 CLI::App& add_command(CLI::App& app, const char* name, const char* description, std::string& input)
@@ -73,7 +82,8 @@ void add_common_options(CLI::App& command, Common_options& options)
     .add_option("--mollify", options.mollification,
                 "Lengthen all edges until every triangle inequality has this slack, "
                 "relative to the mean edge length")
-    ->check(CLI::Range(1e-16, 1.));
+    ->check(CLI::Range(1e-16, 1.))
+    ->check(not_a_number);
   command.add_flag("--repair", options.is_repair_wanted,
                    "Mend what can be mended in the mesh and tell it; indices may change");
 }
@@ -102,7 +112,8 @@ void add_subdivision_options(CLI::App& command, Own_options& options, Common_opt
   command
     .add_option("--constrain-angle", options.constrained_angle,
                 "Never flip an edge at which the normals differ by this many degrees or more")
-    ->check(CLI::Range(0.001, 180.));
+    ->check(CLI::Range(0.001, 180.))
+    ->check(not_a_number);
 }
 
 // For the commands that refine only if it is wanted.
@@ -111,7 +122,8 @@ void add_angle(CLI::App& command, double& minimum_angle)
   command
     .add_option("--min-angle", minimum_angle,
                 "Insert vertices until all angles have this many degrees, see `intrinsic refine`")
-    ->check(CLI::Range(0.001, 60.));
+    ->check(CLI::Range(0.001, 60.))
+    ->check(not_a_number);
 }
 
 void add_delaunay(CLI::App& app, Options& options)
@@ -129,14 +141,17 @@ void add_bounds(CLI::App& command, Refinement_bounds& bounds)
     .add_option("--min-angle", bounds.minimum_angle,
                 "Least angle of the faces in degrees, 0 for any")
     ->check(CLI::Range(0., 60.))
+    ->check(not_a_number)
     ->capture_default_str();
   command
     .add_option("--max-circumradius", bounds.maximum_circumradius,
                 "Greatest circumradius of the faces; any if not given")
-    ->check(CLI::PositiveNumber);
+    ->check(CLI::PositiveNumber)
+    ->check(not_a_number);
   command
     .add_option("--max-insertions", bounds.maximum_number_of_insertions,
                 "How many vertices may be inserted")
+    ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
 }
 
@@ -180,6 +195,7 @@ void add_distance(CLI::App& app, Options& options)
     .add_option("--time-step", own.time_step_factor,
                 "Time for which heat flows, in squared mean edge lengths")
     ->check(CLI::PositiveNumber)
+    ->check(not_a_number)
     ->capture_default_str();
   add_angle(command, own.minimum_angle);
   command.footer(distance_notes);
