@@ -3,13 +3,14 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Sets up what is missing, builds the program and makes two meshes Delaunay: a real one of CGAL's,
-# and one that this repository ships.
+# Sets up what is missing, builds the program, makes two meshes Delaunay, a real one of CGAL's and one
+# that this repository ships, and refines two bad real ones to angles of 25 degrees.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 trap 'echo "demo.sh: failed at: $BASH_COMMAND" >&2' ERR
 
 meshes=(build/cgal_data/meshes/man.off demo/data/slivers.off)
+bad_meshes=(build/cgal_data/meshes/{blade,cheese}.off)
 
 # value FILE KEY: the number under a key of a flat JSON object without spaces.
 value()
@@ -17,17 +18,45 @@ value()
   sed -n "s/.*\"$2\":\([^,}]*\).*/\1/p" <<<"$1"
 }
 
+# flat FILE: the JSON file without spaces and with 0 in place of inner objects.
+flat()
+{
+  tr -d ' \n' <"$1" | sed 's/:{[^}]*}/:0/g'
+}
+
+# inner FILE KEY: the object under a key.
+inner()
+{
+  tr -d ' \n' <"$1" | sed "s/.*\"$2\":\({[^}]*}\).*/\1/"
+}
+
+# least_angle MESH: as `intrinsic info` says it.
+least_angle()
+{
+  value "$(build/intrinsic info "$1" --json | tr -d ' \n')" min_angle_degrees
+}
+
 print_row()
 {
-  local json outer subdivision seconds
-  json=$(tr -d ' \n' <"results/$1.json")
-  subdivision=$(sed 's/.*"subdivision":\({[^}]*}\).*/\1/' <<<"$json")
-  seconds=$(sed 's/.*"seconds":{\([^}]*\)}.*/\1/' <<<"$json" | tr ',' '\n' |
+  local outer subdivision seconds
+  subdivision=$(inner "results/$1.json" subdivision)
+  seconds=$(inner "results/$1.json" seconds | tr -d '{}' | tr ',' '\n' |
     awk -F: '{ sum += $2 } END { printf "%.3f", sum }')
-  outer=$(sed 's/:{[^}]*}/:0/g' <<<"$json")
+  outer=$(flat "results/$1.json")
   printf '%-16s%10s%10s%12.4f%12s%12s%10s\n' "$1" "$(value "$outer" vertices)" \
     "$(value "$outer" flips)" "$(value "$outer" min_angle_degrees)" \
     "$(value "$outer" crossings)" "$(value "$subdivision" faces)" "$seconds"
+}
+
+print_refined_row()
+{
+  local name json
+  name=$(basename "$1" .off)
+  json=results/$name.json
+  printf '%-16s%10s%10s%12.4f%12.4f%12s%10.3f  %s\n' "$name" "$(value "$(flat "$json")" vertices)" \
+    "$(value "$(flat "$json")" inserted_vertices)" "$(least_angle "$1")" \
+    "$(value "$(flat "$json")" min_angle_degrees)" "$(value "$(flat "$json")" faces_below_bound)" \
+    "$(value "$(inner "$json" seconds)" refine)" "$(value "$(flat "$json")" status | tr -d '"')"
 }
 
 scripts/set_up.sh
@@ -39,11 +68,21 @@ for mesh in "${meshes[@]}"; do
   name=$(basename "$mesh" .off)
   build/intrinsic delaunay "$mesh" -o "results/$name.ply" --stats "results/$name.json"
 done
+for mesh in "${bad_meshes[@]}"; do
+  name=$(basename "$mesh" .off)
+  build/intrinsic refine "$mesh" -o "results/$name.ply" --stats "results/$name.json" --min-angle 25
+done
 
 printf '\n%-16s%10s%10s%12s%12s%12s%10s\n' \
   mesh vertices flips 'min angle' crossings 'sub. faces' seconds
 for mesh in "${meshes[@]}"; do
   print_row "$(basename "$mesh" .off)"
+done
+
+printf '\n%-16s%10s%10s%12s%12s%12s%10s  %s\n' \
+  refined vertices inserted 'angle was' 'angle is' 'faces below' seconds status
+for mesh in "${bad_meshes[@]}"; do
+  print_refined_row "$mesh"
 done
 echo
 echo "Common subdivisions (.ply) and statistics (.json) are in $PWD/results"

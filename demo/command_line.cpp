@@ -6,16 +6,36 @@
 
 #include <CGAL/version.h>
 
+#include <cmath>
+#include <cstdlib>
+
 namespace {
 
 constexpr const char* examples = R"(Examples:
   intrinsic info bunny.obj
   intrinsic delaunay bunny.obj -o subdivision.ply --stats bunny.json
   intrinsic delaunay scan.stl --repair -o - --format obj | gzip > scan.obj.gz
+  intrinsic refine bunny.obj -o refined.ply --min-angle 30
   intrinsic distance bunny.obj --source 17 -o distance.vtp
   intrinsic operators bunny.obj --prefix bunny
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
+
+constexpr const char* refine_notes =
+  R"(The result is Delaunay and is written with exit code 0 however refinement has ended. The status, in
+the statistics and in the last line on standard error, says how:
+  bounds_met              every face obeys the bounds
+  bounds_met_but_excused  those that do not are at vertices too narrow for the angle
+  insertion_limit         --max-insertions was too little; some faces are left
+  no_room                 floating point numbers are too coarse for the faces that are left
+Refinement ends for angles of up to 25 degrees, and on closed surfaces 30. Greater ones may take vertices
+without end: set --max-insertions for them.
+
+Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an input
+edge with an intrinsic edge, 2 inserted vertex.
+
+Example:
+  intrinsic refine scan.ply -o refined.vtp --min-angle 25 --stats refined.json)";
 
 constexpr const char* distance_notes =
   R"(Distances are approximate: on evenly spread vertices by some two percent on average, on coarse or
@@ -32,11 +52,18 @@ constexpr const char* operators_notes =
   PREFIX_connection_laplacian.mtx  connection Laplacian (v x v, complex Hermitian)
   PREFIX_gradient.mtx              values at vertices to vectors on faces (2f x v)
   PREFIX_divergence.mtx            vectors on faces to integrals at vertices (v x 2f)
-Rows and columns of vertices are in the order of the input. Those of faces, two for each, and the
-frames of tangent vectors are those of the triangulation that --save writes.
+Rows and columns of vertices are in the order of the input, inserted vertices after them. Those of
+faces, two for each, and the frames of tangent vectors are those of the triangulation that --save
+writes.
 
 Example:
   intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
+
+// Ranges do not exclude it.
+std::string not_a_number(const std::string& text)
+{
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "not a number: " + text : "";
+}
 
 constexpr const char* version = "intrinsic " INTRINSIC_VERSION " (with CGAL " CGAL_VERSION_STR ")";
 
@@ -55,7 +82,8 @@ void add_common_options(CLI::App& command, Common_options& options)
     .add_option("--mollify", options.mollification,
                 "Lengthen all edges until every triangle inequality has this slack, "
                 "relative to the mean edge length")
-    ->check(CLI::Range(1e-16, 1.));
+    ->check(CLI::Range(1e-16, 1.))
+    ->check(not_a_number);
   command.add_flag("--repair", options.is_repair_wanted,
                    "Mend what can be mended in the mesh and tell it; indices may change");
 }
@@ -69,25 +97,71 @@ void add_info(CLI::App& app, Options& options)
                  "Exit code: 0 if the mesh can be worked on, 2 if not.");
 }
 
+// Of the commands whose output is the common subdivision.
+template <class Own_options>
+void add_subdivision_options(CLI::App& command, Own_options& options, Common_options& common)
+{
+  command
+    .add_option("-o,--output", options.output,
+                "Common subdivision of the mesh and its intrinsic triangulation "
+                "(.off, .obj, .ply, .vtp; - for standard output)")
+    ->required();
+  command.add_option("--format", options.format, "Format on standard output: off, obj, ply or vtp")
+    ->capture_default_str();
+  add_common_options(command, common);
+  command
+    .add_option("--constrain-angle", options.constrained_angle,
+                "Never flip an edge at which the normals differ by this many degrees or more")
+    ->check(CLI::Range(0.001, 180.))
+    ->check(not_a_number);
+}
+
+// For the commands that refine only if it is wanted.
+void add_angle(CLI::App& command, double& minimum_angle)
+{
+  command
+    .add_option("--min-angle", minimum_angle,
+                "Insert vertices until all angles have this many degrees, see `intrinsic refine`")
+    ->check(CLI::Range(0.001, 60.))
+    ->check(not_a_number);
+}
+
 void add_delaunay(CLI::App& app, Options& options)
 {
   CLI::App& command = add_command(
     app, "delaunay", "Flip a mesh to its intrinsic Delaunay triangulation", options.common.input);
-  Delaunay_options& own = options.delaunay;
-  command
-    .add_option("-o,--output", own.output,
-                "Common subdivision of the mesh and its intrinsic Delaunay triangulation "
-                "(.off, .obj, .ply, .vtp; - for standard output)")
-    ->required();
-  command.add_option("--format", own.format, "Format on standard output: off, obj, ply or vtp")
-    ->capture_default_str();
-  add_common_options(command, options.common);
-  command
-    .add_option("--constrain-angle", own.constrained_angle,
-                "Never flip an edge at which the normals differ by this many degrees or more")
-    ->check(CLI::Range(0.001, 180.));
+  add_subdivision_options(command, options.delaunay, options.common);
   command.footer(
     "Example:\n  intrinsic delaunay bunny.obj -o subdivision.vtp --constrain-angle 40");
+}
+
+void add_bounds(CLI::App& command, Refinement_bounds& bounds)
+{
+  command
+    .add_option("--min-angle", bounds.minimum_angle,
+                "Least angle of the faces in degrees, 0 for any")
+    ->check(CLI::Range(0., 60.))
+    ->check(not_a_number)
+    ->capture_default_str();
+  command
+    .add_option("--max-circumradius", bounds.maximum_circumradius,
+                "Greatest circumradius of the faces; any if not given")
+    ->check(CLI::PositiveNumber)
+    ->check(not_a_number);
+  command
+    .add_option("--max-insertions", bounds.maximum_number_of_insertions,
+                "How many vertices may be inserted")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+}
+
+void add_refine(CLI::App& app, Options& options)
+{
+  CLI::App& command = add_command(
+    app, "refine", "Insert vertices until all faces have a good shape", options.common.input);
+  add_subdivision_options(command, options.refine, options.common);
+  add_bounds(command, options.refine.bounds);
+  command.footer(refine_notes);
 }
 
 void add_distance_outputs(CLI::App& command, Distance_options& options)
@@ -98,7 +172,7 @@ void add_distance_outputs(CLI::App& command, Distance_options& options)
       "The mesh with the vertex property \"distance\" (.ply, .vtp; - for standard output)")
     ->required();
   command.add_option("--subdivision", options.subdivision,
-                     "Common subdivision of the mesh and its intrinsic Delaunay triangulation, "
+                     "Common subdivision of the mesh and its intrinsic triangulation, "
                      "with the same property");
   command.add_option("--format", options.format, "Format on standard output: ply or vtp")
     ->capture_default_str();
@@ -121,7 +195,9 @@ void add_distance(CLI::App& app, Options& options)
     .add_option("--time-step", own.time_step_factor,
                 "Time for which heat flows, in squared mean edge lengths")
     ->check(CLI::PositiveNumber)
+    ->check(not_a_number)
     ->capture_default_str();
+  add_angle(command, own.minimum_angle);
   command.footer(distance_notes);
 }
 
@@ -135,6 +211,7 @@ void add_operators(CLI::App& app, Options& options)
                 "Start of the names of the Matrix Market files")
     ->required();
   add_common_options(command, options.common);
+  add_angle(command, options.operators.minimum_angle);
   command.footer(operators_notes);
 }
 
@@ -150,6 +227,7 @@ void define_command_line(CLI::App& app, Options& options)
   app.fallthrough();
   add_info(app, options);
   add_delaunay(app, options);
+  add_refine(app, options);
   add_distance(app, options);
   add_operators(app, options);
 }

@@ -15,6 +15,7 @@ struct Options
   Info_options info;
   Common_options common;
   Delaunay_options delaunay;
+  Refine_options refine;
   Distance_options distance;
   Operators_options operators;
 };

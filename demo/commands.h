@@ -5,7 +5,9 @@
 #ifndef INTRINSIC_COMMANDS_H
 #define INTRINSIC_COMMANDS_H
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -41,6 +43,26 @@ struct Delaunay_options
 // Returns the exit code.
 int delaunay(const Common_options& common, const Delaunay_options& options);
 
+// What the faces of a refined triangulation shall obey, and how many vertices that may take.
+struct Refinement_bounds
+{
+  double minimum_angle = 25; // in degrees; 0 for none
+  double maximum_circumradius = std::numeric_limits<double>::infinity();
+  std::size_t maximum_number_of_insertions = 100000000;
+};
+
+struct Refine_options
+{
+  std::string output;
+  std::string format = "off";   // on standard output
+  double constrained_angle = 0; // in degrees; 0 for none
+  Refinement_bounds bounds;
+};
+
+// Inserts vertices into the intrinsic Delaunay triangulation until its faces obey the bounds, and writes
+// its common subdivision with the input. Returns the exit code.
+int refine(const Common_options& common, const Refine_options& options);
+
 struct Distance_options
 {
   std::string output;
@@ -48,18 +70,20 @@ struct Distance_options
   std::string format = "ply"; // on standard output
   std::vector<std::int64_t> sources;
   double time_step_factor = 1;
+  double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
 };
 
-// Computes distances on the intrinsic Delaunay triangulation and writes the input with them.
+// Computes distances on the intrinsic Delaunay triangulation, refined if that is wanted, and writes the input with them.
 // Returns the exit code.
 int distance(const Common_options& common, const Distance_options& options);
 
 struct Operators_options
 {
   std::string prefix;
+  double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
 };
 
-// Writes the matrices of the intrinsic Delaunay triangulation.
+// Writes the matrices of the intrinsic Delaunay triangulation, refined if that is wanted.
 // Returns the exit code.
 int operators(const Common_options& common, const Operators_options& options);
 

@@ -13,7 +13,7 @@ namespace {
 std::string summary_of(Command_run& run)
 {
   const Statistics& s = run.statistics();
-  return flip_summary(run) + ", " + s["crossings"].dump() + " crossings, " +
+  return summary_of_changes(run) + ", " + s["crossings"].dump() + " crossings, " +
          s["subdivision"]["faces"].dump() + " faces in the common subdivision";
 }
 

@@ -94,7 +94,7 @@ std::string summary_of(Command_run& run)
 {
   const Statistics& s = run.statistics();
   std::ostringstream text;
-  text << flip_summary(run) << ", greatest distance " << s["max_distance"].get<double>();
+  text << summary_of_changes(run) << ", greatest distance " << s["max_distance"].get<double>();
   if(s["unreachable_vertices"] > 0)
     text << ", " << s["unreachable_vertices"] << " vertices out of reach (distance -1)";
   return text.str();
@@ -107,24 +107,36 @@ public:
     : m_options(options),
       m_format(format_with_attributes(options.output, options.format)),
       m_subdivision_format(subdivision_format(options)),
-      m_run("distance", common, {options.output, options.subdivision}, m_subdivision_format ? 6 : 4)
+      m_run("distance", common, {options.output, options.subdivision}, number_of_stages())
   {}
 
   void run()
   {
     const auto sources =
       checked_sources(m_options.sources, m_run.options().input, m_run.input().mesh);
-    const Triangulation triangulation = make_delaunay_triangulation(m_run);
+    Triangulation triangulation = make_delaunay_triangulation(m_run);
+    refine_if_wanted(m_run, triangulation, m_options.minimum_angle);
     describe(m_run, triangulation);
     const std::vector<double> values = m_run.timed(
       "solve", [&] { return distances(triangulation, sources, m_options.time_step_factor); });
-    describe_distances(m_run.statistics(), m_options, values);
+    describe_distances(m_run.statistics(), m_options, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
     m_run.finish(summary_of(m_run));
   }
 
 private:
+  std::size_t number_of_stages() const
+  {
+    return 4 + std::size_t(m_subdivision_format ? 2 : 0) + (m_options.minimum_angle > 0 ? 1 : 0);
+  }
+
+  // These come before the inserted ones.
+  std::vector<double> at_input_vertices(const std::vector<double>& values)
+  {
+    return {values.begin(), values.begin() + m_run.input().mesh.number_of_vertices()};
+  }
+
   static std::optional<Mesh_format> subdivision_format(const Distance_options& options)
   {
     if(options.subdivision.empty())
@@ -142,7 +154,8 @@ private:
   void write(const std::vector<double>& values, const std::optional<Subdivision>& subdivision,
              const Triangulation& triangulation)
   {
-    m_run.add_output(m_options.output, text_of(output_mesh(m_run.input().mesh), values, m_format));
+    m_run.add_output(m_options.output,
+                     text_of(output_mesh(m_run.input().mesh), at_input_vertices(values), m_format));
     if(subdivision)
       m_run.add_output(m_options.subdivision,
                        text_of(subdivision_mesh(*subdivision),

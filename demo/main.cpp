@@ -28,6 +28,8 @@ int run_command(const CLI::App& app, const Options& options)
     return info(options.info);
   if(app.got_subcommand("delaunay"))
     return delaunay(options.common, options.delaunay);
+  if(app.got_subcommand("refine"))
+    return refine(options.common, options.refine);
   if(app.got_subcommand("distance"))
     return distance(options.common, options.distance);
   return operators(options.common, options.operators);

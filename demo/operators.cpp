@@ -79,8 +79,9 @@ std::vector<std::string> paths_of(const std::string& prefix)
 int operators(const Common_options& common, const Operators_options& options)
 {
   const std::vector<std::string> paths = paths_of(options.prefix);
-  Command_run run("operators", common, paths, 3);
-  const Triangulation triangulation = make_delaunay_triangulation(run);
+  Command_run run("operators", common, paths, options.minimum_angle > 0 ? 4 : 3);
+  Triangulation triangulation = make_delaunay_triangulation(run);
+  refine_if_wanted(run, triangulation, options.minimum_angle);
   describe(run, triangulation);
   run.statistics()["matrices"] = paths;
   run.timed("write", [&] {
@@ -88,6 +89,6 @@ int operators(const Common_options& common, const Operators_options& options)
       run.add_output(paths[i], matrices[i].text(triangulation));
     save(run, triangulation);
   });
-  run.finish(flip_summary(run) + ", " + std::to_string(paths.size()) + " matrices");
+  run.finish(summary_of_changes(run) + ", " + std::to_string(paths.size()) + " matrices");
   return 0;
 }

@@ -24,33 +24,53 @@ Attribute attribute(const char* name, const Range& range, const Value& value)
   return result;
 }
 
-// The edge on which each crossing is; -1 at a vertex.
+constexpr std::int64_t input_vertex_kind = 0;
+constexpr std::int64_t crossing_kind = 1;
+constexpr std::int64_t inserted_vertex_kind = 2;
+
+std::int64_t kind(const Subdivision& subdivision, IT::Vertex_index v)
+{
+  if(subdivision.is_input_vertex(v))
+    return input_vertex_kind;
+  return subdivision.is_intrinsic_vertex(v) ? inserted_vertex_kind : crossing_kind;
+}
+
+// The place on the first halfedge of the edge of `side` inside which `v` lies; null if there is none.
+IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Side side,
+                                         IT::Vertex_index v)
+{
+  const bool is_vertex =
+    side == IT::Side::input ? subdivision.is_input_vertex(v) : subdivision.is_intrinsic_vertex(v);
+  const IT::Edge_point<double>& p = subdivision.place(side, v);
+  if(is_vertex || !p.halfedge.is_valid())
+    return {IT::Halfedge_index(), 0};
+  if(p.halfedge.idx() % 2 == 0)
+    return p;
+  return {IT::Halfedge_index(p.halfedge.idx() - 1), 1 - p.t};
+}
+
+// The edge inside which each vertex is; -1 for none.
 Attribute crossed_edges(const Subdivision& subdivision, const char* name, IT::Side side)
 {
   return attribute(name, subdivision.mesh().vertices(), [&](IT::Vertex_index v) {
-    return subdivision.is_input_vertex(v)
-             ? -1
-             : number_of(IT::Edge_index(subdivision.place(side, v).halfedge));
+    return number_of(IT::Edge_index(place_inside_edge(subdivision, side, v).halfedge));
   });
 }
 
-// The place of each crossing on its edge, between 0 and 1; 0 at a vertex.
+// The place of each vertex on that edge, between 0 and 1; 0 for none.
 Attribute coordinates(const Subdivision& subdivision, const char* name, IT::Side side)
 {
   return attribute(name, subdivision.mesh().vertices(),
-                   [&](IT::Vertex_index v) { return subdivision.place(side, v).t; });
+                   [&](IT::Vertex_index v) { return place_inside_edge(subdivision, side, v).t; });
 }
 
 std::vector<Attribute> point_data(const Subdivision& subdivision)
 {
   const auto vertices = subdivision.mesh().vertices();
-  const auto is_crossing = [&](IT::Vertex_index v) {
-    return std::int64_t(subdivision.is_input_vertex(v) ? 0 : 1);
-  };
   const auto input_vertex = [&](IT::Vertex_index v) {
     return subdivision.is_input_vertex(v) ? number_of(v) : -1;
   };
-  return {attribute("kind", vertices, is_crossing),
+  return {attribute("kind", vertices, [&](IT::Vertex_index v) { return kind(subdivision, v); }),
           attribute("input_vertex", vertices, input_vertex),
           crossed_edges(subdivision, "input_edge", IT::Side::input),
           coordinates(subdivision, "input_coordinate", IT::Side::input),

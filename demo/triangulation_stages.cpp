@@ -13,7 +13,9 @@
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 
+#include <algorithm>
 #include <functional>
 #include <sstream>
 
@@ -59,6 +61,21 @@ Triangulation build(Command_run& run, double constrained_angle)
   return Triangulation(mesh, np);
 }
 
+IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds)
+{
+  return IT::refine(triangulation, IT::parameters::maximum_number_of_insertions(
+                                     bounds.maximum_number_of_insertions,
+                                     IT::parameters::maximum_circumradius(
+                                       bounds.maximum_circumradius,
+                                       IT::parameters::minimum_angle(bounds.minimum_angle))));
+}
+
+bool is_excused(const IT::Remaining_face& f)
+{
+  return f.reason == IT::Remaining_reason::at_narrow_vertex ||
+         f.reason == IT::Remaining_reason::beside_narrow_vertex;
+}
+
 } // namespace
 
 Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle)
@@ -70,6 +87,28 @@ Triangulation make_delaunay_triangulation(Command_run& run, double constrained_a
       IT::make_Delaunay(result, CGAL::parameters::visitor(std::ref(counter)));
   });
   return result;
+}
+
+void refine_triangulation(Command_run& run, Triangulation& triangulation,
+                          const Refinement_bounds& bounds)
+{
+  const IT::Refinement_result result =
+    run.timed("refine", [&] { return refined(triangulation, bounds); });
+  Statistics& statistics = run.statistics();
+  statistics["flips"] = statistics["flips"].get<std::size_t>() + result.flips;
+  statistics["inserted_vertices"] = triangulation.number_of_inserted_vertices();
+  statistics["faces_below_bound"] = result.remaining.size();
+  statistics["faces_excused"] =
+    std::count_if(result.remaining.begin(), result.remaining.end(), is_excused);
+  statistics["status"] = IT::to_string(result.status);
+}
+
+void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle)
+{
+  Refinement_bounds bounds;
+  bounds.minimum_angle = minimum_angle;
+  if(minimum_angle > 0)
+    refine_triangulation(run, triangulation, bounds);
 }
 
 void describe(Command_run& run, const Triangulation& triangulation)
@@ -121,11 +160,15 @@ void save(Command_run& run, const Triangulation& triangulation)
   run.add_output(run.options().save, text.str());
 }
 
-std::string flip_summary(Command_run& run)
+std::string summary_of_changes(Command_run& run)
 {
   const Statistics& s = run.statistics();
   std::ostringstream text;
-  text << s["flips"] << " flips, smallest angle " << run.input().diagnosis.statistics().min_angle
-       << " -> " << s["min_angle_degrees"].get<double>() << " degrees";
+  text << s["flips"] << " flips, ";
+  if(s.contains("status"))
+    text << s["inserted_vertices"] << " vertices inserted (" << s["status"].get<std::string>()
+         << "), ";
+  text << "smallest angle " << run.input().diagnosis.statistics().min_angle << " -> "
+       << s["min_angle_degrees"].get<double>() << " degrees";
   return text.str();
 }

@@ -18,6 +18,13 @@ using Triangulation = CGAL::Intrinsic_triangulations::Intrinsic_triangulation<>;
 // wanted. Edges at which the normals differ by `constrained_angle` degrees or more stay; zero for none.
 Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle = 0);
 
+// The stage "refine": inserts vertices until the faces obey the bounds; how it went in the statistics.
+void refine_triangulation(Command_run& run, Triangulation& triangulation,
+                          const Refinement_bounds& bounds);
+
+// The same with a bound on the angle alone, in degrees; nothing if it is zero.
+void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle);
+
 // Adds what the triangulation is to the statistics.
 void describe(Command_run& run, const Triangulation& triangulation);
 
@@ -27,8 +34,8 @@ Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
 // Adds the file of the triangulation to the outputs, if it is wanted.
 void save(Command_run& run, const Triangulation& triangulation);
 
-// What the flips did, for a summary.
+// What flips and insertions did, for a summary.
 // Precondition: the triangulation has been described.
-std::string flip_summary(Command_run& run);
+std::string summary_of_changes(Command_run& run);
 
 #endif // INTRINSIC_TRIANGULATION_STAGES_H
