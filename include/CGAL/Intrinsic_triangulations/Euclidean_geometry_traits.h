@@ -53,8 +53,9 @@ public:
       const FT x = scaled_distance_of_feet(length);
       const FT height_k = squared_quadrupled_area(length.ij, length.jk, length.ki);
       const FT height_l = squared_quadrupled_area(length.ij, length.lj, length.il);
-      const FT squared_height = height_k + height_l + 2 * CGAL::sqrt(height_k * height_l);
-      return CGAL::sqrt(x * x + squared_height) / (2 * length.ij);
+      // what is known before the first root stands first, and the quotient needs no root: roots are slow
+      const FT scaled_square = x * x + (height_k + height_l) + 2 * CGAL::sqrt(height_k * height_l);
+      return CGAL::sqrt(scaled_square) * (FT(1) / (2 * length.ij));
     }
 
   private:
@@ -99,8 +100,26 @@ private:
   };
 
   // Compares the sum of two angles, made as small as a relative error `u` of the sides can make it
-  // (as large, if `u` is negative), with pi.
+  // (as large, if `u` is negative), with pi. Away from equality the cosines tell, which are cheap; where
+  // they hardly change, near 0 and pi, only the sines do.
   static Sign compare_sum_with_pi(const Corner& a, const Corner& b, const FT& u)
+  {
+    // an error of 2u in each square and each product of sides, and what is rounded here
+    const FT margin = 5 * CGAL::abs(u);
+    if(sum_of_cosines(a, b, -margin) > 0)
+      return NEGATIVE;
+    if(sum_of_cosines(a, b, margin) < 0)
+      return POSITIVE;
+    return compare_sum_with_pi_by_sines(a, b, u);
+  }
+
+  // times twice the product of all four sides at the corners
+  static FT sum_of_cosines(const Corner& a, const Corner& b, const FT& u)
+  {
+    return a.cosine(u) * (b.p * b.q) + b.cosine(u) * (a.p * a.q);
+  }
+
+  static Sign compare_sum_with_pi_by_sines(const Corner& a, const Corner& b, const FT& u)
   {
     const FT cos_a = a.cosine(u), cos_b = b.cosine(u);
     if(!(cos_a < 0) && !(cos_b < 0))

@@ -46,7 +46,7 @@ constexpr FT rounding_unit()
 /// formula, which loses no digits on needles. A triangle that rounding has pressed beyond flat counts as
 /// flat.
 template <typename FT>
-FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
+inline FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
 {
   const FT p = (std::max)(a, b), q = (std::min)(a, b), r = (std::min)(p, c);
   const FT greatest = (std::max)(p, c), middle = (std::max)(q, r), least = (std::min)(q, r);
