@@ -138,7 +138,8 @@ public:
       if(!is_valid_Delta_complex(*complex))
         throw Invalid_input(internal::Delta_complex_defect(*complex));
     m_spokes = Vertex_spokes(m_input, boost::dummy_property_map());
-    check_lengths();
+    for(Edge_index e : m_input.edges())
+      check_length(e);
     check_inserted();
     number_inserted_spokes();
     check_triangles(m_input, m_input_length);
@@ -688,9 +689,11 @@ private:
   template <typename Graph, typename Numbering, typename Length>
   void set_input_lengths(const Graph& g, const Numbering& numbering, const Length& length)
   {
-    for(auto e : edges(g))
-      m_input_length[m_input.edge(numbering.halfedge_of(halfedge(e, g)))] = length(e);
-    check_lengths();
+    for(auto e : edges(g)) {
+      const Edge_index e_input = m_input.edge(numbering.halfedge_of(halfedge(e, g)));
+      m_input_length[e_input] = length(e);
+      check_length(e_input);
+    }
   }
 
   template <typename Graph, typename Numbering, typename NamedParameters>
@@ -715,11 +718,10 @@ private:
                         " is zero, not finite, or beyond the range of its number type");
   }
 
-  void check_lengths() const
+  void check_length(Edge_index e) const
   {
-    for(Edge_index e : m_input.edges())
-      if(!m_traits.is_length_object()(m_input_length[e]))
-        fail_at_length(e);
+    if(!m_traits.is_length_object()(m_input_length[e]))
+      fail_at_length(e);
   }
 
   void check_triangles(const Delta_complex& mesh, const Edge_length_map& length_map) const

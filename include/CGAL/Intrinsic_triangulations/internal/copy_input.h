@@ -105,8 +105,11 @@ void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& m
     if(halfedge(v, g) != boost::graph_traits<Graph>::null_halfedge())
       mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
   for(Halfedge_index h : mesh.halfedges())
-    if(mesh.is_border(h))
+    if(mesh.is_border(h)) {
+      if(mesh.is_border(mesh.opposite(h)))
+        fail_at_halfedge(h, mesh);
       set_border_halfedge(h, mesh);
+    }
 }
 
 template <typename Graph, typename Numbering>
@@ -119,9 +122,6 @@ void copy_connectivity(const Graph& g, const Numbering& numbering, Delta_complex
       fail_at_halfedge(h, mesh);
     mesh.set_halfedge(numbering.face(f_in), h);
   }
-  for(Edge_index e : mesh.edges())
-    if(mesh.is_border(mesh.halfedge(e)) && mesh.is_border(mesh.opposite(mesh.halfedge(e))))
-      fail_at_halfedge(mesh.halfedge(e), mesh);
 }
 
 template <typename Graph>
