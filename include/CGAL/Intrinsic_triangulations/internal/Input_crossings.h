@@ -27,9 +27,11 @@ first_crossings(const Integer_coordinates<Integer>& coordinates, const Delta_com
   const std::uint64_t limit = (std::numeric_limits<size_type>::max)() / 8;
   std::vector<size_type> first(mesh.num_edges() + 1, 0);
   std::uint64_t total = 0;
-  for(Edge_index e : mesh.edges()) {
-    first[e] = static_cast<size_type>(total);
-    total += static_cast<std::uint64_t>(coordinates.crossings(mesh.halfedge(e)));
+  for(size_type i = 0; i < mesh.num_edges(); ++i) {
+    first[i] = static_cast<size_type>(total);
+    if(mesh.is_removed(Edge_index(i)))
+      continue;
+    total += static_cast<std::uint64_t>(coordinates.crossings(Halfedge_index(2 * i)));
     if(total > limit)
       throw Overflow_error("more crossings than a mesh can number");
   }
