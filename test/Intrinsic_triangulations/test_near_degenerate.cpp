@@ -5,6 +5,8 @@
 #include "measuring.h"
 #include "near_degenerate_meshes.h"
 
+#include <CGAL/Intrinsic_triangulations/refine.h>
+
 #include <gtest/gtest.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -132,6 +134,34 @@ void check_Delaunay(const Mesh& mesh)
   check_subdivision(t);
 }
 
+// A face that stays without an excuse has no area as far as its lengths can tell: a vertex lies on the
+// boundary, by rounding.
+void check_remaining(const Triangulation& t, const IT::Refinement_result& result)
+{
+  for(const IT::Remaining_face& r : result.remaining)
+    if(r.reason == IT::Remaining_reason::no_room) {
+      const Halfedge_index h = t.mesh().halfedge(r.face);
+      const auto length = [&](Halfedge_index x) { return t.length(t.mesh().edge(x)); };
+      const double a = length(h), b = length(t.mesh().next(h)), c = length(t.mesh().prev(h));
+      EXPECT_LT(IT::quadrupled_area(a, b, c), 1e-7 * (a * a + b * b + c * c));
+    }
+}
+
+// Thin tubes need more faces than a test has time for: insertions are limited.
+void check_refinement(const Mesh& mesh)
+{
+  Triangulation t(mesh);
+  const auto result =
+    IT::refine(t, IT::parameters::maximum_number_of_insertions(std::size_t(1000)));
+  EXPECT_TRUE(IT::is_Delaunay(t));
+  ASSERT_TRUE(t.is_valid(true));
+  check_remaining(t, result);
+  const Correspondence c(t);
+  const Subdivision s(c);
+  EXPECT_TRUE(s.mesh().is_valid());
+  EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
+}
+
 template <typename Check>
 void for_each_mesh(const Check& check)
 {
@@ -173,3 +203,5 @@ TEST(Near_degenerate_meshes, recomputed_lengths_of_needles)
 }
 
 TEST(Near_degenerate_meshes, Delaunay_with_subdivision) { for_each_mesh(check_Delaunay); }
+
+TEST(Near_degenerate_meshes, refined_with_subdivision) { for_each_mesh(check_refinement); }

@@ -118,7 +118,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 {
   Refinement_result result;
   result.flips = CGAL::Intrinsic_triangulations::make_Delaunay(tri);
-  for(int round = 0; round < 4; ++round) {
+  for(int round = 0; round < 20; ++round) {
     Delaunay_refinement<Traits, Bounds>(tri, bounds, limit).run(result);
     tri.collect_garbage();
     tri.recompute_lengths();
