@@ -5,6 +5,9 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/Angular_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vector_across.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
@@ -162,5 +165,62 @@ TEST(Angular_coordinates, tangent_vectors_across)
         IT::tangent_vector_across(Side::intrinsic, w, vector * frames.transport(h), t);
       EXPECT_LT(std::abs(there - on_input * angles.transport(h)), 1e-9);
     }
+  }
+}
+
+// ---- Inserted vertices ----
+
+namespace {
+
+// The angles between neighbors around `v`, as the angular coordinates and as the corners of T2 have them.
+void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
+{
+  const Triangulation& t = angles.triangulation();
+  IT::internal::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
+    EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(h, t), 2 * pi), 0, 1e-8);
+    if(t.mesh().is_border(h))
+      return;
+    const double corner = IT::internal::angle_at_source(h, t.mesh(), t.length_map());
+    const double gap = angles.angle(IT::next_spoke(h, t.mesh())) - angles.angle(h);
+    const double scale = t.is_inserted(v) ? 1 : angles.frames().scale(v);
+    EXPECT_NEAR(std::remainder(gap - scale * corner, 2 * pi), 0, 1e-7);
+  });
+}
+
+} // namespace
+
+TEST(Angular_coordinates, at_inserted_vertices)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    Triangulation t(m.mesh);
+    IT::refine(t, IT::parameters::minimum_angle(28.));
+    const IT::Angular_coordinates<> angles(t);
+    for(Vertex_index v : t.mesh().vertices())
+      check_around(v, angles);
+  }
+}
+
+TEST(Angular_coordinates, kept_through_insertions_and_flips)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    Triangulation t(m.mesh);
+    IT::make_Delaunay(t);
+    IT::Angular_coordinates<> angles(t);
+    IT::Vertex_inserter<> inserter(t);
+    CGAL::Random random(1);
+    for(int i = 0; i < 30; ++i) {
+      const auto p = random_location(t.mesh(), random);
+      angles.after_insertion(i % 3 == 0 ? inserter.split_edge(t.mesh().halfedge(p.first), 0.5)
+                                        : inserter.insert(p));
+      for(Edge_index e : t.mesh().edges())
+        if(!t.is_Delaunay(e)) {
+          inserter.flip(t.mesh().halfedge(e));
+          angles.after_flip(t.mesh().halfedge(e));
+        }
+    }
+    for(Vertex_index v : t.mesh().vertices())
+      check_around(v, angles);
   }
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/angle_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/Vertex_angles.h>
@@ -31,7 +32,8 @@ namespace Intrinsic_triangulations {
 /// those of \f$T_1\f$.
 ///
 /// The angular coordinate of a halfedge is its normalized angle at its source (Section 2.3.2), as
-/// `angle_on_input()` gives it. The object is a visitor that keeps the angles up to date:
+/// `angle_on_input()` gives it, also where vertices have been inserted. The object is a visitor that keeps
+/// the angles up to date:
 /// \code
 /// Angular_coordinates<> angles(tri);
 /// make_Delaunay(tri, CGAL::parameters::visitor(std::ref(angles)));
@@ -66,8 +68,8 @@ public:
     const internal::Input_crossings crossings(tri.coordinates(), tri.mesh(), tri.spokes());
     Euclidean_strip<FT> strip;
     for(Halfedge_index h : tri.mesh().halfedges())
-      m_angle[h.idx()] = m_frames.angle(tri.input_spoke_before(h)) +
-                         scale_at(h) * angle_in_corner(h, crossings, strip);
+      m_angle[h.idx()] =
+        angle_of_spoke_before(h) + scale_at(h) * angle_in_corner(h, crossings, strip);
   }
 
   Angular_coordinates(Triangulation&&) = delete; // it would refer to what is gone
@@ -95,19 +97,47 @@ public:
   {
     const bool is_shared = m_tri.coordinates().is_shared(m_tri.mesh().edge(h));
     for(Halfedge_index x : {h, m_tri.mesh().opposite(h)})
-      m_angle[x.idx()] =
-        is_shared ? m_frames.angle(m_tri.input_halfedge(x)) : angle_between_neighbors(x);
+      m_angle[x.idx()] = is_shared ? angle_of_spoke_before(x) : angle_between_neighbors(x);
+  }
+
+  /// computes the angles of the edges at the vertex `v`, which has just been inserted. When elements are
+  /// renumbered (see `Intrinsic_triangulation::collect_garbage()`), the object must be made afresh.
+  /// Complexity: that of `angle_on_input()`, and linear in the degree of `v`.
+  void after_insertion(Vertex_index v)
+  {
+    m_angle.resize(m_tri.mesh().num_halfedges());
+    const Halfedge_index first = first_spoke(v, m_tri.mesh());
+    FT angle_at_v = angle_on_input(first, m_tri);
+    internal::for_each_spoke(v, m_tri.mesh(), [&](Halfedge_index h) {
+      const Halfedge_index back = m_tri.mesh().opposite(h);
+      const bool is_shared = m_tri.coordinates().is_shared(m_tri.mesh().edge(h));
+      m_angle[h.idx()] = is_shared ? angle_of_spoke_before(h) : angle_at_v;
+      m_angle[back.idx()] = is_shared ? angle_of_spoke_before(back) : angle_between_neighbors(back);
+      if(!m_tri.mesh().is_border(h))
+        angle_at_v = std::fmod(m_angle[h.idx()] + corner(h), 2 * internal::pi<FT>());
+    });
   }
 
 private:
-  FT scale_at(Halfedge_index h) const { return m_frames.scale(m_tri.mesh().source(h)); }
+  // an inserted vertex is flat
+  FT scale_at(Halfedge_index h) const
+  {
+    const Vertex_index v = m_tri.mesh().source(h);
+    return m_tri.is_inserted(v) ? FT(1) : m_frames.scale(v);
+  }
+
+  FT angle_of_spoke_before(Halfedge_index h) const
+  {
+    return m_tri.is_inserted(m_tri.mesh().source(h)) ? internal::angle_of_inserted_spoke(h, m_tri)
+                                                     : m_frames.angle(m_tri.input_spoke_before(h));
+  }
 
   FT angle_in_corner(Halfedge_index h, const internal::Input_crossings& crossings,
                      Euclidean_strip<FT>& strip) const
   {
     const Edge_index e = m_tri.mesh().edge(h);
     const std::size_t n = crossings.count(e);
-    if(n == 0)
+    if(m_tri.coordinates().is_shared(e))
       return FT(0);
     const bool is_first = h.idx() % 2 == 0;
     const auto exit = [&](std::size_t m) {

@@ -127,17 +127,23 @@ trace_input_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// The halfedge of T1 through which the halfedge `h` of T2 leaves a face at its crossing `number`: the
-// curve is followed to its end, which tells its edge.
+// The halfedges of T1 through which the halfedge `h` of T2 leaves faces, in order: the curves that cross it
+// are followed to their ends, which tell their edges.
 template <typename Traits>
-Halfedge_index crossed_halfedge(Halfedge_index h, const typename Traits::Integer& number,
-                                const Intrinsic_triangulation<Traits>& tri)
+std::vector<Halfedge_index> crossed_halfedges(Halfedge_index h,
+                                              const Intrinsic_triangulation<Traits>& tri)
 {
+  typedef typename Traits::Integer Integer;
   typedef typename Intrinsic_triangulation<Traits>::Coordinates Coordinates;
-  typename Coordinates::Crossing c{h, number};
-  while(tri.coordinates().advance(c, tri.mesh()) != Coordinates::Turn::ends) {
+  const Coordinates& coordinates = tri.coordinates();
+  std::vector<Halfedge_index> result;
+  for(Integer number(0); number < coordinates.crossings(h); ++number) {
+    typename Coordinates::Crossing c{h, number};
+    while(coordinates.advance(c, tri.mesh()) != Coordinates::Turn::ends) {
+    }
+    result.push_back(coordinates.spoke_at_end(c, tri.mesh(), tri.spokes()));
   }
-  return tri.coordinates().spoke_at_end(c, tri.mesh(), tri.spokes());
+  return result;
 }
 
 } // namespace internal
@@ -158,12 +164,9 @@ std::vector<Trace_point<typename Traits::FT>>
 trace_intrinsic_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 {
   typedef typename Traits::FT FT;
-  typedef typename Traits::Integer Integer;
   const Halfedge_index o = tri.mesh().opposite(h);
   std::vector<Trace_point<FT>> trace{{tri.start_on_spoke(h), {h, FT(0)}}};
-  std::vector<Halfedge_index> exits;
-  for(Integer number(0); number < tri.coordinates().crossings(h); ++number)
-    exits.push_back(internal::crossed_halfedge(h, number, tri));
+  const std::vector<Halfedge_index> exits = internal::crossed_halfedges(h, tri);
   typename Traits::Geodesic_strip strip;
   if(!exits.empty())
     tri.lay_out(

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_ANGLE_ON_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_ANGLE_ON_INPUT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/angle_in_strip.h>
+#include <CGAL/Intrinsic_triangulations/trace.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTangent
+/// the normalized angle in which the halfedge `h` of \f$T_2\f$ leaves its source, in the frame of
+/// \f$T_1\f$ there (see `Tangent_frames`). At a vertex that has been inserted on an edge of \f$T_1\f$, the real
+/// axis is along its first spoke, and inside a face along `halfedge(f)`.
+///
+/// The corner of \f$T_1\f$ follows from the integer coordinates and is exact. The place in the corner
+/// comes from the strip of triangles of \f$T_1\f$ that `h` passes, so that the flips that led to
+/// \f$T_2\f$ leave no trace in it. A shared edge has the angle of its twin, to the bit.
+/// Complexity: that of `trace_intrinsic_edge()`, and linear in the degree of the source in \f$T_1\f$.
+/// For many halfedges use `Angular_coordinates`.
+/// \throws Numerical_error if the angles at the source have no positive finite sum, or if the layout
+///         has no positive finite length
+template <typename Traits>
+typename Traits::FT angle_on_input(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+{
+  typedef typename Traits::FT FT;
+  FT in_corner(0);
+  if(!tri.coordinates().is_shared(tri.mesh().edge(h))) {
+    const auto exits = internal::crossed_halfedges(h, tri);
+    Euclidean_strip<FT> strip;
+    in_corner = internal::angle_in_strip(
+      h, [&](std::size_t m) { return exits[m]; }, exits.size(), tri, strip);
+  }
+  if(tri.is_inserted(tri.mesh().source(h)))
+    return internal::angle_of_inserted_spoke(h, tri) + in_corner;
+  return internal::Vertex_angles<FT>(tri.input_spoke_before(h), tri.input_mesh(),
+                                     tri.input_length_map())
+    .normalized(in_corner);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_ANGLE_ON_INPUT_H
