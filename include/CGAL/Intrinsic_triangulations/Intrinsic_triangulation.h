@@ -570,10 +570,10 @@ private:
   // same to the bit from both sides.
   FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
   {
-    if(start.halfedge.idx() % 2 == 1)
-      return part_length(end, start);
+    const bool is_even = start.halfedge.idx() % 2 == 0;
+    const FT &first = is_even ? start.t : end.t, &last = is_even ? end.t : start.t;
     const FT& length = m_input_length[m_input.edge(start.halfedge)];
-    return start.t == 0 && end.t == 0 ? length : FT((1 - end.t - start.t) * length);
+    return first == 0 && last == 0 ? length : FT((1 - last - first) * length);
   }
 
   // of the corner opposite to `h`; null beyond the boundary
