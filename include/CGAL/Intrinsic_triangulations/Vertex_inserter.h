@@ -362,15 +362,16 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
   internal::for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
-  FT least(1e-6); // beyond rounding of the angles
+  const FT tolerance(1e-6); // beyond rounding of the angles
+  FT least = tolerance;
   Halfedge_index result;
   internal::for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
     const Halfedge_index h = degree < 3 ? mesh.next(spoke) : spoke;
     if((degree < 3 && mesh.is_border(spoke)) || !can_be_flipped(h))
       return;
-    const FT c = mesh.target(h) == mesh.source(h) ? FT(-4) : concavity(h); // loops first
-    if(c < least) {
-      least = c;
+    const FT c = concavity(h), rank = mesh.target(h) == mesh.source(h) ? c - 4 : c; // loops first
+    if(c < tolerance && rank < least) {
+      least = rank;
       result = h;
     }
   });
