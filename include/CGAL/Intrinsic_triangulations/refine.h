@@ -163,7 +163,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 ///   \cgalParamNBegin{maximum_number_of_insertions}
 ///     \cgalParamDescription{how many vertices may be inserted}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{100,000,000}
+///     \cgalParamDefault{10,000,000}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -185,7 +185,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
   const std::size_t limit(choose_parameter(
-    get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(100000000)));
+    get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(10000000)));
   return internal::refine(
     tri, internal::Face_bounds<Traits, decltype(predicate)>(tri, degrees, circumradius, predicate),
     limit);
