@@ -48,7 +48,7 @@ struct Refinement_bounds
 {
   double minimum_angle = 25; // in degrees; 0 for none
   double maximum_circumradius = std::numeric_limits<double>::infinity();
-  std::size_t maximum_number_of_insertions = 100000000;
+  std::size_t maximum_number_of_insertions = 10000000;
 };
 
 struct Refine_options
