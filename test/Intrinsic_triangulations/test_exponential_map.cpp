@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vector_across.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
@@ -379,6 +380,60 @@ TEST(Exponential_map, same_on_both_triangulations)
     SCOPED_TRACE(t.name);
     check_independence(t.triangulation, 40, 1e-9);
   }
+}
+
+TEST(Exponential_map, same_on_both_triangulations_from_inserted_vertices)
+{
+  for(const Named_triangulation& named : triangulations()) {
+    SCOPED_TRACE(named.name);
+    Triangulation t = named.triangulation;
+    IT::refine(t);
+    check_independence(t, 100, 1e-9);
+  }
+}
+
+// In the frame of the face, the vertex is a point as any other.
+TEST(Exponential_map, from_a_vertex_inserted_in_a_face)
+{
+  Triangulation t(random_sphere(40, 1));
+  IT::refine(t);
+  CGAL::Random random(3);
+  int count = 0;
+  for(Vertex_index v : t.mesh().vertices()) {
+    if(!t.is_inserted(v) || t.inserted_vertex(v).along.is_valid())
+      continue;
+    const Complex vector = random_vector(2, random);
+    const Geodesic a = IT::trace_geodesic(Side::input, v, vector, t);
+    const Geodesic b = IT::trace_geodesic(Side::input, t.inserted_vertex(v).location, vector, t);
+    EXPECT_EQ(a.end, b.end);
+    EXPECT_EQ(a.transport, b.transport);
+    ++count;
+  }
+  EXPECT_GT(count, 5);
+}
+
+// The directions along the two halfedges of T1 lead to their ends, and transport is that of the frames.
+TEST(Exponential_map, from_a_vertex_inserted_on_an_edge)
+{
+  Triangulation t(punctured(random_sphere(40, 6), {0, 20, 50}));
+  IT::Vertex_inserter<> inserter(t);
+  for(Edge_index e : t.input_mesh().edges())
+    inserter.split_edge(Halfedge_index(2 * e.idx()), 0.3);
+  const Delta_complex& mesh = t.input_mesh();
+  for(Vertex_index v : t.mesh().vertices())
+    for(Delta_complex::size_type r : {0u, 1u}) {
+      if(!t.is_inserted(v))
+        continue;
+      const Halfedge_index h = t.spokes().halfedge(v, r);
+      const double length = t.input_length(mesh.edge(h)) * (1 - t.place_along(h, v));
+      const Complex vector = length * Complex(r == 0 ? 1 : -1);
+      const Geodesic g = IT::trace_geodesic(Side::input, v, vector, t);
+      EXPECT_EQ(g.status, Status::reached);
+      const std::size_t s = corner_at(g.end);
+      ASSERT_LT(s, 3u);
+      EXPECT_EQ(mesh.source(Flat_faces(Side::input, t).sides(g.end.first)[s]), mesh.target(h));
+      expect_close(g.transport * vector / length, g.direction, 1e-14);
+    }
 }
 
 TEST(Exponential_map, same_on_both_triangulations_of_data)

@@ -22,9 +22,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -283,6 +285,82 @@ TEST(Refine, number_of_insertions)
   for(const Remaining_face& r : result.remaining) {
     EXPECT_EQ(r.reason, Remaining_reason::insertion_limit);
     EXPECT_LT(least_angle(r.face, t), 25);
+  }
+}
+
+// ---- Visitors ----
+
+namespace {
+
+// Counts what it sees, and throws `Error` when told to.
+template <typename Error>
+struct Counter : IT::Default_refinement_visitor
+{
+  explicit Counter(std::size_t limit) : limit(limit) {}
+
+  void after_flip(Halfedge_index) { note(flips); }
+  void after_insertion(Vertex_index v, const IT::Vertex_inserter<>& inserter)
+  {
+    EXPECT_TRUE(inserter.triangulation().is_inserted(v));
+    note(insertions);
+  }
+  void after_removal(Vertex_index, Face_index) { note(removals); }
+
+  void note(std::size_t& count)
+  {
+    ++count;
+    if(flips + insertions + removals == limit)
+      throw Error("enough");
+  }
+
+  std::size_t limit, flips = 0, insertions = 0, removals = 0;
+};
+
+template <typename Error>
+void check_stopped(const Triangulation& given, std::size_t limit)
+{
+  Triangulation t = given;
+  Counter<Error> counter(limit);
+  EXPECT_THROW(IT::refine(t, CGAL::parameters::visitor(std::ref(counter))), Error);
+  EXPECT_EQ(counter.flips + counter.insertions + counter.removals, limit);
+  EXPECT_FALSE(t.mesh().has_garbage());
+  EXPECT_TRUE(t.is_valid(true));
+  EXPECT_EQ(t.number_of_inserted_vertices() + counter.removals, counter.insertions);
+  IT::refine(t);
+  check_structure(t);
+}
+
+} // namespace
+
+TEST(Refine, visitor_sees_everything)
+{
+  std::size_t removals = 0;
+  for(const Named_triangulation& named : triangulations()) {
+    SCOPED_TRACE(named.name);
+    Triangulation t = named.triangulation, silent = named.triangulation;
+    Counter<std::runtime_error> counter(0);
+    const auto result = IT::refine(t, CGAL::parameters::visitor(std::ref(counter)));
+    EXPECT_EQ(counter.insertions, result.insertions);
+    EXPECT_EQ(counter.removals, result.removals);
+    EXPECT_GE(counter.flips, result.flips); // those of removals are not in the result
+    removals += counter.removals;
+    IT::refine(silent);
+    EXPECT_EQ(text_of(t), text_of(silent));
+  }
+  EXPECT_GT(removals, 0u);
+}
+
+TEST(Refine, stopped_by_the_visitor)
+{
+  const Triangulation t(planar_mesh(random_points(25, 1000, 5)));
+  Triangulation whole = t;
+  Counter<std::runtime_error> counter(0);
+  IT::refine(whole, CGAL::parameters::visitor(std::ref(counter)));
+  EXPECT_GT(counter.removals, 0u);
+  const std::size_t all = counter.flips + counter.insertions + counter.removals;
+  for(std::size_t limit = 1; limit <= all; ++limit) {
+    check_stopped<std::runtime_error>(t, limit);
+    check_stopped<IT::Numerical_error>(t, limit);
   }
 }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angle_on_input.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/Vertex_angles.h>
@@ -21,6 +21,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -32,19 +33,21 @@ namespace Intrinsic_triangulations {
 /// those of \f$T_1\f$.
 ///
 /// The angular coordinate of a halfedge is its normalized angle at its source (Section 2.3.2), as
-/// `angle_on_input()` gives it, also where vertices have been inserted. The object is a visitor that keeps
-/// the angles up to date:
+/// `angle_on_input()` gives it. The object is a visitor that keeps the angles up to date:
 /// \code
 /// Angular_coordinates<> angles(tri);
 /// make_Delaunay(tri, CGAL::parameters::visitor(std::ref(angles)));
+/// refine(tri, CGAL::parameters::visitor(std::ref(angles)));
 /// \endcode
 /// A new halfedge goes between its two neighbors in the proportion of the two corners, so that the
-/// errors of angles do not grow with the number of flips, but for the rounding of each.
+/// errors of angles do not grow with the number of flips, but for the rounding of each. Whoever changes
+/// `tri` by other means calls the functions below, and `recompute()` after
+/// `Intrinsic_triangulation::collect_garbage()`, which gives halfedges other numbers.
 ///
 /// The object refers to the triangulation. Memory: two numbers for each halfedge and one for each vertex.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits` with a floating point type `FT`
-/// \cgalModels `FlipVisitor`
+/// \cgalModels `RefinementVisitor`, `FlipVisitor`
 template <typename Traits_ = Euclidean_geometry_traits<double>>
 class Angular_coordinates
 {
@@ -62,14 +65,9 @@ public:
   /// \throws Numerical_error if the angles at a vertex have no positive finite sum, or if the layout of
   ///         an edge has no positive finite length
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
-  explicit Angular_coordinates(const Triangulation& tri)
-    : m_tri(tri), m_frames(Side::input, tri), m_angle(tri.mesh().num_halfedges())
+  explicit Angular_coordinates(const Triangulation& tri) : m_tri(tri), m_frames(Side::input, tri)
   {
-    const internal::Input_crossings crossings(tri.coordinates(), tri.mesh(), tri.spokes());
-    Euclidean_strip<FT> strip;
-    for(Halfedge_index h : tri.mesh().halfedges())
-      m_angle[h.idx()] =
-        angle_of_spoke_before(h) + scale_at(h) * angle_in_corner(h, crossings, strip);
+    recompute();
   }
 
   Angular_coordinates(Triangulation&&) = delete; // it would refer to what is gone
@@ -88,62 +86,138 @@ public:
     return -std::polar(FT(1), angle(m_tri.mesh().opposite(h)) - angle(h));
   }
 
-  /// the frames of \f$T_1\f$.
+  /// the frames of \f$T_1\f$ at its vertices; for those at inserted vertices see `angle_on_input()`.
   const Tangent_frames<FT>& frames() const { return m_frames; }
+
+  /// computes all angles afresh, as the constructor does. Afterwards \f$T_2\f$ may have been changed in any way,
+  /// and its elements have other numbers.
+  void recompute()
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    const internal::Input_crossings crossings(m_tri.coordinates(), mesh, m_tri.spokes());
+    m_angle.resize(mesh.num_halfedges());
+    for(Halfedge_index h : mesh.halfedges()) {
+      const Edge_index e = mesh.edge(h);
+      const std::size_t n = crossings.count(e);
+      const bool is_first = h.idx() % 2 == 0;
+      m_angle[h.idx()] = angle_in_strip(h, n, [&](std::size_t m) {
+        return is_first ? m_tri.input_mesh().opposite(crossings(e, m)) : crossings(e, n - 1 - m);
+      });
+    }
+  }
 
   /// computes the angles of the edge of `h`, which has just been flipped, from its two faces; those of
   /// \f$T_1\f$ if it is shared. Complexity: constant.
   void after_flip(Halfedge_index h)
   {
-    const bool is_shared = m_tri.coordinates().is_shared(m_tri.mesh().edge(h));
-    for(Halfedge_index x : {h, m_tri.mesh().opposite(h)})
-      m_angle[x.idx()] = is_shared ? angle_of_spoke_before(x) : angle_between_neighbors(x);
+    set_angle(h);
+    set_angle(m_tri.mesh().opposite(h));
   }
 
-  /// computes the angles of the edges at the vertex `v`, which has just been inserted. When elements are
-  /// renumbered (see `Intrinsic_triangulation::collect_garbage()`), the object must be made afresh.
-  /// Complexity: that of `angle_on_input()`, and linear in the degree of `v`.
-  void after_insertion(Vertex_index v)
+  /// computes the angles of all edges at `v`, which has just been inserted. The direction of one of them
+  /// comes from the triangles of \f$T_1\f$ that it passes: a shared one, one
+  /// that passes a single triangle, or else the longest.
+  /// Complexity: linear in the degree of `v` and the crossings on this edge.
+  /// \param v the vertex
+  /// \param inserter the object that has inserted it
+  /// \throws Numerical_error if the layout of the edge has no positive finite length
+  void after_insertion(Vertex_index v, const Vertex_inserter<Traits>& inserter)
   {
-    m_angle.resize(m_tri.mesh().num_halfedges());
-    const Halfedge_index first = first_spoke(v, m_tri.mesh());
-    FT angle_at_v = angle_on_input(first, m_tri);
-    internal::for_each_spoke(v, m_tri.mesh(), [&](Halfedge_index h) {
-      const Halfedge_index back = m_tri.mesh().opposite(h);
-      const bool is_shared = m_tri.coordinates().is_shared(m_tri.mesh().edge(h));
-      m_angle[h.idx()] = is_shared ? angle_of_spoke_before(h) : angle_at_v;
-      m_angle[back.idx()] = is_shared ? angle_of_spoke_before(back) : angle_between_neighbors(back);
-      if(!m_tri.mesh().is_border(h))
-        angle_at_v = std::fmod(m_angle[h.idx()] + corner(h), 2 * internal::pi<FT>());
-    });
+    const Delta_complex& mesh = m_tri.mesh();
+    m_angle.resize(mesh.num_halfedges());
+    const Halfedge_index start = spoke_to_start_with(v);
+    const auto n = static_cast<std::size_t>(m_tri.coordinates().crossings(start));
+    set_angles_around(v, start, angle_in_strip(start, n, [&](std::size_t m) {
+                        return m_tri.input_mesh().opposite(inserter.crossing_lists()(start, m));
+                      }));
+    internal::for_each_spoke(v, mesh, [&](Halfedge_index h) { set_angle(mesh.opposite(h)); });
   }
+
+  /// gives the sides of the face `f`, which has taken the place of the vertex `v`, the angles of \f$T_1\f$ if
+  /// they are shared. Complexity: constant.
+  void after_removal(Vertex_index /* v */, Face_index f)
+  {
+    for(Halfedge_index h : internal::sides(f, m_tri.mesh()))
+      for(Halfedge_index x : {h, m_tri.mesh().opposite(h)})
+        if(is_shared(x))
+          set_angle(x);
+  }
+
+  /// calls `recompute()`.
+  void after_renumbering() { recompute(); }
 
 private:
-  // an inserted vertex is flat
+  bool is_shared(Halfedge_index h) const
+  {
+    return m_tri.coordinates().is_shared(m_tri.mesh().edge(h));
+  }
+
+  bool starts_at_inserted(Halfedge_index h) const
+  {
+    return m_tri.is_inserted(m_tri.mesh().source(h));
+  }
+
+  // at inserted vertices the surface is flat
   FT scale_at(Halfedge_index h) const
   {
-    const Vertex_index v = m_tri.mesh().source(h);
-    return m_tri.is_inserted(v) ? FT(1) : m_frames.scale(v);
+    return starts_at_inserted(h) ? FT(1) : m_frames.scale(m_tri.mesh().source(h));
   }
 
   FT angle_of_spoke_before(Halfedge_index h) const
   {
-    return m_tri.is_inserted(m_tri.mesh().source(h)) ? internal::angle_of_inserted_spoke(h, m_tri)
-                                                     : m_frames.angle(m_tri.input_spoke_before(h));
+    return starts_at_inserted(h) ? internal::angle_of_inserted_spoke(h, m_tri)
+                                 : m_frames.angle(m_tri.input_spoke_before(h));
   }
 
-  FT angle_in_corner(Halfedge_index h, const internal::Input_crossings& crossings,
-                     Euclidean_strip<FT>& strip) const
+  template <typename Exit>
+  FT angle_in_strip(Halfedge_index h, std::size_t n, const Exit& exit)
   {
-    const Edge_index e = m_tri.mesh().edge(h);
-    const std::size_t n = crossings.count(e);
-    if(m_tri.coordinates().is_shared(e))
-      return FT(0);
-    const bool is_first = h.idx() % 2 == 0;
-    const auto exit = [&](std::size_t m) {
-      return is_first ? m_tri.input_mesh().opposite(crossings(e, m)) : crossings(e, n - 1 - m);
+    return angle_of_spoke_before(h) +
+           scale_at(h) * internal::angle_from_spoke(h, exit, n, m_tri, m_strip);
+  }
+
+  void set_angle(Halfedge_index h)
+  {
+    m_angle[h.idx()] = is_shared(h) ? angle_of_spoke_before(h) : angle_between_neighbors(h);
+  }
+
+  // a shared one if there is any, or one inside a face of T1; of several the longest, whose direction has
+  // the smallest error
+  Halfedge_index spoke_to_start_with(Vertex_index v) const
+  {
+    const auto rank = [this](Halfedge_index h) {
+      return std::make_tuple(is_shared(h), m_tri.coordinates().crossings(h) == 0,
+                             m_tri.length(m_tri.mesh().edge(h)));
     };
-    return internal::angle_in_strip(h, exit, n, m_tri, strip);
+    Halfedge_index best = first_spoke(v, m_tri.mesh());
+    internal::for_each_spoke(v, m_tri.mesh(), [&](Halfedge_index h) {
+      if(rank(best) < rank(h))
+        best = h;
+    });
+    return best;
+  }
+
+  // The spokes of the inserted vertex `v` in the proportion of the corners, from the one that is known.
+  void set_angles_around(Vertex_index v, Halfedge_index start, const FT& angle_of_start)
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    FT sum(0);
+    internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      m_angle[h.idx()] = sum;
+      sum += mesh.is_border(h) ? FT(0) : corner(h);
+    });
+    const FT before_start = angle(start), whole = (mesh.is_border(v) ? 1 : 2) * internal::pi<FT>();
+    internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      const FT part = sum > 0 ? (angle(h) - before_start) / sum : FT(0);
+      m_angle[h.idx()] =
+        is_shared(h) ? angle_of_spoke_before(h) : wrapped(angle_of_start + whole * part);
+    });
+  }
+
+  static FT wrapped(const FT& angle)
+  {
+    const FT turn = 2 * internal::pi<FT>();
+    return angle < 0 ? angle + turn : angle < turn ? angle : angle - turn;
   }
 
   FT corner(Halfedge_index h) const
@@ -159,13 +233,13 @@ private:
     const FT right = scale * corner(before), both = right + scale * corner(h);
     const FT gap = angle(next_spoke(h, m_tri.mesh())) - angle(before);
     const FT lack = std::remainder(gap - both, turn);
-    const FT result = angle(before) + right + (both > 0 ? lack * (right / both) : FT(0));
-    return result < turn ? result : result - turn;
+    return wrapped(angle(before) + right + (both > 0 ? lack * (right / both) : FT(0)));
   }
 
   const Triangulation& m_tri;
   Tangent_frames<FT> m_frames;
   std::vector<FT> m_angle; // of each halfedge of T2, at its source
+  Euclidean_strip<FT> m_strip;
 };
 
 } // namespace Intrinsic_triangulations

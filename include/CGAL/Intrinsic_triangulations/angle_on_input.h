@@ -20,8 +20,12 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// the normalized angle in which the halfedge `h` of \f$T_2\f$ leaves its source, in the frame of
-/// \f$T_1\f$ there (see `Tangent_frames`). At a vertex that has been inserted on an edge of \f$T_1\f$, the real
-/// axis is along its first spoke, and inside a face along `halfedge(f)`.
+/// \f$T_1\f$ there.
+///
+/// At a vertex of \f$T_1\f$ that is the frame of `Tangent_frames`. At a vertex that has been inserted on an
+/// edge of \f$T_1\f$ the real axis is along its first spoke (see `Vertex_spokes`), and at one inside a face
+/// `f` it is along `halfedge(f)`, as in `trace_geodesic()`; the surface is flat there, and normalized angles are
+/// angles.
 ///
 /// The corner of \f$T_1\f$ follows from the integer coordinates and is exact. The place in the corner
 /// comes from the strip of triangles of \f$T_1\f$ that `h` passes, so that the flips that led to
@@ -34,18 +38,15 @@ template <typename Traits>
 typename Traits::FT angle_on_input(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 {
   typedef typename Traits::FT FT;
-  FT in_corner(0);
-  if(!tri.coordinates().is_shared(tri.mesh().edge(h))) {
-    const auto exits = internal::crossed_halfedges(h, tri);
-    Euclidean_strip<FT> strip;
-    in_corner = internal::angle_in_strip(
-      h, [&](std::size_t m) { return exits[m]; }, exits.size(), tri, strip);
-  }
+  const auto exits = internal::crossed_halfedges(h, tri);
+  Euclidean_strip<FT> strip;
+  const FT angle = internal::angle_from_spoke(
+    h, [&](std::size_t m) { return exits[m]; }, exits.size(), tri, strip);
   if(tri.is_inserted(tri.mesh().source(h)))
-    return internal::angle_of_inserted_spoke(h, tri) + in_corner;
+    return internal::angle_of_inserted_spoke(h, tri) + angle;
   return internal::Vertex_angles<FT>(tri.input_spoke_before(h), tri.input_mesh(),
                                      tri.input_length_map())
-    .normalized(in_corner);
+    .normalized(angle);
 }
 
 } // namespace Intrinsic_triangulations

@@ -81,14 +81,42 @@ Geodesic<typename boost::property_traits<EdgeLengthMap>::value_type> trace_geode
     .from_point(p, vector);
 }
 
+namespace internal {
+
+// From a vertex that only T2 has, over T1: the frame there is that of its face, or of its first spoke.
+template <typename Traits, typename OutputIterator>
+Geodesic<typename Traits::FT> trace_from_inserted(Vertex_index v,
+                                                  const std::complex<typename Traits::FT>& vector,
+                                                  const Intrinsic_triangulation<Traits>& tri,
+                                                  At_boundary at_boundary, OutputIterator path)
+{
+  typedef typename Traits::FT FT;
+  const Delta_complex& mesh = tri.input_mesh();
+  const auto& length = tri.input_length_map();
+  if(tri.spokes().degree(v) == 0)
+    return trace_geodesic(tri.inserted_vertex(v).location, vector, mesh, length, at_boundary, path);
+  const Halfedge_index axis = tri.spokes().halfedge(v, 0);
+  const Face_location<FT> p = face_location(Edge_point<FT>{axis, tri.place_along(axis, v)}, mesh);
+  const std::complex<FT> turn =
+    Flat_face<FT>(mesh.halfedge(p.first), mesh, length).direction(side_number(axis, mesh));
+  Geodesic<FT> result = trace_geodesic(p, vector * turn, mesh, length, at_boundary, path);
+  result.transport *= turn;
+  return result;
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same on one of the two triangulations of `tri`, from a vertex.
+/// the same on one of the two triangulations of `tri`, from a vertex of \f$T_2\f$. On \f$T_1\f$ this may be an
+/// inserted vertex; for the frame there see `angle_on_input()`.
 template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
 Geodesic<typename Traits::FT>
 trace_geodesic(Side side, Vertex_index v, const std::complex<typename Traits::FT>& vector,
                const Intrinsic_triangulation<Traits>& tri,
                At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
 {
+  if(side == Side::input && tri.is_inserted(v))
+    return internal::trace_from_inserted(v, vector, tri, at_boundary, path);
   return trace_geodesic(v, vector, internal::mesh_of(side, tri), internal::lengths_of(side, tri),
                         at_boundary, path);
 }

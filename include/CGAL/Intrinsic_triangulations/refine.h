@@ -8,17 +8,36 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/internal/Delaunay_refinement.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
+///
+/// \cgalModels `RefinementVisitor`
+struct Default_refinement_visitor : Default_flip_visitor
+{
+  /// is called after the vertex `v` has been inserted.
+  template <typename Traits>
+  void after_insertion(Vertex_index /* v */, const Vertex_inserter<Traits>& /* inserter */)
+  {}
+  /// is called after the vertex `v` has been removed.
+  void after_removal(Vertex_index /* v */, Face_index /* f */) {}
+  /// is called after elements have got other numbers.
+  void after_renumbering() {}
+};
 
 namespace internal {
 
@@ -111,18 +130,38 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
   return !all_excused;
 }
 
-// Lengths that come from many roundings are computed afresh, and what that brings to light is mended.
-template <typename Traits, typename Bounds>
-Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-                         std::size_t limit)
+// Inserts vertices and leaves no garbage, not even after an exception.
+template <typename Traits, typename Bounds, typename Visitor>
+void insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds, std::size_t limit,
+                     Visitor& visitor, Refinement_result& result)
 {
-  Refinement_result result;
-  result.flips = CGAL::Intrinsic_triangulations::make_Delaunay(tri);
-  for(int round = 0; round < 20; ++round) {
-    Delaunay_refinement<Traits, Bounds>(tri, bounds, limit).run(result);
+  try {
+    Delaunay_refinement<Traits, Bounds, Visitor>(tri, bounds, limit, visitor).run(result);
+  } catch(...) {
     tri.collect_garbage();
+    throw;
+  }
+  if(tri.mesh().has_garbage()) {
+    tri.collect_garbage();
+    visitor.after_renumbering();
+  }
+}
+
+// Lengths that come from many roundings are computed afresh, and what that brings to light is mended.
+template <typename Traits, typename Bounds, typename Visitor>
+Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
+                         std::size_t limit, Visitor& visitor)
+{
+  const auto make_Delaunay = [&] {
+    return CGAL::Intrinsic_triangulations::make_Delaunay(
+      tri, CGAL::parameters::visitor(std::ref(visitor)));
+  };
+  Refinement_result result;
+  result.flips = make_Delaunay();
+  for(int round = 0; round < 20; ++round) {
+    insert_vertices(tri, bounds, limit, visitor, result);
     tri.recompute_lengths();
-    result.flips += CGAL::Intrinsic_triangulations::make_Delaunay(tri);
+    result.flips += make_Delaunay();
     if(!note_remaining(tri, bounds, result) || result.status == Refinement_status::insertion_limit)
       break;
   }
@@ -165,12 +204,19 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{10,000,000}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told every change of `tri`; an exception that it throws stops the refinement and
+///                           leaves `tri` valid}
+///     \cgalParamType{a model of `RefinementVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamDefault{`Default_refinement_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// Complexity: an insertion takes time that depends on the faces around the new vertex and the crossings
 /// on them; beyond that linear in the elements and crossings.
 /// \returns what has been done, how it ended, and the faces that violate the bounds, with the reason
 /// \throws Numerical_error, Overflow_error as `make_Delaunay()`
+/// After an exception `tri` is a valid triangulation of the same surface without garbage.
 /// \post `tri` is Delaunay and has no garbage
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
@@ -178,6 +224,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
   typedef typename Traits::FT FT;
   const FT degrees(choose_parameter(get_parameter(np, internal_np::minimum_angle), FT(25)));
   const FT circumradius(choose_parameter(get_parameter(np, internal_np::maximum_circumradius),
@@ -186,9 +233,12 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
   const std::size_t limit(choose_parameter(
     get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(10000000)));
+  Default_refinement_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   return internal::refine(
     tri, internal::Face_bounds<Traits, decltype(predicate)>(tri, degrees, circumradius, predicate),
-    limit);
+    limit, visitor);
 }
 
 } // namespace Intrinsic_triangulations

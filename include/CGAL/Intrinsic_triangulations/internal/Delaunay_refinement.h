@@ -28,8 +28,9 @@ namespace internal {
 // Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted, or the
 // boundary or constrained edge that hides it is split and circumcenters near by are removed again.
 //
-// `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused.
-template <typename Traits, typename Bounds>
+// `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused. The visitor
+// is told every change.
+template <typename Traits, typename Bounds, typename Visitor>
 class Delaunay_refinement
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
@@ -51,11 +52,12 @@ class Delaunay_refinement
   };
 
 public:
-  Delaunay_refinement(Triangulation& tri, const Bounds& bounds, std::size_t limit)
+  Delaunay_refinement(Triangulation& tri, const Bounds& bounds, std::size_t limit, Visitor& visitor)
     : m_tri(tri),
       m_mesh(tri.mesh()),
       m_bounds(bounds),
       m_limit(limit),
+      m_visitor(visitor),
       m_inserter(tri),
       m_narrow(tri),
       m_walk(m_mesh, tri.length_map()),
@@ -112,13 +114,24 @@ private:
     return !m_mesh.is_removed(c.face) && circumradius(c.face) == c.circumradius && is_bad(c.face);
   }
 
-  // A face stays as it is when numbers have no room left for the new vertex.
+  // A face stays as it is when numbers have no room left for the new vertex. What the visitor throws goes
+  // on to the caller.
   void refine(Face_index f)
   {
     try {
       insert_circumcenter(f);
     } catch(const Numerical_error&) {
+      if(m_is_visited)
+        throw;
     }
+  }
+
+  template <typename Call>
+  void visit(const Call& call)
+  {
+    m_is_visited = true;
+    call();
+    m_is_visited = false;
   }
 
   void insert_circumcenter(Face_index f)
@@ -156,6 +169,7 @@ private:
   void add_vertex(Vertex_index m)
   {
     ++m_result->insertions;
+    visit([&] { m_visitor.after_insertion(m, m_inserter); });
     m_is_free.resize((std::max)(m_is_free.size(), std::size_t(m.idx()) + 1), false);
     m_is_free[m.idx()] = true;
     for_each_spoke(m, m_mesh, [this](Halfedge_index h) {
@@ -176,6 +190,7 @@ private:
           note_change(f);
           m_is_free[v.idx()] = false;
           ++m_result->removals;
+          visit([&] { m_visitor.after_removal(v, f); });
         }
       }
     restore_Delaunay();
@@ -190,6 +205,7 @@ private:
 
   void note_flip(Halfedge_index h)
   {
+    visit([&] { m_visitor.after_flip(h); });
     note_change(m_mesh.face(h));
     note_change(m_mesh.face(m_mesh.opposite(h)));
   }
@@ -215,6 +231,8 @@ private:
   const Delta_complex& m_mesh;
   const Bounds& m_bounds;
   std::size_t m_limit;
+  Visitor& m_visitor;
+  bool m_is_visited = false; // while the visitor is called
   Vertex_inserter<Traits> m_inserter;
   Narrow_vertices<Traits> m_narrow;
   Walk m_walk;

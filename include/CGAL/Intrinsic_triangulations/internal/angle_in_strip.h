@@ -7,11 +7,14 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/lay_out_strip.h>
 
 #include <complex>
 #include <cstddef>
@@ -21,36 +24,79 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The angle on the surface of the halfedge `h` of T2 from the spoke of T1 before it; if the source lies
-// inside a face of T1, from the first halfedge of that face. It leaves faces of T1 through exit(0), ...,
-// exit(n - 1). The edge is not shared.
+// The place of the source of a halfedge of T2 in the face of T1 into which it leads. This is laid out with
+// the spoke before the halfedge on the x-axis, or with halfedge(f) if the source lies inside the face f.
+template <typename Traits>
+struct Start_in_input_face
+{
+  typedef typename Traits::FT FT;
+
+  Start_in_input_face(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+    : location(tri.input_location(h)),
+      axis(tri.input_spoke_before(h).is_valid() ? tri.input_spoke_before(h)
+                                                : tri.input_mesh().halfedge(location.first)),
+      face(axis, tri.input_mesh(), tri.input_length_map()),
+      place(coordinates_from(axis, location, tri.input_mesh()))
+  {}
+
+  // of the point from the ends of side `s`
+  End_distances<FT> distances(std::size_t s) const
+  {
+    return {std::abs(face.to_corner(s, place)), std::abs(face.to_corner((s + 1) % 3, place))};
+  }
+
+  // the number of a side of the face, counted from the axis
+  std::size_t number(Halfedge_index side, const Delta_complex& mesh) const
+  {
+    return side == axis ? 0 : side == mesh.next(axis) ? 1 : 2;
+  }
+
+  Face_location<FT> location;
+  Halfedge_index axis;
+  Flat_face<FT> face;
+  typename Flat_face<FT>::Place place; // the coordinate of the source of the axis first
+};
+
+// The angle between the x-axis of `start` and the halfedge `h` of T2, in (-pi, 2 pi). It leaves faces of T1
+// through exit(0), ..., exit(n - 1).
 template <typename Traits, typename Exit>
-typename Traits::FT angle_in_strip(Halfedge_index h, const Exit& exit, std::size_t n,
+typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Halfedge_index h,
+                                   const Exit& exit, std::size_t n,
                                    const Intrinsic_triangulation<Traits>& tri,
                                    Euclidean_strip<typename Traits::FT>& strip)
 {
-  typedef typename Traits::FT FT;
-  if(n > 0 && !tri.traits().is_length_object()(tri.lay_out(strip, h, exit, n)))
+  const Delta_complex& mesh = tri.input_mesh();
+  const Start_in_input_face<Traits> end(tri.mesh().opposite(h), tri);
+  if(n == 0)
+    return std::arg(
+      start.face.between(start.place, coordinates_from(start.axis, end.location, mesh)));
+  const std::size_t first = start.number(exit(0), mesh);
+  const auto last = end.distances(end.number(mesh.opposite(exit(n - 1)), mesh));
+  lay_out_strip(strip, mesh, tri.input_length_map(), exit, n, start.distances(first),
+                {last.target, last.source});
+  if(!tri.traits().is_length_object()(strip.length()))
     throw Numerical_error("the strip of edge " + std::to_string(tri.mesh().edge(h).idx()) +
                           " has no positive finite length");
-  if(!tri.is_inserted(tri.mesh().source(h)) && n > 0)
-    return strip.angle();
-  const Delta_complex& input = tri.input_mesh();
-  const Face_location<FT> start = tri.input_location(h);
-  // the end in the same face, or the end of the first edge that is crossed
-  const Face_location<FT> to = n > 0 ? face_location(Edge_point<FT>{exit(0), FT(0)}, input)
-                                     : tri.input_location(tri.mesh().opposite(h));
-  const Flat_face<FT> face(input.halfedge(start.first), input, tri.input_length_map());
-  const Halfedge_index spoke = tri.input_spoke_before(h);
-  const auto axis =
-    spoke.is_valid() ? face.direction(side_number(spoke, input)) : std::complex<FT>(1);
-  const FT angle =
-    std::arg(face.between(start.second, to.second) / axis) + (n > 0 ? strip.angle() : FT(0));
-  return angle < 0 ? angle + 2 * pi<FT>() : angle;
+  return std::arg(start.face.to_corner(first, start.place)) + strip.angle();
 }
 
-// The angle of the spoke of T1 before the halfedge `h` of T2, whose source has been inserted, in the frame
-// there: its real axis is along spoke 0, or in a face of T1, along the first halfedge.
+// The angle on the surface from the spoke of T1 before the halfedge `h` of T2, or from halfedge(f) if the
+// source lies inside the face f of T1, counterclockwise to `h`; exit(0), ..., exit(n - 1) as above.
+template <typename Traits, typename Exit>
+typename Traits::FT angle_from_spoke(Halfedge_index h, const Exit& exit, std::size_t n,
+                                     const Intrinsic_triangulation<Traits>& tri,
+                                     Euclidean_strip<typename Traits::FT>& strip)
+{
+  typedef typename Traits::FT FT;
+  if(tri.coordinates().is_shared(tri.mesh().edge(h)))
+    return FT(0);
+  const FT angle = angle_in_strip(Start_in_input_face<Traits>(h, tri), h, exit, n, tri, strip);
+  const bool is_in_face = !tri.input_spoke_before(h).is_valid();
+  return is_in_face && angle < 0 ? angle + 2 * pi<FT>() : angle;
+}
+
+// The angle of the spoke of T1 before the halfedge `h` of T2, whose source is an inserted vertex, in the frame
+// of T1; that of halfedge(f) if it lies inside the face f.
 template <typename Traits>
 typename Traits::FT angle_of_inserted_spoke(Halfedge_index h,
                                             const Intrinsic_triangulation<Traits>& tri)
