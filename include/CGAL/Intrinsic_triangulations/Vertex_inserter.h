@@ -28,7 +28,7 @@ namespace Intrinsic_triangulations {
 /// The object keeps for every edge of \f$T_2\f$ the edges of \f$T_1\f$ that cross it, in order. So an
 /// insertion looks only at the crossings on the face in which it takes place, however far the edges of
 /// \f$T_1\f$ run. The triangulation must not be changed by others while the object is used.
-/// Memory: 24 bytes for each edge, and four and more for each crossing.
+/// Memory: 40 bytes for each edge, and four and more for each crossing from the fifth on an edge on.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits` whose number type is a floating point type
 template <typename Traits_ = Euclidean_geometry_traits<double>>

@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstddef>
 #include <initializer_list>
 #include <vector>
@@ -27,15 +29,16 @@ class Crossing_lists
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::Integer Integer;
   typedef typename Triangulation::Coordinates Coordinates;
-  typedef std::vector<Halfedge_index> List;
+  typedef boost::container::small_vector<Halfedge_index, 4> List;
 
 public:
   explicit Crossing_lists(const Triangulation& tri) : m_tri(tri), m_list(tri.mesh().num_edges())
   {
     const Input_crossings crossings(tri.coordinates(), tri.mesh(), tri.spokes());
     for(Edge_index e : tri.mesh().edges()) {
-      for(std::size_t m = 0; m < crossings.count(e); ++m)
-        m_list[e].push_back(crossings(e, m));
+      m_list[e].resize(crossings.count(e));
+      for(std::size_t m = 0; m < m_list[e].size(); ++m)
+        m_list[e][m] = crossings(e, m);
       set_if_shared(e);
     }
   }
@@ -58,9 +61,8 @@ public:
   // to be called after the edge of `h` has been flipped
   void after_flip(Halfedge_index h)
   {
-    List old;
-    old.swap(m_list[Edge_index(h)]);
-    update(Edge_index(h), old);
+    const List& old = m_list[Edge_index(h)];
+    update(Edge_index(h), old.empty() ? Halfedge_index() : old.front());
   }
 
   // to be called after edges have been made, in a face that others have left or beside one that was split
@@ -70,7 +72,7 @@ public:
     for(Halfedge_index h : cuts)
       m_list[Edge_index(h)].clear();
     for(Halfedge_index h : cuts)
-      update(Edge_index(h), {});
+      update(Edge_index(h), Halfedge_index());
   }
 
   // to be called after an edge has been split into `im` and `mj`; the second has the number of the whole
@@ -80,8 +82,12 @@ public:
     const List whole = m_list[Edge_index(mj)];
     const std::size_t first = count_of(im), second = count_of(mj), n = whole.size();
     const auto at = [&](std::size_t m) { return is_even(mj) ? whole[m] : twin(whole[n - 1 - m]); };
-    set(im, first, [&](std::size_t m) { return at(m); });
-    set(mj, second, [&](std::size_t m) { return at(n - second + m); });
+    m_list[Edge_index(im)].resize(first);
+    m_list[Edge_index(mj)].resize(second);
+    for(std::size_t m = 0; m < first; ++m)
+      set(im, m, at(m));
+    for(std::size_t m = 0; m < second; ++m)
+      set(mj, m, at(n - second + m));
   }
 
   // to be called after the edge `e` may have become shared
@@ -102,44 +108,48 @@ private:
     return n < 0 ? 1 : static_cast<std::size_t>(n);
   }
 
-  template <typename At>
-  void set(Halfedge_index h, std::size_t n, const At& at)
+  // the inverse of operator()
+  void set(Halfedge_index h, std::size_t m, Halfedge_index input)
   {
     List& list = m_list[Edge_index(h)];
-    list.resize(n);
-    for(std::size_t m = 0; m < n; ++m)
-      list[is_even(h) ? m : n - 1 - m] = is_even(h) ? at(m) : twin(at(m));
+    if(is_even(h))
+      list[m] = input;
+    else
+      list[list.size() - 1 - m] = twin(input);
   }
 
-  // Makes the list of an edge from those around it. `old` is what it was before a flip.
-  void update(Edge_index e, const List& old)
+  // Makes the list of an edge from those around it. A shared edge across it is in none of those: it is
+  // `diagonal`.
+  void update(Edge_index e, Halfedge_index diagonal)
   {
     if(m_tri.coordinates().is_shared(e))
       return set_if_shared(e);
     const Halfedge_index h(2 * e.idx());
-    const std::size_t n = count_of(h);
-    List list(n);
-    for(std::size_t m = 0; m < n; ++m) {
-      list[m] = crossing_beyond(h, m);
-      if(!list[m].is_valid())
-        list[m] = twin_if_needed(crossing_beyond(twin(h), n - 1 - m));
-      if(!list[m].is_valid())
-        list[m] = old.front();
-    }
-    m_list[e].swap(list);
+    m_list[e].assign(count_of(h), diagonal);
+    copy_from_beyond(h);
+    copy_from_beyond(twin(h));
   }
 
-  static Halfedge_index twin_if_needed(Halfedge_index h) { return h.is_valid() ? twin(h) : h; }
-
-  // The halfedge of T1 that crosses the halfedge `h` as its number `m`, from the edge that it crosses
-  // next; null if it ends before, or the list of that edge is not known yet.
-  Halfedge_index crossing_beyond(Halfedge_index h, std::size_t m) const
+  // The curves that cross `h` and then cut off the corner at its source or target are those that cross the
+  // other side there; the rest ends.
+  void copy_from_beyond(Halfedge_index h)
   {
-    typename Coordinates::Crossing c{h, static_cast<Integer>(m)};
-    if(m_tri.coordinates().advance(c, m_tri.mesh()) == Coordinates::Turn::ends ||
-       m_list[Edge_index(c.halfedge)].size() != count_of(c.halfedge))
-      return Halfedge_index();
-    return (*this)(c.halfedge, static_cast<std::size_t>(c.number));
+    const Delta_complex& mesh = m_tri.mesh();
+    const Coordinates& coordinates = m_tri.coordinates();
+    const Halfedge_index ji = mesh.opposite(h), il = mesh.next(ji), lj = mesh.prev(ji);
+    const auto at_source = static_cast<std::size_t>(coordinates.curves_around(lj, mesh));
+    const auto at_target = static_cast<std::size_t>(coordinates.curves_around(il, mesh));
+    copy(il, 0, h, 0, at_source);
+    copy(lj, count_of(lj) - at_target, h, count_of(h) - at_target, at_target);
+  }
+
+  // Copies `n` crossings; none if the list they come from is not known yet.
+  void copy(Halfedge_index from, std::size_t first, Halfedge_index to, std::size_t place,
+            std::size_t n)
+  {
+    if(m_list[Edge_index(from)].size() == count_of(from))
+      for(std::size_t m = 0; m < n; ++m)
+        set(to, place + m, (*this)(from, first + m));
   }
 
   const Triangulation& m_tri;
