@@ -221,6 +221,14 @@ private:
       ++m_result->flips;
       note_flip(h);
     }
+    push_changed();
+  }
+
+  // Most faces have been changed more than once.
+  void push_changed()
+  {
+    std::sort(m_changed.begin(), m_changed.end());
+    m_changed.erase(std::unique(m_changed.begin(), m_changed.end()), m_changed.end());
     for(Face_index f : m_changed)
       if(!m_mesh.is_removed(f))
         push_if_bad(f);
