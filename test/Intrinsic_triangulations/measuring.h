@@ -48,10 +48,12 @@ class Flat_faces
 {
 public:
   Flat_faces(Side side, const Triangulation& t)
-    : m_mesh(side == Side::input ? t.input_mesh() : t.mesh()),
+    : m_triangulation(t),
+      m_mesh(side == Side::input ? t.input_mesh() : t.mesh()),
       m_length(side == Side::input ? t.input_length_map() : t.length_map())
   {}
 
+  const Triangulation& triangulation() const { return m_triangulation; }
   const Delta_complex& mesh() const { return m_mesh; }
   Real length(Halfedge_index h) const { return m_length[m_mesh.edge(h)]; }
 
@@ -173,6 +175,7 @@ private:
     return norm(a - via) + norm(b - via);
   }
 
+  const Triangulation& m_triangulation;
   const Delta_complex& m_mesh;
   const Triangulation::Edge_length_map& m_length;
 };
@@ -235,9 +238,15 @@ template <typename Subdivision>
 std::vector<Location> places_in(Side side, Face_index parent, Vertex_index v, const Subdivision& s,
                                 const Flat_faces& faces)
 {
+  const Triangulation& t = faces.triangulation();
+  if(side == Side::input && s.is_intrinsic_vertex(v) && t.is_inserted(v) &&
+     !t.inserted_vertex(v).along.is_valid()) {
+    const Location& p = t.inserted_vertex(v).location;
+    return p.first == parent ? std::vector<Location>{p} : std::vector<Location>();
+  }
   std::vector<Location> result;
   for(Halfedge_index h : faces.sides(parent))
-    if(s.is_input_vertex(v)) {
+    if(side == Side::input ? s.is_input_vertex(v) : s.is_intrinsic_vertex(v)) {
       if(faces.mesh().source(h) == v)
         result.push_back(faces.on(h, 0));
     } else if(Edge_index(h) == Edge_index(s.place(side, v).halfedge)) {

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "more_generators.h"
+#include "equality.h"
 
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <gtest/gtest.h>
@@ -22,52 +22,6 @@
 namespace {
 
 using namespace Test_surfaces;
-
-std::string text_of(const Triangulation& t)
-{
-  std::ostringstream os;
-  os.imbue(std::locale::classic());
-  EXPECT_TRUE(IT::write_intrinsic_triangulation(os, t));
-  return os.str();
-}
-
-Triangulation triangulation_of(const std::string& text)
-{
-  std::istringstream is(text);
-  return IT::read_intrinsic_triangulation(is);
-}
-
-// ---- Equality ----
-
-void expect_equal(const Delta_complex& a, const Delta_complex& b)
-{
-  ASSERT_EQ(a.number_of_vertices(), b.number_of_vertices());
-  ASSERT_EQ(a.number_of_edges(), b.number_of_edges());
-  ASSERT_EQ(a.number_of_faces(), b.number_of_faces());
-  for(Halfedge_index h : a.halfedges()) {
-    EXPECT_EQ(a.next(h), b.next(h));
-    EXPECT_EQ(a.target(h), b.target(h));
-    EXPECT_EQ(a.face(h), b.face(h));
-  }
-  for(Vertex_index v : a.vertices())
-    EXPECT_EQ(a.halfedge(v), b.halfedge(v));
-  for(Face_index f : a.faces())
-    EXPECT_EQ(a.halfedge(f), b.halfedge(f));
-}
-
-void expect_equal(const Triangulation& a, const Triangulation& b)
-{
-  expect_equal(a.input_mesh(), b.input_mesh());
-  expect_equal(a.mesh(), b.mesh());
-  for(Edge_index e : a.mesh().edges()) {
-    EXPECT_EQ(a.input_length(e), b.input_length(e));
-    EXPECT_EQ(a.length(e), b.length(e));
-    EXPECT_EQ(a.coordinates().normal_coordinate(e), b.coordinates().normal_coordinate(e));
-    EXPECT_EQ(a.is_constrained(e), b.is_constrained(e));
-  }
-  for(Halfedge_index h : a.mesh().halfedges())
-    EXPECT_EQ(a.coordinates().roundabout(h), b.coordinates().roundabout(h));
-}
 
 void check_round_trip(const Triangulation& t)
 {

@@ -328,17 +328,14 @@ private:
 
   // ---- Removal ----
 
-  // The excess over pi of the greater of the two angles at the ends of the edge of `h`, in the diamond
-  // around it. Where it is not positive, the edge can be flipped.
-  FT concavity(Halfedge_index h) const
+  // The excess over pi of the angle at the source of `h` in the diamond around its edge. Where it is not
+  // positive at either end, the edge can be flipped.
+  FT excess_at_source(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index o = mesh.opposite(h);
-    const auto angle = [&](Halfedge_index x) {
-      return internal::angle_at_source(x, mesh, m_tri.length_map());
-    };
-    const FT at_source = angle(h) + angle(mesh.next(o)), at_target = angle(o) + angle(mesh.next(h));
-    return (std::max)(at_source, at_target) - FT(CGAL_PI);
+    return internal::angle_at_source(h, mesh, m_tri.length_map()) +
+           internal::angle_at_source(mesh.next(mesh.opposite(h)), mesh, m_tri.length_map()) -
+           FT(CGAL_PI);
   }
 
   bool can_be_flipped(Halfedge_index h) const
@@ -355,7 +352,8 @@ private:
 };
 
 // A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three spokes
-// gets more by a flip of an edge opposite to it. Angles at `v` exceed pi by rounding only.
+// gets more by a flip of an edge opposite to it. Angles at `v` exceed pi by rounding only. A flat angle
+// there does no harm, since the face without area goes away with `v`; at the other end it would stay.
 template <typename Traits>
 Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
 {
@@ -363,13 +361,16 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
   std::size_t degree = 0;
   internal::for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
   const FT tolerance(1e-6); // beyond rounding of the angles
-  FT least = tolerance;
+  FT least = std::numeric_limits<FT>::infinity();
   Halfedge_index result;
   internal::for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
     const Halfedge_index h = degree < 3 ? mesh.next(spoke) : spoke;
     if((degree < 3 && mesh.is_border(spoke)) || !can_be_flipped(h))
       return;
-    const FT c = concavity(h), rank = mesh.target(h) == mesh.source(h) ? c - 4 : c; // loops first
+    const FT at_source = excess_at_source(h), at_target = excess_at_source(mesh.opposite(h));
+    const FT c = (std::max)(at_source, at_target), elsewhere = degree < 3 ? c : at_target;
+    const bool is_loop = mesh.target(h) == mesh.source(h);
+    const FT rank = is_loop ? c - 4 : elsewhere > -tolerance ? c + 4 : c; // loops first
     if(c < tolerance && rank < least) {
       least = rank;
       result = h;

@@ -1,0 +1,489 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_TRIANGULATIONS_TEST_FLAT_INSERTION_H
+#define INTRINSIC_TRIANGULATIONS_TEST_FLAT_INSERTION_H
+
+#include "brute_force.h"
+#include "measuring.h"
+
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <vector>
+
+// T2 with more vertices over a flat T1, with the exact places of all vertices.
+namespace Test_surfaces {
+
+using Inserter = IT::Vertex_inserter<>;
+
+constexpr std::int64_t refinement = 1 << 12; // so that places between vertices are integers
+
+inline Flat_surface refined(Flat_surface s)
+{
+  for(Vector& v : s.vector)
+    v = refinement * v;
+  for(Vector& p : s.point)
+    p = refinement * p;
+  const bool is_planar = s.a == Vector{beyond, 0};
+  s.a = (is_planar ? 1024 : refinement) * s.a; // squares fit into 64 bits
+  s.b = (is_planar ? 1024 : refinement) * s.b;
+  return s;
+}
+
+// All numbers of T2, removed elements left out.
+inline std::vector<double> state(const Triangulation& t)
+{
+  const Delta_complex& mesh = t.mesh();
+  std::vector<double> result;
+  const auto note = [&](auto number) { result.push_back(static_cast<double>(number)); };
+  for(Halfedge_index h : mesh.halfedges()) {
+    for(auto index : {h.idx(), mesh.next(h).idx(), mesh.face(h).idx(), mesh.target(h).idx()})
+      note(index);
+    note(t.coordinates().roundabout(h));
+  }
+  for(Edge_index e : mesh.edges()) {
+    note(t.length(e));
+    note(t.coordinates().normal_coordinate(e));
+    note(t.is_constrained(e));
+  }
+  for(Vertex_index v : mesh.vertices()) {
+    note(v.idx());
+    note(t.spokes().degree(v));
+    if(!t.is_inserted(v))
+      continue;
+    const auto& place = t.inserted_vertex(v);
+    note(place.along.idx());
+    note(place.location.first.idx());
+    for(double b : place.location.second)
+      note(b);
+  }
+  return result;
+}
+
+// Whether two sides of a triangle, one after the other, are those of one that double can work with.
+inline bool is_fat(const Vector& u, const Vector& v)
+{
+  const double longest = (std::max)({length(u), length(v), length(u + v)});
+  return static_cast<double>(det(u, v)) > 0.01 * longest * longest;
+}
+
+class Flat_insertion
+{
+public:
+  // every edge of T1 whose number is a multiple of `constrained` is constrained; none if that is 0
+  Flat_insertion(const Flat_surface& surface, unsigned int constrained)
+    : m_surface(refined(surface)),
+      m_tri(with_constraints(m_surface, constrained)),
+      m_inserter(m_tri),
+      m_vector(m_surface.vector),
+      m_point(m_surface.point),
+      m_on(m_point.size())
+  {}
+  Flat_insertion(const Flat_insertion&) = delete;
+  Flat_insertion& operator=(const Flat_insertion&) = delete;
+
+  const Triangulation& triangulation() const { return m_tri; }
+  const Flat_surface& surface() const { return m_surface; }
+
+  // ---- Operations; they say whether they were possible ----
+
+  bool flip(Halfedge_index h)
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    const Halfedge_index o = mesh.opposite(h);
+    if(IT::flip_status(h, mesh) != IT::Operation_status::possible ||
+       m_tri.is_constrained(mesh.edge(h)))
+      return false;
+    const Vector jk = m_vector[mesh.next(h)], ki = m_vector[mesh.prev(h)];
+    const Vector il = m_vector[mesh.next(o)], lj = m_vector[mesh.prev(o)];
+    if(!is_fat(ki, il) || !is_fat(lj, jk) || length(ki + il) > 15000. * refinement)
+      return false;
+    EXPECT_TRUE(m_tri.is_flippable(h));
+    m_inserter.flip(h);
+    after_flip(h);
+    check(mesh.edge(h));
+    return true;
+  }
+
+  // at a place away from all edges of T1
+  bool insert_into_face(Face_index f, CGAL::Random& random)
+  {
+    const auto side = IT::internal::sides(f, m_tri.mesh());
+    const int b1 = random.get_int(1, 15), b2 = random.get_int(1, 17 - b1);
+    const Vector p = b1 * m_vector[side[0]] - b2 * m_vector[side[2]]; // 16 times the spoke
+    const Vector from_corner{p.x / 128 * 8, p.y / 128 * 8};
+    return is_clear(m_point[m_tri.mesh().source(side[0])] + from_corner) &&
+           insert(f, from_corner, {}, 0);
+  }
+
+  // at a place on an edge of T1 that crosses the face
+  bool insert_on_input(Face_index f, CGAL::Random& random)
+  {
+    const auto side = IT::internal::sides(f, m_tri.mesh());
+    const Halfedge_index x = random_halfedge(m_surface.mesh, random);
+    const Vector v = m_surface.vector[x];
+    const std::int64_t eighths = random.get_int(1, 8);
+    const Vector offset{v.x / 8 * eighths, v.y / 8 * eighths};
+    const Vector start =
+      m_surface.point[m_surface.mesh.source(x)] + offset - m_point[m_tri.mesh().source(side[0])];
+    const Vector middle = m_vector[side[0]] - m_vector[side[2]]; // three times that
+    const auto near = [&](std::int64_t numerator) {
+      return static_cast<std::int64_t>(std::round(
+        static_cast<double>(numerator) / static_cast<double>(det(m_surface.a, m_surface.b))));
+    };
+    const Vector gap{middle.x / 3 - start.x, middle.y / 3 - start.y};
+    const std::int64_t i = near(det(gap, m_surface.b)), j = near(det(m_surface.a, gap));
+    return insert(f, start + i * m_surface.a + j * m_surface.b, {x, offset}, 1);
+  }
+
+  // at a quarter, a half, or three quarters; by the edge, or by a point of a face
+  bool split(Halfedge_index h, CGAL::Random& random)
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    const std::int64_t quarters = random.get_int(1, 4);
+    const Vector v = m_vector[h], p{v.x / 4 * quarters, v.y / 4 * quarters};
+    const Halfedge_index o = mesh.opposite(h);
+    const Vector place = m_point[mesh.source(h)] + p;
+    if(!m_inserter.can_be_split(h) || v.x % 4 != 0 || v.y % 4 != 0 || !is_fat_split(h, p) ||
+       !is_fat_split(o, p - v))
+      return false;
+    const std::optional<On_input> along = on_input(h);
+    if(!along && !is_clear(place))
+      return false;
+    const double t = static_cast<double>(quarters) / 4;
+    const Vertex_index m =
+      random.get_bool() && !mesh.is_border(h)
+        ? m_inserter.insert(IT::internal::face_location(Edge_place{h, t}, mesh))
+        : m_inserter.split_edge(h, t);
+    add_vertex(m, place, along ? On_input{along->halfedge, along->offset + p} : On_input());
+    set_parts(h, p, v - p);
+    check_around(m);
+    return true;
+  }
+
+  bool remove(Vertex_index v)
+  {
+    if(!m_tri.is_inserted(v) || m_tri.mesh().is_removed(v))
+      return false;
+    std::set<Edge_index> spokes = edges_at(v);
+    const Face_index f = m_inserter.remove(v, [&](Halfedge_index h) {
+      after_flip(h);
+      spokes = edges_at(v);
+    });
+    if(!f.is_valid())
+      return false;
+    const auto side = IT::internal::sides(f, m_tri.mesh());
+    for(std::size_t s = 0; s < 3; ++s)
+      if(spokes.count(m_tri.mesh().edge(side[s])) > 0)
+        set_vector(side[s], -(m_vector[side[(s + 1) % 3]] + m_vector[side[(s + 2) % 3]]));
+    for(Halfedge_index h : side)
+      check(m_tri.mesh().edge(h));
+    check_orientation();
+    return true;
+  }
+
+  // ---- Checks ----
+
+  void check_all() const
+  {
+    EXPECT_TRUE(m_tri.is_valid(true));
+    check_orientation();
+    for(Edge_index e : m_tri.mesh().edges())
+      check(e);
+    check_fresh_lengths();
+    for(Vertex_index v : m_tri.mesh().vertices())
+      check_place(v);
+  }
+
+  // Computed afresh, lengths have the errors of their strips and of the places of their ends only.
+  void check_fresh_lengths() const
+  {
+    Triangulation fresh(m_tri);
+    fresh.recompute_lengths();
+    for(Edge_index e : fresh.mesh().edges())
+      EXPECT_NEAR(fresh.length(e) / length(m_vector[fresh.mesh().halfedge(e)]), 1, 1e-11) << e;
+  }
+
+  // Every face has area, exactly.
+  void check_orientation() const
+  {
+    for(Face_index f : m_tri.mesh().faces()) {
+      const Halfedge_index h = m_tri.mesh().halfedge(f);
+      ASSERT_GT(det(m_vector[h], m_vector[m_tri.mesh().next(h)]), 0) << f;
+    }
+  }
+
+  // The lists of crossings are as they would be if they were made afresh.
+  void check_lists() const
+  {
+    const IT::internal::Crossing_lists<Triangulation::Traits> fresh(m_tri);
+    for(Halfedge_index h : m_tri.mesh().halfedges()) {
+      ASSERT_EQ(m_inserter.crossing_lists().count(h), fresh.count(h)) << h;
+      for(std::size_t m = 0; m < fresh.count(h); ++m)
+        ASSERT_EQ(m_inserter.crossing_lists()(h, m), fresh(h, m)) << h << ' ' << m;
+    }
+  }
+
+  // T2 without garbage, and where its elements are
+  struct Result
+  {
+    Triangulation triangulation;
+    std::vector<Vector> point;  // of each vertex
+    std::vector<Vector> vector; // of each halfedge
+  };
+
+  Result result() const
+  {
+    Result r{m_tri, {}, {}};
+    r.triangulation.collect_garbage();
+    Delta_complex mesh(m_tri.mesh()); // collects its garbage in the same way
+    auto point = mesh.add_property_map<Vertex_index, Vector>("v:place", Vector{0, 0}).first;
+    auto vector = mesh.add_property_map<Halfedge_index, Vector>("h:vector", Vector{0, 0}).first;
+    for(Vertex_index v : mesh.vertices())
+      point[v] = m_point[v];
+    for(Halfedge_index h : mesh.halfedges())
+      vector[h] = m_vector[h];
+    mesh.collect_garbage();
+    for(Vertex_index v : mesh.vertices())
+      r.point.push_back(point[v]);
+    for(Halfedge_index h : mesh.halfedges())
+      r.vector.push_back(vector[h]);
+    return r;
+  }
+
+private:
+  // a place on an edge of T1: a vector from the source of the halfedge, which is null for no edge
+  struct On_input
+  {
+    Halfedge_index halfedge;
+    Vector offset{0, 0};
+  };
+
+  static Triangulation with_constraints(const Flat_surface& surface, unsigned int constrained)
+  {
+    const auto lengths = surface.lengths();
+    const auto length =
+      boost::make_function_property_map<Edge_index>([&](Edge_index e) { return lengths[e.idx()]; });
+    const auto is_constrained = boost::make_function_property_map<Edge_index>(
+      [&](Edge_index e) { return constrained > 0 && e.idx() % constrained == 0; });
+    return Triangulation(surface.mesh,
+                         IT::parameters::edge_length_map(
+                           length, CGAL::parameters::edge_is_constrained_map(is_constrained)));
+  }
+
+  // `p` leads from the first corner of the face
+  bool insert(Face_index f, const Vector& p, const On_input& on, double closeness)
+  {
+    const auto side = IT::internal::sides(f, m_tri.mesh());
+    const Vector u = m_vector[side[0]], w = -m_vector[side[2]];
+    const std::array<Vector, 3> spoke{-p, u - p, w - p};
+    for(std::size_t s = 0; s < 3; ++s)
+      if(!is_fat(spoke[s], spoke[(s + 1) % 3] - spoke[s]))
+        return false;
+    const Vector place = m_point[m_tri.mesh().source(side[0])] + p;
+    const double area = static_cast<double>(det(u, w));
+    const double b1 = static_cast<double>(det(p, w)) / area,
+                 b2 = static_cast<double>(det(u, p)) / area;
+    const Vertex_index m = m_inserter.insert({f, {1 - b1 - b2, b1, b2}}, closeness);
+    add_vertex(m, place, on);
+    for(std::size_t s = 0; s < 3; ++s)
+      set_vector(m_tri.mesh().prev(side[s]), spoke[s]);
+    check_around(m);
+    return true;
+  }
+
+  void add_vertex(Vertex_index m, const Vector& place, const On_input& on)
+  {
+    m_point.resize(m_tri.mesh().num_vertices(), Vector{0, 0}); // removed ones come again
+    m_on.resize(m_point.size());
+    m_point[m] = place;
+    m_on[m] = on;
+    m_vector.resize(m_tri.mesh().num_halfedges(), Vector{0, 0});
+  }
+
+  void set_vector(Halfedge_index h, const Vector& v)
+  {
+    m_vector[h] = v;
+    m_vector[m_tri.mesh().opposite(h)] = -v;
+  }
+
+  void after_flip(Halfedge_index h)
+  {
+    set_vector(h, -(m_vector[m_tri.mesh().next(h)] + m_vector[m_tri.mesh().prev(h)]));
+  }
+
+  // `h` leads on from a vertex that has split an edge
+  void set_parts(Halfedge_index h, const Vector& im, const Vector& mj)
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    const Halfedge_index o = mesh.opposite(h);
+    const Halfedge_index first = mesh.prev(mesh.is_border(h) ? h : mesh.opposite(mesh.prev(h)));
+    set_vector(h, mj);
+    set_vector(first, im);
+    if(!mesh.is_border(h))
+      set_vector(mesh.prev(h), -(mj + m_vector[mesh.next(h)]));
+    if(!mesh.is_border(o))
+      set_vector(mesh.next(o), -(m_vector[o] + m_vector[mesh.prev(o)]));
+  }
+
+  bool is_fat_split(Halfedge_index h, const Vector& p) const
+  {
+    if(m_tri.mesh().is_border(h))
+      return true;
+    const Vector apex = -m_vector[m_tri.mesh().prev(h)];
+    return is_fat(p, apex - p) && is_fat(m_vector[h] - p, apex - m_vector[h]);
+  }
+
+  std::set<Edge_index> edges_at(Vertex_index v) const
+  {
+    std::set<Edge_index> result;
+    for(Halfedge_index h : m_tri.mesh().halfedges())
+      if(m_tri.mesh().target(h) == v)
+        result.insert(m_tri.mesh().edge(h));
+    return result;
+  }
+
+  std::int64_t crossings_with_input(const Segment& s) const
+  {
+    std::int64_t count = 0;
+    for(Edge_index e : m_surface.mesh.edges()) {
+      const Halfedge_index x = m_surface.mesh.halfedge(e);
+      count += count_crossings(s, {m_surface.point[m_surface.mesh.source(x)], m_surface.vector[x]},
+                               m_surface);
+    }
+    return count;
+  }
+
+  // Whether a place is so far from all edges of T1 that rounding cannot move it across.
+  bool is_clear(const Vector& p) const
+  {
+    const std::int64_t d = refinement / 2;
+    return crossings_with_input({p - Vector{d, 1}, {2 * d, 2}}) == 0 &&
+           crossings_with_input({p - Vector{1, -d}, {2, -2 * d}}) == 0;
+  }
+
+  // the halfedges of T1 that start at a vertex, or on which it lies, with its place
+  std::vector<On_input> spokes_at(Vertex_index v) const
+  {
+    std::vector<On_input> result;
+    if(m_tri.is_inserted(v)) {
+      const auto& [x, offset] = m_on[v];
+      if(x.is_valid())
+        result = {m_on[v], {m_surface.mesh.opposite(x), offset - m_surface.vector[x]}};
+    } else
+      for(Halfedge_index x : m_surface.mesh.halfedges())
+        if(m_surface.mesh.source(x) == v)
+          result.push_back({x, {0, 0}});
+    return result;
+  }
+
+  // The edge of T1 that contains the edge of `h`, and where on it the source is.
+  std::optional<On_input> on_input(Halfedge_index h) const
+  {
+    for(const On_input& start : spokes_at(m_tri.mesh().source(h))) {
+      const Vector &along = m_surface.vector[start.halfedge], end = start.offset + m_vector[h];
+      if(det(along, m_vector[h]) == 0 && dot(along, m_vector[h]) > 0 &&
+         dot(along, end) <= dot(along, along))
+        return start;
+    }
+    return {};
+  }
+
+  std::int64_t normal_coordinate(Halfedge_index h) const
+  {
+    if(on_input(h))
+      return -1;
+    return crossings_with_input({m_point[m_tri.mesh().source(h)], m_vector[h]});
+  }
+
+  // A length may come from hundreds of operations on triangles of which each multiplies its error.
+  void check(Edge_index e) const
+  {
+    const Halfedge_index h = m_tri.mesh().halfedge(e);
+    ASSERT_EQ(m_tri.coordinates().normal_coordinate(e), normal_coordinate(h)) << e;
+    EXPECT_NEAR(m_tri.length(e) / length(m_vector[h]), 1, 1e-8) << e;
+    for(Halfedge_index x : {h, m_tri.mesh().opposite(h)})
+      check_roundabout(x);
+  }
+
+  void check_roundabout(Halfedge_index h) const
+  {
+    const Vertex_index v = m_tri.mesh().source(h);
+    const auto r = m_tri.coordinates().roundabout(h);
+    const auto spokes = spokes_at(v);
+    ASSERT_EQ(m_tri.spokes().degree(v), spokes.size());
+    ASSERT_LT(r, (std::max)(spokes.size(), std::size_t(1)));
+    const auto first =
+      std::min_element(spokes.begin(), spokes.end(), [&](const On_input& a, const On_input& b) {
+        return is_before(m_vector[h], m_surface.vector[a.halfedge], m_surface.vector[b.halfedge]);
+      });
+    if(first != spokes.end()) {
+      ASSERT_EQ(m_tri.spokes().halfedge(v, r), first->halfedge) << h;
+    }
+  }
+
+  void check_around(Vertex_index m) const
+  {
+    check_place(m);
+    for(Edge_index e : edges_at(m))
+      check(e);
+  }
+
+  // The place that is kept for an inserted vertex is the right one.
+  void check_place(Vertex_index v) const
+  {
+    if(!m_tri.is_inserted(v))
+      return;
+    const auto& [along, location] = m_tri.inserted_vertex(v);
+    const auto& [x, offset] = m_on[v];
+    EXPECT_LT(double(flat_distance(location, m_surface.vector, m_surface.point, m_surface.mesh,
+                                   m_point[v], m_surface)),
+              1e-11 * length(m_surface.vector[0]));
+    ASSERT_EQ(along.is_valid(), x.is_valid());
+    if(!along.is_valid())
+      return;
+    EXPECT_EQ(Edge_index(along), Edge_index(x));
+    const Vector& edge = m_surface.vector[x];
+    EXPECT_NEAR(m_tri.place_along(x, v), double(dot(edge, offset)) / double(dot(edge, edge)),
+                1e-11);
+  }
+
+public:
+  // How far a point in a face of a mesh with these vectors is from a place, modulo the lattice.
+  static Real flat_distance(const Location& location, const std::vector<Vector>& vector,
+                            const std::vector<Vector>& point, const Delta_complex& mesh,
+                            const Vector& place, const Flat_surface& s)
+  {
+    const auto side = IT::internal::sides(location.first, mesh);
+    const auto real = [](const Vector& v) { return Place{Real(v.x), Real(v.y)}; };
+    const Place p = real(point[mesh.source(side[0])] - place) +
+                    Real(location.second[1]) * real(vector[side[0]]) -
+                    Real(location.second[2]) * real(vector[side[2]]);
+    return reduced_norm(p, real(s.a), real(s.b));
+  }
+
+  static Real reduced_norm(const Place& p, const Place& a, const Place& b)
+  {
+    const Real i = std::round(det(p, b) / det(a, b)), j = std::round(det(a, p) / det(a, b));
+    return norm(p - i * a - j * b);
+  }
+
+private:
+  Flat_surface m_surface;
+  Triangulation m_tri;
+  Inserter m_inserter;
+  std::vector<Vector> m_vector; // of each halfedge of T2
+  std::vector<Vector> m_point;  // a lift of each vertex of T2
+  std::vector<On_input> m_on;   // for each vertex of T2
+};
+
+} // namespace Test_surfaces
+
+#endif // INTRINSIC_TRIANGULATIONS_TEST_FLAT_INSERTION_H

@@ -1,0 +1,430 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "equality.h"
+#include "flat_insertion.h"
+#include "subdivision_checks.h"
+
+#include <CGAL/Intrinsic_triangulations/function_transfer.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+
+// ---- Random operations on flat surfaces ----
+
+std::vector<Named_surface> surfaces()
+{
+  std::vector<Named_surface> result = flat_surfaces();
+  result.push_back({"polygon", flat_polygon(random_points(12, 5000, 3))});
+  result.push_back({"torus with five vertices", flat_torus(5, 1, 2)});
+  return result;
+}
+
+enum Operation
+{
+  flip,
+  insert_into_face,
+  insert_on_input,
+  split,
+  remove_vertex,
+  number_of_operations
+};
+
+using Counts = std::array<std::size_t, number_of_operations>;
+
+template <typename Index>
+Index random_index(std::size_t count, CGAL::Random& random)
+{
+  return Index(static_cast<Delta_complex::size_type>(random.get_int(0, static_cast<int>(count))));
+}
+
+bool operate(Operation operation, Flat_insertion& flat, CGAL::Random& random)
+{
+  const Delta_complex& mesh = flat.triangulation().mesh();
+  const auto h = random_index<Halfedge_index>(mesh.num_halfedges(), random);
+  if(operation == remove_vertex)
+    return flat.remove(random_index<Vertex_index>(mesh.num_vertices(), random));
+  if(mesh.is_removed(h) || (mesh.is_border(h) && operation != split))
+    return false;
+  switch(operation) {
+    case flip: return flat.flip(h);
+    case insert_into_face: return flat.insert_into_face(mesh.face(h), random);
+    case insert_on_input: {
+      bool is_done = false; // few places on T1 are in one face
+      for(int attempt = 0; attempt < 30 && !is_done; ++attempt)
+        is_done = flat.insert_on_input(mesh.face(h), random);
+      return is_done;
+    }
+    default: return flat.split(h, random);
+  }
+}
+
+// Twelve flips for each of the others.
+void operate_at_random(Flat_insertion& flat, int tries, unsigned int seed, Counts& counts)
+{
+  CGAL::Random random(seed);
+  for(int i = 0; i < tries && !testing::Test::HasFailure(); ++i) {
+    const int n = random.get_int(0, 16);
+    const auto operation = static_cast<Operation>((std::max)(0, n - 11));
+    if(flat.triangulation().number_of_inserted_vertices() > 25 && operation != flip &&
+       operation != remove_vertex)
+      continue;
+    counts[operation] += operate(operation, flat, random);
+    if(i % 10 == 0) {
+      EXPECT_TRUE(flat.triangulation().is_valid(true));
+      flat.check_lists();
+    }
+  }
+}
+
+// Calls `check(surface, flat)` after random operations on every flat surface.
+Counts for_each_flat(int tries, const std::function<void(Flat_insertion&)>& check)
+{
+  Counts counts{};
+  for(const Named_surface& s : surfaces())
+    for(unsigned int constrained : {0u, 4u})
+      for(unsigned int seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(s.name + ", seed " + std::to_string(seed) + ", every " +
+                     std::to_string(constrained) + "th edge constrained");
+        Flat_insertion flat(s.surface, constrained);
+        operate_at_random(flat, tries, seed, counts);
+        check(flat);
+        if(testing::Test::HasFailure())
+          return counts;
+      }
+  return counts;
+}
+
+} // namespace
+
+TEST(Insertion_exact, random_operations_against_brute_force)
+{
+  const Counts counts = for_each_flat(1000, [](Flat_insertion& flat) {
+    flat.check_all();
+    flat.check_lists();
+  });
+  for(std::size_t count : counts) {
+    std::cout << count << ' ';
+    EXPECT_GT(count, 200u);
+  }
+  std::cout << "flips, insertions into faces and on input edges, splits, removals\n";
+}
+
+TEST(Insertion_exact, removal_of_all)
+{
+  for_each_flat(600, [](Flat_insertion& flat) {
+    const Triangulation& t = flat.triangulation();
+    bool goes_on = true;
+    while(goes_on) { // one that is held by constrained edges may wait for others
+      goes_on = false;
+      for(std::size_t v = t.input_mesh().num_vertices(); v < t.mesh().num_vertices(); ++v)
+        goes_on |= flat.remove(Vertex_index(static_cast<Delta_complex::size_type>(v)));
+    }
+    flat.check_all();
+    Triangulation rest = flat.result().triangulation;
+    ASSERT_EQ(rest.number_of_inserted_vertices(), 0u);
+    EXPECT_EQ(rest.mesh().number_of_edges(), rest.input_mesh().number_of_edges());
+    rest.flip_to_input();
+    EXPECT_TRUE(rest.is_valid(true));
+    expect_equal_to_input(rest);
+  });
+}
+
+// ---- Correspondence ----
+
+namespace {
+
+void check_subdivision(const Triangulation& t)
+{
+  const Correspondence c(t);
+  const Subdivision s(c);
+  check_numbers(s, c);
+  check_measures(s, t);
+}
+
+// On every vertex the sum over the other triangulation is a third of the area around it.
+void check_mixed_mass(const Triangulation& t)
+{
+  const auto mixed = IT::mixed_mass_matrix(Correspondence(t));
+  const Eigen::VectorXd rows = mixed * Eigen::VectorXd::Ones(mixed.cols()),
+                        columns = mixed.transpose() * Eigen::VectorXd::Ones(mixed.rows());
+  for(Side side : both_sides) {
+    const Flat_faces faces(side, t);
+    std::vector<Real> third(faces.mesh().number_of_vertices(), 0);
+    for(Face_index f : faces.mesh().faces())
+      for(Halfedge_index h : faces.sides(f))
+        third[faces.mesh().source(h)] += faces.area(f) / 3;
+    const Eigen::VectorXd& sums = side == Side::input ? columns : rows;
+    for(Vertex_index v : faces.mesh().vertices())
+      EXPECT_NEAR(sums[Eigen::Index(v.idx())] / double(third[v]), 1, 1e-10) << v;
+  }
+}
+
+void check_points_across(const Flat_insertion::Result& r, const Flat_surface& surface)
+{
+  const Correspondence c(r.triangulation);
+  CGAL::Random random(1);
+  const double tolerance = 1e-10 * length(surface.vector[0]);
+  for(int i = 0; i < 200; ++i)
+    for(Side side : both_sides) {
+      const Location p = random_location(c.mesh(side), random);
+      const Location q = IT::point_across(side, p, c);
+      const Location &on_input = side == Side::input ? p : q,
+                     &on_intrinsic = side == Side::input ? q : p;
+      const auto h = IT::internal::sides(on_input.first, surface.mesh);
+      // the place on T2 as seen from the corner of the face of T1
+      const Place offset = Real(on_input.second[1]) *
+                             Place{Real(surface.vector[h[0]].x), Real(surface.vector[h[0]].y)} -
+                           Real(on_input.second[2]) *
+                             Place{Real(surface.vector[h[2]].x), Real(surface.vector[h[2]].y)};
+      const auto x = IT::internal::sides(on_intrinsic.first, r.triangulation.mesh());
+      const Vector corner =
+        r.point[r.triangulation.mesh().source(x[0])] - surface.point[surface.mesh.source(h[0])];
+      const Place gap =
+        Place{Real(corner.x), Real(corner.y)} - offset +
+        Real(on_intrinsic.second[1]) * Place{Real(r.vector[x[0]].x), Real(r.vector[x[0]].y)} -
+        Real(on_intrinsic.second[2]) * Place{Real(r.vector[x[2]].x), Real(r.vector[x[2]].y)};
+      EXPECT_LT(double(Flat_insertion::reduced_norm(gap, {Real(surface.a.x), Real(surface.a.y)},
+                                                    {Real(surface.b.x), Real(surface.b.y)})),
+                tolerance)
+        << i;
+    }
+}
+
+// The curves that a correspondence gives at once are those that are traced one by one.
+void check_traces(const Triangulation& t)
+{
+  const Correspondence c(t);
+  for(Side side : both_sides)
+    for(Halfedge_index h : c.mesh(side).halfedges()) {
+      const auto many = IT::trace_edge(side, h, c);
+      const auto one =
+        side == Side::input ? IT::trace_input_edge(h, t) : IT::trace_intrinsic_edge(h, t);
+      ASSERT_EQ(many.size(), one.size());
+      const std::size_t n = many.size();
+      for(std::size_t k = 0; k < n; ++k) {
+        EXPECT_NEAR(on(side, many[k]).t, on(side, one[k]).t, 1e-9);
+        EXPECT_EQ(on(side, many[k]).halfedge, h);
+        EXPECT_EQ(on(side, one[k]).halfedge, h);
+        const Edge_place &a = on(other(side), many[k]), &b = on(other(side), one[k]);
+        const bool is_crossing = k > 0 && k + 1 < n && b.t > 0 && b.t < 1;
+        if(is_crossing) {
+          EXPECT_EQ(a.halfedge, b.halfedge);
+          EXPECT_NEAR(a.t, b.t, 1e-9);
+        }
+      }
+    }
+}
+
+// Coordinates in the plane are linear on both triangulations.
+void check_interpolation(const Flat_insertion::Result& r, const Flat_surface& surface)
+{
+  const Triangulation& t = r.triangulation;
+  const Subdivision s{Correspondence(t)};
+  const auto values = [](const std::vector<Vector>& points) {
+    Eigen::VectorXd result(Eigen::Index(points.size()));
+    for(std::size_t i = 0; i < points.size(); ++i)
+      result[Eigen::Index(i)] = double(points[i].x) + 2 * double(points[i].y);
+    return result;
+  };
+  const auto from_input = IT::interpolation_matrix(Side::input, s, t);
+  const auto from_intrinsic = IT::interpolation_matrix(Side::intrinsic, s, t);
+  const Eigen::VectorXd a = from_input * values(surface.point),
+                        b = from_intrinsic * values(r.point);
+  EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-10 * b.cwiseAbs().maxCoeff());
+  for(const auto* matrix : {&from_input, &from_intrinsic}) {
+    const Eigen::VectorXd sums = *matrix * Eigen::VectorXd::Ones(matrix->cols());
+    EXPECT_LT((sums.array() - 1).abs().maxCoeff(), 1e-15);
+  }
+}
+
+} // namespace
+
+TEST(Insertion_exact, correspondence_on_flat_surfaces)
+{
+  for_each_flat(500, [](Flat_insertion& flat) {
+    const Flat_insertion::Result r = flat.result();
+    check_subdivision(r.triangulation);
+    check_traces(r.triangulation);
+    check_mixed_mass(r.triangulation);
+    check_points_across(r, flat.surface());
+    if(flat.surface().b.x == 0 && flat.surface().a.y == 0 &&
+       flat.surface().a.x == flat.surface().b.y) // in the plane
+      check_interpolation(r, flat.surface());
+  });
+}
+
+TEST(Insertion_exact, correspondence_after_refinement)
+{
+  for(const Named_triangulation& named : triangulations()) {
+    SCOPED_TRACE(named.name);
+    Triangulation t(named.triangulation);
+    IT::refine(t);
+    check_subdivision(t);
+    check_traces(t);
+    check_mixed_mass(t);
+    expect_equal(t, triangulation_of(text_of(t)));
+  }
+}
+
+// ---- What cannot be done changes nothing ----
+
+namespace {
+
+template <typename Error>
+void expect_refusal(const Triangulation& t, const std::function<void()>& operation)
+{
+  const std::vector<double> before = state(t);
+  EXPECT_THROW(operation(), Error);
+  EXPECT_TRUE(state(t) == before);
+  EXPECT_TRUE(t.is_valid(true));
+}
+
+} // namespace
+
+TEST(Insertion_exact, places_without_room_change_nothing)
+{
+  Triangulation t(cube());
+  flip_at_random(t, 100, 1);
+  Inserter inserter(t);
+  const double tiny = 1e-320;
+  for(Face_index f(0); f.idx() < 6; ++f) {
+    expect_refusal<IT::Numerical_error>(t, [&] { inserter.insert({f, {1, tiny, tiny}}); });
+    expect_refusal<IT::Numerical_error>(t, [&] { inserter.insert({f, {tiny, 1, 0}}); });
+  }
+  for(Edge_index e : Triangulation(t).mesh().edges())
+    for(double place : {tiny, 1 - 1e-17 / 4 - tiny})
+      if(place < 1)
+        expect_refusal<IT::Numerical_error>(
+          t, [&] { inserter.split_edge(t.mesh().halfedge(e), place); });
+  inserter.insert({Face_index(0), {0.5, 0.25, 0.25}}); // it goes on
+  EXPECT_TRUE(t.is_valid(true));
+}
+
+// Parts of an edge can be halved until there is no number between their ends.
+TEST(Insertion_exact, halves_of_halves)
+{
+  Triangulation t(tetrahedron());
+  Inserter inserter(t);
+  const Halfedge_index h(0);
+  const double length = t.length(t.mesh().edge(h));
+  int halves = 0;
+  try {
+    for(; halves < 2000; ++halves) {
+      inserter.split_edge(h, 0.5); // h is the second half
+      ASSERT_EQ(t.length(t.mesh().edge(h)), std::ldexp(length, -halves - 1));
+      ASSERT_EQ(t.start_on_spoke(h).t, 1 - std::ldexp(1., -halves - 1));
+    }
+  } catch(const IT::Numerical_error&) {
+  }
+  EXPECT_GE(halves, 50);
+  EXPECT_LE(halves, 53); // digits of double
+  EXPECT_TRUE(t.is_valid(true));
+}
+
+TEST(Insertion_exact, overflow_changes_nothing)
+{
+  Triangulation t(octahedron());
+  const std::int64_t most = (std::numeric_limits<std::int64_t>::max)() / 16;
+  const IT::Inserted_vertex<double> place{Halfedge_index(), {Face_index(0), {0.5, 0.25, 0.25}}};
+  for(std::size_t s = 0; s < 3; ++s) {
+    IT::Face_split<std::int64_t> at{{0, 0, 0}, {0, 0, 0}};
+    at.n[s] = most + 1;
+    expect_refusal<IT::Overflow_error>(t, [&] { t.split_face(place.location, at, place); });
+  }
+  for(int part = 0; part < 4; ++part) {
+    IT::Edge_split<std::int64_t> n{0, 0, 0, 0};
+    (part == 0 ? n.im : part == 1 ? n.mj : part == 2 ? n.mk : n.ml) = most + 1;
+    expect_refusal<IT::Overflow_error>(t, [&] {
+      t.split_edge(Halfedge_index(0), 0.5, n, {0, 0, 0, 0}, place);
+    });
+  }
+}
+
+// ---- Rounding ----
+
+// Points at crossings, and as close to them as numbers can be: some valid triangulation comes out.
+TEST(Insertion_exact, points_on_curves)
+{
+  for(const Named_mesh& m : meshes())
+    for(int ulps : {-1, 0, 1}) {
+      SCOPED_TRACE(m.name + ", " + std::to_string(ulps) + " ulps off");
+      Triangulation t(m.mesh);
+      flip_at_random(t, 10 * m.mesh.number_of_edges(), 1);
+      const Triangulation before(t);
+      const Correspondence c(before);
+      Inserter inserter(t);
+      for(Edge_index e : before.mesh().edges()) {
+        if(t.coordinates().crossings(t.mesh().halfedge(e)) == 0)
+          continue;
+        const Halfedge_index h(2 * e.idx());
+        const auto crossings = c.number_of_crossings(Side::intrinsic, e);
+        double place = c.crossing(Side::intrinsic, h, crossings / 2).here.t;
+        if(ulps != 0)
+          place = std::nextafter(place, ulps);
+        const auto edges = t.mesh().num_edges();
+        inserter.split_edge(h, place, ulps == 0 ? 1e-9 : 0);
+        ASSERT_EQ(t.mesh().num_edges(), edges + 3) << e;
+        ASSERT_TRUE(t.is_valid(true)) << e;
+      }
+    }
+}
+
+// ---- Files ----
+
+TEST(Insertion_exact, damaged_places_in_files)
+{
+  Triangulation t(grid(2, 2, [](double x, double y) { return Point(x, y, 0); }));
+  IT::refine(t, IT::parameters::maximum_circumradius(0.4));
+  const std::string text = text_of(t);
+  std::vector<std::string> lines;
+  std::istringstream is(text);
+  for(std::string line; std::getline(is, line);)
+    lines.push_back(line);
+  const std::size_t n = t.number_of_inserted_vertices(), first = lines.size() - n;
+  ASSERT_GT(n, 5u);
+  const auto is_refused = [&](std::size_t line, const std::string& replacement) {
+    std::vector<std::string> damaged(lines);
+    damaged[line] = replacement;
+    std::string joined;
+    for(const std::string& l : damaged)
+      joined += l + '\n';
+    try {
+      EXPECT_TRUE(triangulation_of(joined).is_valid(true)) << joined;
+    } catch(const IT::File_format_error&) {
+      return true;
+    } catch(const IT::Invalid_input&) {
+      return true;
+    }
+    return false;
+  };
+  const std::string third = " 0x1p-2 0x1p-2 0x1p-1";
+  for(std::size_t i = first; i < lines.size(); ++i)
+    for(const std::string& wrong :
+        {std::string(), std::string("0"), "-1" + third, "-2 0" + third, "-1 1000000" + third,
+         "1000000 0" + third, std::string("-1 0 0x1p-2 0x1p-2"), "-1 0" + third + " 0",
+         std::string("-1 0 0x1p+0 0x1p+0 -0x1p+0"), std::string("-1 0 nan nan nan"),
+         std::string("-1 0 0x0p+0 0x0p+0 0x0p+0"), std::string("-1 0 inf 0x0p+0 0x0p+0"),
+         "0 0" + third})
+      EXPECT_TRUE(is_refused(i, wrong)) << lines[i] << " -> " << wrong;
+  EXPECT_TRUE(is_refused(first - 1, std::to_string(n - 1)));
+  EXPECT_TRUE(is_refused(first - 1, std::to_string(n + 1)));
+  EXPECT_TRUE(is_refused(first - 1, "-1"));
+}
