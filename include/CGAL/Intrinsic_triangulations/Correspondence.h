@@ -17,10 +17,30 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// Whether triangulations of one surface differ by projective maps: their crossings have scales then.
+template <typename Crossing, typename = void>
+struct Has_scale : std::false_type
+{};
+
+template <typename Crossing>
+struct Has_scale<Crossing, std::void_t<decltype(Crossing::scale)>> : std::true_type
+{};
+
+template <typename Traits>
+constexpr bool is_projective()
+{
+  return Has_scale<typename Traits::Geodesic_strip::Crossing>::value;
+}
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// all crossings of edges of \f$T_1\f$ with edges of \f$T_2\f$, in order along both, with their places.
@@ -81,7 +101,8 @@ public:
     : m_tri(tri),
       m_spoke_before(tri.input_mesh().num_halfedges()),
       m_first_on_intrinsic(internal::first_crossings(tri.coordinates(), tri.mesh())),
-      m_records(m_first_on_intrinsic.back())
+      m_records(m_first_on_intrinsic.back()),
+      m_scale(internal::is_projective<Traits>() ? m_records.size() : 0)
   {
     CGAL_precondition(!tri.mesh().has_garbage());
     trace_all();
@@ -164,6 +185,17 @@ public:
   {
     const Record& record = m_records[id];
     return {{even(record.input), record.s}, {first_halfedge(record.intrinsic), record.t}};
+  }
+
+  /// how the vectors of crossing `id` on its two edges differ where the map between the triangulations is
+  /// projective (see `Ideal_strip::Crossing`): that on the edge of \f$T_1\f$ is this many times the other.
+  /// One in Euclidean geometry.
+  FT scale(size_type id) const
+  {
+    if constexpr(internal::is_projective<Traits>())
+      return m_scale[id];
+    else
+      return FT(1);
   }
 
   /// the number of crossing `id` on the halfedge `h` of \f$T_2\f$ that it is on, counted from its source.
@@ -308,6 +340,8 @@ private:
                                    : m_first_on_intrinsic[crossed.idx() + 1] - 1 - p;
       m_records[id] = {forward ? start : twin(start), crossed, 0, part(position.along_line),
                        on(c.halfedge, position.along_edge).t};
+      if constexpr(internal::is_projective<Traits>())
+        m_scale[id] = position.scale;
       m_traced.push_back(id);
     }
   }
@@ -378,6 +412,7 @@ private:
   std::vector<size_type>
     m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
   std::vector<Record> m_records;
+  std::vector<FT> m_scale; // of each crossing; empty in Euclidean geometry
 };
 
 namespace internal {

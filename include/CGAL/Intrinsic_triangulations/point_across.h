@@ -30,6 +30,8 @@ class Traced_marks
   typedef typename Traits::FT FT;
 
 public:
+  static constexpr bool is_projective = false;
+
   Traced_marks(Side side, Face_index f, const Intrinsic_triangulation<Traits>& tri)
     : m_side(side), m_halfedge(sides(f, mesh_of(side, tri))), m_tri(tri)
   {
@@ -79,7 +81,7 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// finds the point `p` of one triangulation on the other.
 ///
-/// The map is linear on the regions of the common subdivision and continuous; a vertex goes to the
+/// The map is linear on the regions of the common subdivision, or in ideal geometry projective, and continuous; a vertex goes to the
 /// vertex, exactly, and a point of a shared edge to that edge. There and back is the identity but for
 /// rounding.
 /// \param side the triangulation on which `p` lies
@@ -106,14 +108,15 @@ Face_location<typename Traits::FT> point_across(Side side,
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// the same for a single point, without a correspondence: the sides of the face of `p` are traced.
 /// Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for these sides; if `p` is on
-/// \f$T_1\f$ and vertices have been inserted, that of `Correspondence`.
+/// \f$T_1\f$ and vertices have been inserted, or in ideal geometry, that of `Correspondence`.
 template <typename Traits>
 Face_location<typename Traits::FT> point_across(Side side,
                                                 const Face_location<typename Traits::FT>& p,
                                                 const Intrinsic_triangulation<Traits>& tri)
 {
   typedef internal::Traced_marks<Traits> Marks;
-  if(side == Side::input && tri.number_of_inserted_vertices() > 0)
+  const bool has_inserted = tri.number_of_inserted_vertices() > 0;
+  if(internal::is_projective<Traits>() || (side == Side::input && has_inserted))
     return point_across(side, p, Correspondence<Traits>(tri));
   const Marks marks(side, p.first, tri);
   const Delta_complex& other = side == Side::input ? tri.mesh() : tri.input_mesh();

@@ -177,6 +177,7 @@ private:
 //
 // `Marks` describes the sides of the face: crossings(s) on side s; here(s, p), the place of crossing p on
 // it; across(s, p), the place on the halfedge of the other triangulation that leaves the face there;
+// scale(s, p), how many times the vector of a crossing here is that across, if the map is_projective;
 // spoke_before(s), the last spoke of the other triangulation at or clockwise from side s; and
 // vertex_across(s, at), the place of the source of side s on the other triangulation, which is `at`
 // unless it is no vertex there: then only the face of `at` counts.
@@ -198,7 +199,7 @@ public:
       if(p[(s + 1) % 3] == 0 && p[(s + 2) % 3] == 0)
         return m_marks.vertex_across(s, {m_marks.spoke_before(s), FT(0)});
     const auto [f, map] = region_map(region_of(p));
-    return {f, map(p)};
+    return {f, normalized(map(p))};
   }
 
   const Face_regions& regions() const { return m_regions; }
@@ -230,12 +231,34 @@ public:
     for(std::size_t c = 0; c < region.size(); ++c) {
       const Face_location<FT> image = corner_across(region, c);
       result.first = image.first;
-      result.second.add_corner(coordinates(region[c]), image.second);
+      result.second.add_corner(coordinates(region[c]), scaled(image.second, region[c]));
     }
     return result;
   }
 
 private:
+  // The map of a region is linear in homogeneous coordinates. Where it is affine, they are those of points.
+  Coordinates scaled(Coordinates image, [[maybe_unused]] const Region_corner& corner) const
+  {
+    if constexpr(Marks::is_projective)
+      if(!corner.is_vertex()) {
+        const FT scale = m_marks.scale(corner.side, corner.mark);
+        for(FT& x : image)
+          x *= scale;
+      }
+    return image;
+  }
+
+  static Coordinates normalized(Coordinates image)
+  {
+    if constexpr(Marks::is_projective) {
+      const FT sum = image[0] + image[1] + image[2];
+      for(FT& x : image)
+        x /= sum;
+    }
+    return image;
+  }
+
   // the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
   template <typename Condition>
   static std::size_t first_where(const Condition& condition, std::size_t n)

@@ -36,6 +36,8 @@ class Local_marks
   };
 
 public:
+  static constexpr bool is_projective = false;
+
   explicit Local_marks(const Triangulation& tri) : m_tri(tri) {}
 
   void set_face(Face_index f, const Crossing_lists<Traits>& lists)

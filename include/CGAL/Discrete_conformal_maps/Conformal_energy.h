@@ -1,0 +1,232 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_CONFORMAL_ENERGY_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_CONFORMAL_ENERGY_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
+
+#include <Eigen/Sparse>
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsEnergy
+/// the convex energy whose minimum are the scale factors that give a surface prescribed angle defects
+/// (Section 4.3.2).
+///
+/// It is twice continuously differentiable on the whole space: whoever minimizes it sees nothing of the
+/// flips behind it. Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and
+/// a variable \f$x\f$ in that of `double`. So a minimum can be approached to any precision by a minimizer
+/// that knows only `double`, which moves the origin from time to time.
+///
+/// \tparam FT_ the floating point type in which gradients are computed
+/// \cgalModels `ConvexEnergy`
+template <typename FT_ = double>
+class Conformal_energy
+{
+public:
+  /// the number type of lengths, angles and scale factors.
+  typedef FT_ FT;
+  /// a number for each vertex.
+  typedef Eigen::VectorXd Vector;
+  /// a symmetric matrix.
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  /// the energy of a surface.
+  /// \param mesh the connectivity, without boundary, intrinsic Delaunay
+  /// \param length a readable property map from the edges to positive lengths
+  /// \param target_defect the angle defects \f$\Omega^*\f$ of the minimum, in radians, by the numbers of
+  ///        vertices
+  template <typename EdgeLengthMap>
+  Conformal_energy(const Delta_complex& mesh, const EdgeLengthMap& length,
+                   const Vector& target_defect)
+    : m_surface(mesh, length),
+      m_target_defect(target_defect),
+      m_scale_factor(mesh.num_vertices(), FT(0)),
+      m_origin(mesh.num_vertices(), FT(0)),
+      m_angle(mesh.num_halfedges()),
+      m_cotangent(mesh.num_halfedges())
+  {
+    evaluate(Vector::Zero(size()));
+  }
+
+  /// the number of variables, one for each vertex.
+  Eigen::Index size() const { return m_target_defect.size(); }
+
+  /// moves to the point `x`. Complexity: linear in the vertices, edges and flips.
+  /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
+  void evaluate(const Vector& x)
+  {
+    for(std::size_t i = 0; i < m_origin.size(); ++i)
+      m_scale_factor[i] = m_origin[i] + FT(x[static_cast<Eigen::Index>(i)]);
+    m_surface.scale(m_scale_factor);
+    measure_faces();
+    sum_angles();
+    m_has_Hessian = false;
+  }
+
+  /// makes the present point the origin: the variable there is zero.
+  void move_origin() { m_origin = m_scale_factor; }
+
+  /// the scale factors, by the numbers of vertices.
+  const std::vector<FT>& scale_factors() const { return m_scale_factor; }
+
+  /// the surface in its ideal Delaunay triangulation.
+  const Penner_surface<FT>& surface() const { return m_surface; }
+
+  /// the angle at the source of `h` in its face, in the scaled metric.
+  const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
+
+  /// the energy (Equation 4.12). Complexity: linear.
+  FT value() const;
+
+  /// the derivatives of the energy: the angle defects minus their targets (Equation 4.13).
+  const Vector& gradient() const { return m_gradient; }
+
+  /// a bound for the rounding errors in the gradient.
+  double gradient_error() const { return m_gradient_error; }
+
+  /// the second derivatives: the cotan Laplacian (Section 4.3.2). Complexity: linear at the first call
+  /// after `evaluate()`.
+  const Matrix& Hessian() const
+  {
+    if(!m_has_Hessian)
+      assemble_Hessian();
+    m_has_Hessian = true;
+    return m_Hessian;
+  }
+
+private:
+  typedef internal::Flat_triangle<FT> Triangle;
+
+  const Delta_complex& mesh() const { return m_surface.mesh(); }
+
+  std::array<FT, 3> side_lengths(const std::array<Halfedge_index, 3>& side) const
+  {
+    return {m_surface.scaled_length(mesh().edge(side[0])),
+            m_surface.scaled_length(mesh().edge(side[1])),
+            m_surface.scaled_length(mesh().edge(side[2]))};
+  }
+
+  void measure_faces()
+  {
+    m_error.assign(m_origin.size(), 0.);
+    for(Face_index f : mesh().faces()) {
+      const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+      const Triangle triangle(side_lengths(side));
+      for(std::size_t s = 0; s < 3; ++s) {
+        m_angle[side[s].idx()] = triangle.angle(s);
+        m_cotangent[side[s].idx()] = static_cast<double>(triangle.cotangent((s + 2) % 3));
+        m_error[mesh().source(side[s]).idx()] += static_cast<double>(triangle.angle_error());
+      }
+    }
+  }
+
+  void sum_angles()
+  {
+    std::vector<FT> defect(m_origin.size(), 2 * boost::math::constants::pi<FT>());
+    for(Halfedge_index h : mesh().halfedges())
+      defect[mesh().source(h).idx()] -= m_angle[h.idx()];
+    m_gradient.resize(size());
+    m_gradient_error = 0;
+    for(Vertex_index v : mesh().vertices()) {
+      const auto i = static_cast<Eigen::Index>(v.idx());
+      const bool is_isolated = mesh().is_isolated(v);
+      m_gradient[i] =
+        is_isolated ? 0 : static_cast<double>(defect[v.idx()] - FT(m_target_defect[i]));
+      m_gradient_error = (std::max)(m_gradient_error, m_error[v.idx()]);
+    }
+  }
+
+  // half the sum of the cotangents opposite to the edge
+  double weight(Halfedge_index h) const
+  {
+    return (m_cotangent[h.idx()] + m_cotangent[mesh().opposite(h).idx()]) / 2;
+  }
+
+  // The columns one after the other, without sorting more than the neighbors of one vertex.
+  void assemble_Hessian() const
+  {
+    m_Hessian.resize(size(), size());
+    m_Hessian.reserve(2 * static_cast<Eigen::Index>(mesh().num_edges()) + size());
+    std::vector<std::pair<int, double>> entries;
+    for(Vertex_index v : mesh().vertices()) {
+      const int i = static_cast<int>(v.idx());
+      m_Hessian.startVec(i);
+      column(v, entries);
+      for(std::size_t k = 0; k < entries.size();) {
+        double& entry = m_Hessian.insertBack(entries[k].first, i) = 0;
+        for(const int row = entries[k].first; k < entries.size() && entries[k].first == row; ++k)
+          entry += entries[k].second;
+      }
+    }
+    m_Hessian.finalize();
+  }
+
+  // in order of rows; loops do not count
+  void column(Vertex_index v, std::vector<std::pair<int, double>>& entries) const
+  {
+    entries.clear();
+    if(mesh().is_isolated(v))
+      return;
+    double diagonal = 0;
+    Intrinsic_triangulations::internal::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+      const Vertex_index w = mesh().target(h);
+      if(w == v)
+        return;
+      entries.emplace_back(static_cast<int>(w.idx()), -weight(h));
+      diagonal += weight(h);
+    });
+    entries.emplace_back(static_cast<int>(v.idx()), diagonal);
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  Penner_surface<FT> m_surface;
+  Vector m_target_defect;
+  std::vector<FT> m_scale_factor, m_origin;
+  std::vector<FT> m_angle;         // at the source of each halfedge
+  std::vector<double> m_cotangent; // of the angle opposite to each halfedge
+  std::vector<double> m_error;     // of the sum of angles, for each vertex
+  Vector m_gradient;
+  double m_gradient_error = 0;
+  mutable Matrix m_Hessian;
+  mutable bool m_has_Hessian = false;
+};
+
+template <typename FT>
+FT Conformal_energy<FT>::value() const
+{
+  using std::log;
+  const FT pi = boost::math::constants::pi<FT>();
+  FT sum(0);
+  for(Vertex_index v : mesh().vertices())
+    if(!mesh().is_isolated(v))
+      sum += (2 * pi - FT(m_target_defect[static_cast<Eigen::Index>(v.idx())])) *
+             m_scale_factor[v.idx()];
+  for(Halfedge_index h : mesh().halfedges()) {
+    const FT lambda = 2 * log(m_surface.scaled_length(mesh().edge(h)));
+    const FT& opposite = m_angle[mesh().prev(h).idx()];
+    sum += (opposite - pi / 2) * lambda + 2 * Lobachevsky_function(opposite);
+  }
+  return sum;
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_CONFORMAL_ENERGY_H

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_FLAT_TRIANGLE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_FLAT_TRIANGLE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The angles of a Euclidean triangle. Side s leads from corner s to the next.
+template <typename FT>
+class Flat_triangle
+{
+public:
+  explicit Flat_triangle(const std::array<FT, 3>& side)
+  {
+    using std::atan2;
+    using std::sqrt;
+    const FT area =
+      sqrt(Intrinsic_triangulations::squared_quadrupled_area(side[0], side[1], side[2]));
+    const FT squares = side[0] * side[0] + side[1] * side[1] + side[2] * side[2];
+    const FT least = std::numeric_limits<FT>::epsilon() * squares;
+    for(std::size_t s = 0; s < 3; ++s) {
+      const FT product = Intrinsic_triangulations::doubled_corner_product(
+        side[(s + 1) % 3], side[(s + 2) % 3], side[s]);
+      m_angle[s] = atan2(area, product);
+      // cotangents only lead the way to a minimum: those of a flat triangle may be any large number
+      m_cotangent[s] = product / (area > least ? area : least);
+    }
+    // a relative error e of the sides moves an angle by at most 2 e times the sum of the cotangents
+    m_error = 8 * std::numeric_limits<FT>::epsilon() * squares / (area > least ? area : least);
+  }
+
+  // at the source of side s
+  const FT& angle(std::size_t s) const { return m_angle[s]; }
+  const FT& cotangent(std::size_t s) const { return m_cotangent[s]; }
+  // a bound for the rounding error of an angle, if the sides have an error of a few units in the last place
+  const FT& angle_error() const { return m_error; }
+
+private:
+  std::array<FT, 3> m_angle, m_cotangent;
+  FT m_error;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_FLAT_TRIANGLE_H
