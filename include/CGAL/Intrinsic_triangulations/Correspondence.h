@@ -12,35 +12,16 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/crossing_scale.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
-
-namespace internal {
-
-// Whether triangulations of one surface differ by projective maps: their crossings have scales then.
-template <typename Crossing, typename = void>
-struct Has_scale : std::false_type
-{};
-
-template <typename Crossing>
-struct Has_scale<Crossing, std::void_t<decltype(Crossing::scale)>> : std::true_type
-{};
-
-template <typename Traits>
-constexpr bool is_projective()
-{
-  return Has_scale<typename Traits::Geodesic_strip::Crossing>::value;
-}
-
-} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// all crossings of edges of \f$T_1\f$ with edges of \f$T_2\f$, in order along both, with their places.
@@ -53,7 +34,8 @@ constexpr bool is_projective()
 /// them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
 ///
 /// The object refers to the triangulation and is valid until that changes.
-/// Memory: 36 bytes for each crossing (with `double`), and 28 for each edge.
+/// Memory: 36 bytes for each crossing (with `double`), 44 in a geometry where crossings have scales, and
+/// 28 for each edge.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 template <typename Traits_ = Euclidean_geometry_traits<double>>
@@ -102,7 +84,7 @@ public:
       m_spoke_before(tri.input_mesh().num_halfedges()),
       m_first_on_intrinsic(internal::first_crossings(tri.coordinates(), tri.mesh())),
       m_records(m_first_on_intrinsic.back()),
-      m_scale(internal::is_projective<Traits>() ? m_records.size() : 0)
+      m_scale(internal::Has_scale<Traits>::value ? m_records.size() : 0)
   {
     CGAL_precondition(!tri.mesh().has_garbage());
     trace_all();
@@ -187,12 +169,11 @@ public:
     return {{even(record.input), record.s}, {first_halfedge(record.intrinsic), record.t}};
   }
 
-  /// how the vectors of crossing `id` on its two edges differ where the map between the triangulations is
-  /// projective (see `Ideal_strip::Crossing`): that on the edge of \f$T_1\f$ is this many times the other.
-  /// One in Euclidean geometry.
-  FT scale(size_type id) const
+  /// the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$ that its place
+  /// there stands for is so many times that of \f$T_2\f$. It is 1 in Euclidean geometry.
+  FT scale([[maybe_unused]] size_type id) const
   {
-    if constexpr(internal::is_projective<Traits>())
+    if constexpr(internal::Has_scale<Traits>::value)
       return m_scale[id];
     else
       return FT(1);
@@ -340,7 +321,7 @@ private:
                                    : m_first_on_intrinsic[crossed.idx() + 1] - 1 - p;
       m_records[id] = {forward ? start : twin(start), crossed, 0, part(position.along_line),
                        on(c.halfedge, position.along_edge).t};
-      if constexpr(internal::is_projective<Traits>())
+      if constexpr(internal::Has_scale<Traits>::value)
         m_scale[id] = position.scale;
       m_traced.push_back(id);
     }
@@ -412,7 +393,7 @@ private:
   std::vector<size_type>
     m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
   std::vector<Record> m_records;
-  std::vector<FT> m_scale; // of each crossing; empty in Euclidean geometry
+  std::vector<FT> m_scale; // of the crossings; empty where all are 1
 };
 
 namespace internal {

@@ -24,8 +24,6 @@ class Correspondence_marks
   typedef Delta_complex::size_type size_type;
 
 public:
-  static constexpr bool is_projective = internal::is_projective<Traits>();
-
   Correspondence_marks(Side side, Face_index f, const Correspondence<Traits>& correspondence)
     : m_side(side),
       m_halfedge(sides(f, correspondence.mesh(side))),
@@ -38,11 +36,10 @@ public:
   }
   FT here(std::size_t s, std::size_t p) const { return crossing(s, p).here.t; }
   Edge_point<FT> across(std::size_t s, std::size_t p) const { return crossing(s, p).across; }
-  // how many times the vector here is that across
   FT scale(std::size_t s, std::size_t p) const
   {
     const FT on_input = m_correspondence.scale(crossing(s, p).id);
-    return m_side == Side::input ? on_input : 1 / on_input;
+    return m_side == Side::input ? on_input : FT(1 / on_input);
   }
   Halfedge_index spoke_before(std::size_t s) const
   {
