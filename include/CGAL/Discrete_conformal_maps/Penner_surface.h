@@ -74,12 +74,11 @@ public:
   /// \param u the logarithmic scale factors, by the numbers of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
   /// \post the scaled lengths obey Equation 4.5 but for rounding, hence the triangle inequality
-  template <typename Vector>
-  void scale(const Vector& u)
+  void scale(const std::vector<FT>& u)
   {
     using std::exp;
     for(Vertex_index v : m_mesh.vertices())
-      m_root_of_scale[v.idx()] = exp(FT(u[static_cast<Eigen::Index>(v.idx())]) / 2);
+      m_root_of_scale[v.idx()] = exp(u[v.idx()] / 2);
     for(Edge_index e : m_mesh.edges()) {
       set_scaled_length(e);
       m_stack.push(e);

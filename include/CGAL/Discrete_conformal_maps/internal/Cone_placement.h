@@ -9,9 +9,11 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/Dirichlet_solver.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
 
 #include <Eigen/Sparse>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -40,15 +42,21 @@ public:
     m_estimate = m_solver.solve(-defect);
   }
 
-  // the vertex with the greatest factor
-  std::size_t worst() const
-  {
-    Eigen::Index result = 0;
-    m_estimate.cwiseAbs().maxCoeff(&result);
-    return static_cast<std::size_t>(result);
-  }
+  const Vector& estimate() const { return m_estimate; }
 
-  double greatest() const { return m_estimate.size() == 0 ? 0 : m_estimate.cwiseAbs().maxCoeff(); }
+  // the vertex of component `c` with the greatest estimate
+  std::size_t worst(const Intrinsic_triangulations::internal::Mesh_components& component,
+                    std::size_t c) const
+  {
+    std::size_t result = 0;
+    double greatest = -1;
+    for(std::size_t v = 0; v < std::size_t(m_estimate.size()); ++v)
+      if(component[v] == c && std::abs(m_estimate[index(v)]) > greatest) {
+        greatest = std::abs(m_estimate[index(v)]);
+        result = v;
+      }
+    return result;
+  }
 
   // Makes the estimate zero at `v` and its twin.
   void add(std::size_t v)

@@ -151,13 +151,14 @@ private:
 class Cut_graph
 {
 public:
-  // `length` is that of edges; `is_wall` says which are not passed; every vertex where faces cannot close up,
-  // a cone or an end of a wall, is a terminal
+  // `length` is that of edges; `is_wall` says which are not passed; `is_used` which faces are wanted; every
+  // vertex where faces cannot close up, a cone or an end of a wall, is a terminal
   Cut_graph(const Delta_complex& mesh, const std::vector<double>& length,
-            const std::vector<char>& is_wall, const std::vector<char>& is_terminal)
+            const std::vector<char>& is_wall, const std::vector<char>& is_used,
+            const std::vector<char>& is_terminal)
     : m_mesh(mesh), m_is_open(mesh.num_edges(), 1), m_is_wall(is_wall)
   {
-    grow_forest(length, Cone_tree(mesh, length, is_wall, is_terminal));
+    grow_forest(length, Cone_tree(mesh, length, is_wall, is_terminal), is_used);
     m_is_seam = m_is_open;
     close(is_terminal);
   }
@@ -175,7 +176,8 @@ public:
 
 private:
   // Longest edges first: positions are handed on through large triangles.
-  void grow_forest(const std::vector<double>& length, const Cone_tree& tree)
+  void grow_forest(const std::vector<double>& length, const Cone_tree& tree,
+                   const std::vector<char>& is_used)
   {
     std::vector<char> is_reached(m_mesh.num_faces(), 0);
     std::priority_queue<std::pair<double, Delta_complex::size_type>> queue;
@@ -187,7 +189,7 @@ private:
           queue.emplace(length[Edge_index(h).idx()], m_mesh.opposite(h).idx());
     };
     for(Face_index root : m_mesh.faces()) {
-      if(!is_reached[root.idx()] && has_way_out(root))
+      if(is_used[root.idx()] && !is_reached[root.idx()])
         reach(root, Halfedge_index());
       while(!queue.empty()) {
         const Halfedge_index h(queue.top().second);
@@ -198,14 +200,6 @@ private:
         reach(m_mesh.face(h), h);
       }
     }
-  }
-
-  bool has_way_out(Face_index f) const
-  {
-    for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, m_mesh))
-      if(!m_is_wall[Edge_index(h).idx()])
-        return true;
-    return false;
   }
 
   // Around a vertex that is flat and has one open edge, all faces fit: it can be closed.

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_VERTEX_CONDITION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_VERTEX_CONDITION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// what is prescribed at a vertex of a flat surface: its curvature, or how much it is scaled.
+struct Vertex_condition
+{
+  /// what is prescribed.
+  enum class Quantity
+  {
+    curvature, ///< the angle defect, or on the boundary the exterior angle, in radians
+    log_scale  ///< the logarithmic scale factor
+  };
+
+  Quantity quantity = Quantity::curvature; ///< what is prescribed
+  double value = 0;                        ///< its value
+
+  /// prescribes a curvature: \f$2\pi\f$ less the sum of angles inside the surface, \f$\pi\f$ less that on the
+  /// boundary.
+  static Vertex_condition curvature(double value) { return {Quantity::curvature, value}; }
+
+  /// prescribes a logarithmic scale factor.
+  static Vertex_condition log_scale(double value) { return {Quantity::log_scale, value}; }
+};
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_VERTEX_CONDITION_H
