@@ -61,6 +61,9 @@ public:
   /// whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
   bool is_front(Face_index f) const { return f.idx() < m_data->number_of_front_faces; }
 
+  /// the vertex of the input that `v` is, or of which it is the second copy.
+  Vertex_index input_vertex(Vertex_index v) const { return m_data->input_vertex[v.idx()]; }
+
   /// the logarithmic scale factor at `v`.
   double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
 
@@ -123,6 +126,7 @@ private:
     std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
     std::unique_ptr<Subdivision> subdivision;
     std::size_t number_of_front_faces = 0;
+    std::vector<Vertex_index> input_vertex;
     std::vector<double> log_scale;
     std::vector<Vertex_index> cones;
     Minimization_result minimization;

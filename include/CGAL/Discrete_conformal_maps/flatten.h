@@ -103,6 +103,8 @@ private:
   {
     const auto& u = m_scale.values();
     m_data->log_scale.assign(u.data(), u.data() + u.size());
+    for(Vertex_index v : m_problem.triangulation().mesh().vertices())
+      m_data->input_vertex.push_back(m_problem.front(v));
     m_data->ab = std::move(m_problem.triangulation());
     m_data->bc = Ideal_triangulation(
       m_data->ab.mesh(),

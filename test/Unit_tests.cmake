@@ -1,0 +1,27 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+include(GoogleTest)
+find_package(OpenMesh QUIET)
+
+# One executable with the tests in the source files of a directory.
+function(add_unit_tests name)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE Intrinsic_triangulations CGAL::Data GTest::gtest_main)
+  if(OpenMesh_FOUND)
+    target_link_libraries(${name} PRIVATE OpenMeshCore)
+    target_compile_definitions(${name} PRIVATE CGAL_USE_OPENMESH)
+  endif()
+
+  # Optimised, but with CGAL's assertions on.
+  target_compile_options(${name} PRIVATE -UNDEBUG)
+
+  target_precompile_headers(${name} PRIVATE
+    <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <gtest/gtest.h>)
+  # ccache can only cache g++'s use of a precompiled header with this.
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
+endfunction()
