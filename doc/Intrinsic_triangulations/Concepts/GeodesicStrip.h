@@ -15,6 +15,7 @@
 /// A model is default constructible.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Euclidean_strip`
+/// \cgalHasModel `CGAL::Intrinsic_triangulations::Ideal_strip`
 ///
 /// \sa `IntrinsicGeometryTraits`
 class GeodesicStrip
@@ -24,6 +25,11 @@ public:
   /// member `along_line`, the barycentric coordinate on the geodesic from \f$a\f$ to \f$b\f$, which the
   /// user may change, and a member `along_edge`, that on \f$\overrightarrow{ij}\f$. Both are of type `FT`
   /// and in \f$[0,1]\f$. They need not be in order along the geodesic: the user sees to that.
+  ///
+  /// Where barycentric coordinates are homogeneous coordinates, it has a positive member `scale` of type
+  /// `FT` too: the vector \f$(1-s)a + sb\f$ of the geodesic is `scale` times the vector \f$(1-t)i + tj\f$
+  /// of the edge. The maps between the two triangulations are then projective on the regions of the common
+  /// subdivision. Without this member, the scale is 1 and the maps are linear.
   typedef unspecified_type Crossing;
 
   /// starts a strip in the triangle \f$aij\f$, which is left through \f$\overrightarrow{ij}\f$.

@@ -13,7 +13,9 @@
 /// lengths of an edge \f$ij\f$ and of the four other sides of its faces \f$ijk\f$ and \f$jil\f$.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Euclidean_geometry_traits`
+/// \cgalHasModel `CGAL::Intrinsic_triangulations::Ideal_geometry_traits`
 ///
+/// \sa `IntrinsicGeometryTraitsWithDistance`
 /// \sa `CGAL::Intrinsic_triangulations::Intrinsic_triangulation`
 class IntrinsicGeometryTraits
 {
@@ -21,8 +23,10 @@ public:
   /// \name Types
   /// @{
 
-  /// the type of lengths and barycentric coordinates: a model of `FieldWithSqrt` and `RealEmbeddable`.
-  /// Only saving and loading asks for a floating point type.
+  /// the type of lengths and barycentric coordinates: a model of `Field` and `RealEmbeddable`, with an
+  /// implicit conversion from `int`. Square roots are taken only where lengths come from positions; what
+  /// the geometry needs itself is documented with the model. Only saving and loading asks for a floating
+  /// point type.
   typedef unspecified_type FT;
 
   /// the signed integer type of normal coordinates. If `std::numeric_limits<Integer>::is_bounded`,
@@ -35,12 +39,6 @@ public:
   /// provides `FT operator()(const Diamond<FT>& length) const`, which returns the length of the edge
   /// \f$kl\f$ that replaces \f$ij\f$. A result that is no length is allowed; it is refused later.
   typedef unspecified_type Compute_flipped_length;
-
-  /// provides `FT operator()(const std::array<FT, 3>& side, const std::array<FT, 3>& p,
-  /// const std::array<FT, 3>& q) const`, which returns the distance of the points with barycentric
-  /// coordinates `p` and `q` in a triangle whose side `s` leads from corner `s` to the next and has length
-  /// `side[s]`.
-  typedef unspecified_type Compute_distance;
 
   /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the edge
   /// \f$ij\f$ satisfies the local Delaunay condition. It must hold of ties, and of an edge that has just
@@ -66,8 +64,6 @@ public:
 
   /// returns the function object.
   Compute_flipped_length compute_flipped_length_object() const;
-  /// returns the function object.
-  Compute_distance compute_distance_object() const;
   /// returns the function object.
   Is_locally_Delaunay is_locally_Delaunay_object() const;
   /// returns the function object.

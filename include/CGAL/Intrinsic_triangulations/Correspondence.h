@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/crossing_scale.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +34,8 @@ namespace Intrinsic_triangulations {
 /// them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
 ///
 /// The object refers to the triangulation and is valid until that changes.
-/// Memory: 36 bytes for each crossing (with `double`), and 28 for each edge.
+/// Memory: 36 bytes for each crossing (with `double`), 44 in a geometry where crossings have scales, and
+/// 28 for each edge.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 template <typename Traits_ = Euclidean_geometry_traits<double>>
@@ -81,7 +83,8 @@ public:
     : m_tri(tri),
       m_spoke_before(tri.input_mesh().num_halfedges()),
       m_first_on_intrinsic(internal::first_crossings(tri.coordinates(), tri.mesh())),
-      m_records(m_first_on_intrinsic.back())
+      m_records(m_first_on_intrinsic.back()),
+      m_scale(internal::Has_scale<Traits>::value ? m_records.size() : 0)
   {
     CGAL_precondition(!tri.mesh().has_garbage());
     trace_all();
@@ -164,6 +167,16 @@ public:
   {
     const Record& record = m_records[id];
     return {{even(record.input), record.s}, {first_halfedge(record.intrinsic), record.t}};
+  }
+
+  /// the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$ that its place
+  /// there stands for is so many times that of \f$T_2\f$. It is 1 in Euclidean geometry.
+  FT scale([[maybe_unused]] size_type id) const
+  {
+    if constexpr(internal::Has_scale<Traits>::value)
+      return m_scale[id];
+    else
+      return FT(1);
   }
 
   /// the number of crossing `id` on the halfedge `h` of \f$T_2\f$ that it is on, counted from its source.
@@ -308,6 +321,8 @@ private:
                                    : m_first_on_intrinsic[crossed.idx() + 1] - 1 - p;
       m_records[id] = {forward ? start : twin(start), crossed, 0, part(position.along_line),
                        on(c.halfedge, position.along_edge).t};
+      if constexpr(internal::Has_scale<Traits>::value)
+        m_scale[id] = position.scale;
       m_traced.push_back(id);
     }
   }
@@ -378,6 +393,7 @@ private:
   std::vector<size_type>
     m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
   std::vector<Record> m_records;
+  std::vector<FT> m_scale; // of the crossings; empty where all are 1
 };
 
 namespace internal {

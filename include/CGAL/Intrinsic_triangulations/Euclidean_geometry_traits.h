@@ -28,10 +28,10 @@ namespace Intrinsic_triangulations {
 /// With an exact number type every decision is exact. With a floating point type a decision is taken
 /// only where its sign is certain for the stored lengths; see `Is_locally_Delaunay`.
 ///
-/// \tparam FT_ a model of `FieldWithSqrt`
+/// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`
 /// \tparam Integer_ the signed integer type of normal coordinates
 ///
-/// \cgalModels `IntrinsicGeometryTraits`
+/// \cgalModels `IntrinsicGeometryTraitsWithDistance`
 template <typename FT_ = double, typename Integer_ = std::int64_t>
 class Euclidean_geometry_traits
 {

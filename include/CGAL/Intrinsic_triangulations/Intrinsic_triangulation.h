@@ -23,11 +23,26 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// whether points inside faces have distances in this geometry, so that vertices can be inserted
+template <typename Traits, typename = void>
+struct Has_distance : std::false_type
+{};
+
+template <typename Traits>
+struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_distance_object())>>
+  : std::true_type
+{};
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// a triangulation \f$T_2\f$ of a surface that is given by an input triangulation \f$T_1\f$ with edge
@@ -255,7 +270,7 @@ public:
       const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(e, m)); };
       lengths[e] = m_coordinates.is_shared(e) ? shared_length(h)
                    : crossings.count(e) == 0
-                     ? distance(input_location(h), input_location(m_mesh.opposite(h)))
+                     ? distance_from_inserted(input_location(h), input_location(m_mesh.opposite(h)))
                      : lay_out(strip, h, exit, crossings.count(e));
       if(!m_traits.is_length_object()(lengths[e]))
         throw Numerical_error("the strip of edge " + std::to_string(e.idx()) +
@@ -285,7 +300,8 @@ public:
 
   /// @}
   /// \name Inserted Vertices
-  /// Section 3.5. `Vertex_inserter` calls these operations with the right arguments.
+  /// Section 3.5. `Vertex_inserter` calls these operations with the right arguments. Vertices can be
+  /// inserted if `Traits` is a model of `IntrinsicGeometryTraitsWithDistance`.
   /// @{
 
   /// the number of vertices that only \f$T_2\f$ has.
@@ -431,7 +447,8 @@ public:
   /// \name Correspondence
   /// @{
 
-  /// the distance of two points of one face of \f$T_1\f$. \pre `p.first == q.first`
+  /// the distance of two points of one face of \f$T_1\f$; `Traits` is a model of
+  /// `IntrinsicGeometryTraitsWithDistance`. \pre `p.first == q.first`
   FT distance(const Face_location<FT>& p, const Face_location<FT>& q) const
   {
     return m_traits.compute_distance_object()(
@@ -610,8 +627,19 @@ private:
     const Halfedge_index before = m_input.prev(side), after = m_input.next(side);
     if(internal::face_location(Edge_point<FT>{before, FT(0)}, m_input).second == p.second)
       return {m_input_length[m_input.edge(before)], m_input_length[m_input.edge(after)]};
-    return {distance(p, internal::face_location(Edge_point<FT>{side, FT(0)}, m_input)),
-            distance(p, internal::face_location(Edge_point<FT>{side, FT(1)}, m_input))};
+    return {
+      distance_from_inserted(p, internal::face_location(Edge_point<FT>{side, FT(0)}, m_input)),
+      distance_from_inserted(p, internal::face_location(Edge_point<FT>{side, FT(1)}, m_input))};
+  }
+
+  // A distance that is asked for only if vertices have been inserted; otherwise 0, which is no length.
+  FT distance_from_inserted([[maybe_unused]] const Face_location<FT>& p,
+                            [[maybe_unused]] const Face_location<FT>& q) const
+  {
+    if constexpr(internal::Has_distance<Traits>::value)
+      return distance(p, q);
+    else
+      return FT(0);
   }
 
   FT checked_length(const FT& length) const
@@ -750,6 +778,8 @@ private:
 
   void check_inserted() const
   {
+    if(!internal::Has_distance<Traits>::value && !m_inserted.empty())
+      throw Invalid_input("vertices cannot be inserted in this geometry");
     for(std::size_t i = 0; i < m_inserted.size(); ++i)
       if(!is_valid_place(m_inserted[i]))
         throw Invalid_input("inserted vertex " + std::to_string(i) + " has no place in the input");

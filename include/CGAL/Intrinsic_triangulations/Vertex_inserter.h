@@ -30,7 +30,7 @@ namespace Intrinsic_triangulations {
 /// \f$T_1\f$ run. The triangulation must not be changed by others while the object is used.
 /// Memory: 40 bytes for each edge, and four and more for each crossing from the fifth on an edge on.
 ///
-/// \tparam Traits_ a model of `IntrinsicGeometryTraits` whose number type is a floating point type
+/// \tparam Traits_ a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating point type
 template <typename Traits_ = Euclidean_geometry_traits<double>>
 class Vertex_inserter
 {

@@ -34,20 +34,25 @@ public:
     : m_side(side), m_halfedge(sides(f, mesh_of(side, tri))), m_tri(tri)
   {
     for(std::size_t s = 0; s < 3; ++s)
-      m_trace[s] = side == Side::input ? trace_input_edge(m_halfedge[s], tri)
-                                       : trace_intrinsic_edge(m_halfedge[s], tri);
+      m_trace[s] = side == Side::input ? internal::scaled_input_trace(m_halfedge[s], tri)
+                                       : internal::scaled_intrinsic_trace(m_halfedge[s], tri);
   }
 
   // an edge has two ends, and so has its trace
-  std::size_t crossings(std::size_t s) const { return m_trace[s].size() - 2; }
+  std::size_t crossings(std::size_t s) const { return m_trace[s].points.size() - 2; }
   FT here(std::size_t s, std::size_t p) const
   {
-    const Trace_point<FT>& point = m_trace[s][p + 1];
+    const Trace_point<FT>& point = m_trace[s].points[p + 1];
     return m_side == Side::input ? point.on_input.t : point.on_intrinsic.t;
   }
   Edge_point<FT> across(std::size_t s, std::size_t p) const
   {
     return reversed(there(s, p + 1), other());
+  }
+  FT scale(std::size_t s, std::size_t p) const
+  {
+    const FT on_input = m_trace[s].scale(p + 1);
+    return m_side == Side::input ? on_input : FT(1 / on_input);
   }
   Halfedge_index spoke_before(std::size_t s) const { return there(s, 0).halfedge; }
   Face_location<FT> vertex_across(std::size_t s, const Edge_point<FT>& at) const
@@ -64,14 +69,14 @@ private:
 
   const Edge_point<FT>& there(std::size_t s, std::size_t point) const
   {
-    const Trace_point<FT>& p = m_trace[s][point];
+    const Trace_point<FT>& p = m_trace[s].points[point];
     return m_side == Side::input ? p.on_intrinsic : p.on_input;
   }
 
   Side m_side;
   std::array<Halfedge_index, 3> m_halfedge;
   const Intrinsic_triangulation<Traits>& m_tri;
-  std::array<std::vector<Trace_point<FT>>, 3> m_trace;
+  std::array<Scaled_trace<Traits>, 3> m_trace;
 };
 
 } // namespace internal
@@ -79,9 +84,9 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// finds the point `p` of one triangulation on the other.
 ///
-/// The map is linear on the regions of the common subdivision and continuous; a vertex goes to the
-/// vertex, exactly, and a point of a shared edge to that edge. There and back is the identity but for
-/// rounding.
+/// The map is linear on the regions of the common subdivision, or projective in a geometry whose
+/// crossings have scales (see the concept `GeodesicStrip`), and continuous; a vertex goes to the vertex,
+/// exactly, and a point of a shared edge to that edge. There and back is the identity but for rounding.
 /// \param side the triangulation on which `p` lies
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
 /// \param correspondence the crossings of both

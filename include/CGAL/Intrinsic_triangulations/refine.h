@@ -181,7 +181,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 /// there. A face with exactly one narrow corner is excused, and so is one that lies in faces of \f$T_1\f$ at
 /// a narrow vertex (Section 3.6, where it must lie in one such face). Only the bound on angles is excused.
 ///
-/// \tparam Traits a model of `IntrinsicGeometryTraits` whose number type is a floating point type
+/// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating point type
 /// \tparam NamedParameters a sequence of named parameters
 /// \param tri the triangulation
 /// \param np

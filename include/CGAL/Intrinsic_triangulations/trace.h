@@ -10,8 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/Edge_tracer.h>
+#include <CGAL/Intrinsic_triangulations/internal/crossing_scale.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +28,31 @@ struct Curve_start
   Halfedge_index spoke;
   Integer k;
   bool is_shared;
+};
+
+// A trace with the scales of its points: how many times the vector on T2 that on T1 is.
+template <typename Traits>
+struct Scaled_trace
+{
+  typedef typename Traits::FT FT;
+
+  void add(const Trace_point<FT>& p, [[maybe_unused]] const FT& scale_of_p = FT(1))
+  {
+    points.push_back(p);
+    if constexpr(Has_scale<Traits>::value)
+      scales.push_back(scale_of_p);
+  }
+
+  FT scale([[maybe_unused]] std::size_t point) const
+  {
+    if constexpr(Has_scale<Traits>::value)
+      return scales[point];
+    else
+      return FT(1);
+  }
+
+  std::vector<Trace_point<FT>> points;
+  std::vector<FT> scales; // empty where all are 1
 };
 
 // The first half of Algorithm 1, from the vertex `v` on the edge of `h`.
@@ -55,15 +82,14 @@ Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index 
 // which is returned.
 template <typename Traits>
 Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& tracer,
-                        const Intrinsic_triangulation<Traits>& tri,
-                        std::vector<Trace_point<typename Traits::FT>>& trace)
+                        const Intrinsic_triangulation<Traits>& tri, Scaled_trace<Traits>& trace)
 {
   typedef typename Traits::FT FT;
   const Delta_complex& mesh = tri.mesh();
   const auto start = find_curve(h, v, tri);
   Halfedge_index last = start.spoke;
-  if(trace.empty())
-    trace.push_back({{h, FT(0)}, {start.spoke, FT(0)}});
+  if(trace.points.empty())
+    trace.add({{h, FT(0)}, {start.spoke, FT(0)}});
   if(!start.is_shared) {
     tracer.trace(start.spoke, start.k);
     last = tracer.last_spoke();
@@ -71,19 +97,19 @@ Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& t
   const Part_of_edge<FT> part = part_of_edge(h, v, mesh.target(last), tri);
   for(std::size_t m = 0; !start.is_shared && m < tracer.size(); ++m) {
     const auto& position = tracer.position(m);
-    trace.push_back(
-      {{h, part(position.along_line)}, {tracer.crossing(m).halfedge, position.along_edge}});
+    trace.add({{h, part(position.along_line)}, {tracer.crossing(m).halfedge, position.along_edge}},
+              scale_of<Traits>(position));
   }
-  trace.push_back({{h, part.end}, {last, FT(1)}});
+  trace.add({{h, part.end}, {last, FT(1)}});
   return mesh.target(last);
 }
 
 // The trace of the even halfedge `h` of T1.
 template <typename Traits>
-std::vector<Trace_point<typename Traits::FT>>
-trace_even_halfedge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+Scaled_trace<Traits> trace_even_halfedge(Halfedge_index h,
+                                         const Intrinsic_triangulation<Traits>& tri)
 {
-  std::vector<Trace_point<typename Traits::FT>> trace;
+  Scaled_trace<Traits> trace;
   Edge_tracer<Traits> tracer(tri);
   Vertex_index v = tri.input_mesh().source(h);
   do
@@ -94,12 +120,23 @@ trace_even_halfedge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri
 
 // Turns a trace into that of the opposite halfedge.
 template <typename Traits>
-void reverse_trace(std::vector<Trace_point<typename Traits::FT>>& trace,
-                   const Intrinsic_triangulation<Traits>& tri)
+void reverse_trace(Scaled_trace<Traits>& trace, const Intrinsic_triangulation<Traits>& tri)
 {
-  std::reverse(trace.begin(), trace.end());
-  for(auto& p : trace)
+  std::reverse(trace.points.begin(), trace.points.end());
+  std::reverse(trace.scales.begin(), trace.scales.end());
+  for(auto& p : trace.points)
     p = {reversed(p.on_input, tri.input_mesh()), reversed(p.on_intrinsic, tri.mesh())};
+}
+
+template <typename Traits>
+Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
+                                        const Intrinsic_triangulation<Traits>& tri)
+{
+  const bool is_even = h.idx() % 2 == 0;
+  auto trace = trace_even_halfedge(is_even ? h : tri.input_mesh().opposite(h), tri);
+  if(!is_even)
+    reverse_trace(trace, tri);
+  return trace;
 }
 
 } // namespace internal
@@ -118,11 +155,7 @@ template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
 trace_input_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 {
-  const bool is_even = h.idx() % 2 == 0;
-  auto trace = internal::trace_even_halfedge(is_even ? h : tri.input_mesh().opposite(h), tri);
-  if(!is_even)
-    internal::reverse_trace(trace, tri);
-  return trace;
+  return internal::scaled_input_trace(h, tri).points;
 }
 
 namespace internal {
@@ -146,6 +179,28 @@ std::vector<Halfedge_index> crossed_halfedges(Halfedge_index h,
   return result;
 }
 
+template <typename Traits>
+Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
+                                            const Intrinsic_triangulation<Traits>& tri)
+{
+  typedef typename Traits::FT FT;
+  const Halfedge_index o = tri.mesh().opposite(h);
+  Scaled_trace<Traits> trace;
+  trace.add({tri.start_on_spoke(h), {h, FT(0)}});
+  const std::vector<Halfedge_index> exits = crossed_halfedges(h, tri);
+  typename Traits::Geodesic_strip strip;
+  if(!exits.empty())
+    tri.lay_out(
+      strip, h, [&](std::size_t m) { return exits[m]; }, exits.size());
+  for(std::size_t m = 0; m < exits.size(); ++m) {
+    const auto position = strip.crossing(m);
+    const FT t = (std::max)(position.along_line, trace.points.back().on_intrinsic.t);
+    trace.add({{exits[m], position.along_edge}, {h, t}}, 1 / scale_of<Traits>(position));
+  }
+  trace.add({reversed_if_valid(tri.start_on_spoke(o), tri.input_mesh()), {h, FT(1)}});
+  return trace;
+}
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
@@ -163,22 +218,7 @@ template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
 trace_intrinsic_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 {
-  typedef typename Traits::FT FT;
-  const Halfedge_index o = tri.mesh().opposite(h);
-  std::vector<Trace_point<FT>> trace{{tri.start_on_spoke(h), {h, FT(0)}}};
-  const std::vector<Halfedge_index> exits = internal::crossed_halfedges(h, tri);
-  typename Traits::Geodesic_strip strip;
-  if(!exits.empty())
-    tri.lay_out(
-      strip, h, [&](std::size_t m) { return exits[m]; }, exits.size());
-  for(std::size_t m = 0; m < exits.size(); ++m) {
-    const auto position = strip.crossing(m);
-    const FT t = (std::max)(position.along_line, trace.back().on_intrinsic.t);
-    trace.push_back({{exits[m], position.along_edge}, {h, t}});
-  }
-  trace.push_back(
-    {internal::reversed_if_valid(tri.start_on_spoke(o), tri.input_mesh()), {h, FT(1)}});
-  return trace;
+  return internal::scaled_intrinsic_trace(h, tri).points;
 }
 
 } // namespace Intrinsic_triangulations

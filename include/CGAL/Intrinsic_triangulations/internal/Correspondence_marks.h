@@ -36,6 +36,11 @@ public:
   }
   FT here(std::size_t s, std::size_t p) const { return crossing(s, p).here.t; }
   Edge_point<FT> across(std::size_t s, std::size_t p) const { return crossing(s, p).across; }
+  FT scale(std::size_t s, std::size_t p) const
+  {
+    const FT on_input = m_correspondence.scale(crossing(s, p).id);
+    return m_side == Side::input ? on_input : FT(1 / on_input);
+  }
   Halfedge_index spoke_before(std::size_t s) const
   {
     return m_correspondence.spoke_before(m_side, m_halfedge[s]);

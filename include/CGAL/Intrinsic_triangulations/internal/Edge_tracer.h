@@ -27,7 +27,7 @@ struct Part_of_edge
   FT begin, end;
 
   // the place at a part `t` of the way
-  FT operator()(const FT& t) const { return (std::min)(begin + t * (end - begin), end); }
+  FT operator()(const FT& t) const { return (std::min)(FT(begin + t * (end - begin)), end); }
 };
 
 // The part of the halfedge `h` of T1 from the vertex `v` of T2 to the vertex `w`.

@@ -44,17 +44,21 @@ FT dot(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& 
   return sum;
 }
 
-// An affine map, given by the corners of a convex polygon and their images. Sums to be computed are
-// convex combinations of images, so that rounding in nearly flat polygons is not amplified.
+// A projective map, given by the corners of a convex polygon and their images. As vectors, corners are
+// multiples of their images, and the map is linear; if they are all the same multiples, barycentric
+// coordinates are mapped linearly too. Sums to be computed are convex combinations of images, so that
+// rounding in nearly flat polygons is not amplified.
 template <typename FT>
 class Polygon_map
 {
   typedef Barycentric_coordinates<FT> Coordinates;
 
 public:
-  void add_corner(const Coordinates& corner, const Coordinates& image)
+  // the corner is `scale` times its image
+  void add_corner(const Coordinates& corner, const Coordinates& image, const FT& scale)
   {
     m_corner[m_size] = corner;
+    m_scale[m_size] = scale;
     m_image[m_size++] = image;
   }
 
@@ -66,6 +70,8 @@ public:
   {
     Polygon_map result = *this;
     std::swap(result.m_corner, result.m_image);
+    for(std::size_t c = 0; c < m_size; ++c)
+      result.m_scale[c] = 1 / m_scale[c];
     return result;
   }
 
@@ -156,10 +162,12 @@ private:
     return combination({1 - t, t, FT(0)}, from, to, to);
   }
 
+  // the image of the point with barycentric coordinates `weight` with respect to three corners
   Coordinates combination(Coordinates weight, std::size_t a, std::size_t b, std::size_t c) const
   {
-    for(FT& w : weight)
-      w = (std::max)(w, FT(0));
+    const std::array<std::size_t, 3> corner{a, b, c};
+    for(std::size_t s = 0; s < 3; ++s)
+      weight[s] = (std::max)(weight[s], FT(0)) * m_scale[corner[s]];
     const FT sum = weight[0] + weight[1] + weight[2];
     Coordinates image;
     for(std::size_t s = 0; s < 3; ++s)
@@ -169,6 +177,7 @@ private:
   }
 
   std::array<Coordinates, 6> m_corner, m_image;
+  std::array<FT, 6> m_scale;
   std::size_t m_size = 0;
 };
 
@@ -177,7 +186,7 @@ private:
 //
 // `Marks` describes the sides of the face: crossings(s) on side s; here(s, p), the place of crossing p on
 // it; across(s, p), the place on the halfedge of the other triangulation that leaves the face there;
-// spoke_before(s), the last spoke of the other triangulation at or clockwise from side s; and
+// scale(s, p), how many times the vector across the vector here is; spoke_before(s), the last spoke of the other triangulation at or clockwise from side s; and
 // vertex_across(s, at), the place of the source of side s on the other triangulation, which is `at`
 // unless it is no vertex there: then only the face of `at` counts.
 template <typename FT, typename Marks>
@@ -230,7 +239,7 @@ public:
     for(std::size_t c = 0; c < region.size(); ++c) {
       const Face_location<FT> image = corner_across(region, c);
       result.first = image.first;
-      result.second.add_corner(coordinates(region[c]), image.second);
+      result.second.add_corner(coordinates(region[c]), image.second, scale(region[c]));
     }
     return result;
   }
@@ -264,6 +273,11 @@ private:
     Coordinates apex{};
     apex[m_regions.apex()] = FT(1);
     return orientation(coordinates(m_regions.end_of_curve(j)), apex, p) > 0;
+  }
+
+  FT scale(const Region_corner& corner) const
+  {
+    return corner.is_vertex() ? FT(1) : m_marks.scale(corner.side, corner.mark);
   }
 
   // The place of a corner in the face of the other triangulation in which the region lies.

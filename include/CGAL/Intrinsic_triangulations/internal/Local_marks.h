@@ -50,6 +50,8 @@ public:
   std::size_t crossings(std::size_t s) const { return m_mark[s].size(); }
   const FT& here(std::size_t s, std::size_t p) const { return m_mark[s][p].here; }
   const Edge_point<FT>& across(std::size_t s, std::size_t p) const { return m_mark[s][p].across; }
+  // there are distances in this geometry, hence no scales
+  FT scale(std::size_t, std::size_t) const { return FT(1); }
   Halfedge_index spoke_before(std::size_t s) const { return m_tri.input_spoke_before(m_side[s]); }
   Face_location<FT> vertex_across(std::size_t s, const Edge_point<FT>& at) const
   {
