@@ -113,7 +113,8 @@ public:
   /// whether `v` is a vertex of the three triangulations.
   bool is_input_vertex(Vertex_index v) const { return v.idx() < m_number_of_input_vertices; }
 
-  /// whether `v` is a crossing of an edge of `layer` with one of another triangulation.
+  /// whether `v` is a crossing of an edge of `layer` with one of another triangulation. Edges that are in
+  /// \f$T^B\f$ too count as edges of \f$T^B\f$ alone.
   bool is_crossing(Layer layer, Vertex_index v) const
   {
     if(is_input_vertex(v))

@@ -75,7 +75,7 @@ struct Mark
   std::size_t family;
   Halfedge_index across;    // leaves the face of the halfedge of B
   FT here;                  // the place on the latter
-  std::array<FT, 2> weight; // of the ends of `across`
+  std::array<FT, 2> weight; // of the ends of `across`; the sum of their vectors is the point of B
   Face_location<FT>
     other; // in the other family's triangulation, its face is left of the halfedge if the edge is shared
 };
@@ -173,11 +173,13 @@ private:
            const Correspondence<Traits>& correspondence, size_type first_vertex)
   {
     const auto c = correspondence.crossing(side, h, p);
+    const FT& scale = correspondence.scale(c.id);
+    const FT factor = side == Side::input ? scale : FT(1 / scale);
     m_marks.push_back({Vertex_index(first_vertex + c.id),
                        family,
                        c.across.halfedge,
                        c.here.t,
-                       {1 - c.across.t, c.across.t},
+                       {factor * (1 - c.across.t), factor * c.across.t},
                        {}});
   }
 
