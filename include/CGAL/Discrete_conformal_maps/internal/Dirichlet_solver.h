@@ -9,10 +9,10 @@
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
-#include <Eigen/OrderingMethods>
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -21,8 +21,9 @@ namespace Discrete_conformal_maps {
 namespace internal {
 
 // Solves systems with symmetric positive semidefinite matrices from which the rows and columns of some
-// variables are left out, one after the other. The order of elimination is looked for once: matrices that
-// follow have nearly the same pattern.
+// variables are left out. Matrices of one size and with the same variables are factorized one after the
+// other; the order of elimination is looked for again only where the pattern is not that of the one
+// before: an old order can be very bad for a pattern with flipped edges.
 class Dirichlet_solver
 {
 public:
@@ -33,10 +34,12 @@ public:
   // \throws Numerical_error if it is not
   void factorize(const Matrix& matrix, const std::vector<char>& is_fixed)
   {
-    if(m_place.empty())
-      order(matrix, is_fixed);
-    const Matrix permuted = lower_part(matrix);
-    m_solver.compute(permuted);
+    number_free(is_fixed);
+    Matrix reduced = lower_part(matrix);
+    if(!has_same_pattern(reduced, m_matrix))
+      m_solver.analyzePattern(reduced);
+    m_matrix.swap(reduced);
+    m_solver.factorize(m_matrix);
     if(m_size > 0 && m_solver.info() != Eigen::Success)
       throw Intrinsic_triangulations::Numerical_error(
         "the Laplacian has no factorization as a positive definite matrix");
@@ -47,61 +50,57 @@ public:
   {
     Vector reduced(m_size), result = Vector::Zero(right_side.size());
     for(Eigen::Index i = 0; i < right_side.size(); ++i)
-      if(place(i) >= 0)
-        reduced[place(i)] = right_side[i];
+      if(number(i) >= 0)
+        reduced[number(i)] = right_side[i];
     if(m_size > 0)
       reduced = m_solver.solve(reduced).eval();
     for(Eigen::Index i = 0; i < right_side.size(); ++i)
-      if(place(i) >= 0)
-        result[i] = reduced[place(i)];
+      if(number(i) >= 0)
+        result[i] = reduced[number(i)];
     return result;
   }
 
 private:
-  // in the order of elimination; negative for a variable that is fixed
-  int place(Eigen::Index i) const { return m_place[static_cast<std::size_t>(i)]; }
+  // among those that are free; negative for a variable that is fixed
+  int number(Eigen::Index i) const { return m_number[static_cast<std::size_t>(i)]; }
 
-  void order(const Matrix& matrix, const std::vector<char>& is_fixed)
+  void number_free(const std::vector<char>& is_fixed)
   {
-    m_place.assign(is_fixed.size(), -1);
+    m_number.assign(is_fixed.size(), -1);
+    m_size = 0;
     for(std::size_t i = 0; i < is_fixed.size(); ++i)
       if(!is_fixed[i])
-        m_place[i] = m_size++;
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-    const Matrix lower = lower_part(matrix);
-    Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), inverse);
-    const auto permutation = inverse.inverse().eval();
-    for(int& p : m_place)
-      if(p >= 0)
-        p = permutation.indices()[p];
+        m_number[i] = m_size++;
   }
 
-  // Columns are filled by counting, without sorting: the factorization does not need it.
+  // rows stay in order
   Matrix lower_part(const Matrix& matrix) const
   {
     Matrix result(m_size, m_size);
-    Eigen::VectorXi count = Eigen::VectorXi::Zero(m_size);
-    for_each_lower(matrix, [&](int, int column, double) { ++count[column]; });
-    result.reserve(count);
-    for_each_lower(matrix,
-                   [&](int row, int column, double value) { result.insert(row, column) = value; });
-    result.makeCompressed();
+    result.reserve(matrix.nonZeros() / 2 + m_size);
+    for(Eigen::Index j = 0; j < matrix.outerSize(); ++j)
+      if(number(j) >= 0) {
+        result.startVec(number(j));
+        for(Matrix::InnerIterator it(matrix, j); it; ++it)
+          if(number(it.row()) >= number(j))
+            result.insertBack(number(it.row()), number(j)) = it.value();
+      }
+    result.finalize();
     return result;
   }
 
-  template <typename Visit>
-  void for_each_lower(const Matrix& matrix, const Visit& visit) const
+  static bool has_same_pattern(const Matrix& a, const Matrix& b)
   {
-    for(Eigen::Index j = 0; j < matrix.outerSize(); ++j)
-      if(place(j) >= 0)
-        for(Matrix::InnerIterator it(matrix, j); it; ++it)
-          if(place(it.row()) >= place(j))
-            visit(place(it.row()), place(j), it.value());
+    return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
+           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1,
+                      b.outerIndexPtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
   }
 
-  std::vector<int> m_place;
+  std::vector<int> m_number;
   int m_size = 0;
-  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> m_solver;
+  Matrix m_matrix;
+  Eigen::SimplicialLLT<Matrix> m_solver;
 };
 
 } // namespace internal
