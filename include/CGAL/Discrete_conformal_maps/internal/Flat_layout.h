@@ -8,10 +8,14 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/Cut_graph.h>
+#include <CGAL/Discrete_conformal_maps/internal/Dirichlet_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -20,7 +24,8 @@ namespace internal {
 
 // The faces of a flat surface with cones, unfolded into the plane one after the other. Directions are
 // turned by the angles of faces, so that small faces beside large ones do not suffer from differences of
-// positions.
+// positions. What does not fit for rounding, where faces meet that were reached on different ways, is then
+// distributed such that the edges of all faces change least, in proportion to their lengths.
 template <typename FT>
 class Flat_layout
 {
@@ -29,6 +34,7 @@ class Flat_layout
     FT x, y;
 
     friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
+    friend Vector operator-(const Vector& v, const Vector& w) { return {v.x - w.x, v.y - w.y}; }
     friend Vector operator*(const FT& s, const Vector& v) { return {s * v.x, s * v.y}; }
     friend Vector turned(const Vector& v, const Vector& by)
     {
@@ -42,7 +48,8 @@ public:
     : m_mesh(mesh),
       m_length(length),
       m_position(mesh.num_halfedges(), Vector{FT(0), FT(0)}),
-      m_direction(mesh.num_halfedges())
+      m_direction(mesh.num_halfedges()),
+      m_point(mesh.num_halfedges())
   {
     for(const Cut_graph::Step& step : cut.steps()) {
       const Halfedge_index h = step.entry.is_valid() ? step.entry : mesh.halfedge(step.face);
@@ -52,12 +59,13 @@ public:
     for(Vertex_index v : mesh.vertices())
       if(!mesh.is_isolated(v))
         unite_corners(v, cut);
+    distribute_errors(cut);
   }
 
   // the position of the source of `h` in the face of `h`
   std::complex<double> position(Halfedge_index h) const
   {
-    const Vector& p = m_position[h.idx()];
+    const Vector& p = m_united[std::size_t(point(h))];
     return {static_cast<double>(p.x), static_cast<double>(p.y)};
   }
 
@@ -107,19 +115,64 @@ private:
       first = Intrinsic_triangulations::next_spoke(first, m_mesh);
     } while(first != start);
     Halfedge_index h = first;
-    Vector position = m_position[h.idx()];
     do {
-      if(cut.is_seam(Edge_index(h)))
-        position = m_position[h.idx()];
-      m_position[h.idx()] = position;
+      if(h == first || cut.is_seam(Edge_index(h)))
+        m_united.push_back(m_position[h.idx()]);
+      m_point[h.idx()] = static_cast<int>(m_united.size()) - 1;
       h = Intrinsic_triangulations::next_spoke(h, m_mesh);
     } while(h != first);
+  }
+
+  // The sum over all sides of faces of the squared change of the side, with its cotangent weight, is least.
+  void distribute_errors(const Cut_graph& cut)
+  {
+    const Eigen::Index n = static_cast<Eigen::Index>(m_united.size());
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(n), y = x;
+    std::vector<char> is_fixed(m_united.size(), 1);
+    for(const Cut_graph::Step& step : cut.steps())
+      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(step.face, m_mesh)) {
+        const int i = point(h), j = point(m_mesh.next(h));
+        const double weight = cotangent(h);
+        const Vector change =
+          length(h) * m_direction[h.idx()] - (m_united[std::size_t(j)] - m_united[std::size_t(i)]);
+        for(const auto& [a, b, sign] : {std::make_tuple(i, j, -1.), std::make_tuple(j, i, 1.)}) {
+          entries.emplace_back(a, a, weight);
+          entries.emplace_back(a, b, -weight);
+          x[a] += sign * weight * static_cast<double>(change.x);
+          y[a] += sign * weight * static_cast<double>(change.y);
+        }
+        is_fixed[std::size_t(i)] = 0;
+      }
+    for(const Cut_graph::Step& step : cut.steps())
+      if(!step.entry.is_valid())
+        is_fixed[std::size_t(point(m_mesh.halfedge(step.face)))] = 1;
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    Dirichlet_solver solver;
+    solver.factorize(matrix, is_fixed);
+    x = solver.solve(x);
+    y = solver.solve(y);
+    for(Eigen::Index i = 0; i < n; ++i)
+      m_united[std::size_t(i)] = m_united[std::size_t(i)] + Vector{FT(x[i]), FT(y[i])};
+  }
+
+  int point(Halfedge_index h) const { return m_point[h.idx()]; }
+
+  // half the cotangent of the angle opposite to `h` in its face
+  double cotangent(Halfedge_index h) const
+  {
+    return static_cast<double>(
+      Flat_triangle<FT>({length(h), length(m_mesh.next(h)), length(m_mesh.prev(h))}).cotangent(2) /
+      2);
   }
 
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;
   std::vector<Vector> m_position;  // of the source of each halfedge
   std::vector<Vector> m_direction; // of each halfedge
+  std::vector<int> m_point;        // the number of the point at the source of each halfedge
+  std::vector<Vector> m_united;    // the points
 };
 
 } // namespace internal
