@@ -5,14 +5,13 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// is a geometry in which points inside triangles have distances too, so that vertices can be inserted
-/// into the intrinsic triangulation. Barycentric coordinates are linear along geodesics: a crossing of
-/// `Geodesic_strip` has no scale.
-///
-/// \cgalRefines{IntrinsicGeometryTraits}
+/// refines `IntrinsicGeometryTraits`: points inside triangles have distances too, so that vertices can be
+/// inserted into the intrinsic triangulation. Barycentric coordinates are linear along geodesics: a
+/// crossing of `Geodesic_strip` has no scale.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Euclidean_geometry_traits`
 ///
+/// \sa `IntrinsicGeometryTraits`
 /// \sa `CGAL::Intrinsic_triangulations::Vertex_inserter`
 class IntrinsicGeometryTraitsWithDistance
 {
