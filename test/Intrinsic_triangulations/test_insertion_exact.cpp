@@ -309,12 +309,12 @@ Place in_plane(const Location& p, const Mesh& mesh, const Delta_complex& input)
 }
 
 // There and back: a point of a face without area can come back in another one.
-void check_there_and_back(const Triangulation& t, const Mesh& mesh)
+void check_there_and_back(const Triangulation& t, const Mesh& mesh, int points)
 {
   const Correspondence c(t);
   const Flat_faces faces(Side::intrinsic, t);
   CGAL::Random random(1);
-  for(int i = 0; i < 2000; ++i) {
+  for(int i = 0; i < points; ++i) {
     const Location p = random_location(t.input_mesh(), random);
     const Location p_back =
       IT::point_across(Side::intrinsic, IT::point_across(Side::input, p, c), c);
@@ -329,6 +329,17 @@ void check_there_and_back(const Triangulation& t, const Mesh& mesh)
   }
 }
 
+void insert_and_flip_at_random(Triangulation& t, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  Inserter inserter(t);
+  for(unsigned int i = 0; i < 1 + seed % 40; ++i) {
+    inserter.insert(random_location(t.mesh(), random), 1e-6);
+    if(const Halfedge_index h = random_halfedge(t.mesh(), random); t.is_flippable(h))
+      inserter.flip(h);
+  }
+}
+
 } // namespace
 
 TEST(Insertion_exact, points_across_where_input_faces_have_no_area)
@@ -339,7 +350,15 @@ TEST(Insertion_exact, points_across_where_input_faces_have_no_area)
     Triangulation t(mesh);
     IT::refine(t, IT::parameters::maximum_circumradius(radius));
     EXPECT_TRUE(t.is_valid(true));
-    check_there_and_back(t, mesh);
+    check_there_and_back(t, mesh, 2000);
+  }
+  for(unsigned int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Triangulation t(mesh);
+    IT::make_Delaunay(t);
+    insert_and_flip_at_random(t, seed);
+    EXPECT_TRUE(t.is_valid(true));
+    check_there_and_back(t, mesh, 200);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -138,14 +139,20 @@ public:
     return std::atan2(cross(i, m_end), dot(i, m_end));
   }
 
-  /// the crossing of the line with inner edge `m`. \pre `finish()` has been called
-  Crossing crossing(std::size_t m) const
+  /// the crossing of the line with inner edge `m`, not before `least` on the line. Where both run along each
+  /// other, any point that they share will do, but not a point that only one of them has.
+  /// \pre `finish()` has been called
+  Crossing crossing(std::size_t m, const FT& least = FT(0)) const
   {
     const Segment& edge = m_edges[m];
     const FT right = -cross(m_end, edge.source), left = cross(m_end, edge.target);
     const FT t = right > 0 ? (left > 0 ? right / (right + left) : FT(1)) : FT(0);
-    const Vector p = edge.source + t * (edge.target - edge.source);
-    return {clamped(dot(m_end, p) / m_squared_length), t};
+    const Vector ij = edge.target - edge.source;
+    const FT s = dot(m_end, edge.source + t * ij) / m_squared_length;
+    const FT on_line = (std::max)(clamped(s), least);
+    if(!(CGAL::abs(on_line - s) > rounding_unit<FT>()))
+      return {on_line, t};
+    return {on_line, clamped(dot(on_line * m_end - edge.source, ij) / dot(ij, ij))};
   }
 
 private:
