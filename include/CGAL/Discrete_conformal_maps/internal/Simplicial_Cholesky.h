@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SIMPLICIAL_CHOLESKY_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SIMPLICIAL_CHOLESKY_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// Eigen's Cholesky factorization of matrices given by their upper triangles, in the order they have.
+class Simplicial_Cholesky
+{
+public:
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  // The order of elimination that keeps the factor sparse: its k-th entry is the k-th row to go.
+  static Eigen::VectorXi fill_reducing_order(const Matrix& upper)
+  {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    Eigen::AMDOrdering<int>()(upper.selfadjointView<Eigen::Upper>(), order);
+    return order.indices();
+  }
+
+  void analyze(const Matrix& upper) { m_factor.analyzePattern(upper); }
+
+  // Returns false if the matrix is not positive definite.
+  bool factorize(const Matrix& upper)
+  {
+    m_factor.factorize(upper);
+    return m_factor.info() == Eigen::Success;
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const
+  {
+    return m_factor.solve(right_side);
+  }
+
+  // The number of entries of the factor.
+  double size() const
+  {
+    return static_cast<double>(m_factor.matrixL().nestedExpression().nonZeros());
+  }
+
+private:
+  Eigen::SimplicialLLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> m_factor;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SIMPLICIAL_CHOLESKY_H
