@@ -17,7 +17,12 @@ namespace internal {
 
 // Eigen's Cholesky factorization of matrices given by their upper triangles, in the order they have.
 class Simplicial_Cholesky
+  : Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>
 {
+  typedef Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper,
+                               Eigen::NaturalOrdering<int>>
+    Base;
+
 public:
   typedef Eigen::SparseMatrix<double> Matrix;
 
@@ -29,28 +34,19 @@ public:
     return order.indices();
   }
 
-  void analyze(const Matrix& upper) { m_factor.analyzePattern(upper); }
+  void analyze(const Matrix& upper) { Base::analyzePattern(upper); }
 
   // Returns false if the matrix is not positive definite.
   bool factorize(const Matrix& upper)
   {
-    m_factor.factorize(upper);
-    return m_factor.info() == Eigen::Success;
+    Base::factorize(upper);
+    return Base::info() == Eigen::Success;
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const
-  {
-    return m_factor.solve(right_side);
-  }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const { return Base::solve(right_side); }
 
-  // The number of entries of the factor.
-  double size() const
-  {
-    return static_cast<double>(m_factor.matrixL().nestedExpression().nonZeros());
-  }
-
-private:
-  Eigen::SimplicialLLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> m_factor;
+  // The number of entries of the factor; it is known after the analysis, but not to Eigen's users.
+  double size() const { return static_cast<double>(m_matrix.nonZeros()); }
 };
 
 } // namespace internal
