@@ -41,7 +41,7 @@ public:
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
   explicit Newton_minimizer(double gradient_tolerance = 1e-13,
-                            std::size_t maximum_number_of_iterations = 200)
+                            std::size_t maximum_number_of_iterations = 500)
     : m_limits{gradient_tolerance, maximum_number_of_iterations}
   {
     CGAL_precondition(gradient_tolerance >= 0);

@@ -44,18 +44,17 @@ public:
   bool find(const Matrix& hessian, const Eigen::VectorXd& gradient, double bound)
   {
     const Eigen::VectorXd ground = grounding(hessian);
+    const auto damped = [&](double lift) {
+      return solve(hessian, ground + damping(hessian, gradient, bound, lift), gradient);
+    };
+    if(m_is_damped && damped(0) && length() > bound / 2)
+      return limit(bound); // as in the step before
     m_is_damped = !solve(hessian, ground, gradient) || length() > bound;
-    if(!m_is_damped)
-      return true;
-    double lift = 0; // relative to the diagonal, against rounding in the factorization
-    do {
-      if(solve(hessian, ground + damping(hessian, gradient, bound, lift), gradient)) {
-        limit(bound);
-        return true;
-      }
-      lift = lift == 0 ? 1e-14 : 100 * lift;
-    } while(lift < 1);
-    return false;
+    // the lift, relative to the diagonal, is against rounding in the factorization
+    for(double lift = 0; m_is_damped && !damped(lift); lift = lift == 0 ? 1e-14 : 100 * lift)
+      if(lift > 1)
+        return false;
+    return limit(bound);
   }
 
   // Solves with the last factorization.
@@ -107,10 +106,11 @@ private:
     return m_solver.factorize(hessian, diagonal) && find_again(gradient);
   }
 
-  void limit(double bound)
+  bool limit(double bound)
   {
     if(const double l = length(); l > bound)
       m_direction *= bound / l;
+    return true;
   }
 
   const Free_variables* m_variables;

@@ -158,7 +158,7 @@ private:
     if(m_step < 1)
       m_bound = 2 * m_step * m_direction.length();
     else if(m_direction.is_damped())
-      m_bound *= 4;
+      m_bound = (std::min)(4 * m_bound, 1e100); // beyond any use, but finite
     keep_if_best();
   }
 
