@@ -8,7 +8,6 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/Reordered_matrix.h>
-#include <CGAL/Discrete_conformal_maps/internal/Simplicial_Cholesky.h>
 
 #include <Eigen/SparseCore>
 
@@ -20,7 +19,8 @@ namespace Discrete_conformal_maps {
 namespace internal {
 
 // Solves with matrix after matrix of similar pattern. The order of elimination, the costly part of the
-// analysis, is kept while it is still good.
+// analysis, is kept while it is still good. `Cholesky` is `Simplicial_Cholesky` or
+// `Supernodal_Cholesky`.
 template <typename Cholesky>
 class Hessian_solver
 {
@@ -48,7 +48,7 @@ public:
   }
 
   // Rows that are not taken have no influence, and zero in the solution.
-  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side)
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(right_side.size());
     if(!m_order.empty())

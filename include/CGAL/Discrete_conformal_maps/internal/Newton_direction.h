@@ -9,7 +9,12 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/Hessian_solver.h>
+
+#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+#include <CGAL/Discrete_conformal_maps/internal/Supernodal_Cholesky.h>
+#else
 #include <CGAL/Discrete_conformal_maps/internal/Simplicial_Cholesky.h>
+#endif
 
 #include <Eigen/SparseCore>
 
@@ -19,6 +24,12 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
+
+#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+typedef Supernodal_Cholesky Default_Cholesky;
+#else
+typedef Simplicial_Cholesky Default_Cholesky;
+#endif
 
 // Finds directions in which a convex function falls, from its gradient and Hessian.
 //
@@ -31,7 +42,7 @@ class Newton_direction
 {
 public:
   typedef Eigen::SparseMatrix<double> Matrix;
-  typedef Hessian_solver<Simplicial_Cholesky> Solver;
+  typedef Hessian_solver<Default_Cholesky> Solver;
 
   explicit Newton_direction(const Free_variables& variables)
     : m_variables(&variables), m_solver(variables.indices())
