@@ -162,15 +162,14 @@ private:
     keep_if_best();
   }
 
-  // Slopes say nothing any more, but the full step may well be good.
+  // Slopes say little now, but the full step may well be good. Failures in a row are the end.
   std::optional<Status> step_within_rounding()
   {
-    const bool is_finite = step(1);
-    if(is_finite && keep_if_best())
-      m_failures = 0;
-    else if(++m_failures == 3 || !is_finite)
-      return Status::rounding_limit;
-    return std::nullopt;
+    const double before = m_best_norm;
+    const bool is_good = step(1) && keep_if_best();
+    const bool goes_on = is_good || !search_line();
+    m_failures = m_best_norm < before ? 0 : m_failures + 1;
+    return goes_on && m_failures < 3 ? std::nullopt : std::optional(Status::rounding_limit);
   }
 
   bool keep_if_best()
