@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/Hessian_solver.h>
 
@@ -17,9 +18,6 @@
 #endif
 
 #include <Eigen/SparseCore>
-
-#include <cmath>
-#include <limits>
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
@@ -79,11 +77,6 @@ public:
   const Eigen::VectorXd& direction() const { return m_direction; }
   double length() const { return max_norm(m_direction); }
   bool is_damped() const { return m_is_damped; }
-
-  static double max_norm(const Eigen::VectorXd& v)
-  {
-    return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>();
-  }
 
 private:
   // On a component where constants are in the kernel, one diagonal entry is doubled, as if the variable
