@@ -60,7 +60,9 @@ struct Cubic_ramp
 struct Link
 {
   Eigen::Index i, j; // i == j: a function of one variable
-  double weight;
+  double weight = 1;
+  double scale = 1;
+  double offset = 0;
 };
 
 // Collects a gradient, the sums of absolute values that bound its rounding, and a Hessian.
@@ -154,7 +156,7 @@ private:
   std::size_t m_evaluations = 0;
 };
 
-// A sum of weight * F(u_i - u_j), or weight * F(u_i).
+// A sum of weight / scale * F(scale * (x - offset)), where x is u_i - u_j, or u_i.
 template <typename F>
 class Linked : public Function<Linked<F>>
 {
@@ -173,19 +175,33 @@ public:
   }
 
 private:
+  static double argument(const Link& link, double x) { return link.scale * (x - link.offset); }
+  static double value(const Link& link, double x)
+  {
+    return link.weight / link.scale * F::value(argument(link, x));
+  }
+  static double slope(const Link& link, double x)
+  {
+    return link.weight * F::slope(argument(link, x));
+  }
+  static double curvature(const Link& link, double x)
+  {
+    return link.weight * link.scale * F::curvature(argument(link, x));
+  }
+
   static void add_single(const Link& link, double x, Accumulator& sum)
   {
-    sum.add_value(link.weight * F::value(x));
-    sum.add_slope(link.i, link.weight * F::slope(x));
-    sum.add_curvature(link.i, link.i, link.weight * F::curvature(x));
+    sum.add_value(value(link, x));
+    sum.add_slope(link.i, slope(link, x));
+    sum.add_curvature(link.i, link.i, curvature(link, x));
   }
 
   static void add_pair(const Link& link, double x, Accumulator& sum)
   {
-    const double slope = link.weight * F::slope(x), curvature = link.weight * F::curvature(x);
-    sum.add_value(link.weight * F::value(x));
-    sum.add_slope(link.i, slope);
-    sum.add_slope(link.j, -slope);
+    sum.add_value(value(link, x));
+    sum.add_slope(link.i, slope(link, x));
+    sum.add_slope(link.j, -slope(link, x));
+    const double curvature = Linked::curvature(link, x);
     if(curvature == 0)
       return; // the pattern depends on the point
     sum.add_curvature(link.i, link.i, curvature);
