@@ -149,8 +149,7 @@ private:
         is_fixed[std::size_t(point(m_mesh.halfedge(step.face)))] = 1;
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    Dirichlet_solver solver;
-    solver.factorize(matrix, is_fixed);
+    Dirichlet_solver solver(matrix, is_fixed);
     x = solver.solve(x);
     y = solver.solve(y);
     for(Eigen::Index i = 0; i < n; ++i)
