@@ -65,7 +65,7 @@ typedef testing::Types<internal::Simplicial_Cholesky, internal::Supernodal_Chole
 #else
 typedef testing::Types<internal::Simplicial_Cholesky> Factorizations;
 #endif
-TYPED_TEST_SUITE(Hessian_solver, Factorizations);
+TYPED_TEST_SUITE(Hessian_solver, Factorizations, );
 
 TYPED_TEST(Hessian_solver, Follows_the_pattern)
 {
