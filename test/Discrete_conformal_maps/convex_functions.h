@@ -94,7 +94,8 @@ public:
   // Five roundings per term and those of its sum, which are few here.
   double gradient_error() const
   {
-    return 10 * std::numeric_limits<double>::epsilon() * m_magnitude.maxCoeff();
+    return 10 * std::numeric_limits<double>::epsilon() *
+           (m_magnitude.size() > 0 ? m_magnitude.maxCoeff() : 0);
   }
 
   Matrix Hessian() const
@@ -176,32 +177,32 @@ public:
 
 private:
   static double argument(const Link& link, double x) { return link.scale * (x - link.offset); }
-  static double value(const Link& link, double x)
+  static double link_value(const Link& link, double x)
   {
     return link.weight / link.scale * F::value(argument(link, x));
   }
-  static double slope(const Link& link, double x)
+  static double link_slope(const Link& link, double x)
   {
     return link.weight * F::slope(argument(link, x));
   }
-  static double curvature(const Link& link, double x)
+  static double link_curvature(const Link& link, double x)
   {
     return link.weight * link.scale * F::curvature(argument(link, x));
   }
 
   static void add_single(const Link& link, double x, Accumulator& sum)
   {
-    sum.add_value(value(link, x));
-    sum.add_slope(link.i, slope(link, x));
-    sum.add_curvature(link.i, link.i, curvature(link, x));
+    sum.add_value(link_value(link, x));
+    sum.add_slope(link.i, link_slope(link, x));
+    sum.add_curvature(link.i, link.i, link_curvature(link, x));
   }
 
   static void add_pair(const Link& link, double x, Accumulator& sum)
   {
-    sum.add_value(value(link, x));
-    sum.add_slope(link.i, slope(link, x));
-    sum.add_slope(link.j, -slope(link, x));
-    const double curvature = Linked::curvature(link, x);
+    sum.add_value(link_value(link, x));
+    sum.add_slope(link.i, link_slope(link, x));
+    sum.add_slope(link.j, -link_slope(link, x));
+    const double curvature = link_curvature(link, x);
     if(curvature == 0)
       return; // the pattern depends on the point
     sum.add_curvature(link.i, link.i, curvature);

@@ -227,21 +227,34 @@ TEST(Newton_minimizer, Badly_scaled_variables)
   }
 }
 
-// Stiff and loose springs: positions are rounded by more than the gradient allows.
+// Curvatures from 1e-12 to 1e12 that are coupled. Positions are rounded by more than the gradient allows.
 TEST(Newton_minimizer, Badly_scaled_links)
 {
   for(unsigned seed = 1; seed <= 10; ++seed) {
+    const Vector minimum = random_vector(grid_size, 1, seed);
     std::vector<Link> links = grid(side, 12, seed);
-    for(Link& link : links) {
-      link.scale = link.weight;
-      link.weight = 1;
-    }
-    Linked<Log_cosh> energy(links, Vector::Zero(grid_size));
-    Vector u = random_vector(grid_size, 1, seed);
+    for(Link& link : links)
+      link = {link.i, link.j, 1, link.weight, minimum[link.i] - minimum[link.j]};
+    Linked<Log_cosh> energy(links, minimum);
+    Vector u = minimum + random_vector(grid_size, 1e-12, seed + 1);
     const auto result = Newton_minimizer()(energy, u, floating(grid_size));
     EXPECT_TRUE(result.status == Status::converged || result.status == Status::rounding_limit)
       << to_string(result.status);
     EXPECT_LE(result.gradient_norm, 2 * result.gradient_error) << "seed " << seed;
+    EXPECT_LE(result.gradient_error, 1e-3); // 1e12 times the rounding of one, for four links
+  }
+}
+
+// Linear functions of many slopes with sharp bends between them.
+TEST(Newton_minimizer, Sharp_bends_far_from_start)
+{
+  for(unsigned seed = 1; seed <= 10; ++seed) {
+    std::vector<Link> links = grid(side, 3, seed);
+    for(Link& link : links)
+      link = {link.i, link.j, 1, link.weight, 0};
+    Linked<Log_cosh> energy(links, Vector::Zero(grid_size));
+    Vector u = random_vector(grid_size, 1, seed);
+    EXPECT_EQ(Newton_minimizer()(energy, u, floating(grid_size)).status, Status::converged);
   }
 }
 

@@ -26,9 +26,9 @@ namespace Discrete_conformal_maps {
 ///
 /// It converges linearly, with hundreds of evaluations where `Newton_minimizer` needs ten, the more the
 /// finer the mesh is. Its line search compares values of the energy, and these cancel near the minimum:
-/// about half of the digits of the gradient are reached, 1e-7 or 1e-8 where the terms of the energy are
-/// of order one, less where the energy is a sum of many. What is reached is in the result; if it is
-/// above the tolerance, the status is `Minimization_status::rounding_limit`.
+/// about half of the digits of the gradient are reached, 1e-7 to 1e-6 for a thousand variables with
+/// terms of order one, less for more. What is reached is in the result; if it is above the tolerance,
+/// the status is `Minimization_status::rounding_limit`.
 ///
 /// The header needs the Ceres Solver.
 ///
@@ -41,7 +41,7 @@ public:
   ///        minimized; the rounding error of the gradient takes its place if that is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
-  explicit Ceres_minimizer(double gradient_tolerance = 1e-8,
+  explicit Ceres_minimizer(double gradient_tolerance = 1e-6,
                            std::size_t maximum_number_of_iterations = 10000)
     : m_limits{gradient_tolerance, maximum_number_of_iterations}
   {

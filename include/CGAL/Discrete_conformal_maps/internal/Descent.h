@@ -67,7 +67,7 @@ public:
     return m_gradient.allFinite();
   }
 
-  // Returns whether the gradient is less than ever; an equal one counts as progress all the same.
+  // Returns whether the gradient is less than ever. If it is equal, the new point is kept as well.
   bool keep_if_best()
   {
     if(!(m_norm <= m_best_norm))

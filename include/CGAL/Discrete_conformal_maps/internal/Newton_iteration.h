@@ -103,10 +103,13 @@ private:
   // beyond the minimum by so much that the slope is half of that again.
   std::optional<Status> search_line()
   {
-    bool is_finite = false;
+    bool is_finite = true;
     double t = 1;
     for(int trial = 0; trial < 40; ++trial) {
+      const bool was_finite = is_finite;
       is_finite = step(t);
+      if(m_descent.point() == m_base && !(trial == 0 && m_direction.is_damped()))
+        return trial == 0 ? Status::rounding_limit : failure(was_finite); // lost in rounding
       if(is_finite && slope() <= -m_base_slope / 2) {
         accept();
         return std::nullopt;
@@ -114,6 +117,11 @@ private:
       // the secant's zero
       t *= is_finite ? (std::max)(0.1, m_base_slope / (m_base_slope - slope())) : 0.1;
     }
+    return failure(is_finite);
+  }
+
+  static Status failure(bool is_finite)
+  {
     return is_finite ? Status::no_descent : Status::not_finite;
   }
 
