@@ -1,0 +1,385 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../Intrinsic_triangulations/more_generators.h"
+
+#include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
+#include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+namespace DC = CGAL::Discrete_conformal_maps;
+namespace constants = boost::math::constants;
+using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
+                                           boost::multiprecision::et_off>;
+using Precise = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
+                                              boost::multiprecision::et_off>;
+using Numbers = Eigen::VectorXd;
+using Energy = DC::Conformal_energy<Quad>;
+
+// ---- Lobachevsky's function ----
+
+// The integral from 0 to theta <= pi / 2, the singularity by hand: the rest is analytic up to pi, and
+// Gauss' rule with 30 points has 45 digits.
+Precise integral(const Precise& theta)
+{
+  if(theta == 0)
+    return 0;
+  const auto regular = [](const Precise& u) -> Precise { return log(sin(u) / u); };
+  return theta - theta * log(2 * theta) -
+         boost::math::quadrature::gauss<Precise, 30>::integrate(regular, Precise(0), theta);
+}
+
+Precise true_Lobachevsky_function(const Precise& theta)
+{
+  const Precise pi = constants::pi<Precise>();
+  return 2 * theta <= pi ? integral(theta) : Precise(-integral(pi - theta));
+}
+
+// Some units in the last place of the value, and what an argument that is off by that much changes; near
+// pi, which is no number of type FT, the distance to it counts.
+template <typename FT>
+void check_Lobachevsky_function(const FT& theta)
+{
+  const Precise t(theta), eps(std::numeric_limits<FT>::epsilon());
+  const Precise expected = true_Lobachevsky_function(t);
+  const Precise slope = log(2 * sin(t) + eps);
+  const Precise error = abs(Precise(DC::Lobachevsky_function(theta)) - expected);
+  EXPECT_LE(error, 4 * eps * abs(expected) + eps * t * abs(slope)) << theta;
+}
+
+template <typename FT>
+void check_Lobachevsky_functions(int steps)
+{
+  const FT pi = constants::pi<FT>();
+  for(int i = 1; i < steps; ++i)
+    check_Lobachevsky_function(FT(pi * FT(i) / FT(steps)));
+  for(FT tiny(1); tiny > std::numeric_limits<FT>::epsilon() / 1000; tiny /= 7)
+    for(const FT& theta : {tiny, FT(pi / 3 - tiny), FT(pi / 3 + tiny), FT(pi / 2 - tiny),
+                           FT(pi / 2 + tiny), FT(2 * pi / 3 + tiny), FT(pi - tiny)})
+      if(theta > 0 && theta < pi)
+        check_Lobachevsky_function(theta);
+}
+
+// ---- Surfaces without boundary ----
+
+bool has_border(const Delta_complex& mesh)
+{
+  const auto h = mesh.halfedges();
+  return std::any_of(h.begin(), h.end(), [&](Halfedge_index x) { return mesh.is_border(x); });
+}
+
+// Two spheres, a torus, and a point beside them.
+Mesh four_components()
+{
+  Mesh result = random_sphere(20, 8);
+  result += tetrahedron();
+  result.add_vertex(Point(9, 9, 9));
+  result += perturbed(embedded_torus(5, 4), 0.3, 9);
+  return result;
+}
+
+// not Delaunay
+std::vector<Named_triangulation> surfaces()
+{
+  std::vector<Named_triangulation> result;
+  for(const Named_complex& c : complexes())
+    if(!has_border(c.mesh))
+      result.push_back({c.name, triangulation(c.mesh, random_lengths(c.mesh, 11))});
+  for(const Named_mesh& m : meshes())
+    if(Triangulation t(m.mesh); !has_border(t.mesh()))
+      result.push_back({m.name + " in space", t});
+  result.push_back({"four components", Triangulation(four_components())});
+  return result;
+}
+
+Numbers random_numbers(std::size_t n, double bound, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  Numbers result(static_cast<Eigen::Index>(n));
+  for(double& x : result)
+    x = bound * random.get_double(-1, 1);
+  return result;
+}
+
+Numbers random_targets(const Triangulation& t)
+{
+  return random_numbers(t.mesh().number_of_vertices(), 2, 5);
+}
+
+template <typename FT = Quad>
+DC::Conformal_energy<FT> energy_of(Triangulation t, const Numbers& target)
+{
+  IT::make_Delaunay(t);
+  return {t.mesh(), t.length_map(), target};
+}
+
+Energy energy_of(const Triangulation& t) { return energy_of(t, random_targets(t)); }
+
+// as functions of u, not of the double nearest to the result
+std::vector<Quad> precise_gradient(const Energy& energy, const Numbers& target)
+{
+  const Delta_complex& mesh = energy.surface().mesh();
+  std::vector<Quad> result(mesh.number_of_vertices(), 2 * constants::pi<Quad>());
+  for(Vertex_index v : mesh.vertices())
+    result[v] = mesh.is_isolated(v) ? Quad(0) : Quad(result[v] - Quad(target[int(v)]));
+  for(Halfedge_index h : mesh.halfedges())
+    result[mesh.source(h)] -= energy.angle(h);
+  return result;
+}
+
+double angle_at_source(const Triangulation& t, Halfedge_index h)
+{
+  const Delta_complex& mesh = t.mesh();
+  const double a = t.length(mesh.edge(h)), b = t.length(mesh.edge(mesh.prev(h))),
+               c = t.length(mesh.edge(mesh.next(h)));
+  return std::acos((a * a + b * b - c * c) / (2 * a * b));
+}
+
+// Calls f(surface, energy, target, point) at scale factors far enough apart for many flips.
+template <typename Function>
+void for_each_point(const Function& f)
+{
+  for(const Named_triangulation& s : surfaces()) {
+    SCOPED_TRACE(s.name);
+    const Numbers target = random_targets(s.triangulation);
+    for(const double bound : {0., 3.}) {
+      Energy energy = energy_of(s.triangulation, target);
+      const Numbers u = random_numbers(s.triangulation.mesh().number_of_vertices(), bound, 17);
+      energy.evaluate(u);
+      f(s.triangulation, energy, target, u);
+    }
+  }
+}
+
+} // namespace
+
+// ---- Lobachevsky's function ----
+
+TEST(Lobachevsky_function, is_precise_in_float) { check_Lobachevsky_functions<float>(200); }
+TEST(Lobachevsky_function, is_precise_in_double) { check_Lobachevsky_functions<double>(500); }
+TEST(Lobachevsky_function, is_precise_in_long_double)
+{
+  check_Lobachevsky_functions<long double>(200);
+}
+TEST(Lobachevsky_function, is_precise_in_quadruple_precision)
+{
+  check_Lobachevsky_functions<Quad>(200);
+}
+
+TEST(Lobachevsky_function, has_its_special_values)
+{
+  const double pi = constants::pi<double>(), ulp = std::numeric_limits<double>::epsilon();
+  EXPECT_EQ(DC::Lobachevsky_function(0.), 0);
+  EXPECT_NEAR(DC::Lobachevsky_function(pi / 2), 0, ulp);
+  EXPECT_NEAR(DC::Lobachevsky_function(pi), 0, ulp * 40); // the slope there is log(2 ulp)
+  EXPECT_NEAR(DC::Lobachevsky_function(pi / 4), constants::catalan<double>() / 2, ulp);
+  // the volume of the regular ideal tetrahedron
+  EXPECT_NEAR(3 * DC::Lobachevsky_function(pi / 3), 1.01494160640965362502, 3 * ulp);
+  for(double theta = 0.01; theta < pi / 2; theta += 0.01)
+    EXPECT_NEAR(DC::Lobachevsky_function(2 * theta),
+                2 * DC::Lobachevsky_function(theta) + 2 * DC::Lobachevsky_function(theta + pi / 2),
+                8 * ulp)
+      << theta;
+}
+
+// ---- The energy ----
+
+TEST(Conformal_energy, gradient_without_scaling_is_that_of_the_Euclidean_surface)
+{
+  for(const Named_triangulation& s : surfaces()) {
+    SCOPED_TRACE(s.name);
+    const Delta_complex& mesh = s.triangulation.mesh();
+    const Numbers target = random_targets(s.triangulation);
+    const Energy energy = energy_of(s.triangulation, target);
+    Numbers defect = Numbers::Constant(target.size(), 2 * constants::pi<double>()) - target;
+    for(Halfedge_index h : mesh.halfedges())
+      defect[int(mesh.source(h))] -= angle_at_source(s.triangulation, h);
+    for(Vertex_index v : mesh.vertices())
+      EXPECT_NEAR(energy.gradient()[int(v)], mesh.is_isolated(v) ? 0 : defect[int(v)], 1e-12) << v;
+  }
+}
+
+TEST(Conformal_energy, sums_of_the_gradient_are_those_of_Gauss_and_Bonnet)
+{
+  for_each_point(
+    [](const Triangulation& t, const Energy& energy, const Numbers& target, const auto&) {
+      const Delta_complex& mesh = t.mesh();
+      const IT::internal::Mesh_components component(mesh);
+      std::vector<double> sum(component.size(), 0);
+      const double turn = 2 * constants::pi<double>();
+      for(Vertex_index v : mesh.vertices())
+        if(!mesh.is_isolated(v))
+          sum[component[v]] += turn - target[int(v)] - energy.gradient()[int(v)];
+      for(Edge_index e : mesh.edges())
+        sum[component[mesh.vertex(e, 0)]] -= turn;
+      for(Face_index f : mesh.faces())
+        sum[component[mesh.target(mesh.halfedge(f))]] += turn;
+      for(double x : sum)
+        EXPECT_NEAR(x, 0, 1e-12 * double(mesh.number_of_vertices()));
+    });
+}
+
+// Central differences over 2e-9: what they miss is of order 1e-18, and 34 digits less 9 are left.
+TEST(Conformal_energy, gradient_is_the_derivative_of_the_value)
+{
+  for_each_point([](const Triangulation&, Energy energy, const Numbers&, const Numbers& u) {
+    const Numbers gradient = energy.gradient();
+    energy.move_origin();
+    const double step = 1e-9;
+    for(Eigen::Index i = 0; i < u.size(); ++i) {
+      const Numbers x = step * Numbers::Unit(u.size(), i);
+      energy.evaluate(x);
+      const Quad after = energy.value();
+      energy.evaluate(-x);
+      EXPECT_NEAR(double((after - energy.value()) / Quad(2 * step)), gradient[i], 1e-14) << i;
+    }
+  });
+}
+
+// Where four points are on a circle, the Hessian has a kink: what central differences miss is of order 1e-14.
+TEST(Conformal_energy, Hessian_is_the_derivative_of_the_gradient)
+{
+  for_each_point([](const Triangulation&, Energy energy, const Numbers& target, const Numbers& u) {
+    const Eigen::MatrixXd Hessian = energy.Hessian();
+    energy.move_origin();
+    const double step = 1e-14;
+    for(Eigen::Index i = 0; i < u.size(); ++i) {
+      const Numbers x = step * Numbers::Unit(u.size(), i);
+      energy.evaluate(x);
+      const std::vector<Quad> after = precise_gradient(energy, target);
+      energy.evaluate(-x);
+      const std::vector<Quad> before = precise_gradient(energy, target);
+      for(std::size_t k = 0; k < after.size(); ++k)
+        EXPECT_NEAR(double((after[k] - before[k]) / Quad(2 * step)), Hessian(int(k), i),
+                    1e-13 * (1 + Hessian(i, i)))
+          << k << ' ' << i;
+    }
+  });
+}
+
+TEST(Conformal_energy, Hessian_is_symmetric_and_without_effect_on_constants)
+{
+  for_each_point([](const Triangulation&, const Energy& energy, const Numbers&, const Numbers& u) {
+    const Eigen::MatrixXd Hessian = energy.Hessian();
+    EXPECT_LT((Hessian - Hessian.transpose()).norm(), 1e-15 * (1 + Hessian.norm()));
+    EXPECT_LT((Hessian * Numbers::Ones(u.size())).norm(), 1e-14 * (1 + Hessian.norm()));
+  });
+}
+
+TEST(Conformal_energy, is_convex_and_continuous_along_segments)
+{
+  std::size_t flips = 0;
+  for(const Named_triangulation& s : surfaces()) {
+    SCOPED_TRACE(s.name);
+    const std::size_t n = s.triangulation.mesh().number_of_vertices();
+    auto energy = energy_of<double>(s.triangulation, random_targets(s.triangulation));
+    const Numbers from = random_numbers(n, 3, 23), way = random_numbers(n, 3, 29) - from;
+    energy.evaluate(from);
+    const double first = energy.value();
+    double integral = 0, slope = -std::numeric_limits<double>::infinity();
+    const int steps = 3200; // Simpson's rule: an error of order steps^-3 where a derivative jumps
+    for(int i = 0; i <= steps; ++i) {
+      energy.evaluate(from + (double(i) / steps) * way);
+      const double next = energy.gradient().dot(way);
+      EXPECT_GE(next, slope - energy.gradient_error() * way.lpNorm<1>()) << i;
+      slope = next;
+      integral += next * (i == 0 || i == steps ? 1. : i % 2 == 1 ? 4. : 2.) / (3. * steps);
+    }
+    EXPECT_NEAR(energy.value() - first, integral, 1e-6);
+    flips += energy.surface().number_of_flips();
+  }
+  EXPECT_GT(flips, 1000u);
+}
+
+// The same ideal polyhedron, and so the same functions, after any flips by Ptolemy's relation.
+TEST(Conformal_energy, does_not_depend_on_the_triangulation)
+{
+  const IT::Ideal_geometry_traits<Quad> traits;
+  for(const Named_triangulation& s : surfaces()) {
+    SCOPED_TRACE(s.name);
+    Triangulation t = s.triangulation;
+    IT::make_Delaunay(t);
+    Delta_complex mesh = t.mesh();
+    std::vector<Quad> length;
+    for(Edge_index e : mesh.edges())
+      length.push_back(Quad(t.length(e)));
+    CGAL::Random random(31);
+    const auto map =
+      boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e]; });
+    for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i) {
+      const Halfedge_index h(
+        static_cast<Delta_complex::size_type>(random.get_int(0, int(mesh.number_of_halfedges()))));
+      if(IT::flip_status(h, mesh) != IT::Operation_status::possible)
+        continue;
+      length[Edge_index(h)] = traits.compute_flipped_length_object()(IT::diamond(map, h, mesh));
+      IT::flip_edge(h, mesh);
+    }
+    const Numbers target = random_targets(t), u = random_numbers(mesh.number_of_vertices(), 2, 37);
+    Energy one(t.mesh(), t.length_map(), target), other(mesh, map, target);
+    one.evaluate(u);
+    other.evaluate(u);
+    EXPECT_LT((one.gradient() - other.gradient()).norm(), 1e-14 * double(u.size()));
+    EXPECT_LT(abs(one.value() - other.value()), 1e-26 * double(u.size()));
+    EXPECT_LT((Eigen::MatrixXd(one.Hessian()) - Eigen::MatrixXd(other.Hessian())).norm(),
+              1e-14 * (1 + one.Hessian().norm()));
+  }
+}
+
+TEST(Conformal_energy, gradient_error_bounds_the_error_in_double)
+{
+  for(const Named_triangulation& s : surfaces())
+    for(const double bound : {0., 1., 5., 20.}) {
+      SCOPED_TRACE(s.name + ' ' + std::to_string(bound));
+      const Numbers target = random_targets(s.triangulation);
+      auto rounded = energy_of<double>(s.triangulation, target);
+      Energy precise = energy_of(s.triangulation, target);
+      const Numbers u = random_numbers(s.triangulation.mesh().number_of_vertices(), bound, 41);
+      rounded.evaluate(u);
+      precise.evaluate(u);
+      EXPECT_LE((rounded.gradient() - precise.gradient()).cwiseAbs().maxCoeff(),
+                rounded.gradient_error() + 1e-15);
+      if(bound <= 1) {
+        EXPECT_LT(rounded.gradient_error(), 1e-10);
+      }
+    }
+}
+
+TEST(Conformal_energy, origin_has_the_precision_of_its_type)
+{
+  const Triangulation t(random_sphere(20, 3));
+  Energy energy = energy_of(t);
+  const Numbers u = random_numbers(20, 1, 43), tiny = 1e-20 * random_numbers(20, 1, 47);
+  energy.evaluate(u);
+  energy.move_origin();
+  energy.evaluate(tiny);
+  energy.move_origin();
+  energy.evaluate(tiny);
+  for(std::size_t i = 0; i < 20; ++i)
+    EXPECT_LT(abs(energy.scale_factors()[i] - Quad(u[int(i)]) - 2 * Quad(tiny[int(i)])), 1e-33);
+}
+
+TEST(Conformal_energy, lengths_out_of_range_are_an_error_that_leaves_a_way_back)
+{
+  const Triangulation t(random_sphere(20, 3));
+  auto energy = energy_of<double>(t, Numbers::Zero(20));
+  const Numbers before = energy.gradient();
+  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, 2000)), IT::Numerical_error);
+  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, -2000)), IT::Numerical_error);
+  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, std::nan(""))), IT::Numerical_error);
+  energy.evaluate(Numbers::Zero(20));
+  EXPECT_LT((energy.gradient() - before).norm(), 1e-12);
+}
