@@ -159,14 +159,41 @@ std::array<Mesh::Vertex_index, 4> rectangle_corners(const Mesh& mesh, const Boun
   return result;
 }
 
+// Half the angle under which the centre sees an edge of length l, in a circle with the diameter 1 / x, is
+// asin(l x); if the centre is outside, this is pi less that for the longest.
+std::vector<double> circle_angles(const std::vector<double>& length)
+{
+  const std::size_t n = length.size();
+  const auto longest =
+    static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  const auto half_arcs = [&](double x, bool is_centre_outside) {
+    std::vector<double> result(n);
+    std::transform(length.begin(), length.end(), result.begin(),
+                   [&](double l) { return std::asin((std::min)(l * x, 1.)); });
+    if(is_centre_outside)
+      result[longest] = CGAL_PI - result[longest];
+    return result;
+  };
+  const auto excess = [&](const std::vector<double>& arcs) {
+    return std::accumulate(arcs.begin(), arcs.end(), -CGAL_PI);
+  };
+  double low = 0, high = 1 / length[longest];
+  const bool is_outside = excess(half_arcs(high, false)) < 0;
+  for(double x; x = (low + high) / 2, low < x && x < high;)
+    ((excess(half_arcs(x, is_outside)) > 0) != is_outside ? high : low) = x;
+  const std::vector<double> arcs = half_arcs(high, is_outside);
+  std::vector<double> result(n);
+  for(std::size_t i = 0; i < n; ++i)
+    result[i] = arcs[i] + arcs[(i + n - 1) % n];
+  return result;
+}
+
 std::vector<double> boundary_lengths(const Mesh& mesh)
 {
   std::vector<double> result(mesh.number_of_vertices(), 0);
   for(const Mesh::Halfedge_index h : mesh.halfedges())
-    if(mesh.is_border(h)) {
-      result[mesh.source(h)] += length(h, mesh) / 2;
-      result[mesh.target(h)] += length(h, mesh) / 2;
-    }
+    if(mesh.is_border(h))
+      result[mesh.source(h)] = length(h, mesh);
   return result;
 }
 
@@ -181,9 +208,11 @@ std::vector<double> boundary_lengths(const CM::Planar_conformal_map& map)
   for(const CM::Halfedge_index h : subdivision.mesh().halfedges()) {
     if(!is_front(h) || is_front(subdivision.mesh().opposite(h)))
       continue;
-    const CM::Edge_index e = subdivision.parent_edge(CM::Layer::A, subdivision.mesh().edge(h));
-    for(const unsigned end : {0u, 1u})
-      result[input.vertex(e, end).idx()] += flat_length(h, map) / 2;
+    CM::Halfedge_index start =
+      input.halfedge(subdivision.parent_edge(CM::Layer::A, subdivision.mesh().edge(h)));
+    if(map.is_front(input.face(start)))
+      start = input.opposite(start); // loops have the surface on their right
+    result[input.source(start).idx()] += flat_length(h, map);
   }
   return result;
 }

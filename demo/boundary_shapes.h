@@ -25,7 +25,11 @@ std::vector<Boundary_loop> single_boundary_loops(const Mesh& mesh, const std::st
 // Precondition: the loop has four vertices.
 std::array<Mesh::Vertex_index, 4> rectangle_corners(const Mesh& mesh, const Boundary_loop& loop);
 
-// The length of the boundary that belongs to each vertex, half of each edge at it, in space.
+// The exterior angles of the polygon in a circle whose edges have these lengths: at the start of each edge.
+// Precondition: no length is zero, none is greater than the others together.
+std::vector<double> circle_angles(const std::vector<double>& length);
+
+// The length in space of the edge of the boundary that starts at each vertex, in the order of loops.
 std::vector<double> boundary_lengths(const Mesh& mesh);
 
 // The same in the plane.

@@ -104,13 +104,14 @@ double set_circle(Conditions& conditions, const Mesh& mesh, const std::vector<do
 {
   double change = 0;
   for(const Boundary_loop& loop : single_boundary_loops(mesh, "")) {
-    double sum = 0;
+    std::vector<double> length_of_edge;
     for(const Mesh::Vertex_index v : loop)
-      sum += length[v];
-    for(const Mesh::Vertex_index v : loop) {
-      const double angle = 2 * CGAL_PI * length[v] / sum;
-      change = (std::max)(change, std::abs(angle - conditions[v].value));
-      conditions[v] = Vertex_condition::curvature(angle);
+      length_of_edge.push_back(length[v]);
+    const std::vector<double> angle = circle_angles(length_of_edge);
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      Vertex_condition& condition = conditions[loop[i]];
+      change = (std::max)(change, std::abs(angle[i] - condition.value));
+      condition = Vertex_condition::curvature(angle[i]);
     }
   }
   return change;

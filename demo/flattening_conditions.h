@@ -20,8 +20,8 @@ using Conditions = std::vector<CGAL::Discrete_conformal_maps::Vertex_condition>;
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh,
                                  const std::string& path);
 
-// Makes the exterior angles of each component proportional to these lengths, which belong to vertices, as
-// those of a polygon in a circle are in the limit. Returns by how much the greatest change.
+// Makes the exterior angles of each component those of a polygon in a circle whose edges have these lengths;
+// each belongs to the vertex at the start of the edge. Returns the greatest change of an angle.
 // Precondition: each component has one boundary loop.
 double set_circle(Conditions& conditions, const Mesh& mesh, const std::vector<double>& length);
 
