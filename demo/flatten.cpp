@@ -45,7 +45,7 @@ struct Stage_visitor
   Command_run& run;
 
   void start(CM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
-  void after_step(int, double) { run.progress().long_step(); }
+  void after_iteration(std::size_t, double, double) { run.progress().long_step(); }
 };
 
 Mesh_format format_with_texture(const std::string& path, const std::string& format_name)
@@ -209,7 +209,7 @@ private:
   Command_run m_run;
   Edge_length_map m_length;
   Conditions m_conditions;
-  int m_iterations = 0; // of all rounds, for a disk
+  std::size_t m_iterations = 0; // of all rounds, for a disk
 };
 
 } // namespace
