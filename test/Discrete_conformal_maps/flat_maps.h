@@ -85,6 +85,16 @@ inline Conditions as_log_scales(const std::vector<double>& values)
   return result;
 }
 
+// flat inside, unscaled on the boundary
+inline Conditions default_conditions(const Delta_complex& mesh)
+{
+  Conditions result(mesh.number_of_vertices());
+  for(Vertex_index v : mesh.vertices())
+    if(!mesh.is_isolated(v) && mesh.is_border(v))
+      result[v] = Vertex_condition::log_scale(0);
+  return result;
+}
+
 // A plate of cubes with `genus` square holes in a row, a little out of shape.
 inline Mesh plate_with_holes(int genus)
 {

@@ -113,15 +113,6 @@ Mesh rough_disk(std::size_t n)
   return perturbed(grid(n, n, hill), 0.3, 14);
 }
 
-Conditions default_conditions(const Delta_complex& mesh)
-{
-  Conditions result(mesh.number_of_vertices());
-  for(Vertex_index v : mesh.vertices())
-    if(!mesh.is_isolated(v) && mesh.is_border(v))
-      result[v] = Vertex_condition::log_scale(0);
-  return result;
-}
-
 // the vertices of the only boundary loop, in its order
 std::vector<Vertex_index> boundary(const Delta_complex& mesh)
 {
