@@ -123,7 +123,7 @@ public:
                                                     std::to_string(v.idx()) + " is no number");
     for(Vertex_index x : {v, mirrored(v)}) {
       m_is_fixed[x.idx()] = is_scale || m_half.is_isolated(v);
-      m_value[Eigen::Index(x.idx())] = value;
+      m_value[Eigen::Index(x.idx())] = !is_scale && m_half.is_isolated(v) ? 0 : value;
     }
   }
 
@@ -136,7 +136,7 @@ public:
     std::vector<long> characteristic(m_components.size(), 0);
     for(Vertex_index v : mesh.vertices()) {
       sum[m_components[v.idx()]] += m_is_fixed[v.idx()] ? 0 : m_value[Eigen::Index(v.idx())];
-      ++characteristic[m_components[v.idx()]];
+      characteristic[m_components[v.idx()]] += !mesh.is_isolated(v); // a point has no curvature
     }
     for(Edge_index e : mesh.edges())
       --characteristic[m_components[mesh.vertex(e, 0).idx()]];

@@ -1,0 +1,313 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DISCRETE_CONFORMAL_MAPS_TEST_FLAT_MAPS_H
+#define DISCRETE_CONFORMAL_MAPS_TEST_FLAT_MAPS_H
+
+#include "../Intrinsic_triangulations/known_surfaces.h"
+
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+// Surfaces to flatten, and whether flat surfaces are what they ought to be.
+namespace Test_surfaces {
+
+namespace DC = CGAL::Discrete_conformal_maps;
+using DC::Layer;
+using DC::Planar_conformal_map;
+using DC::Vertex_condition;
+using Conditions = std::vector<Vertex_condition>;
+
+// ---- Surfaces ----
+
+inline std::vector<double> lengths_of(const Triangulation& t)
+{
+  std::vector<double> result;
+  for(Edge_index e : t.mesh().edges())
+    result.push_back(t.length(e));
+  return result;
+}
+
+inline bool has_border(const Delta_complex& mesh)
+{
+  const auto h = mesh.halfedges();
+  return std::any_of(h.begin(), h.end(), [&](Halfedge_index x) { return mesh.is_border(x); });
+}
+
+inline double angle_at_source(const Delta_complex& mesh, const std::vector<double>& length,
+                              Halfedge_index h)
+{
+  const double a = length[mesh.edge(h)], b = length[mesh.edge(mesh.prev(h))],
+               c = length[mesh.edge(mesh.next(h))];
+  return std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1., 1.));
+}
+
+// curvatures of vertices inside, exterior angles of those on the boundary
+inline std::vector<double> curvatures(const Triangulation& t)
+{
+  const Delta_complex& mesh = t.mesh();
+  const std::vector<double> length = lengths_of(t);
+  std::vector<double> result;
+  for(Vertex_index v : mesh.vertices())
+    result.push_back(mesh.is_isolated(v) ? 0 : mesh.is_border(v) ? pi : 2 * pi);
+  for(Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      result[mesh.source(h)] -= angle_at_source(mesh, length, h);
+  return result;
+}
+
+inline Conditions as_curvatures(const std::vector<double>& values)
+{
+  Conditions result;
+  for(double x : values)
+    result.push_back(Vertex_condition::curvature(x));
+  return result;
+}
+
+inline Conditions as_log_scales(const std::vector<double>& values)
+{
+  Conditions result;
+  for(double x : values)
+    result.push_back(Vertex_condition::log_scale(x));
+  return result;
+}
+
+// flat inside, unscaled on the boundary
+inline Conditions default_conditions(const Delta_complex& mesh)
+{
+  Conditions result(mesh.number_of_vertices());
+  for(Vertex_index v : mesh.vertices())
+    if(!mesh.is_isolated(v) && mesh.is_border(v))
+      result[v] = Vertex_condition::log_scale(0);
+  return result;
+}
+
+// A plate of cubes with `genus` square holes in a row, a little out of shape.
+inline Mesh plate_with_holes(int genus)
+{
+  const auto is_full = [&](int x, int y, int z) {
+    return z == 0 && y >= 0 && y < 3 && x >= 0 && x < 2 * genus + 1 && !(x % 2 == 1 && y == 1);
+  };
+  std::map<std::array<int, 3>, std::size_t> number;
+  std::vector<Point> points;
+  Triangles triangles;
+  const auto corner = [&](const std::array<int, 3>& p) {
+    const auto [entry, is_new] = number.emplace(p, points.size());
+    if(is_new)
+      points.emplace_back(p[0], p[1], p[2]);
+    return entry->second;
+  };
+  const auto add_side = [&](std::array<int, 3> cell, std::size_t axis, int side) {
+    std::array<int, 3> a = cell;
+    a[axis] += side;
+    std::array<int, 3> b = a, c = a, d = a;
+    const std::size_t s = (axis + 1) % 3, t = (axis + 2) % 3;
+    ++b[s], ++c[s], ++c[t], ++d[t];
+    std::array<std::size_t, 4> q{corner(a), corner(b), corner(c), corner(d)};
+    if(side == 0)
+      std::swap(q[1], q[3]);
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  };
+  for(int x = 0; x < 2 * genus + 1; ++x)
+    for(int y = 0; y < 3; ++y)
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        for(int side : {0, 1})
+          if(is_full(x, y, 0)) {
+            std::array<int, 3> beyond_side{x, y, 0};
+            beyond_side[axis] += 2 * side - 1;
+            if(!is_full(beyond_side[0], beyond_side[1], beyond_side[2]))
+              add_side({x, y, 0}, axis, side);
+          }
+  return perturbed(make_mesh(points, triangles), 0.1, 12);
+}
+
+// Two spheres, a torus, a disk, and a point beside them.
+inline Mesh five_components()
+{
+  Mesh result = random_sphere(20, 8);
+  result += tetrahedron();
+  result.add_vertex(Point(9, 9, 9));
+  result += perturbed(embedded_torus(5, 4), 0.3, 9);
+  result += perturbed(grid(3, 3, [](double x, double y) { return Point(x, y, 0); }), 0.3, 4);
+  return result;
+}
+
+// ---- Flattening ----
+
+inline auto as_map(const Conditions& condition)
+{
+  return boost::make_function_property_map<Vertex_index>(
+    [&](Vertex_index v) { return condition[v]; });
+}
+
+inline auto length_parameter(const std::vector<double>& length)
+{
+  return IT::parameters::edge_length_map(
+    boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e]; }));
+}
+
+inline Planar_conformal_map flatten(const Delta_complex& mesh, const std::vector<double>& length)
+{
+  return DC::flatten(mesh, length_parameter(length));
+}
+
+inline Planar_conformal_map flatten(const Delta_complex& mesh, const std::vector<double>& length,
+                                    const Conditions& condition)
+{
+  return DC::flatten(
+    mesh, DC::parameters::vertex_condition_map(as_map(condition), length_parameter(length)));
+}
+
+inline Planar_conformal_map flatten(const Triangulation& t, const Conditions& condition)
+{
+  return flatten(t.mesh(), lengths_of(t), condition);
+}
+
+// ---- The flat surface ----
+
+inline const Delta_complex& mesh_C(const Planar_conformal_map& map) { return map.ideal().mesh(); }
+inline const Delta_complex& mesh_A(const Planar_conformal_map& map)
+{
+  return map.Delaunay().input_mesh();
+}
+
+inline std::vector<double> scaled_lengths(const Planar_conformal_map& map)
+{
+  std::vector<double> result;
+  const Delta_complex& mesh = mesh_C(map);
+  for(Edge_index e : mesh.edges())
+    result.push_back(
+      map.ideal().length(e) *
+      std::exp((map.log_scale(mesh.vertex(e, 0)) + map.log_scale(mesh.vertex(e, 1))) / 2));
+  return result;
+}
+
+// which faces of T^C have a part of the input
+inline std::vector<bool> used_faces(const Planar_conformal_map& map)
+{
+  std::vector<bool> result(mesh_C(map).number_of_faces(), false);
+  const auto& s = map.subdivision();
+  for(Face_index f : s.mesh().faces())
+    if(map.is_front(s.parent_face(Layer::A, f)))
+      result[s.parent_face(Layer::C, f)] = true;
+  return result;
+}
+
+inline double log_scale(const Planar_conformal_map& map, std::size_t v)
+{
+  return map.log_scale(Vertex_index(static_cast<Delta_complex::size_type>(v)));
+}
+
+// The flat surface has what is prescribed on `input`, by the cosine law; on the boundary twice that.
+inline void check_conditions(const Planar_conformal_map& map, const Delta_complex& input,
+                             const Conditions& condition, double tolerance)
+{
+  const Delta_complex& mesh = mesh_C(map);
+  const std::vector<double> length = scaled_lengths(map);
+  std::vector<double> angle(mesh.number_of_vertices(), 0);
+  for(Halfedge_index h : mesh.halfedges())
+    angle[mesh.source(h)] += angle_at_source(mesh, length, h);
+  for(Vertex_index v : mesh.vertices()) {
+    const Vertex_index front = map.input_vertex(v);
+    const auto& [quantity, value] = condition[front];
+    if(quantity == Vertex_condition::Quantity::log_scale) {
+      EXPECT_EQ(map.log_scale(v), value) << v;
+    } else if(!mesh.is_isolated(v)) {
+      EXPECT_NEAR(2 * pi - angle[v], (input.is_border(front) ? 2 : 1) * value, tolerance) << v;
+    }
+  }
+}
+
+// Faces in the plane are what the lengths make of them, beside each other but at seams, and not turned over.
+inline void check_layout(const Planar_conformal_map& map, double tolerance = 1e-9)
+{
+  const Delta_complex& mesh = mesh_C(map);
+  const std::vector<double> length = scaled_lengths(map);
+  const std::vector<bool> is_used = used_faces(map);
+  for(Face_index f : mesh.faces()) {
+    if(!is_used[f])
+      continue;
+    const Halfedge_index h = mesh.halfedge(f), n = mesh.next(h), p = mesh.prev(h);
+    for(Halfedge_index x : {h, n, p}) {
+      const double side = std::abs(map.position(mesh.next(x)) - map.position(x));
+      EXPECT_NEAR(side, length[mesh.edge(x)],
+                  tolerance * length[mesh.edge(x)] + 1e-13 * std::abs(map.position(x)))
+        << f;
+      const Halfedge_index o = mesh.opposite(x);
+      if(!map.is_seam(mesh.edge(x)) && is_used[mesh.face(o)]) {
+        EXPECT_EQ(map.position(x), map.position(mesh.next(o))) << x;
+        EXPECT_EQ(map.position(n == x ? p : x == h ? n : h), map.position(o)) << x;
+      }
+    }
+    EXPECT_GT(
+      (std::conj(map.position(n) - map.position(h)) * (map.position(p) - map.position(h))).imag(),
+      0)
+      << f;
+  }
+}
+
+inline bool has_no_seam(const Planar_conformal_map& map)
+{
+  const Delta_complex& mesh = mesh_C(map);
+  const std::vector<bool> is_used = used_faces(map);
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e);
+    if(map.is_seam(e) && is_used[mesh.face(h)] && is_used[mesh.face(mesh.opposite(h))])
+      return false;
+  }
+  return true;
+}
+
+// ---- The map ----
+
+// the place of a vertex of the subdivision in a face of T^A, a simplicial complex
+inline Location on_face(const Planar_conformal_map& map, Face_index f, const Location& p)
+{
+  const Delta_complex& mesh = mesh_A(map);
+  std::map<Vertex_index, double> weight;
+  std::size_t s = 0;
+  for(Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(p.first), mesh))
+    weight[mesh.source(h)] = p.second[s++];
+  Location result{f, {0, 0, 0}};
+  s = 0;
+  for(Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+    result.second[s++] = weight[mesh.source(h)];
+  return result;
+}
+
+inline Location corner(const Delta_complex& mesh, Vertex_index v)
+{
+  Halfedge_index h = mesh.opposite(mesh.halfedge(v)); // from v
+  if(mesh.is_border(h))
+    h = mesh.next(mesh.opposite(h));
+  Location result{mesh.face(h), {0, 0, 0}};
+  std::size_t s = 0;
+  for(Halfedge_index x : CGAL::halfedges_around_face(mesh.halfedge(mesh.face(h)), mesh))
+    result.second[s++] = x == h ? 1 : 0;
+  return result;
+}
+
+inline Location random_front_location(const Planar_conformal_map& map, CGAL::Random& random)
+{
+  for(;;)
+    if(const Location p = random_location(mesh_A(map), random); map.is_front(p.first))
+      return p;
+}
+
+} // namespace Test_surfaces
+
+#endif // DISCRETE_CONFORMAL_MAPS_TEST_FLAT_MAPS_H

@@ -1,0 +1,560 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flat_maps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+
+// ---- Comparing ----
+
+void expect_scales(const Planar_conformal_map& map, const std::vector<double>& expected,
+                   double tolerance)
+{
+  for(std::size_t v = 0; v < expected.size(); ++v)
+    EXPECT_NEAR(log_scale(map, v), expected[v], tolerance) << v;
+}
+
+// up to a constant
+void expect_opposite_scales(const Planar_conformal_map& map, const std::vector<double>& u0,
+                            double tolerance)
+{
+  for(std::size_t v = 0; v < u0.size(); ++v)
+    EXPECT_NEAR(log_scale(map, v) + u0[v], log_scale(map, 0) + u0[0], tolerance) << v;
+}
+
+// whose message contains the text
+void expect_invalid(const std::function<void()>& task, const std::string& text)
+{
+  try {
+    task();
+    ADD_FAILURE() << "accepted, where '" << text << "' is expected";
+  } catch(const IT::Invalid_input& error) {
+    EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+  }
+}
+
+// ---- Surfaces ----
+
+struct Metric
+{
+  Delta_complex mesh;
+  std::vector<double> length;
+};
+
+std::vector<double> random_numbers(std::size_t n, double bound, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<double> result(n);
+  for(double& x : result)
+    x = random.get_double(-bound, bound);
+  return result;
+}
+
+// The discretely conformal metric with scale factors `u`, in the triangulation that is Delaunay with them.
+Metric scaled(Triangulation t, const std::vector<double>& u)
+{
+  IT::make_Delaunay(t);
+  DC::Penner_surface<> surface(t.mesh(), t.length_map());
+  surface.scale(u);
+  Metric result{surface.mesh(), {}};
+  for(Edge_index e : surface.mesh().edges())
+    result.length.push_back(surface.scaled_length(e));
+  return result;
+}
+
+std::vector<Named_triangulation> closed_surfaces()
+{
+  std::vector<Named_triangulation> result;
+  for(const Named_complex& c : complexes())
+    if(!has_border(c.mesh) && c.mesh.number_of_vertices() > 1)
+      result.push_back({c.name, triangulation(c.mesh, random_lengths(c.mesh, 11))});
+  for(const Named_mesh& m : meshes())
+    if(Triangulation t(m.mesh); !has_border(t.mesh()))
+      result.push_back({m.name + " in space", t});
+  for(int genus : {0, 2, 3, 4})
+    result.push_back({"genus " + std::to_string(genus), Triangulation(plate_with_holes(genus))});
+  return result;
+}
+
+std::vector<Named_triangulation> surfaces_with_border()
+{
+  std::vector<Named_triangulation> result;
+  for(const Named_complex& c : complexes())
+    if(has_border(c.mesh))
+      result.push_back({c.name, triangulation(c.mesh, random_lengths(c.mesh, 11))});
+  return result;
+}
+
+std::vector<Named_surface> flat_disks()
+{
+  return {{"grid", flat_grid(6, 5, 2)},
+          {"polygon", flat_polygon(random_points(25, 1000, 5))},
+          {"larger polygon", flat_polygon(random_points(300, 10000, 6))}};
+}
+
+Mesh rough_disk(std::size_t n)
+{
+  const auto hill = [&](double x, double y) {
+    return Point(x, y, 2 * std::sin(x / double(n) * 4) * std::cos(y / double(n) * 5));
+  };
+  return perturbed(grid(n, n, hill), 0.3, 14);
+}
+
+// the vertices of the only boundary loop, in its order
+std::vector<Vertex_index> boundary(const Delta_complex& mesh)
+{
+  std::vector<Vertex_index> result;
+  for(Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h)) {
+      for(Halfedge_index x : CGAL::halfedges_around_face(h, mesh))
+        result.push_back(mesh.target(x));
+      break;
+    }
+  return result;
+}
+
+} // namespace
+
+// ---- Flat surfaces ----
+
+TEST(Flatten, flat_torus_stays)
+{
+  for(unsigned int seed : {1u, 2u, 3u}) {
+    const Flat_surface torus = flat_torus(4, 3, seed);
+    const Planar_conformal_map map = flatten(torus.mesh, torus.lengths());
+    EXPECT_TRUE(map.cones().empty());
+    EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
+    expect_scales(map, std::vector<double>(torus.mesh.number_of_vertices(), 0), 1e-12);
+  }
+}
+
+TEST(Flatten, flat_surfaces_with_fixed_boundary_stay)
+{
+  auto surfaces = flat_disks();
+  surfaces.push_back({"annulus with two vertices", flat_cylinder(1, 0)});
+  surfaces.push_back({"annulus", flat_cylinder(4, 0)});
+  surfaces.push_back({"sheared annulus", flat_cylinder(3, 2)});
+  for(const Named_surface& s : surfaces) {
+    SCOPED_TRACE(s.name);
+    const Planar_conformal_map map = flatten(s.surface.mesh, s.surface.lengths());
+    EXPECT_TRUE(map.cones().empty());
+    expect_scales(map, std::vector<double>(mesh_C(map).number_of_vertices(), 0), 1e-11);
+    check_conditions(map, s.surface.mesh, default_conditions(s.surface.mesh), 1e-11);
+  }
+}
+
+TEST(Flatten, flat_surface_with_scaled_boundary_is_scaled)
+{
+  for(const double u : {-30., -0.7, 1.3, 30.})
+    for(const Named_surface& s : flat_disks()) {
+      SCOPED_TRACE(s.name);
+      Conditions condition = default_conditions(s.surface.mesh);
+      for(Vertex_index v : s.surface.mesh.vertices())
+        if(s.surface.mesh.is_border(v))
+          condition[v] = Vertex_condition::log_scale(u);
+      const Planar_conformal_map map = flatten(s.surface.mesh, s.surface.lengths(), condition);
+      expect_scales(map, std::vector<double>(condition.size(), u), 1e-11);
+    }
+}
+
+// ---- Surfaces with known scale factors ----
+
+TEST(Flatten, surface_with_its_own_curvatures_stays)
+{
+  for(const Named_triangulation& s : closed_surfaces()) {
+    SCOPED_TRACE(s.name);
+    const Conditions condition = as_curvatures(curvatures(s.triangulation));
+    const Planar_conformal_map map = flatten(s.triangulation, condition);
+    EXPECT_TRUE(map.cones().empty());
+    expect_scales(map, std::vector<double>(condition.size(), 0), 1e-11);
+    check_conditions(map, s.triangulation.mesh(), condition, 1e-11);
+  }
+}
+
+// The double of a surface with its own exterior angles is the double of the surface.
+TEST(Flatten, surface_with_its_own_exterior_angles_stays)
+{
+  for(const Named_triangulation& s : surfaces_with_border()) {
+    SCOPED_TRACE(s.name);
+    const Conditions condition = as_curvatures(curvatures(s.triangulation));
+    const Planar_conformal_map map = flatten(s.triangulation, condition);
+    expect_scales(map, std::vector<double>(mesh_C(map).number_of_vertices(), 0), 1e-11);
+    check_conditions(map, s.triangulation.mesh(), condition, 1e-11);
+  }
+}
+
+TEST(Flatten, cube_has_eight_cones)
+{
+  const Triangulation t(cube());
+  const Conditions condition(8, Vertex_condition::curvature(pi / 2));
+  expect_scales(flatten(t, condition), std::vector<double>(8, 0), 1e-14);
+}
+
+// Curvatures tell the metric up to a factor.
+TEST(Flatten, takes_scaling_back)
+{
+  for(const Named_triangulation& s : closed_surfaces())
+    for(const double bound : {0.2, 4.}) {
+      SCOPED_TRACE(s.name + ' ' + std::to_string(bound));
+      const auto u0 = random_numbers(s.triangulation.mesh().number_of_vertices(), bound, 13);
+      const Metric m = scaled(s.triangulation, u0);
+      const Conditions condition = as_curvatures(curvatures(s.triangulation));
+      const Planar_conformal_map map = flatten(m.mesh, m.length, condition);
+      expect_opposite_scales(map, u0, 1e-10);
+      check_conditions(map, s.triangulation.mesh(), condition, 1e-11);
+    }
+}
+
+TEST(Flatten, takes_scaling_of_a_flat_torus_back)
+{
+  const Flat_surface torus = flat_torus(6, 5, 4);
+  const auto u0 = random_numbers(torus.mesh.number_of_vertices(), 1.5, 15);
+  const Metric m = scaled(triangulation(torus), u0);
+  const Planar_conformal_map map = flatten(m.mesh, m.length);
+  EXPECT_TRUE(map.cones().empty());
+  expect_opposite_scales(map, u0, 1e-10);
+}
+
+// The scale factors at some vertices and the curvatures at others.
+TEST(Flatten, takes_mixed_conditions)
+{
+  for(const Named_triangulation& s : closed_surfaces()) {
+    SCOPED_TRACE(s.name);
+    const auto u0 = random_numbers(s.triangulation.mesh().number_of_vertices(), 1, 13);
+    const Metric m = scaled(s.triangulation, u0);
+    Conditions condition = as_curvatures(curvatures(s.triangulation));
+    std::vector<double> expected;
+    for(std::size_t v = 0; v < u0.size(); ++v) {
+      expected.push_back(0.25 - u0[v]);
+      if(v % 3 == 1)
+        condition[v] = Vertex_condition::log_scale(expected[v]);
+    }
+    expect_scales(flatten(m.mesh, m.length, condition), expected, 1e-10);
+  }
+}
+
+// Two pyramids over a regular polygon, whose faces become isosceles triangles with given angles.
+TEST(Flatten, bipyramid_has_a_closed_form)
+{
+  for(const std::size_t n : {4, 5, 12})
+    for(const double height : {0., 0.5, 2.})
+      for(const double at_apex : {-3., 0., 1., 3., 6.}) {
+        const double angle = (2 * pi - at_apex) / double(n);
+        if(angle > pi / 2) // the edges of the ring are not Delaunay
+          continue;
+        SCOPED_TRACE(std::to_string(n) + ' ' + std::to_string(height) + ' ' +
+                     std::to_string(at_apex));
+        const double on_ring = (4 * pi - 2 * at_apex) / double(n);
+        Conditions condition(n, Vertex_condition::curvature(on_ring));
+        condition.resize(n + 2, Vertex_condition::curvature(at_apex));
+        const Triangulation t(bipyramid(n, height));
+        const Planar_conformal_map map = flatten(t, condition);
+        const double ring = 2 * std::sin(pi / double(n)), spoke = std::hypot(1, height);
+        EXPECT_NEAR(log_scale(map, 0) - log_scale(map, n),
+                    2 * std::log(2 * std::sin(angle / 2) * spoke / ring), 1e-12);
+        for(std::size_t v = 0; v < n; ++v)
+          EXPECT_NEAR(log_scale(map, v), log_scale(map, 0), 1e-12);
+        EXPECT_NEAR(log_scale(map, n), log_scale(map, n + 1), 1e-12);
+      }
+}
+
+// ---- Two triangulations of one surface ----
+
+TEST(Flatten, does_not_depend_on_the_triangulation)
+{
+  for(const Named_triangulation& s : closed_surfaces()) {
+    SCOPED_TRACE(s.name);
+    Triangulation other = s.triangulation;
+    flip_at_random(other, 20 * other.mesh().number_of_edges(), 3);
+    Conditions condition = as_curvatures(curvatures(s.triangulation));
+    const auto values = random_numbers(condition.size(), 0.2, 7);
+    for(std::size_t v = 0; v < condition.size(); ++v)
+      if(v % 2 == 0)
+        condition[v] = Vertex_condition::log_scale(5 * values[v]);
+      else
+        condition[v].value += values[v];
+    const Planar_conformal_map one = flatten(s.triangulation, condition),
+                               two = flatten(other, condition);
+    for(std::size_t v = 0; v < condition.size(); ++v)
+      EXPECT_NEAR(log_scale(one, v), log_scale(two, v), 1e-9) << v;
+    check_conditions(one, s.triangulation.mesh(), condition, 1e-11);
+  }
+}
+
+// ---- Cones ----
+
+TEST(Flatten, places_cones_where_they_are_needed)
+{
+  for(const Named_triangulation& s : closed_surfaces())
+    for(const double bound : {0.5, 5.}) {
+      SCOPED_TRACE(s.name + ' ' + std::to_string(bound));
+      const Delta_complex& mesh = s.triangulation.mesh();
+      const std::vector<double> length = lengths_of(s.triangulation);
+      const Planar_conformal_map map =
+        DC::flatten(mesh, DC::parameters::maximum_log_scale(bound, length_parameter(length)));
+      Conditions condition(mesh.number_of_vertices());
+      for(Vertex_index v : map.cones())
+        condition[v] = Vertex_condition::log_scale(0);
+      check_conditions(map, mesh, condition, 1e-11);
+      for(Vertex_index v : mesh.vertices())
+        EXPECT_LE(std::abs(map.log_scale(v)), bound);
+    }
+}
+
+TEST(Flatten, flattens_every_component)
+{
+  const Mesh mesh = five_components();
+  const Planar_conformal_map map = DC::flatten(mesh);
+  const Triangulation t(mesh);
+  Conditions condition = default_conditions(t.mesh());
+  for(Vertex_index v : map.cones())
+    condition[v] = Vertex_condition::log_scale(0);
+  check_conditions(map, t.mesh(), condition, 1e-12);
+  const IT::internal::Mesh_components component(t.mesh());
+  std::vector<int> cones(component.size(), 0);
+  for(Vertex_index v : map.cones())
+    ++cones[component[v]];
+  EXPECT_GE(cones[component[0]], 3); // a sphere: each cone has less than 2 pi of 4 pi
+  EXPECT_GE(cones[component[20]], 3);
+  EXPECT_EQ(cones[component[24]], 0); // a point
+}
+
+// ---- Boundaries ----
+
+TEST(Flatten, boundary_has_the_prescribed_scale)
+{
+  const Triangulation t(rough_disk(9));
+  Conditions condition = default_conditions(t.mesh());
+  const auto u = random_numbers(condition.size(), 1, 17);
+  for(std::size_t v = 0; v < u.size(); ++v)
+    if(condition[v].quantity == Vertex_condition::Quantity::log_scale)
+      condition[v].value = u[v];
+  const Planar_conformal_map map = flatten(t, condition);
+  check_conditions(map, t.mesh(), condition, 1e-12);
+  check_layout(map);
+}
+
+// The image is a polygon with these exterior angles.
+void check_polygon(const Triangulation& t, const Conditions& condition)
+{
+  const Planar_conformal_map map = flatten(t, condition);
+  check_conditions(map, t.mesh(), condition, 1e-12);
+  check_layout(map);
+  EXPECT_TRUE(has_no_seam(map));
+  const std::vector<Vertex_index> loop = boundary(t.mesh()); // clockwise
+  const auto place = [&](std::size_t i) { return map(corner(mesh_A(map), loop[i % loop.size()])); };
+  for(std::size_t i = 0; i < loop.size(); ++i) {
+    const Complex in = place(i + 1) - place(i), out = place(i + 2) - place(i + 1);
+    EXPECT_NEAR(std::arg(in / out), condition[loop[(i + 1) % loop.size()]].value, 1e-9) << i;
+  }
+}
+
+TEST(Flatten, boundary_has_the_prescribed_angles)
+{
+  const Triangulation t(rough_disk(8));
+  const std::vector<Vertex_index> loop = boundary(t.mesh());
+  ASSERT_EQ(loop.size(), 32u);
+  for(const std::size_t corners : {3, 4, 5, 32}) {
+    SCOPED_TRACE(corners);
+    Conditions condition(t.mesh().number_of_vertices());
+    for(std::size_t k = 0; k < corners; ++k)
+      condition[loop[k * 32 / corners]] = Vertex_condition::curvature(2 * pi / double(corners));
+    check_polygon(t, condition);
+  }
+  SCOPED_TRACE("random angles");
+  Conditions condition(t.mesh().number_of_vertices());
+  const auto angle = random_numbers(32, 0.8, 19);
+  double sum = 0;
+  for(double a : angle)
+    sum += a;
+  for(std::size_t k = 0; k < 32; ++k)
+    condition[loop[k]] = Vertex_condition::curvature(angle[k] + (2 * pi - sum) / 32);
+  check_polygon(t, condition);
+}
+
+TEST(Flatten, annulus_without_curvature_is_a_cylinder)
+{
+  const Flat_surface annulus = flat_cylinder(4, 1);
+  const Conditions condition(annulus.mesh.number_of_vertices());
+  const Planar_conformal_map map = flatten(annulus.mesh, annulus.lengths(), condition);
+  expect_scales(map, std::vector<double>(condition.size(), 0), 1e-11);
+}
+
+// ---- What cannot be ----
+
+TEST(Flatten, refuses_curvatures_against_Gauss_Bonnet)
+{
+  const Triangulation sphere(cube()), torus(embedded_torus(5, 4)), disk(rough_disk(4));
+  const auto prescribe = [](const Triangulation& t, double sum) {
+    const std::size_t n = t.mesh().number_of_vertices();
+    return [&t, c = Conditions(n, Vertex_condition::curvature(sum / double(n)))] { flatten(t, c); };
+  };
+  expect_invalid(prescribe(sphere, 0), std::to_string(-4 * pi));
+  expect_invalid(prescribe(sphere, 4 * pi + 1e-3), std::to_string(1e-3));
+  expect_invalid(prescribe(torus, -0.25), std::to_string(-0.25));
+  EXPECT_NO_THROW(prescribe(torus, 0)());
+  EXPECT_NO_THROW(prescribe(sphere, 4 * pi)());
+  // all vertices of the disk, of which only those on the boundary count once on the double
+  const Conditions flat(25, Vertex_condition::curvature(0));
+  expect_invalid([&] { flatten(disk, flat); }, std::to_string(-4 * pi));
+}
+
+TEST(Flatten, refuses_too_few_cones)
+{
+  const Triangulation sphere(random_sphere(20, 1));
+  Conditions condition(20);
+  condition[3] = condition[7] = Vertex_condition::log_scale(0);
+  expect_invalid([&] { flatten(sphere, condition); }, "Gauss-Bonnet");
+  condition[11] = Vertex_condition::log_scale(0);
+  EXPECT_NO_THROW(flatten(sphere, condition));
+}
+
+TEST(Flatten, refuses_vertices_without_an_angle)
+{
+  const Triangulation sphere(random_sphere(20, 1)), disk(rough_disk(4));
+  Conditions condition(20, Vertex_condition::log_scale(0));
+  condition[5] = Vertex_condition::curvature(2 * pi);
+  expect_invalid([&] { flatten(sphere, condition); }, "vertex 5");
+  condition[5] = Vertex_condition::curvature(7);
+  expect_invalid([&] { flatten(sphere, condition); }, "vertex 5");
+  condition[5] = Vertex_condition::curvature(std::nan(""));
+  expect_invalid([&] { flatten(sphere, condition); }, "vertex 5");
+  condition[5] = Vertex_condition::log_scale(std::numeric_limits<double>::infinity());
+  expect_invalid([&] { flatten(sphere, condition); }, "vertex 5");
+  condition[5] = Vertex_condition::curvature(6);
+  EXPECT_NO_THROW(flatten(sphere, condition));
+  Conditions on_disk = default_conditions(disk.mesh());
+  on_disk[4] = Vertex_condition::curvature(pi);
+  expect_invalid([&] { flatten(disk, on_disk); }, "vertex 4");
+  on_disk[4] = Vertex_condition::curvature(3);
+  EXPECT_NO_THROW(flatten(disk, on_disk));
+}
+
+// ---- Parameters ----
+
+struct Recording_visitor : DC::Default_flattening_visitor
+{
+  std::vector<DC::Flattening_stage> stages;
+  int steps = 0;
+  void start(DC::Flattening_stage stage) { stages.push_back(stage); }
+  void after_step(int iteration, double norm)
+  {
+    EXPECT_GT(iteration, 0);
+    EXPECT_GE(norm, 0);
+    ++steps;
+  }
+};
+
+TEST(Flatten, visitor_sees_all_stages_and_steps)
+{
+  using Stage = DC::Flattening_stage;
+  Recording_visitor visitor;
+  const Planar_conformal_map map =
+    DC::flatten(random_sphere(40, 1), CGAL::parameters::visitor(std::ref(visitor)));
+  EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
+                                                Stage::subdivide, Stage::layout}));
+  EXPECT_EQ(visitor.steps, map.minimization().iterations);
+  EXPECT_GT(visitor.steps, 0);
+}
+
+struct Stopping_visitor : DC::Default_flattening_visitor
+{
+  DC::Flattening_stage last;
+  bool stops_at_step;
+  void start(DC::Flattening_stage stage)
+  {
+    if(stage == last && !stops_at_step)
+      throw std::runtime_error("stopped");
+  }
+  void after_step(int, double)
+  {
+    if(stops_at_step)
+      throw std::runtime_error("stopped");
+  }
+};
+
+TEST(Flatten, exceptions_of_visitors_leave)
+{
+  using Stage = DC::Flattening_stage;
+  const Mesh mesh = random_sphere(40, 1);
+  const auto stop = [&](Stage stage, bool at_step) {
+    Stopping_visitor visitor{{}, stage, at_step};
+    EXPECT_THROW(DC::flatten(mesh, CGAL::parameters::visitor(std::ref(visitor))),
+                 std::runtime_error);
+  };
+  for(const Stage stage :
+      {Stage::cones, Stage::optimize, Stage::trace, Stage::subdivide, Stage::layout})
+    stop(stage, false);
+  stop(Stage::layout, true);
+}
+
+// Goes down the gradient: a model of ConvexMinimizer with nothing of Newton's method.
+struct Gradient_descent
+{
+  template <typename Energy, typename Visitor>
+  DC::Minimization_result operator()(Energy& energy, Eigen::VectorXd& x,
+                                     const std::vector<char>& is_fixed, Visitor&& visitor) const
+  {
+    DC::Minimization_result result;
+    for(;;) {
+      energy.evaluate(x);
+      Eigen::VectorXd gradient = energy.gradient();
+      for(Eigen::Index i = 0; i < x.size(); ++i)
+        gradient[i] = is_fixed[std::size_t(i)] ? 0 : gradient[i];
+      result.gradient_norm = gradient.cwiseAbs().maxCoeff();
+      if(result.gradient_norm < 1e-12)
+        break;
+      x -= 0.1 * gradient;
+      visitor.after_step(++result.iterations, result.gradient_norm);
+    }
+    result.status = DC::Minimization_status::converged;
+    return result;
+  }
+};
+
+TEST(Flatten, takes_another_minimizer)
+{
+  const Triangulation t(random_sphere(12, 1));
+  Conditions condition(12);
+  condition[0] = condition[4] = condition[8] = Vertex_condition::log_scale(0.1);
+  const std::vector<double> length = lengths_of(t);
+  const auto with = [&](const auto& minimizer) {
+    return DC::flatten(t.mesh(), DC::parameters::minimizer(
+                                   minimizer, DC::parameters::vertex_condition_map(
+                                                as_map(condition), length_parameter(length))));
+  };
+  const Planar_conformal_map one = with(Gradient_descent()), two = with(DC::Newton_minimizer());
+  for(std::size_t v = 0; v < 12; ++v)
+    EXPECT_NEAR(log_scale(one, v), log_scale(two, v), 1e-10) << v;
+  EXPECT_GT(one.minimization().iterations, two.minimization().iterations);
+  EXPECT_EQ(with(DC::Newton_minimizer(1e-13, 1)).minimization().status,
+            DC::Minimization_status::iteration_limit);
+}
+
+TEST(Flatten, gives_the_same_bits_twice)
+{
+  const Mesh mesh = plate_with_holes(2);
+  const Planar_conformal_map one = DC::flatten(mesh), two = DC::flatten(mesh);
+  for(Vertex_index v : mesh_C(one).vertices())
+    EXPECT_EQ(one.log_scale(v), two.log_scale(v));
+  for(Halfedge_index h : mesh_C(one).halfedges())
+    EXPECT_EQ(one.position(h), two.position(h));
+}
+
+TEST(Flatten, empty_mesh_gives_an_empty_map)
+{
+  EXPECT_EQ(mesh_C(DC::flatten(Mesh())).number_of_faces(), 0u);
+}

@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flat_maps.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+// empty if the file is no surface
+Mesh read(const std::string& file)
+{
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  Mesh result;
+  if(CGAL::IO::read_polygon_soup(file, points, polygons) &&
+     IT::diagnose_polygon_soup(points, polygons).is_valid())
+    PMP::polygon_soup_to_polygon_mesh(points, polygons, result);
+  return result;
+}
+
+Conditions conditions_with_cones(const Delta_complex& mesh, const std::vector<Vertex_index>& cones)
+{
+  Conditions result = default_conditions(mesh);
+  for(Vertex_index v : cones)
+    result[v] = Vertex_condition::log_scale(0);
+  return result;
+}
+
+double laid_out_length(const Planar_conformal_map& map, Halfedge_index h)
+{
+  return std::abs(map.position(mesh_C(map).next(h)) - map.position(h));
+}
+
+// The length cross ratios of the faces in the plane are those of the ideal polyhedron.
+double worst_cross_ratio(const Planar_conformal_map& map)
+{
+  const Delta_complex& mesh = mesh_C(map);
+  const std::vector<bool> is_used = used_faces(map);
+  const auto cross_ratio = [&](Halfedge_index h, const auto& length) {
+    const Halfedge_index o = mesh.opposite(h);
+    return length(mesh.next(h)) / length(mesh.prev(h)) * length(mesh.next(o)) /
+           length(mesh.prev(o));
+  };
+  double worst = 0;
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e);
+    if(!is_used[mesh.face(h)] || !is_used[mesh.face(mesh.opposite(h))])
+      continue;
+    const double in_plane =
+      cross_ratio(h, [&](Halfedge_index x) { return laid_out_length(map, x); });
+    const double ideal =
+      cross_ratio(h, [&](Halfedge_index x) { return map.ideal().length(mesh.edge(x)); });
+    worst = (std::max)(worst, std::abs(in_plane / ideal - 1));
+  }
+  return worst;
+}
+
+std::size_t number_of_flipped_faces(const Planar_conformal_map& map)
+{
+  const Delta_complex& mesh = mesh_C(map);
+  const std::vector<bool> is_used = used_faces(map);
+  std::size_t result = 0;
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    const Complex a = map.position(h), b = map.position(mesh.next(h)),
+                  c = map.position(mesh.prev(h));
+    result += is_used[f] && !((std::conj(b - a) * (c - a)).imag() > 0);
+  }
+  return result;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info)
+{
+  std::string name = std::filesystem::path(info.param).filename().string();
+  for(char& c : name)
+    if(!std::isalnum(static_cast<unsigned char>(c)))
+      c = '_';
+  return name;
+}
+
+class Flattened_data_mesh : public testing::TestWithParam<std::string>
+{};
+
+// One vertex with a fixed scale for each component, or as many as its curvature takes.
+Conditions least_conditions(const Delta_complex& mesh)
+{
+  Conditions result = default_conditions(mesh);
+  const IT::internal::Mesh_components component(mesh);
+  std::vector<int> characteristic(component.size(), 0), fixed(component.size(), 0);
+  for(Vertex_index v : mesh.vertices()) {
+    ++characteristic[component[v]];
+    fixed[component[v]] += result[v].quantity == Vertex_condition::Quantity::log_scale;
+  }
+  for(Edge_index e : mesh.edges())
+    --characteristic[component[mesh.vertex(e, 0)]];
+  for(Face_index f : mesh.faces())
+    ++characteristic[component[mesh.target(mesh.halfedge(f))]];
+  for(Vertex_index v : mesh.vertices())
+    if(const std::size_t c = component[v];
+       fixed[c] == 0 || (fixed[c] < 3 && characteristic[c] == 2)) {
+      result[v] = Vertex_condition::log_scale(0);
+      ++fixed[c];
+    }
+  return result;
+}
+
+} // namespace
+
+TEST_P(Flattened_data_mesh, is_flat_and_conformal)
+{
+  const Mesh mesh = read(GetParam());
+  if(mesh.is_empty())
+    GTEST_SKIP() << "no surface of triangles";
+  const Planar_conformal_map map = DC::flatten(mesh);
+  EXPECT_LT(map.max_curvature_error(), 1e-10);
+  const Delta_complex input = Triangulation(mesh).mesh();
+  check_conditions(map, input, conditions_with_cones(input, map.cones()), 1e-9);
+  EXPECT_LT(worst_cross_ratio(map), 1e-8);
+  EXPECT_EQ(number_of_flipped_faces(map), 0u);
+  for(Vertex_index v : mesh.vertices())
+    EXPECT_LE(std::abs(map.log_scale(v)), 5);
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Flattened_data_mesh);
+INSTANTIATE_TEST_SUITE_P(, Flattened_data_mesh, testing::ValuesIn(data_meshes(400000)), test_name);
+
+// Scale factors so far apart that double has not enough digits for the curvatures.
+TEST(Flattened_data_meshes, extended_precision_takes_over)
+{
+  for(const char* name : {"b9_mesh", "bones"}) {
+    SCOPED_TRACE(name);
+    const Mesh mesh = read(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+    if(mesh.is_empty())
+      GTEST_SKIP() << "CGAL's data files are not here";
+    const Triangulation t(mesh);
+    const Conditions condition = least_conditions(t.mesh());
+    const Planar_conformal_map map = flatten(t, condition);
+    EXPECT_LT(map.max_curvature_error(), 1e-11);
+    EXPECT_LT(map.minimization().gradient_error, 1e-11);
+    double greatest = 0;
+    for(Vertex_index v : mesh.vertices())
+      greatest = (std::max)(greatest, std::abs(map.log_scale(v)));
+    std::cout << name << ": u up to " << greatest << ", cross ratios " << worst_cross_ratio(map)
+              << ", flipped " << number_of_flipped_faces(map) << '\n';
+    EXPECT_GT(greatest, 30);
+  }
+}
