@@ -183,8 +183,9 @@ private:
   {
     std::vector<char> result = m_problem.is_fixed();
     const auto target = m_problem.target_defect();
-    for(std::size_t v = 0; v < result.size(); ++v)
-      result[v] = result[v] || target[Eigen::Index(v)] != 0;
+    for(Vertex_index v : mesh().vertices())
+      result[v.idx()] =
+        !mesh().is_isolated(v) && (result[v.idx()] || target[Eigen::Index(v.idx())] != 0);
     for(Edge_index e : mesh().edges())
       if(m_is_wall[e.idx()])
         result[mesh().vertex(e, 0).idx()] = result[mesh().vertex(e, 1).idx()] = 1;
