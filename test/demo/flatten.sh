@@ -269,7 +269,7 @@ bad 'no angle is left at vertex 0' '0 7\n' regular.mesh.off --cones values
 
 # Wrong calls.
 expect 2 flatten slivers.mesh.off
-expect 2 flatten slivers.mesh.off -o slivers.mesh.off
+expect 2 flatten good.mesh.obj -o good.mesh.obj
 says 'never overwritten'
 expect 2 flatten slivers.mesh.off -o a.off
 says 'a.off: this format cannot carry texture coordinates (.obj, .ply and .vtp can)'
