@@ -45,7 +45,7 @@ std::int64_t number_of(Index i)
 // Texture coordinates of the corners of polygons.
 struct Texture
 {
-  std::size_t dimension = 0; // zero if there is no texture, 2, or 3 for homogeneous coordinates
+  std::size_t dimension = 0; // zero if there is no texture; 2, the third being 1; 3 if homogeneous
   std::vector<std::array<double, 3>> coordinates;
   std::vector<std::vector<std::size_t>> polygons; // with coordinates in place of points
 };

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace CM = CGAL::Discrete_conformal_maps;
 
@@ -24,18 +23,20 @@ using CM::Vertex_index;
 class Flat_mesh_builder
 {
 public:
-  Flat_mesh_builder(const CM::Planar_conformal_map& map, const Mesh& input)
+  Flat_mesh_builder(const CM::Planar_conformal_map& map, const Mesh& input, bool is_homogeneous)
     : m_map(map),
       m_subdivision(map.subdivision()),
       m_mesh(m_subdivision.mesh()),
       m_input(input),
-      m_number(m_mesh.number_of_vertices(), none)
-  {}
+      m_number(m_mesh.number_of_vertices(), none),
+      m_corner(m_mesh.number_of_halfedges(), none)
+  {
+    m_result.texture.dimension = is_homogeneous ? 3 : 2;
+  }
 
   Output_mesh build(const std::vector<Mesh::Vertex_index>& cones)
   {
     choose_elements();
-    m_result.texture.dimension = 3;
     for(const Vertex_index v : m_vertices)
       m_result.points.push_back(point(v));
     for(const Face_index f : m_faces)
@@ -142,18 +143,40 @@ private:
     m_result.texture.polygons.emplace_back();
     for(const Halfedge_index h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh)) {
       m_result.polygons.back().push_back(m_number[m_mesh.target(h).idx()]);
-      m_result.texture.polygons.back().push_back(
-        number_of_coordinates(m_map.homogeneous_coordinates(m_subdivision.place_on_C(h))));
+      if(m_corner[h.idx()] == none)
+        add_coordinates(h);
+      m_result.texture.polygons.back().push_back(m_corner[h.idx()]);
     }
   }
 
-  // corners that are equal share them
-  std::size_t number_of_coordinates(const std::array<double, 3>& coordinates)
+  // Of the corner at the target of `h` and those beside it, up to seams: rounding has made them a little
+  // different.
+  void add_coordinates(Halfedge_index h)
   {
-    const auto [place, is_new] = m_coordinates.emplace(coordinates, m_coordinates.size());
-    if(is_new)
-      m_result.texture.coordinates.push_back(coordinates);
-    return place->second;
+    Halfedge_index first = h;
+    while(!is_open(first) && m_mesh.prev(m_mesh.opposite(first)) != h)
+      first = m_mesh.prev(m_mesh.opposite(first));
+    for(Halfedge_index x = first; m_corner[x.idx()] == none; x = m_mesh.opposite(m_mesh.next(x))) {
+      m_corner[x.idx()] = m_result.texture.coordinates.size();
+      if(is_open(m_mesh.next(x)))
+        break;
+    }
+    m_result.texture.coordinates.push_back(coordinates(m_subdivision.place_on_C(first)));
+  }
+
+  // whether the faces of `h` are not beside each other in the plane
+  bool is_open(Halfedge_index h) const
+  {
+    const Edge_index e = m_mesh.edge(h);
+    return is_seam(e) || !is_front(h) || !is_front(m_mesh.opposite(h));
+  }
+
+  std::array<double, 3> coordinates(const CM::Planar_conformal_map::Face_location& on_C) const
+  {
+    const std::array<double, 3> z = m_map.homogeneous_coordinates(on_C);
+    if(m_result.texture.dimension == 3)
+      return z;
+    return {z[0] / z[2], z[1] / z[2], 1};
   }
 
   // ---- Edges ----
@@ -181,10 +204,10 @@ private:
   const CM::Planar_conformal_map::Subdivision::Mesh& m_mesh;
   const Mesh& m_input;
   std::vector<std::size_t> m_number; // in the result, of each vertex
+  std::vector<std::size_t> m_corner; // coordinates at the target of each halfedge
   std::vector<Vertex_index> m_vertices;
   std::vector<Edge_index> m_edges;
   std::vector<Face_index> m_faces;
-  std::map<std::array<double, 3>, std::size_t> m_coordinates;
   Output_mesh m_result;
 };
 
@@ -205,16 +228,9 @@ bool has_area(const Point& p, const Point& q, const Point& r)
 } // namespace
 
 Output_mesh flat_mesh(const CM::Planar_conformal_map& map, const Mesh& input,
-                      const std::vector<Mesh::Vertex_index>& cones)
+                      const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
 {
-  return Flat_mesh_builder(map, input).build(cones);
-}
-
-void make_linear(Texture& texture)
-{
-  for(std::array<double, 3>& c : texture.coordinates)
-    c = {c[0] / c[2], c[1] / c[2], 1};
-  texture.dimension = 2;
+  return Flat_mesh_builder(map, input, is_homogeneous).build(cones);
 }
 
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
@@ -222,8 +238,7 @@ void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
   std::size_t flipped = 0, degenerate = 0;
   const auto position = [&](std::size_t c) {
     const std::array<double, 3>& z = mesh.texture.coordinates[c];
-    return mesh.texture.dimension == 2 ? Kernel::Point_2(z[0], z[1])
-                                       : Kernel::Point_2(z[0] / z[2], z[1] / z[2]);
+    return Kernel::Point_2(z[0] / z[2], z[1] / z[2]);
   };
   for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
     const auto &p = mesh.polygons[i], &t = mesh.texture.polygons[i];

@@ -13,7 +13,8 @@
 #include <vector>
 
 // The common subdivision of the three triangulations of a map, as far as it belongs to the input, with the
-// map as texture, in homogeneous coordinates (x w, y w, w). The vertices of the input come first. -1 stands
+// map as texture: in homogeneous coordinates (x w, y w, w), which are linear on each face, or as positions
+// (x, y), between which the map is projective, not linear. The vertices of the input come first. -1 stands
 // for none:
 // - of a vertex: the number of the input vertex, whether a cone is there, and the logarithmic scale factor
 //   (linear on faces of the input);
@@ -23,10 +24,8 @@
 // In the edges and faces of the input, these have their numbers; those of the other two are of the double,
 // if there is a boundary.
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
-                      const Mesh& input, const std::vector<Mesh::Vertex_index>& cones);
-
-// The same texture as positions (x, y), which are linear between corners where the map is projective.
-void make_linear(Texture& texture);
+                      const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
+                      bool is_homogeneous);
 
 // Adds how many triangles are flipped in the plane or have no area there, with linear texture coordinates.
 // Polygons are cut into triangles from their first corners. A triangle that rounding of its points may have

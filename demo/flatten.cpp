@@ -87,9 +87,7 @@ public:
     const CM::Planar_conformal_map map =
       m_options.boundary[0] == "disk" ? flattened_to_disk() : flattened();
     m_run.timed("write", [&] {
-      Output_mesh result = flat_mesh(map, mesh(), cones(map));
-      if(!m_options.is_homogeneous)
-        make_linear(result.texture);
+      const Output_mesh result = flat_mesh(map, mesh(), cones(map), m_options.is_homogeneous);
       describe_map(map, result);
       m_run.add_output(m_options.output, text_of(result, m_format));
     });

@@ -128,13 +128,16 @@ public:
   }
 
   // Of each component, how much the prescribed curvatures exceed 2 pi times the Euler characteristic; this
-  // much less must be the curvature of the vertices with prescribed scale factors (Equation 4.11).
+  // much less must be the curvature of the vertices with prescribed scale factors (Equation 4.11). Zero for an
+  // isolated vertex.
   std::vector<double> curvature_excess() const
   {
     const Delta_complex& mesh = m_double.mesh();
     std::vector<double> sum(m_components.size(), 0);
     std::vector<long> characteristic(m_components.size(), 0);
     for(Vertex_index v : mesh.vertices()) {
+      if(mesh.is_isolated(v))
+        continue;
       sum[m_components[v.idx()]] += m_is_fixed[v.idx()] ? 0 : m_value[Eigen::Index(v.idx())];
       characteristic[m_components[v.idx()]] += !mesh.is_isolated(v); // a point has no curvature
     }
