@@ -8,14 +8,13 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/Cut_graph.h>
-#include <CGAL/Discrete_conformal_maps/internal/Dirichlet_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/Least_squares_shift.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -63,11 +62,7 @@ public:
   }
 
   // the position of the source of `h` in the face of `h`
-  std::complex<double> position(Halfedge_index h) const
-  {
-    const Vector& p = m_united[std::size_t(point(h))];
-    return {static_cast<double>(p.x), static_cast<double>(p.y)};
-  }
+  std::complex<double> position(Halfedge_index h) const { return to_complex(united(h)); }
 
 private:
   const FT& length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
@@ -126,34 +121,26 @@ private:
   // The sum over all sides of faces of the squared change of the side, with its cotangent weight, is least.
   void distribute_errors(const Cut_graph& cut)
   {
-    const Eigen::Index n = static_cast<Eigen::Index>(m_united.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(n), y = x;
-    std::vector<char> is_fixed(m_united.size(), 1);
+    Least_squares_shift shift(m_united.size());
     for(const Cut_graph::Step& step : cut.steps())
       for(Halfedge_index h : Intrinsic_triangulations::internal::sides(step.face, m_mesh)) {
-        const int i = point(h), j = point(m_mesh.next(h));
-        const double weight = cotangent(h);
-        const Vector change =
-          length(h) * m_direction[h.idx()] - (m_united[std::size_t(j)] - m_united[std::size_t(i)]);
-        for(const auto& [a, b, sign] : {std::make_tuple(i, j, -1.), std::make_tuple(j, i, 1.)}) {
-          entries.emplace_back(a, a, weight);
-          entries.emplace_back(a, b, -weight);
-          x[a] += sign * weight * static_cast<double>(change.x);
-          y[a] += sign * weight * static_cast<double>(change.y);
-        }
-        is_fixed[std::size_t(i)] = 0;
+        const Vector misfit =
+          length(h) * m_direction[h.idx()] - (united(m_mesh.next(h)) - united(h));
+        shift.add(point(h), point(m_mesh.next(h)), cotangent(h), to_complex(misfit));
       }
     for(const Cut_graph::Step& step : cut.steps())
       if(!step.entry.is_valid())
-        is_fixed[std::size_t(point(m_mesh.halfedge(step.face)))] = 1;
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    Dirichlet_solver solver(matrix, is_fixed);
-    x = solver.solve(x);
-    y = solver.solve(y);
-    for(Eigen::Index i = 0; i < n; ++i)
-      m_united[std::size_t(i)] = m_united[std::size_t(i)] + Vector{FT(x[i]), FT(y[i])};
+        shift.hold(point(m_mesh.halfedge(step.face)));
+    shift.solve();
+    for(std::size_t i = 0; i < m_united.size(); ++i)
+      m_united[i] = m_united[i] + Vector{FT(shift(i).real()), FT(shift(i).imag())};
+  }
+
+  const Vector& united(Halfedge_index h) const { return m_united[std::size_t(point(h))]; }
+
+  static std::complex<double> to_complex(const Vector& v)
+  {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
   }
 
   int point(Halfedge_index h) const { return m_point[h.idx()]; }
