@@ -76,6 +76,7 @@ public:
     do
       m_scale.minimize(minimizer, 1e-11, m_visitor);
     while(is_bounded && m_scale.add_cone_if_beyond(bound));
+    m_data->status = m_scale.status();
     m_data->cones = m_scale.cones();
     m_data->minimization = m_scale.result();
     m_data->max_curvature_error = m_scale.max_curvature_error();
@@ -90,12 +91,10 @@ public:
       *m_data->correspondence_ab, *m_data->correspondence_bc);
     m_visitor.start(Flattening_stage::layout);
     find_walls();
-    const std::vector<double> correction = area_correction();
-    if(m_scale.is_extended())
-      lay_out(m_scale.extended_values(), correction);
+    if(m_scale.has_layout())
+      lay_out();
     else
-      lay_out(std::vector<double>(m_data->log_scale), correction);
-    arrange_charts();
+      leave_out();
     return std::move(m_map);
   }
 
@@ -113,7 +112,8 @@ private:
     m_data->bc = Ideal_triangulation(
       m_data->ab.mesh(),
       Intrinsic_triangulations::parameters::edge_length_map(m_data->ab.length_map()));
-    flip_to_Delaunay();
+    if(m_problem.flipping() == Flipping::to_Delaunay)
+      flip_to_Delaunay();
     m_data->number_of_flips[2] = m_flips.size();
     m_data->correspondence_ab =
       std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data->ab);
@@ -229,6 +229,23 @@ private:
     return result;
   }
 
+  void lay_out()
+  {
+    const std::vector<double> correction = area_correction();
+    if(m_scale.is_extended())
+      lay_out(m_scale.extended_values(), correction);
+    else
+      lay_out(std::vector<double>(m_data->log_scale), correction);
+    arrange_charts();
+  }
+
+  void leave_out()
+  {
+    m_data->is_laid_out.assign(mesh().num_faces(), 0);
+    m_data->position.assign(mesh().num_halfedges(), 0);
+    m_data->is_seam.assign(mesh().num_edges(), 1);
+  }
+
   template <typename FT>
   void lay_out(std::vector<FT> u, const std::vector<double>& correction)
   {
@@ -328,6 +345,9 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
 /// none on a torus without conditions; elsewhere there must be some, which are prescribed or placed
 /// greedily.
 ///
+/// The result says how that has ended (`Planar_conformal_map::status()`); without convergence, it has the best
+/// scale factors that have been found.
+///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param g a manifold triangle mesh of any genus, with or without boundary, with any number of components
@@ -348,6 +368,14 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
 ///     \cgalParamDescription{what minimizes the energy}
 ///     \cgalParamType{a model of `ConvexMinimizer`}
 ///     \cgalParamDefault{`Newton_minimizer`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{flipping}
+///     \cgalParamDescription{whether triangulations follow the scale factors. In a fixed triangulation, the scale
+///                           factors are those of Springborn, Schr&ouml;der and Pinkall (2008): they exist only
+///                           sometimes, which `Planar_conformal_map::status()` tells, and depend on how the
+///                           surface is triangulated}
+///     \cgalParamType{`Flipping`}
+///     \cgalParamDefault{`Flipping::to_Delaunay`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
@@ -378,7 +406,9 @@ Planar_conformal_map flatten(const Graph& g,
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  internal::Doubled_problem problem(input, internal::vertex_conditions(g, input.mesh(), np));
+  internal::Doubled_problem problem(
+    input, internal::vertex_conditions(g, input.mesh(), np),
+    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay));
   internal::Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, input.mesh().num_faces(), visitor);
   flattening.find_scale_factors(

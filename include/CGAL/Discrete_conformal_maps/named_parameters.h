@@ -25,6 +25,10 @@ enum minimizer_t
 {
   minimizer
 };
+enum flipping_t
+{
+  flipping
+};
 } // namespace internal_np
 
 namespace parameters {
@@ -78,6 +82,23 @@ auto minimizer(const Minimizer& value, const NamedParameters& np)
 {
   return CGAL::Named_function_parameters<Minimizer, internal_np::minimizer_t, NamedParameters>(
     value, np);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// names a `Flipping`: whether triangulations follow the scale factors.
+template <typename Flipping>
+auto flipping(const Flipping& value)
+{
+  return CGAL::Named_function_parameters<Flipping, internal_np::flipping_t>(value);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// the same, after the parameters `np`.
+template <typename Flipping, typename NamedParameters>
+auto flipping(const Flipping& value, const NamedParameters& np)
+{
+  return CGAL::Named_function_parameters<Flipping, internal_np::flipping_t, NamedParameters>(value,
+                                                                                             np);
 }
 
 } // namespace parameters

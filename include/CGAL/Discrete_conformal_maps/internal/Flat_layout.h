@@ -8,8 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/Cut_graph.h>
-#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/Least_squares_shift.h>
+#include <CGAL/Intrinsic_triangulations/internal/Flat_triangle.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cmath>
@@ -148,9 +148,10 @@ private:
   // half the cotangent of the angle opposite to `h` in its face
   double cotangent(Halfedge_index h) const
   {
-    return static_cast<double>(
-      Flat_triangle<FT>({length(h), length(m_mesh.next(h)), length(m_mesh.prev(h))}).cotangent(2) /
-      2);
+    return static_cast<double>(Intrinsic_triangulations::internal::Flat_triangle<FT>(
+                                 {length(h), length(m_mesh.next(h)), length(m_mesh.prev(h))})
+                                 .cotangent(2) /
+                               2);
   }
 
   const Delta_complex& m_mesh;

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -48,13 +50,16 @@ public:
   // of the vertices where curvatures are prescribed
   double max_curvature_error() const { return m_max_curvature_error; }
   const std::vector<Vertex_index>& cones() const { return m_cones; }
+  Flattening_status status() const { return m_status; }
+  // whether all faces have the triangle inequality, but for rounding
+  bool has_layout() const { return m_has_layout; }
 
   // Places cones until a linear estimate of the scale factors lies within a bound.
   void place_cones(double bound)
   {
     const Conformal_energy<> energy(m_problem.triangulation().mesh(),
                                     m_problem.triangulation().length_map(),
-                                    m_problem.target_defect());
+                                    m_problem.target_defect(), m_problem.flipping());
     place_first_cones(energy, bound);
     const std::vector<Vertex_index> twin = twins();
     Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins(), twin);
@@ -73,7 +78,8 @@ public:
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     run<double>(minimizer, visitor);
-    if(m_max_curvature_error > tolerance || m_result.gradient_error > tolerance)
+    if(may_profit_from_digits() &&
+       (m_max_curvature_error > tolerance || m_result.gradient_error > tolerance))
       m_extended = run<Extended>(minimizer, visitor);
   }
 
@@ -95,7 +101,8 @@ private:
   std::vector<FT> run(const Minimizer& minimizer, Visitor& visitor)
   {
     Conformal_energy<FT> energy(m_problem.triangulation().mesh(),
-                                m_problem.triangulation().length_map(), m_problem.target_defect());
+                                m_problem.triangulation().length_map(), m_problem.target_defect(),
+                                m_problem.flipping());
     energy.evaluate(m_u);
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
@@ -106,12 +113,58 @@ private:
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
     m_u += x;
+    m_has_layout =
+      m_problem.flipping() == Flipping::to_Delaunay || energy.number_of_flat_faces() == 0;
+    m_status = status(x);
     m_max_curvature_error = 0;
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(!m_problem.is_fixed()[v])
         m_max_curvature_error =
           (std::max)(m_max_curvature_error, std::abs(energy.gradient()[Eigen::Index(v)]));
     return energy.scale_factors();
+  }
+
+  // In a fixed triangulation it need not be rounding that stops the minimization.
+  bool may_profit_from_digits() const
+  {
+    return m_problem.flipping() == Flipping::to_Delaunay ||
+           (m_status != Flattening_status::no_minimum &&
+            m_result.status != Minimization_status::iteration_limit);
+  }
+
+  // after a minimization that has led in this direction
+  Flattening_status status(const Vector& direction) const
+  {
+    if(m_problem.flipping() == Flipping::none && falls_without_end(direction))
+      return Flattening_status::no_minimum;
+    if(!m_has_layout)
+      return Flattening_status::triangle_inequality;
+    return m_result.status == Minimization_status::converged ? Flattening_status::success
+                                                             : Flattening_status::not_converged;
+  }
+
+  // Far along a direction, every face of a fixed triangulation has the angle pi where its entry is least. A
+  // convex energy that falls even there has no minimum.
+  bool falls_without_end(const Vector& direction) const
+  {
+    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    const Vector target = m_problem.target_defect();
+    const double pi = boost::math::constants::pi<double>();
+    double slope = 0, size = 0;
+    const auto add = [&](double x) {
+      slope += x;
+      size += std::abs(x);
+    };
+    for(Vertex_index v : mesh.vertices())
+      if(!m_problem.is_fixed()[v.idx()])
+        add((2 * pi - target[Eigen::Index(v.idx())]) * direction[Eigen::Index(v.idx())]);
+    for(Face_index f : mesh.faces()) {
+      double least = std::numeric_limits<double>::infinity();
+      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, mesh))
+        least = (std::min)(least, direction[Eigen::Index(mesh.source(h).idx())]);
+      add(-pi * least);
+    }
+    return slope < -1e-12 * size; // rounding
   }
 
   Minimization_domain domain() const
@@ -210,6 +263,8 @@ private:
   Vector m_u;
   std::vector<Extended> m_extended;
   Minimization_result m_result;
+  Flattening_status m_status = Flattening_status::success;
+  bool m_has_layout = true;
   double m_max_curvature_error = 0;
   std::vector<Vertex_index> m_cones;
 };
