@@ -91,8 +91,11 @@ public:
     return m_data->number_of_flips[static_cast<std::size_t>(layer)];
   }
 
-  /// whether the face `f` of \f$T^C\f$ is in the plane: if a part of it belongs to the input. None is if
-  /// scaled lengths violate the triangle inequality, see `Flattening_status`.
+  /// whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not if scaled lengths
+  /// violate the triangle inequality.
+  bool is_laid_out() const { return m_data->has_layout; }
+
+  /// whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it belongs to the input.
   bool is_laid_out(Face_index f) const { return m_data->is_laid_out[f.idx()] != 0; }
 
   /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
@@ -124,7 +127,7 @@ public:
 
   /// the image of a point of the input, by piecewise projective interpolation (Section 4.2.3).
   /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
-  /// \pre The faces of \f$T^C\f$ are laid out.
+  /// \pre `is_laid_out()`
   std::complex<double> operator()(const Face_location& p) const
   {
     using Intrinsic_triangulations::Side;
@@ -154,6 +157,7 @@ private:
     Minimization_result minimization;
     double max_curvature_error = 0;
     std::array<std::size_t, 3> number_of_flips{0, 0, 0};
+    bool has_layout = true;
     std::vector<char> is_laid_out;              // for each face of T^C
     std::vector<std::complex<double>> position; // of the sources of halfedges of T^C
     std::vector<char> is_seam;                  // for each edge of T^C

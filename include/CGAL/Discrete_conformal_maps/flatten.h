@@ -91,7 +91,8 @@ public:
       *m_data->correspondence_ab, *m_data->correspondence_bc);
     m_visitor.start(Flattening_stage::layout);
     find_walls();
-    if(m_scale.has_layout())
+    m_data->has_layout = m_scale.has_layout();
+    if(m_data->has_layout)
       lay_out();
     else
       leave_out();
