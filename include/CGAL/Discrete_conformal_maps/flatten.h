@@ -63,6 +63,9 @@ public:
     m_data->number_of_front_faces = number_of_front_faces;
   }
 
+  // by the vertices of the input
+  void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
+
   // Cones are placed for a finite `bound` of scale factors.
   template <typename Minimizer>
   void find_scale_factors(const Minimizer& minimizer, double bound)
@@ -337,6 +340,21 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
   return result;
 }
 
+// those to start from
+template <typename Graph, typename NamedParameters>
+std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  std::vector<double> result;
+  for([[maybe_unused]] auto v : vertices(g))
+    if constexpr(CGAL::parameters::is_default_parameter<
+                   NamedParameters, internal_np::initial_log_scale_map_t>::value)
+      result.push_back(0);
+    else
+      result.push_back(get(get_parameter(np, internal_np::initial_log_scale_map), v));
+  return result;
+}
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -369,6 +387,11 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
 ///     \cgalParamDescription{what minimizes the energy}
 ///     \cgalParamType{a model of `ConvexMinimizer`}
 ///     \cgalParamDefault{`Newton_minimizer`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{initial_log_scale_map}
+///     \cgalParamDescription{where the minimization starts: the nearer the result, the fewer steps it takes}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
+///     \cgalParamDefault{zero everywhere}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{flipping}
 ///     \cgalParamDescription{whether triangulations follow the scale factors. In a fixed triangulation, the scale
@@ -412,6 +435,7 @@ Planar_conformal_map flatten(const Graph& g,
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay));
   internal::Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, input.mesh().num_faces(), visitor);
+  flattening.start_from(internal::initial_log_scales(g, np));
   flattening.find_scale_factors(
     choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()), bound);
   return flattening.finish();

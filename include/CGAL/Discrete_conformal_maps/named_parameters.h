@@ -29,6 +29,10 @@ enum flipping_t
 {
   flipping
 };
+enum initial_log_scale_map_t
+{
+  initial_log_scale_map
+};
 } // namespace internal_np
 
 namespace parameters {
@@ -99,6 +103,23 @@ auto flipping(const Flipping& value, const NamedParameters& np)
 {
   return CGAL::Named_function_parameters<Flipping, internal_np::flipping_t, NamedParameters>(value,
                                                                                              np);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// names a readable property map from the vertices of the input to the logarithmic scale factors to start from.
+template <typename Map>
+auto initial_log_scale_map(const Map& map)
+{
+  return CGAL::Named_function_parameters<Map, internal_np::initial_log_scale_map_t>(map);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// the same, after the parameters `np`.
+template <typename Map, typename NamedParameters>
+auto initial_log_scale_map(const Map& map, const NamedParameters& np)
+{
+  return CGAL::Named_function_parameters<Map, internal_np::initial_log_scale_map_t,
+                                         NamedParameters>(map, np);
 }
 
 } // namespace parameters

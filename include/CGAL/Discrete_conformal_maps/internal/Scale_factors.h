@@ -54,6 +54,14 @@ public:
   // whether all faces have the triangle inequality, but for rounding
   bool has_layout() const { return m_has_layout; }
 
+  // by the vertices of the surface itself
+  void start_from(const std::vector<double>& log_scale)
+  {
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      m_u[Eigen::Index(v)] =
+        log_scale[m_problem.front(Vertex_index(Delta_complex::size_type(v))).idx()];
+  }
+
   // Places cones until a linear estimate of the scale factors lies within a bound.
   void place_cones(double bound)
   {
@@ -78,8 +86,7 @@ public:
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     run<double>(minimizer, visitor);
-    if(may_profit_from_digits() &&
-       (m_max_curvature_error > tolerance || m_result.gradient_error > tolerance))
+    if(is_rounded(tolerance) && !has_no_solution())
       m_extended = run<Extended>(minimizer, visitor);
   }
 
@@ -124,12 +131,19 @@ private:
     return energy.scale_factors();
   }
 
-  // In a fixed triangulation it need not be rounding that stops the minimization.
-  bool may_profit_from_digits() const
+  // Whether more digits might give less than the tolerance; not if a minimizer was content with more.
+  bool is_rounded(double tolerance) const
   {
-    return m_problem.flipping() == Flipping::to_Delaunay ||
-           (m_status != Flattening_status::no_minimum &&
-            m_result.status != Minimization_status::iteration_limit);
+    return m_result.gradient_error > tolerance ||
+           (m_max_curvature_error > tolerance && m_result.status != Minimization_status::converged);
+  }
+
+  // In a fixed triangulation it need not be rounding that stops the minimization.
+  bool has_no_solution() const
+  {
+    return m_status == Flattening_status::no_minimum ||
+           (m_status == Flattening_status::triangle_inequality &&
+            m_result.status == Minimization_status::iteration_limit);
   }
 
   // after a minimization that has led in this direction
