@@ -5,6 +5,7 @@
 #include "commands.h"
 
 #include "Command_run.h"
+#include "Fixed_point_acceleration.h"
 #include "Mesh_writer.h"
 #include "Program_error.h"
 #include "boundary_shapes.h"
@@ -165,18 +166,42 @@ private:
     throw std::runtime_error(text.str());
   }
 
+  Eigen::VectorXd prescribed() const
+  {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(m_conditions.size()));
+    for(std::size_t v = 0; v < m_conditions.size(); ++v)
+      result[static_cast<Eigen::Index>(v)] = m_conditions[v].value;
+    return result;
+  }
+
+  // Prescribes these exterior angles, unless one is too great for a boundary.
+  void set_boundary(const Eigen::VectorXd& angle)
+  {
+    Conditions result = m_conditions;
+    for(const Mesh::Vertex_index v : mesh().vertices())
+      if(mesh().is_border(v) && !mesh().is_isolated(v)) {
+        result[v].value = angle[static_cast<Eigen::Index>(v)];
+        if(!(result[v].value < CGAL_PI))
+          return;
+      }
+    m_conditions = result;
+  }
+
   // The exterior angles that a circle has depend on the lengths in the result.
   CM::Planar_conformal_map flattened_to_disk()
   {
     constexpr int maximum_number_of_rounds = 100;
     constexpr double tolerance = 1e-10; // radians
     double change = 0;
+    Fixed_point_acceleration acceleration;
     for(int i = 0; i < maximum_number_of_rounds; ++i) {
       CM::Planar_conformal_map result = flattened();
       m_iterations += result.minimization().iterations;
+      const Eigen::VectorXd angles = prescribed();
       change = set_circle(m_conditions, mesh(), boundary_lengths(result));
       if(change <= tolerance)
         return result;
+      set_boundary(acceleration.next(angles, prescribed()));
     }
     std::ostringstream text;
     text << "the boundary has not become a circle: after " << maximum_number_of_rounds
