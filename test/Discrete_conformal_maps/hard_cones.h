@@ -7,80 +7,83 @@
 
 #include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 
+#include <CGAL/Random.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
-// Cones that are hard to get: with angle defects from -3 pi to 3 pi / 2, on surfaces of genus 0 to 4.
+// Cones that are hard to get, and coarse surfaces for them.
 namespace Test_surfaces {
 
-struct Hard_cones
+// with fewer than 100 vertices
+inline Mesh coarse_surface(std::size_t genus, unsigned int seed)
 {
-  std::string name;
-  Mesh mesh;
-  std::vector<double> defect; // of each vertex; their sum obeys Gauss-Bonnet
+  return perturbed(genus == 0 ? unit_sphere(4) : frame(genus, 1), 0.05, seed);
+}
+
+// Angle defects in multiples of pi / 2, from -3 pi to 3 pi / 2, on a closed surface.
+class Quarter_turns
+{
+public:
+  explicit Quarter_turns(const Mesh& mesh)
+    : m_defect(mesh.number_of_vertices(), 0),
+      m_left(4 * (int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) +
+                  int(mesh.number_of_faces())))
+  {}
+
+  void set(std::size_t v, int defect)
+  {
+    m_left += m_defect[v] - defect;
+    m_defect[v] = defect;
+  }
+
+  // Gives what is missing to random vertices.
+  void fill_up(CGAL::Random& random)
+  {
+    while(m_left != 0) {
+      const std::size_t v = random_vertex(random);
+      set(v, std::clamp(m_defect[v] + m_left, -6, 3));
+    }
+  }
+
+  std::size_t random_vertex(CGAL::Random& random) const
+  {
+    return std::size_t(random.get_int(0, int(m_defect.size())));
+  }
+
+  std::vector<double> defects() const
+  {
+    std::vector<double> result;
+    for(int defect : m_defect)
+      result.push_back(defect * std::acos(0.));
+    return result;
+  }
+
+private:
+  std::vector<int> m_defect;
+  int m_left; // what is to be added, by Gauss-Bonnet
 };
 
-// The vertices in the order of their distance in edges.
-inline std::vector<std::size_t> vertices_around(Vertex_index center, const Mesh& mesh)
-{
-  std::vector<std::size_t> result{center};
-  std::vector<bool> is_met(mesh.number_of_vertices(), false);
-  is_met[center] = true;
-  for(std::size_t i = 0; i < result.size(); ++i)
-    for(Vertex_index w : mesh.vertices_around_target(
-          mesh.halfedge(Vertex_index(static_cast<Mesh::size_type>(result[i])))))
-      if(!is_met[w]) {
-        is_met[w] = true;
-        result.push_back(w);
-      }
-  return result;
-}
-
-// Multiples of a quarter turn from -6 to 3 at these vertices, with this sum.
-inline std::vector<int> quarter_turns(std::size_t n, const std::vector<std::size_t>& cones, int sum,
-                                      CGAL::Random& random)
-{
-  constexpr int least = -6, greatest = 3;
-  std::vector<int> result(n, 0);
-  const auto random_cone = [&]() -> int& {
-    return result[cones[random_size(0, static_cast<int>(cones.size()) - 1, random)]];
-  };
-  const auto move = [&](int& turns, int by) {
-    const bool is_allowed = least <= turns + by && turns + by <= greatest;
-    turns += is_allowed ? by : 0;
-    return is_allowed;
-  };
-  while(sum != 0)
-    if(const int by = sum > 0 ? 1 : -1; move(random_cone(), by))
-      sum -= by;
-  for(std::size_t i = 0; i < 20 * cones.size(); ++i) {
-    int &one = random_cone(), &other = random_cone();
-    if(&one != &other && move(one, 1) && !move(other, -1))
-      --one;
-  }
-  return result;
-}
-
-// Cycles through genera and three choices of cones: a few anywhere, a few beside each other, many.
-inline Hard_cones hard_cones(unsigned int seed)
+// Angle defects with cones at few vertices, at many, or at a vertex and its neighbors.
+inline std::vector<double> hard_cones(const Mesh& mesh, unsigned int seed)
 {
   CGAL::Random random(seed);
-  const std::size_t genus = seed % 5, choice = seed / 5 % 3;
-  const Mesh smooth = genus == 0 ? unit_sphere(4) : frame(genus, 1);
-  Hard_cones result{"genus " + std::to_string(genus), perturbed(smooth, 0.05, seed), {}};
-  const std::size_t n = result.mesh.number_of_vertices();
-  const int sum = 8 - 8 * static_cast<int>(genus);
-  const Vertex_index center(
-    static_cast<Mesh::size_type>(random_size(0, static_cast<int>(n) - 1, random)));
-  std::vector<std::size_t> cones = vertices_around(center, result.mesh);
-  if(choice != 1)
-    shuffle(cones, random);
-  cones.resize(choice == 2 ? n / 2 : random_size(5, 9, random));
-  for(int turns : quarter_turns(n, cones, sum, random))
-    result.defect.push_back(turns * std::acos(0.));
-  return result;
+  Quarter_turns cones(mesh);
+  const std::size_t n = mesh.number_of_vertices();
+  std::vector<std::size_t> place;
+  if(seed % 3 == 2)
+    for(Mesh::Vertex_index v : mesh.vertices_around_target(
+          mesh.halfedge(Mesh::Vertex_index(unsigned(random.get_int(0, int(n)))))))
+      place.push_back(v);
+  else
+    for(std::size_t i = 0; i < (seed % 3 == 0 ? 5 : n / 4); ++i)
+      place.push_back(cones.random_vertex(random));
+  for(std::size_t v : place)
+    cones.set(v, random.get_int(-6, 4));
+  cones.fill_up(random);
+  return cones.defects();
 }
 
 } // namespace Test_surfaces

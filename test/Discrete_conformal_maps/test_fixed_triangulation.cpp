@@ -281,9 +281,9 @@ TEST(Fixed_triangulation, fails_with_hard_cones_where_flips_succeed)
   std::size_t failures = 0;
   for(unsigned int seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(seed);
-    const Hard_cones cones = hard_cones(seed);
-    const Triangulation t(cones.mesh);
-    const Conditions condition = as_curvatures(cones.defect);
+    const Mesh mesh = coarse_surface(seed % 5, seed);
+    const Triangulation t(mesh);
+    const Conditions condition = as_curvatures(hard_cones(mesh, seed));
     const Planar_conformal_map free = flatten(t, condition), fixed = flatten_fixed(t, condition);
     ASSERT_EQ(free.status(), Flattening_status::success);
     EXPECT_LT(free.max_curvature_error(), 1e-10);
