@@ -165,11 +165,14 @@ private:
     }
   }
 
-  // Whether more digits might give less than the tolerance; not if a minimizer was content with more.
+  // Whether more digits might give less than the tolerance; not if the minimizer was content with more, or has
+  // not been allowed to go on.
   bool is_rounded(double tolerance) const
   {
+    const bool has_been_stopped = m_result.status != Minimization_status::converged &&
+                                  m_result.status != Minimization_status::iteration_limit;
     return m_result.gradient_error > tolerance ||
-           (m_max_curvature_error > tolerance && m_result.status != Minimization_status::converged);
+           (m_max_curvature_error > tolerance && has_been_stopped);
   }
 
   // In a fixed triangulation it need not be rounding that stops the minimization.
