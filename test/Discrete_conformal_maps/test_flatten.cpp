@@ -448,11 +448,11 @@ TEST(Flatten, refuses_vertices_without_an_angle)
 struct Recording_visitor : DC::Default_flattening_visitor
 {
   std::vector<DC::Flattening_stage> stages;
-  int steps = 0;
+  std::size_t steps = 0;
   void start(DC::Flattening_stage stage) { stages.push_back(stage); }
-  void after_step(int iteration, double norm)
+  void after_iteration(std::size_t iteration, double norm, double)
   {
-    EXPECT_GT(iteration, 0);
+    EXPECT_GT(iteration, 0u);
     EXPECT_GE(norm, 0);
     ++steps;
   }
@@ -467,7 +467,7 @@ TEST(Flatten, visitor_sees_all_stages_and_steps)
   EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
                                                 Stage::subdivide, Stage::layout}));
   EXPECT_EQ(visitor.steps, map.minimization().iterations);
-  EXPECT_GT(visitor.steps, 0);
+  EXPECT_GT(visitor.steps, 0u);
 }
 
 struct Stopping_visitor : DC::Default_flattening_visitor
