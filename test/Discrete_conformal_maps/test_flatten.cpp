@@ -249,7 +249,7 @@ TEST(Flatten, takes_mixed_conditions)
 // Two pyramids over a regular polygon, whose faces become isosceles triangles with given angles.
 TEST(Flatten, bipyramid_has_a_closed_form)
 {
-  for(const std::size_t n : {4, 5, 12})
+  for(const std::size_t n : {4u, 5u, 12u})
     for(const double height : {0., 0.5, 2.})
       for(const double at_apex : {-3., 0., 1., 3., 6.}) {
         const double angle = (2 * pi - at_apex) / double(n);
@@ -367,7 +367,7 @@ TEST(Flatten, boundary_has_the_prescribed_angles)
   const Triangulation t(rough_disk(8));
   const std::vector<Vertex_index> loop = boundary(t.mesh());
   ASSERT_EQ(loop.size(), 32u);
-  for(const std::size_t corners : {3, 4, 5, 32}) {
+  for(const std::size_t corners : {3u, 4u, 5u, 32u}) {
     SCOPED_TRACE(corners);
     Conditions condition(t.mesh().number_of_vertices());
     for(std::size_t k = 0; k < corners; ++k)
