@@ -123,8 +123,8 @@ public:
   /// \param bhd a border halfedge
   /// \param uvmap a writable property map from vertices to points of the plane; nothing is written in case
   ///        of an error
-  /// \param vimap is not used
-  /// \param vpmap is not used
+  ///
+  /// The property maps of indices and of parameterized vertices, which the concept asks for, are not used.
   /// \return
   ///   - `OK`;
   ///   - `ERROR_NO_1_TO_1_MAPPING` if no map is one-to-one and projective on the faces of `mesh`: with
