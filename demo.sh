@@ -4,13 +4,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Sets up what is missing, builds the program, makes two meshes Delaunay, a real one of CGAL's and one
-# that this repository ships, and refines two bad real ones to angles of 25 degrees.
+# that this repository ships, refines two bad real ones to angles of 25 degrees, and flattens two others: a
+# closed one through cones, and one with boundary to a disk.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 trap 'echo "demo.sh: failed at: $BASH_COMMAND" >&2' ERR
 
 meshes=(build/cgal_data/meshes/man.off demo/data/slivers.off)
 bad_meshes=(build/cgal_data/meshes/{blade,cheese}.off)
+closed_mesh=build/cgal_data/meshes/elephant.off
+open_mesh=build/cgal_data/meshes/nefertiti.off
 
 # value FILE KEY: the number under a key of a flat JSON object without spaces.
 value()
@@ -59,6 +62,19 @@ print_refined_row()
     "$(value "$(inner "$json" seconds)" refine)" "$(value "$(flat "$json")" status | tr -d '"')"
 }
 
+# print_flat_row MESH
+print_flat_row()
+{
+  local name json key row
+  name=$(basename "$1" .off)
+  json=results/$name.json
+  row=$(printf '%-16s' "$name")
+  for key in vertices cones ptolemy_flips max_curvature_error max_cross_ratio_error flipped_triangles; do
+    row+=$(printf '%14.6g' "$(value "$(flat "$json")" $key)")
+  done
+  echo "$row  $(value "$(flat "$json")" status | tr -d '"')"
+}
+
 scripts/set_up.sh
 cmake -S . -B build -G Ninja >build/configure.log || { cat build/configure.log >&2; false; }
 cmake --build build --target intrinsic
@@ -72,6 +88,9 @@ for mesh in "${bad_meshes[@]}"; do
   name=$(basename "$mesh" .off)
   build/intrinsic refine "$mesh" -o "results/$name.ply" --stats "results/$name.json" --min-angle 25
 done
+build/intrinsic flatten "$closed_mesh" -o results/elephant.obj --stats results/elephant.json
+build/intrinsic flatten "$open_mesh" -o results/nefertiti.obj --stats results/nefertiti.json \
+  --boundary disk
 
 printf '\n%-16s%10s%10s%12s%12s%12s%10s\n' \
   mesh vertices flips 'min angle' crossings 'sub. faces' seconds
@@ -84,5 +103,11 @@ printf '\n%-16s%10s%10s%12s%12s%12s%10s  %s\n' \
 for mesh in "${bad_meshes[@]}"; do
   print_refined_row "$mesh"
 done
+
+printf '\n%-16s%14s%14s%14s%14s%14s%14s  %s\n' \
+  flattened vertices cones 'Ptolemy flips' 'curv. error' 'cross ratios' flipped status
+for mesh in "$closed_mesh" "$open_mesh"; do
+  print_flat_row "$mesh"
+done
 echo
-echo "Common subdivisions (.ply) and statistics (.json) are in $PWD/results"
+echo "Common subdivisions (.ply; .obj with texture coordinates) and statistics (.json) are in $PWD/results"

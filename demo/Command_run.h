@@ -12,6 +12,7 @@
 #include "commands.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,17 @@ public:
     return stage();
   }
 
+  // Begins a stage that lasts until the next or until `end_stage()`. The seconds of stages with the same
+  // name are added up.
+  void start_stage(const std::string& name)
+  {
+    end_stage(); // before the seconds move
+    m_progress.start_stage(name);
+    m_timer.emplace(m_seconds[name]);
+  }
+
+  void end_stage() { m_timer.reset(); }
+
   // Nothing if the path is empty.
   void add_output(const std::string& path, const std::string& content)
   {
@@ -49,18 +61,21 @@ public:
   void finish(const std::string& summary);
 
 private:
-  // Sets the seconds when it goes.
+  // Adds to the seconds when it goes.
   class Timer
   {
   public:
-    explicit Timer(Statistics& seconds) : m_seconds(seconds) {}
-    ~Timer() { m_seconds = m_watch.seconds(); }
+    explicit Timer(Statistics& seconds)
+      : m_seconds(seconds), m_before(seconds.is_null() ? 0 : seconds.get<double>())
+    {}
+    ~Timer() { m_seconds = m_before + m_watch.seconds(); }
 
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
 
   private:
     Statistics& m_seconds;
+    double m_before;
     Stopwatch m_watch;
   };
 
@@ -72,6 +87,7 @@ private:
   Input_mesh m_input;
   Statistics m_statistics;
   Statistics m_seconds;
+  std::optional<Timer> m_timer; // of the stage that was started
 };
 
 #endif // INTRINSIC_COMMAND_RUN_H

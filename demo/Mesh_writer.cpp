@@ -11,7 +11,9 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <string_view>
+#include <utility>
 
 namespace {
 
@@ -53,18 +55,50 @@ std::string off(const Output_mesh& mesh)
   return text.take();
 }
 
+void add_coordinates(Text& text, const Texture& texture, std::size_t i)
+{
+  for(std::size_t k = 0; k < texture.dimension; ++k)
+    text << ' ' << texture.coordinates[i][k];
+}
+
+void add_obj_face(Text& text, const Output_mesh& mesh, std::size_t i)
+{
+  text << 'f';
+  for(std::size_t k = 0; k < mesh.polygons[i].size(); ++k) {
+    text << ' ' << mesh.polygons[i][k] + 1;
+    if(mesh.texture.dimension > 0)
+      text << '/' << mesh.texture.polygons[i][k] + 1;
+  }
+  text << '\n';
+}
+
 std::string obj(const Output_mesh& mesh)
 {
   Text text;
   for(const Point& p : mesh.points)
     text << "v " << p << '\n';
-  for(const std::vector<std::size_t>& polygon : mesh.polygons) {
-    text << 'f';
-    for(const std::size_t i : polygon)
-      text << ' ' << i + 1;
+  for(std::size_t i = 0; i < mesh.texture.coordinates.size(); ++i) {
+    text << "vt";
+    add_coordinates(text, mesh.texture, i);
     text << '\n';
   }
+  for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
+    add_obj_face(text, mesh, i);
   return text.take();
+}
+
+const char* name_of(const Texture& texture)
+{
+  return texture.dimension == 3 ? "homogeneous_texcoord" : "texcoord";
+}
+
+void add_ply_texture(Text& text, const Texture& texture, std::size_t i)
+{
+  if(texture.dimension == 0)
+    return;
+  text << ' ' << texture.dimension * texture.polygons[i].size();
+  for(const std::size_t c : texture.polygons[i])
+    add_coordinates(text, texture, c);
 }
 
 void add_ply_properties(Text& text, const std::vector<Attribute>& data)
@@ -79,6 +113,8 @@ void add_ply_header(Text& text, const Output_mesh& mesh)
        << "\nproperty double x\nproperty double y\nproperty double z\n";
   add_ply_properties(text, mesh.point_data);
   text << "element face " << mesh.polygons.size() << "\nproperty list uint int vertex_indices\n";
+  if(mesh.texture.dimension > 0)
+    text << "property list uchar double " << name_of(mesh.texture) << '\n';
   add_ply_properties(text, mesh.polygon_data);
   if(!mesh.edges.empty()) {
     text << "element edge " << mesh.edges.size()
@@ -98,6 +134,7 @@ std::string ply(const Output_mesh& mesh)
   }
   for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
     add_polygon(text, mesh.polygons[i]);
+    add_ply_texture(text, mesh.texture, i);
     add_values(text, mesh.polygon_data, i);
   }
   for(std::size_t i = 0; i < mesh.edges.size(); ++i) {
@@ -119,16 +156,78 @@ void add_vtp_array(Text& text, std::string_view attributes, std::size_t n, const
   text << "</DataArray>\n";
 }
 
-void add_vtp_data(Text& text, std::string_view element, const std::vector<Attribute>& data)
+void add_vtp_data(Text& text, const std::vector<Attribute>& data)
 {
-  text << '<' << element << ">\n";
   for(const Attribute& a : data)
     add_vtp_array(text,
                   (a.has_integers() ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") +
                     a.name + "\"",
                   a.values.size(), [&](std::size_t i) { text << a.values[i]; });
-  text << "</" << element << ">\n";
 }
+
+// The points have the texture coordinates with their numbers.
+void add_vtp_texture(Text& text, const Texture& texture)
+{
+  if(texture.dimension == 0)
+    return;
+  Text attributes;
+  attributes << "type=\"Float64\" Name=\"" << name_of(texture) << "\" NumberOfComponents=\""
+             << texture.dimension << '"';
+  add_vtp_array(text, attributes.take(), texture.coordinates.size(),
+                [&](std::size_t i) { add_coordinates(text, texture, i); });
+}
+
+// Repeats points until each has one texture coordinate, with the number of the point.
+class Texture_splitting
+{
+public:
+  explicit Texture_splitting(const Output_mesh& mesh)
+    : m_mesh(mesh), m_coordinate(mesh.points.size(), none)
+  {
+    m_mesh.texture.polygons.clear();
+    for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
+      for(std::size_t k = 0; k < mesh.polygons[i].size(); ++k)
+        m_mesh.polygons[i][k] = point_with(mesh.texture.polygons[i][k], mesh.polygons[i][k]);
+    set_coordinates(mesh.texture.coordinates);
+  }
+
+  const Output_mesh& mesh() const { return m_mesh; }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  std::size_t point_with(std::size_t coordinate, std::size_t point)
+  {
+    if(m_coordinate[point] == none)
+      m_coordinate[point] = coordinate;
+    if(m_coordinate[point] == coordinate)
+      return point;
+    const auto [copy, is_new] = m_copy.emplace(std::pair(point, coordinate), m_coordinate.size());
+    if(is_new)
+      repeat(point, coordinate);
+    return copy->second;
+  }
+
+  void repeat(std::size_t point, std::size_t coordinate)
+  {
+    m_coordinate.push_back(coordinate);
+    m_mesh.points.push_back(Point(m_mesh.points[point]));
+    for(Attribute& a : m_mesh.point_data)
+      a.values.push_back(Attribute::Value(a.values[point]));
+  }
+
+  // isolated points are at the origin
+  void set_coordinates(const std::vector<std::array<double, 3>>& all)
+  {
+    m_mesh.texture.coordinates.clear();
+    for(const std::size_t c : m_coordinate)
+      m_mesh.texture.coordinates.push_back(c == none ? std::array<double, 3>{0, 0, 1} : all[c]);
+  }
+
+  Output_mesh m_mesh;
+  std::vector<std::size_t> m_coordinate; // of each point
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_copy;
+};
 
 void add_vtp_points(Text& text, const Output_mesh& mesh)
 {
@@ -152,7 +251,7 @@ void add_vtp_polygons(Text& text, const Output_mesh& mesh)
   text << "</Polys>\n";
 }
 
-std::string vtp(const Output_mesh& mesh)
+std::string vtp_with_point_texture(const Output_mesh& mesh)
 {
   Text text;
   text << "<?xml version=\"1.0\"?>\n"
@@ -160,12 +259,23 @@ std::string vtp(const Output_mesh& mesh)
        << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfVerts=\"0\" "
        << "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << mesh.polygons.size()
        << "\">\n";
-  add_vtp_data(text, "PointData", mesh.point_data);
-  add_vtp_data(text, "CellData", mesh.polygon_data);
+  text << "<PointData" << (mesh.texture.dimension == 2 ? " TCoords=\"texcoord\">\n" : ">\n");
+  add_vtp_data(text, mesh.point_data);
+  add_vtp_texture(text, mesh.texture);
+  text << "</PointData>\n<CellData>\n";
+  add_vtp_data(text, mesh.polygon_data);
+  text << "</CellData>\n";
   add_vtp_points(text, mesh);
   add_vtp_polygons(text, mesh);
   text << "</Piece>\n</PolyData>\n</VTKFile>\n";
   return text.take();
+}
+
+std::string vtp(const Output_mesh& mesh)
+{
+  if(mesh.texture.dimension == 0)
+    return vtp_with_point_texture(mesh);
+  return vtp_with_point_texture(Texture_splitting(mesh).mesh());
 }
 
 struct Format_description
@@ -203,6 +313,8 @@ bool has_attributes(Mesh_format format)
 {
   return format == Mesh_format::PLY || format == Mesh_format::VTP;
 }
+
+bool has_texture(Mesh_format format) { return format != Mesh_format::OFF; }
 
 std::string text_of(const Output_mesh& mesh, Mesh_format format)
 {

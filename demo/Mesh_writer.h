@@ -9,7 +9,12 @@
 
 #include <string>
 
-// Text formats; PLY and VTP carry the attributes (VTP those of points and polygons).
+// Text formats; PLY and VTP carry the attributes (VTP those of points and polygons), all but OFF the texture:
+// - OBJ as vt, at the corners of faces;
+// - PLY as a property of faces, a list "texcoord" with two numbers for each corner, or
+//   "homogeneous_texcoord" with three;
+// - VTP as a property of points with these names; where corners at a point differ, the point is repeated
+//   after all others.
 enum class Mesh_format
 {
   OFF,
@@ -24,6 +29,9 @@ Mesh_format output_format(const std::string& path, const std::string& name);
 
 // Whether a file carries the attributes of points and polygons.
 bool has_attributes(Mesh_format format);
+
+// Whether a file carries a texture.
+bool has_texture(Mesh_format format);
 
 // The mesh as text; coordinates are the shortest that are read back as the same numbers.
 std::string text_of(const Output_mesh& mesh, Mesh_format format);

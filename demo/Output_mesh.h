@@ -25,6 +25,31 @@ struct Attribute
   bool has_integers() const { return values.empty() || values.front().index() == 0; }
 };
 
+// One value per element of `range`.
+template <class Range, class Value>
+Attribute attribute(const char* name, const Range& range, const Value& value)
+{
+  Attribute result{name, {}};
+  for(const auto element : range)
+    result.values.push_back(value(element));
+  return result;
+}
+
+// Of an element of a mesh; -1 for none.
+template <class Index>
+std::int64_t number_of(Index i)
+{
+  return i.is_valid() ? static_cast<std::int64_t>(i.idx()) : -1;
+}
+
+// Texture coordinates of the corners of polygons.
+struct Texture
+{
+  std::size_t dimension = 0; // zero if there is no texture; 2, the third being 1; 3 if homogeneous
+  std::vector<std::array<double, 3>> coordinates;
+  std::vector<std::vector<std::size_t>> polygons; // with coordinates in place of points
+};
+
 // A mesh with what is known about its elements, ready to be written.
 struct Output_mesh
 {
@@ -34,6 +59,7 @@ struct Output_mesh
   std::vector<Attribute> point_data;
   std::vector<Attribute> edge_data;
   std::vector<Attribute> polygon_data;
+  Texture texture;
 };
 
 // The points and polygons of a mesh.

@@ -4,6 +4,7 @@
 
 #include "Progress_bar.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include <unistd.h>
@@ -14,9 +15,11 @@ Progress_bar::Progress_bar(std::size_t number_of_stages, bool is_quiet)
 
 void Progress_bar::start_stage(const std::string& name)
 {
-  ++m_stage;
+  const auto known = std::find(m_names.begin(), m_names.end(), name);
+  m_stage = static_cast<std::size_t>(known - m_names.begin());
+  if(known == m_names.end())
+    m_names.push_back(name);
   m_steps = 0;
-  m_name = name;
   if(m_is_shown)
     draw();
 }
@@ -30,9 +33,9 @@ void Progress_bar::clear() const
 void Progress_bar::draw() const
 {
   constexpr std::size_t width = 30;
-  const std::size_t done = width * (m_stage - 1) / m_number_of_stages;
+  const std::size_t done = width * m_stage / m_number_of_stages;
   std::cerr << "\r\033[K[" << std::string(done, '#') << std::string(width - done, ' ') << "] "
-            << m_name;
+            << m_names[m_stage];
   if(m_steps > 0)
     std::cerr << ": " << m_steps;
   std::cerr << std::flush;

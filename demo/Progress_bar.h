@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 // One line on the terminal that tells which of several stages is running; nothing elsewhere.
 class Progress_bar
@@ -20,12 +21,21 @@ public:
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
 
+  // A stage that was there before stands where it stood.
   void start_stage(const std::string& name);
 
   // One more step of the stage; cheap enough for inner loops.
   void step()
   {
     if(++m_steps % 4096 == 0 && m_is_shown)
+      draw();
+  }
+
+  // One more step, which takes so long that it is worth telling.
+  void long_step()
+  {
+    ++m_steps;
+    if(m_is_shown)
       draw();
   }
 
@@ -36,9 +46,9 @@ private:
   void draw() const;
 
   std::size_t m_number_of_stages;
-  std::size_t m_stage = 0;
+  std::vector<std::string> m_names; // of the stages, in the order in which they came
+  std::size_t m_stage = 0;          // its place there
   std::size_t m_steps = 0;
-  std::string m_name;
   bool m_is_shown;
 };
 

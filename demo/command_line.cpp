@@ -18,6 +18,7 @@ constexpr const char* examples = R"(Examples:
   intrinsic refine bunny.obj -o refined.ply --min-angle 30
   intrinsic distance bunny.obj --source 17 -o distance.vtp
   intrinsic operators bunny.obj --prefix bunny
+  intrinsic flatten bunny.obj -o flat.obj
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
 
@@ -59,6 +60,43 @@ writes.
 Example:
   intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
 
+constexpr const char* flatten_notes =
+  R"(The map is discretely conformal: angles are kept as well as a triangle mesh can. Without --boundary,
+areas on the boundary are kept too. A surface that has no boundary is cut through its cones.
+
+Boundaries, after --boundary; write MESH before it:
+  free            vertices on the boundary are not scaled (the default)
+  scale FILE      logarithms of their scale factors are prescribed
+  curvature FILE  their exterior angles are prescribed
+  rectangle       of each component: four corners; those are as far apart along the boundary as they can
+                  be while being about as sharp as its four sharpest vertices
+  disk            of each component: a circle
+Rectangles and disks are for components with one boundary; they have no cones unless they are asked for.
+
+A FILE has lines "index value": an index of a vertex, from 0, and radians or a logarithm. What follows a
+# is a comment. Vertices that are not listed have curvature zero: inside they are flat, on the boundary
+straight. In the file of --cones the values are angle defects, 2 pi less the sum of angles; an empty one
+makes a torus flat. All curvatures must add up to 2 pi times the Euler characteristic, unless scale
+factors are prescribed somewhere.
+
+The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the flat
+triangulation. At the corners of its faces stand u and v, which are lengths in the plane, not limited to
+one. Charts of components stand beside each other. With --linear (the default, which every program reads)
+they are taken as linear on each face; the map itself is projective there, and exact with --homogeneous:
+three numbers u w, v w, w, linear on faces, to be divided after interpolation.
+  .obj  "vt u v", or "vt uw vw w"
+  .ply  a list "texcoord" (or "homogeneous_texcoord") of each face, with all numbers of its corners
+  .vtp  a property with that name of points, which are repeated along seams
+.ply and .vtp tell of each vertex the input vertex (-1 if it is none), whether it is a cone and its
+logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat face or edge
+they are a part. Edges with is_seam 1 are cut open.
+
+If the minimization does not converge, nothing is written.
+
+Examples:
+  intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
+  intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
+
 // Ranges do not exclude it.
 std::string not_a_number(const std::string& text)
 {
@@ -76,7 +114,6 @@ CLI::App& add_command(CLI::App& app, const char* name, const char* description, 
 
 void add_common_options(CLI::App& command, Common_options& options)
 {
-  command.add_option("--save", options.save, "File for the intrinsic triangulation itself");
   command.add_option("--stats", options.statistics, "JSON file for statistics");
   command
     .add_option("--mollify", options.mollification,
@@ -86,6 +123,11 @@ void add_common_options(CLI::App& command, Common_options& options)
     ->check(not_a_number);
   command.add_flag("--repair", options.is_repair_wanted,
                    "Mend what can be mended in the mesh and tell it; indices may change");
+}
+
+void add_save(CLI::App& command, Common_options& options)
+{
+  command.add_option("--save", options.save, "File for the intrinsic triangulation itself");
 }
 
 void add_info(CLI::App& app, Options& options)
@@ -108,6 +150,7 @@ void add_subdivision_options(CLI::App& command, Own_options& options, Common_opt
     ->required();
   command.add_option("--format", options.format, "Format on standard output: off, obj, ply or vtp")
     ->capture_default_str();
+  add_save(command, common);
   add_common_options(command, common);
   command
     .add_option("--constrain-angle", options.constrained_angle,
@@ -190,6 +233,7 @@ void add_distance(CLI::App& app, Options& options)
     ->required()
     ->allow_extra_args(false);
   add_distance_outputs(command, own);
+  add_save(command, options.common);
   add_common_options(command, options.common);
   command
     .add_option("--time-step", own.time_step_factor,
@@ -210,9 +254,48 @@ void add_operators(CLI::App& app, Options& options)
     .add_option("--prefix", options.operators.prefix,
                 "Start of the names of the Matrix Market files")
     ->required();
+  add_save(command, options.common);
   add_common_options(command, options.common);
   add_angle(command, options.operators.minimum_angle);
   command.footer(operators_notes);
+}
+
+void add_flattening_targets(CLI::App& command, Flatten_options& options)
+{
+  command.add_option("--cones", options.cones,
+                     "greedy, none, or a file of angle defects; greedy by default, but none for a "
+                     "rectangle or a disk");
+  command
+    .add_option(
+      "--max-log-scale", options.maximum_log_scale,
+      "Place greedy cones until the logarithms of all scale factors are at most so great; "
+      "5 by default")
+    ->check(CLI::PositiveNumber)
+    ->check(not_a_number);
+  command
+    .add_option("--boundary", options.boundary,
+                "free, scale FILE, curvature FILE, rectangle or disk, see below")
+    ->expected(1, 2)
+    ->capture_default_str();
+}
+
+void add_flatten(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "flatten", "Map a mesh to the plane, conformally", options.common.input);
+  Flatten_options& own = options.flatten;
+  command
+    .add_option("-o,--output", own.output,
+                "Common subdivision with texture coordinates (.obj, .ply, .vtp; - for standard "
+                "output)")
+    ->required();
+  command.add_option("--format", own.format, "Format on standard output: obj, ply or vtp")
+    ->capture_default_str();
+  add_flattening_targets(command, own);
+  command.add_flag("--homogeneous,!--linear", own.is_homogeneous,
+                   "Write homogeneous texture coordinates, or linear ones (the default)");
+  add_common_options(command, options.common);
+  command.footer(flatten_notes);
 }
 
 } // namespace
@@ -230,4 +313,5 @@ void define_command_line(CLI::App& app, Options& options)
   add_refine(app, options);
   add_distance(app, options);
   add_operators(app, options);
+  add_flatten(app, options);
 }

@@ -18,6 +18,7 @@ struct Options
   Refine_options refine;
   Distance_options distance;
   Operators_options operators;
+  Flatten_options flatten;
 };
 
 // Tells `app` what can stand on the command line; parsing sets `options`, which must live as long.

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,5 +87,19 @@ struct Operators_options
 // Writes the matrices of the intrinsic Delaunay triangulation, refined if that is wanted.
 // Returns the exit code.
 int operators(const Common_options& common, const Operators_options& options);
+
+struct Flatten_options
+{
+  std::string output;
+  std::string format = "obj"; // on standard output
+  std::string cones;          // "greedy", "none" or a file; empty for what suits the boundary
+  std::optional<double> maximum_log_scale;   // for greedy cones
+  std::vector<std::string> boundary{"free"}; // and the file of "scale" and "curvature"
+  bool is_homogeneous = false;
+};
+
+// Maps the surface to the plane, discretely conformally, and writes the common subdivision of its three
+// triangulations with texture coordinates. Returns the exit code.
+int flatten(const Common_options& common, const Flatten_options& options);
 
 #endif // INTRINSIC_COMMANDS_H

@@ -8,22 +8,6 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-template <class Index>
-std::int64_t number_of(Index i)
-{
-  return i.is_valid() ? static_cast<std::int64_t>(i.idx()) : -1;
-}
-
-// One value per element of `range`.
-template <class Range, class Value>
-Attribute attribute(const char* name, const Range& range, const Value& value)
-{
-  Attribute result{name, {}};
-  for(const auto element : range)
-    result.values.push_back(value(element));
-  return result;
-}
-
 constexpr std::int64_t input_vertex_kind = 0;
 constexpr std::int64_t crossing_kind = 1;
 constexpr std::int64_t inserted_vertex_kind = 2;

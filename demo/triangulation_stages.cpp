@@ -24,7 +24,6 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace {
 
 using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
-using Edge_length_map = Mesh::Property_map<Mesh::Edge_index, double>;
 
 // Shows the flips while they are made.
 struct Flip_counter
@@ -41,23 +40,13 @@ Edge_bool_map constrained_edges(Mesh& mesh, double angle)
   return mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
 }
 
-// With the length that was added to each edge in the statistics.
-Edge_length_map mollified_lengths(Command_run& run)
-{
-  Mesh& mesh = run.input().mesh;
-  auto lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
-  IT::compute_edge_lengths(mesh, lengths);
-  run.statistics()["added_length"] = IT::mollify(mesh, lengths, run.options().mollification);
-  return lengths;
-}
-
 Triangulation build(Command_run& run, double constrained_angle)
 {
   Mesh& mesh = run.input().mesh;
   const auto np =
     CGAL::parameters::edge_is_constrained_map(constrained_edges(mesh, constrained_angle));
   if(run.options().mollification > 0)
-    return Triangulation(mesh, IT::parameters::edge_length_map(mollified_lengths(run), np));
+    return Triangulation(mesh, IT::parameters::edge_length_map(edge_lengths(run), np));
   return Triangulation(mesh, np);
 }
 
@@ -77,6 +66,16 @@ bool is_excused(const IT::Remaining_face& f)
 }
 
 } // namespace
+
+Edge_length_map edge_lengths(Command_run& run)
+{
+  Mesh& mesh = run.input().mesh;
+  auto lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+  IT::compute_edge_lengths(mesh, lengths);
+  if(run.options().mollification > 0)
+    run.statistics()["added_length"] = IT::mollify(mesh, lengths, run.options().mollification);
+  return lengths;
+}
 
 Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle)
 {

@@ -506,19 +506,19 @@ struct Gradient_descent
 {
   template <typename Energy, typename Visitor>
   DC::Minimization_result operator()(Energy& energy, Eigen::VectorXd& x,
-                                     const std::vector<char>& is_fixed, Visitor&& visitor) const
+                                     const DC::Minimization_domain& domain, Visitor&& visitor) const
   {
     DC::Minimization_result result;
     for(;;) {
       energy.evaluate(x);
       Eigen::VectorXd gradient = energy.gradient();
       for(Eigen::Index i = 0; i < x.size(); ++i)
-        gradient[i] = is_fixed[std::size_t(i)] ? 0 : gradient[i];
+        gradient[i] = domain.is_fixed[std::size_t(i)] ? 0 : gradient[i];
       result.gradient_norm = gradient.cwiseAbs().maxCoeff();
       if(result.gradient_norm < 1e-12)
         break;
       x -= 0.1 * gradient;
-      visitor.after_step(++result.iterations, result.gradient_norm);
+      visitor.after_iteration(++result.iterations, result.gradient_norm, 0.1);
     }
     result.status = DC::Minimization_status::converged;
     return result;

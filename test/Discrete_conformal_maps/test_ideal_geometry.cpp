@@ -5,13 +5,19 @@
 #include "../Intrinsic_triangulations/generators.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -233,6 +239,586 @@ TEST(Ideal_geometry, rounded_strip_keeps_its_digits)
       expect_close(exact.crossing(m).scale, rounded.crossing(m).scale, 12 * n);
     }
   }
+}
+
+// ---- Circles ----
+
+// |sin(alpha - beta)|, a chord of a circle of diameter 1, from the tangents of the halves of both angles
+Rational chord(const Rational& a, const Rational& b)
+{
+  const Rational sine = (2 * a * (1 - b * b) - 2 * b * (1 - a * a)) / ((1 + a * a) * (1 + b * b));
+  return CGAL::abs(sine);
+}
+
+// By Ptolemy's theorem the flip is that in the plane, and both diagonals are Delaunay.
+TEST(Ideal_geometry, flip_in_a_circle_is_euclidean)
+{
+  CGAL::Random random(5);
+  for(int n = 0; n < 200; ++n) {
+    std::array<Rational, 4> a{random_positive(random), Rational(0), Rational(0), Rational(0)};
+    for(std::size_t m = 1; m < 4; ++m)
+      a[m] = a[m - 1] + random_positive(random);
+    const Diamond<Rational> d{chord(a[0], a[2]), chord(a[2], a[3]), chord(a[3], a[0]),
+                              chord(a[0], a[1]), chord(a[1], a[2])};
+    const Rational kl = chord(a[1], a[3]);
+    EXPECT_EQ(Exact_traits::Compute_flipped_length()(d), kl);
+    const Diamond<Rational> flipped{kl, d.lj, d.jk, d.ki, d.il};
+    for(const Diamond<Rational>& tie : {d, flipped}) {
+      EXPECT_TRUE(Exact_traits::Is_locally_Delaunay()(tie));
+      EXPECT_TRUE(Double_traits::Is_locally_Delaunay()(to_double(tie)));
+    }
+  }
+}
+
+// In floating point the new edge is Delaunay, however close the decision was.
+TEST(Ideal_geometry, flipped_edge_is_delaunay)
+{
+  CGAL::Random random(6);
+  const Double_traits::Is_locally_Delaunay is_Delaunay;
+  std::size_t flips = 0;
+  for(int n = 0; n < 20000; ++n) {
+    const auto length = [&] { return std::exp(random.get_double(-9, 9)); };
+    Diamond<double> d{1, length(), length(), length(), length()};
+    const double k = d.jk * d.ki, l = d.il * d.lj;
+    const double tie = std::sqrt(
+      ((d.jk * d.jk + d.ki * d.ki) / k + (d.il * d.il + d.lj * d.lj) / l) / (1 / k + 1 / l));
+    d.ij = tie * (1 + random.get_int(-10, 400) * std::numeric_limits<double>::epsilon());
+    if(is_Delaunay(d))
+      continue;
+    ++flips;
+    EXPECT_TRUE(is_Delaunay({Double_traits::Compute_flipped_length()(d), d.lj, d.jk, d.ki, d.il}));
+  }
+  EXPECT_GT(flips, 1000u);
+}
+
+TEST(Ideal_geometry, lengths_have_a_range)
+{
+  const Double_traits::Is_length is_length;
+  for(double length : {1., 1e-150, 1e150, 1e-30, 1e30})
+    EXPECT_TRUE(is_length(length));
+  for(double length : {0., -1., 1e-160, 1e160, std::numeric_limits<double>::infinity(),
+                       std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_FALSE(is_length(length));
+  // at the ends of the range decisions are right
+  const Double_traits::Is_locally_Delaunay is_Delaunay;
+  EXPECT_FALSE(is_Delaunay({1e150, 1e-150, 1e-150, 1e-150, 1e-150}));
+  EXPECT_FALSE(is_Delaunay({1e150, 1e-150, 1e149, 1e149, 1e-150}));
+  EXPECT_TRUE(is_Delaunay({1e-150, 1e-150, 1e150, 1e150, 1e-150}));
+  EXPECT_TRUE(is_Delaunay({1e-150, 1e150, 1e150, 1e150, 1e150}));
+}
+
+// ---- Surfaces ----
+
+using Exact_triangulation = IT::Intrinsic_triangulation<Exact_traits>;
+using Double_triangulation = IT::Intrinsic_triangulation<Double_traits>;
+using Exact_correspondence = IT::Correspondence<Exact_traits>;
+using IT::Side;
+
+constexpr std::array<Side, 2> both_sides{Side::input, Side::intrinsic};
+
+Side other(Side side) { return side == Side::input ? Side::intrinsic : Side::input; }
+
+// with no regard to the triangle inequality
+std::vector<double> positive_numbers(std::size_t n, double range, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<double> result(n);
+  for(double& x : result)
+    x = std::exp(random.get_double(-range, range));
+  return result;
+}
+
+bool is_closed(const Delta_complex& mesh)
+{
+  for(Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h))
+      return false;
+  return true;
+}
+
+std::vector<Named_complex> small_complexes()
+{
+  std::vector<Named_complex> result;
+  for(Named_complex& c : complexes())
+    if(c.mesh.number_of_edges() < 60)
+      result.push_back(c);
+  return result;
+}
+
+template <typename Traits>
+void flip_at_random(IT::Intrinsic_triangulation<Traits>& t, std::size_t attempts, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for(std::size_t i = 0; i < attempts; ++i) {
+    const Halfedge_index h(static_cast<Delta_complex::size_type>(
+      random.get_int(0, static_cast<int>(t.mesh().number_of_halfedges()))));
+    if(t.is_flippable(h))
+      t.flip(h);
+  }
+}
+
+template <typename Traits>
+void flip_to_Delaunay_at_random(IT::Intrinsic_triangulation<Traits>& t, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for(;;) {
+    std::vector<Edge_index> wrong;
+    for(Edge_index e : t.mesh().edges())
+      if(!t.is_Delaunay(e))
+        wrong.push_back(e);
+    if(wrong.empty())
+      return;
+    const auto i = random.get_int(0, static_cast<int>(wrong.size()));
+    t.flip(t.mesh().halfedge(wrong[static_cast<std::size_t>(i)]));
+  }
+}
+
+// The edges of T2, each as what it passes of T1, in order: this is all of T2 but its numbering.
+template <typename Traits>
+std::vector<std::vector<Halfedge_index>> passages(const IT::Intrinsic_triangulation<Traits>& t)
+{
+  std::vector<std::vector<Halfedge_index>> result;
+  for(Edge_index e : t.mesh().edges()) {
+    const Halfedge_index h = t.mesh().halfedge(e);
+    std::vector<std::vector<Halfedge_index>> both;
+    for(Halfedge_index x : {h, t.mesh().opposite(h)}) {
+      both.emplace_back();
+      for(const auto& p : IT::trace_intrinsic_edge(x, t))
+        both.back().push_back(p.on_input.halfedge);
+      both.back().pop_back();
+    }
+    result.push_back((std::min)(both[0], both[1]));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Ideal_geometry, every_order_of_flips_gives_the_same_delaunay_triangulation)
+{
+  std::size_t flips = 0;
+  for(const auto& [name, mesh] : small_complexes())
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(name);
+      const auto start =
+        triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), 2, seed));
+      Exact_triangulation a = start, b = start, c = start;
+      flips += IT::make_Delaunay(a);
+      flip_to_Delaunay_at_random(b, seed);
+      flip_at_random(c, 2 * mesh.number_of_edges(), seed);
+      flip_to_Delaunay_at_random(c, seed + 1);
+      EXPECT_TRUE(a.is_valid(true) && b.is_valid(true) && c.is_valid(true));
+      EXPECT_EQ(passages(a), passages(b));
+      EXPECT_EQ(passages(a), passages(c));
+    }
+  EXPECT_GT(flips, 300u);
+}
+
+// Flips in any order, back to where they started: every length is the same number again.
+TEST(Ideal_geometry, flips_back_to_the_input_are_exact)
+{
+  for(const auto& [name, mesh] : small_complexes()) {
+    SCOPED_TRACE(name);
+    const auto start =
+      triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), 2, 1));
+    Exact_triangulation t = start;
+    std::vector<Halfedge_index> flipped;
+    CGAL::Random random(7);
+    for(std::size_t i = 0; i < 2 * mesh.number_of_edges(); ++i) {
+      const Halfedge_index h(static_cast<Delta_complex::size_type>(
+        random.get_int(0, static_cast<int>(mesh.number_of_halfedges()))));
+      if(t.is_flippable(h)) {
+        t.flip(h);
+        flipped.push_back(h);
+      }
+    }
+    Exact_triangulation u = t;
+    u.recompute_lengths(); // along T1, without the flips in between
+    for(Edge_index e : mesh.edges())
+      EXPECT_EQ(t.length(e), u.length(e));
+    // an edge that is shared again has its length from T1: so not with t itself
+    std::vector<Rational> length;
+    for(Edge_index e : mesh.edges())
+      length.push_back(t.length(e));
+    while(!flipped.empty()) {
+      const Halfedge_index h = flipped.back();
+      length[mesh.edge(h).idx()] = Exact_traits::Compute_flipped_length()(
+        IT::diamond(boost::make_function_property_map<Edge_index>(
+                      [&](Edge_index e) { return length[e.idx()]; }),
+                    h, t.mesh()));
+      t.flip(h);
+      flipped.pop_back();
+    }
+    for(Edge_index e : mesh.edges())
+      EXPECT_EQ(length[e.idx()], start.length(e));
+  }
+}
+
+// what is missing of the triangle inequality, relative to the longest side
+template <typename Traits>
+typename Traits::FT triangle_defect(const IT::Intrinsic_triangulation<Traits>& t)
+{
+  typedef typename Traits::FT FT;
+  const Delta_complex& mesh = t.mesh();
+  FT result(-1);
+  for(Halfedge_index h : mesh.halfedges()) {
+    const FT &a = t.length(mesh.edge(h)), &b = t.length(mesh.edge(mesh.next(h)));
+    const FT& c = t.length(mesh.edge(mesh.prev(h)));
+    result = (std::max)(result, FT((a - b - c) / a));
+  }
+  return result;
+}
+
+TEST(Ideal_geometry, delaunay_triangulation_satisfies_the_triangle_inequality)
+{
+  for(const auto& [name, mesh] : complexes())
+    if(is_closed(mesh) && mesh.number_of_edges() < 20)
+      for(double range : {1., 5., 10.}) {
+        SCOPED_TRACE(name);
+        auto t =
+          triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), range, 8));
+        IT::make_Delaunay(t);
+        EXPECT_TRUE(triangle_defect(t) < 0);
+      }
+}
+
+TEST(Ideal_geometry, wild_lengths_become_delaunay)
+{
+  for(const auto& [name, mesh] : complexes())
+    for(double range : {10., 30., 69.}) // up to 1e30, down to 1e-30
+      for(unsigned int seed = 0; seed < 5; ++seed) {
+        SCOPED_TRACE(name);
+        auto t =
+          triangulation<Double_traits>(mesh, positive_numbers(mesh.number_of_edges(), range, seed));
+        IT::make_Delaunay(t);
+        EXPECT_TRUE(IT::is_Delaunay(t));
+        EXPECT_TRUE(t.is_valid(true));
+        if(is_closed(mesh)) { // strict but for rounding
+          EXPECT_LT(triangle_defect(t), 1e-13);
+        }
+      }
+}
+
+// ---- Correspondence ----
+
+// Small surfaces, Delaunay and after random flips.
+std::vector<std::pair<std::string, Exact_triangulation>> exact_triangulations()
+{
+  std::vector<std::pair<std::string, Exact_triangulation>> result;
+  for(const auto& [name, mesh] : small_complexes()) {
+    auto t = triangulation<Exact_traits>(mesh, positive_numbers(mesh.number_of_edges(), 2, 9));
+    IT::make_Delaunay(t);
+    result.emplace_back(name + ", Delaunay", t);
+    flip_at_random(t, mesh.number_of_edges(), 10);
+    result.emplace_back(name + ", flipped", t);
+  }
+  return result;
+}
+
+template <typename Traits>
+std::vector<IT::Face_location<typename Traits::FT>> sample(const Delta_complex& mesh, std::size_t n,
+                                                           unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<IT::Face_location<typename Traits::FT>> result;
+  for(std::size_t i = 0; i < n; ++i) {
+    typedef typename Traits::FT FT;
+    const Face_index f(static_cast<Delta_complex::size_type>(
+      random.get_int(0, static_cast<int>(mesh.number_of_faces()))));
+    const FT u(random.get_int(0, 100)), v(random.get_int(1, 100)), w(random.get_int(1, 100));
+    result.push_back(
+      {f, {v / (u + v + w), FT(1 - v / (u + v + w) - w / (u + v + w)), w / (u + v + w)}});
+  }
+  return result;
+}
+
+TEST(Ideal_geometry, crossings_are_those_of_the_integer_coordinates)
+{
+  for(const auto& [name, t] : exact_triangulations()) {
+    SCOPED_TRACE(name);
+    const Exact_correspondence c(t);
+    std::size_t on_intrinsic = 0, on_input = 0;
+    for(Edge_index e : t.mesh().edges()) {
+      const auto n = c.number_of_crossings(Side::intrinsic, e);
+      EXPECT_EQ(n, IT::crossings(t.coordinates().normal_coordinate(e)));
+      on_intrinsic += n;
+    }
+    for(Edge_index e : t.input_mesh().edges())
+      on_input += c.number_of_crossings(Side::input, e);
+    EXPECT_EQ(on_input, on_intrinsic);
+    EXPECT_EQ(on_input, c.number_of_crossings());
+    for(Side side : both_sides)
+      for(Halfedge_index h : c.mesh(side).halfedges()) {
+        Rational last(0);
+        for(Delta_complex::size_type p = 0; p < c.number_of_crossings(side, Edge_index(h)); ++p) {
+          const Rational place = c.crossing(side, h, p).here.t;
+          EXPECT_TRUE(last < place && place < 1);
+          last = place;
+        }
+      }
+  }
+}
+
+TEST(Ideal_geometry, scales_are_positive)
+{
+  for(const auto& [name, t] : exact_triangulations()) {
+    SCOPED_TRACE(name);
+    const Exact_correspondence c(t);
+    for(Delta_complex::size_type id = 0; id < c.number_of_crossings(); ++id)
+      EXPECT_TRUE(c.scale(id) > 0);
+  }
+}
+
+// The correspondence lays out edges of T1 on T2; without it, edges of T2 are laid out on T1 too.
+TEST(Ideal_geometry, points_go_there_and_back_exactly)
+{
+  for(const auto& [name, t] : exact_triangulations()) {
+    SCOPED_TRACE(name);
+    const Exact_correspondence c(t);
+    for(Side side : both_sides)
+      for(const auto& p : sample<Exact_traits>(c.mesh(side), 12, 11)) {
+        const auto q = IT::point_across(side, p, c);
+        EXPECT_EQ(q, IT::point_across(side, p, t));
+        const auto back = IT::point_across(other(side), q, c);
+        EXPECT_EQ(back, IT::point_across(other(side), q, t));
+        if(p.second[1] != 0) { // otherwise it may be seen from the other side of its edge
+          EXPECT_EQ(back, p);
+        }
+      }
+  }
+}
+
+// ---- Points across by central projection ----
+
+// A triangle of T1 laid out in the light cone; h is its first side. Any basis of space will do, for instance
+// the corners of the first triangle.
+struct Lifted_triangle
+{
+  Halfedge_index h;
+  std::array<Vector_3, 3> q; // the source of h, its target, and the apex
+};
+
+Vector_3 combination(const std::array<Vector_3, 3>& q, const std::array<Rational, 3>& w)
+{
+  Vector_3 result;
+  for(std::size_t x = 0; x < 3; ++x)
+    result[x] = w[0] * q[0][x] + w[1] * q[1][x] + w[2] * q[2][x];
+  return result;
+}
+
+class Light_cone
+{
+public:
+  explicit Light_cone(const Exact_triangulation& t) : m_t(t), m_mesh(t.input_mesh()) {}
+
+  Lifted_triangle first(Halfedge_index h) const
+  {
+    return {h, {Vector_3{1, 0, 0}, Vector_3{0, 1, 0}, Vector_3{0, 0, 1}}};
+  }
+
+  Lifted_triangle next(const Lifted_triangle& a) const
+  {
+    return {m_mesh.next(a.h), {a.q[1], a.q[2], a.q[0]}};
+  }
+
+  // with this side
+  Lifted_triangle turned(Lifted_triangle a, Halfedge_index h) const
+  {
+    while(a.h != h)
+      a = next(a);
+    return a;
+  }
+
+  // the triangle beyond the side h: its apex follows from the relation of four light-like vectors
+  Lifted_triangle beyond(const Lifted_triangle& a) const
+  {
+    const Halfedge_index o = m_mesh.opposite(a.h);
+    const Rational ij = length(a.h), jk = length(m_mesh.next(a.h)), ki = length(m_mesh.prev(a.h));
+    const Rational il = length(m_mesh.next(o)), lj = length(m_mesh.prev(o));
+    const Rational kl = (ki * lj + jk * il) / ij;
+    const Rational of_l = ij * jk * ki, of_k = ij * il * lj, of_i = jk * kl * lj,
+                   of_j = ki * kl * il;
+    return {o,
+            {a.q[1], a.q[0],
+             combination({a.q[0], a.q[1], a.q[2]}, {of_i / of_l, of_j / of_l, -of_k / of_l})}};
+  }
+
+  Lifted_triangle counterclockwise(const Lifted_triangle& a) const
+  {
+    return beyond(turned(a, m_mesh.prev(a.h)));
+  }
+
+  // the end of a halfedge of T2 that starts at the source of the spoke `a` of T1
+  Vector_3 end_of(Halfedge_index h, Lifted_triangle a) const
+  {
+    const auto trace = IT::trace_intrinsic_edge(h, m_t);
+    for(std::size_t m = 1; m + 1 < trace.size(); ++m)
+      a = beyond(turned(a, trace[m].on_input.halfedge));
+    return trace.size() == 2 ? a.q[1] : a.q[2];
+  }
+
+  // The point of T1 on the ray of the point `p` of a face of T2.
+  std::pair<Halfedge_index, std::array<Rational, 3>>
+  project(const IT::Face_location<Rational>& p) const
+  {
+    const Halfedge_index x = m_t.mesh().halfedge(p.first),
+                         z = m_t.mesh().opposite(m_t.mesh().prev(x));
+    const Lifted_triangle start = first(m_t.input_spoke_before(x));
+    const Vector_3 &X = start.q[0], Y = end_of(x, start);
+    Lifted_triangle a = start;
+    Vector_3 Z = Y;
+    for(bool is_first = true; !(determinant(X, Y, Z) > 0); is_first = false) {
+      if(!is_first)
+        a = counterclockwise(a);
+      while(a.h != m_t.input_spoke_before(z))
+        a = counterclockwise(a);
+      Z = end_of(z, a);
+    }
+    return walk(start, combination({X, Y, Z}, p.second));
+  }
+
+private:
+  const Rational& length(Halfedge_index h) const { return m_t.input_length(m_mesh.edge(h)); }
+
+  static std::array<Rational, 3> coordinates(const Lifted_triangle& a, const Vector_3& p)
+  {
+    std::array<Rational, 3> w{determinant(p, a.q[1], a.q[2]), determinant(a.q[0], p, a.q[2]),
+                              determinant(a.q[0], a.q[1], p)};
+    const Rational sum = w[0] + w[1] + w[2];
+    for(Rational& x : w)
+      x /= sum;
+    return w;
+  }
+
+  static bool contains(const Lifted_triangle& a, const Vector_3& p)
+  {
+    return determinant(p, a.q[1], a.q[2]) >= 0 && determinant(a.q[0], p, a.q[2]) >= 0 &&
+           determinant(a.q[0], a.q[1], p) >= 0;
+  }
+
+  // straight from the source of the spoke `a` to `p`
+  std::pair<Halfedge_index, std::array<Rational, 3>> walk(Lifted_triangle a,
+                                                          const Vector_3& p) const
+  {
+    const Vector_3 start = a.q[0];
+    while(!(determinant(start, a.q[1], p) >= 0 && determinant(start, p, a.q[2]) >= 0))
+      a = counterclockwise(a);
+    if(!contains(a, p)) {
+      a = beyond(next(a));
+      while(!contains(a, p))
+        a = beyond(determinant(start, p, a.q[2]) > 0 ? next(a) : next(next(a)));
+    }
+    return {a.h, coordinates(a, p)};
+  }
+
+  const Exact_triangulation& m_t;
+  const Delta_complex& m_mesh;
+};
+
+TEST(Ideal_geometry, points_across_are_central_projections)
+{
+  std::size_t surfaces = 0;
+  for(const auto& [name, t] : exact_triangulations()) {
+    if(!is_closed(t.mesh()))
+      continue;
+    SCOPED_TRACE(name);
+    ++surfaces;
+    const Light_cone cone(t);
+    const Exact_correspondence c(t);
+    for(const auto& p : sample<Exact_traits>(t.mesh(), 20, 12)) {
+      if(p.second[1] == 0)
+        continue;
+      const auto q = IT::point_across(Side::intrinsic, p, c);
+      const auto [h, w] = cone.project(p);
+      ASSERT_EQ(q.first, t.input_mesh().face(h));
+      EXPECT_EQ(IT::internal::coordinates_from(h, q, t.input_mesh()), w);
+    }
+  }
+  EXPECT_GT(surfaces, 15u);
+}
+
+// ---- No inserted vertices ----
+
+TEST(Ideal_geometry, inserted_vertices_are_refused)
+{
+  const auto t = triangulation<Double_traits>(glue({{1, 2, 3}}), {1, 1, 1});
+  EXPECT_NO_THROW(Double_triangulation(t.input_mesh(), t.mesh()));
+  const IT::Inserted_vertex<double> center{Halfedge_index(), {Face_index(0), {0.25, 0.25, 0.5}}};
+  EXPECT_THROW(Double_triangulation(t.input_mesh(), t.mesh(), {center}), IT::Invalid_input);
+}
+
+// ---- Floating point ----
+
+Delta_complex connectivity(const Mesh& mesh) { return IT::Intrinsic_triangulation<>(mesh).mesh(); }
+
+// The lengths of a mesh, scaled at its vertices.
+std::vector<double> scaled_lengths(const Mesh& mesh, double range, unsigned int seed)
+{
+  const auto u = positive_numbers(mesh.number_of_vertices(), range / 2, seed); // exp(u / 2)
+  std::vector<double> result;
+  for(Edge_index e : mesh.edges()) {
+    const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
+    result.push_back(std::sqrt(CGAL::squared_distance(mesh.point(i), mesh.point(j))) * u[i.idx()] *
+                     u[j.idx()]);
+  }
+  return result;
+}
+
+template <typename Mesh>
+std::ptrdiff_t Euler_characteristic(const Mesh& mesh)
+{
+  return std::ptrdiff_t(mesh.number_of_vertices()) - std::ptrdiff_t(mesh.number_of_edges()) +
+         std::ptrdiff_t(mesh.number_of_faces());
+}
+
+TEST(Ideal_geometry, scaled_meshes_become_delaunay)
+{
+  for(const auto& [name, mesh] : meshes())
+    for(double range : {0.5, 5., 15.}) {
+      SCOPED_TRACE(name);
+      auto t = triangulation<Double_traits>(connectivity(mesh), scaled_lengths(mesh, range, 13));
+      IT::make_Delaunay(t);
+      EXPECT_TRUE(IT::is_Delaunay(t));
+      EXPECT_TRUE(t.is_valid(true));
+      const IT::Correspondence<Double_traits> c(t);
+      const IT::Common_subdivision<Double_traits> s(c);
+      EXPECT_TRUE(s.mesh().is_valid());
+      EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
+      Double_triangulation back = t;
+      back.flip_to_input();
+      for(Edge_index e : back.mesh().edges())
+        EXPECT_TRUE(back.coordinates().is_shared(e));
+    }
+}
+
+// The same with exact numbers is the truth.
+TEST(Ideal_geometry, rounded_crossings_keep_their_digits)
+{
+  // every edge comes from a few flips, each with three roundings, and every strip is a few triangles long
+  const double digits = 1e-13;
+  std::size_t crossings = 0;
+  for(const auto& [name, regular] : meshes())
+    for(double range : {1., 4.}) {
+      SCOPED_TRACE(name);
+      const Mesh mesh = perturbed(regular, 0.05, 16); // no ties
+      const auto lengths = scaled_lengths(mesh, range, 14);
+      auto rounded = triangulation<Double_traits>(connectivity(mesh), lengths);
+      auto exact = triangulation<Exact_traits>(connectivity(mesh), lengths);
+      IT::make_Delaunay(rounded);
+      IT::make_Delaunay(exact);
+      ASSERT_EQ(passages(rounded), passages(exact));
+      const IT::Correspondence<Double_traits> c(rounded);
+      const Exact_correspondence d(exact);
+      ASSERT_EQ(c.number_of_crossings(), d.number_of_crossings());
+      for(Delta_complex::size_type id = 0; id < c.number_of_crossings(); ++id, ++crossings) {
+        const auto p = c.crossing(id);
+        const auto q = d.crossing(id);
+        EXPECT_EQ(p.on_input.halfedge, q.on_input.halfedge);
+        EXPECT_NEAR(p.on_input.t, CGAL::to_double(q.on_input.t), digits);
+        EXPECT_NEAR(p.on_intrinsic.t, CGAL::to_double(q.on_intrinsic.t), digits);
+        EXPECT_NEAR(c.scale(id) / CGAL::to_double(d.scale(id)), 1, digits);
+      }
+    }
+  EXPECT_GT(crossings, 100u);
 }
 
 } // namespace

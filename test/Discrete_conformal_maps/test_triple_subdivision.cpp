@@ -8,8 +8,12 @@
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
+#include <CGAL/Discrete_conformal_maps/interpolation.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -497,7 +501,6 @@ TEST(Triple_subdivision, agrees_with_an_arrangement_of_segments)
     EXPECT_EQ(s.mesh().number_of_faces() + 1, arrangement.number_of_faces());
     vertices += s.mesh().number_of_vertices();
   }
-  std::cout << vertices << std::endl;
   EXPECT_GT(vertices, 1000u);
 }
 
@@ -592,10 +595,89 @@ TEST(Triple_subdivision, in_ideal_geometry)
       if(seed > 0)
         flip_at_random(ab, 5 * m.mesh.number_of_edges(), seed);
       IT::make_Delaunay(ab);
-      const Ideal_triangulation bc = ideally_flipped(ab, 0.5 * seed, seed);
+      const Ideal_triangulation bc = ideally_flipped(ab, 0.2 + 0.5 * seed, seed);
       tested += check_ideal(Subdivision(Correspondence(ab), Ideal_correspondence(bc)), ab, bc);
     }
   EXPECT_GT(tested, 5000u);
+}
+
+// Each edge is as long as it is in its own triangulation.
+TEST(Triple_subdivision, positions_in_space)
+{
+  for(const Named_mesh& m : meshes())
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+      Triangulation ab(m.mesh);
+      flip_at_random(ab, 10 * m.mesh.number_of_edges(), seed);
+      Three three(ab);
+      flip_at_random(three.bc, 10 * m.mesh.number_of_edges(), seed + 9);
+      DC::Triple_subdivision<double, Point> s{Correspondence(three.ab), Correspondence(three.bc)};
+      const auto points = boost::make_function_property_map<Vertex_index>(
+        [&](Vertex_index v) { return m.mesh.point(v); });
+      DC::interpolate(s, three.mesh(Layer::A), points, s.mesh().points());
+      for(Vertex_index v : m.mesh.vertices())
+        EXPECT_EQ(s.mesh().point(v), m.mesh.point(v));
+      for(Layer layer : layers) {
+        std::vector<double> length(three.mesh(layer).number_of_edges());
+        for(Edge_index e : s.mesh().edges())
+          if(const Edge_index parent = s.parent_edge(layer, e); parent.is_valid())
+            length[parent] += std::sqrt(CGAL::squared_distance(
+              s.mesh().point(s.mesh().vertex(e, 0)), s.mesh().point(s.mesh().vertex(e, 1))));
+        for(Edge_index e : three.mesh(layer).edges())
+          EXPECT_NEAR(length[e] / three.length(layer, e), 1, 1e-9);
+      }
+    }
+}
+
+// Each of the edges of A that wind one way around a cylinder crosses those of C that wind the other way
+// around it, again and again.
+TEST(Triple_subdivision, of_twisted_edges)
+{
+  for(const int twists : {1, 3, 30}) {
+    SCOPED_TRACE(twists);
+    Flat_triangulation ab(flat_cylinder(1, twists));
+    ab.make_Delaunay();
+    Three three(*ab);
+    const Delta_complex& mesh = three.bc.mesh();
+    std::vector<Vector> vector;
+    for(Halfedge_index h : mesh.halfedges())
+      vector.push_back(ab.vector(h));
+    for(int i = 0; i < 2 * twists; ++i) {
+      Halfedge_index rightmost;
+      for(Halfedge_index h : mesh.halfedges())
+        if(vector[h].y > 0 && (!rightmost.is_valid() || vector[h].x > vector[rightmost].x))
+          rightmost = h;
+      three.bc.flip(rightmost);
+      vector[rightmost] = -(vector[mesh.next(rightmost)] + vector[mesh.prev(rightmost)]);
+      vector[mesh.opposite(rightmost)] = -vector[rightmost];
+    }
+    const Subdivision s = three.subdivision();
+    EXPECT_GT(s.mesh().number_of_vertices(), static_cast<std::size_t>(20 * twists));
+    check_numbers(s, three);
+    check_measures(s, three, 1e-8);
+  }
+}
+
+TEST(Triple_subdivision, of_data_meshes)
+{
+  for(const std::string& file : data_meshes(200000)) {
+    SCOPED_TRACE(file);
+    Mesh mesh;
+    if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
+      continue;
+    try {
+      Triangulation ab(mesh);
+      IT::make_Delaunay(ab);
+      const Ideal_triangulation bc = ideally_flipped(ab, 1, 1);
+      const Subdivision s{Correspondence(ab), Ideal_correspondence(bc)};
+      EXPECT_TRUE(s.mesh().is_valid(false));
+      EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(mesh));
+      for(Face_index f : s.mesh().faces())
+        EXPECT_GE(sides_of(f, s).size(), 3u);
+    } catch(const IT::Invalid_input&) {
+      continue; // not a surface
+    }
+  }
 }
 
 TEST(Triple_subdivision, of_the_empty_surface)

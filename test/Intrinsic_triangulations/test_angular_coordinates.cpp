@@ -518,14 +518,13 @@ void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
 {
   const Triangulation& t = angles.triangulation();
   IT::internal::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
-    // a vertex as good as on an edge of T1 starts a strip with a flat triangle: half the digits are left
-    EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(h, t), 2 * pi), 0, 1e-7);
+    EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(h, t), 2 * pi), 0, 1e-12);
     if(t.mesh().is_border(h))
       return;
     const double corner = IT::internal::angle_at_source(h, t.mesh(), t.length_map());
     const double gap = angles.angle(IT::next_spoke(h, t.mesh())) - angles.angle(h);
     const double scale = t.is_inserted(v) ? 1 : angles.frames().scale(v);
-    EXPECT_NEAR(std::remainder(gap - scale * corner, 2 * pi), 0, 1e-7);
+    EXPECT_NEAR(std::remainder(gap - scale * corner, 2 * pi), 0, 1e-12);
   });
 }
 

@@ -90,6 +90,7 @@ void operate_at_random(Flat_insertion& flat, int tries, unsigned int seed, Count
     if(i % 10 == 0) {
       EXPECT_TRUE(flat.triangulation().is_valid(true));
       flat.check_lists();
+      flat.recompute_lengths();
     }
   }
 }
@@ -284,6 +285,83 @@ TEST(Insertion_exact, correspondence_after_refinement)
   }
 }
 
+// ---- Faces without area ----
+
+namespace {
+
+// Two faces with area, and six on a line between them.
+Mesh sliding_triangles()
+{
+  return make_mesh(
+    {{4, -2, 0}, {6, 0, 0}, {4, 0, 0}, {2, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 0, 0}, {3, 2, 0}},
+    {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {2, 1, 6}, {2, 6, 4}, {4, 6, 5}, {5, 6, 7}, {4, 5, 7}});
+}
+
+Place in_plane(const Location& p, const Mesh& mesh, const Delta_complex& input)
+{
+  Place result{0, 0};
+  const auto h = IT::internal::sides(p.first, input);
+  for(std::size_t k = 0; k < 3; ++k) {
+    const Point& corner = mesh.point(input.source(h[k]));
+    result = result + Real(p.second[k]) * Place{Real(corner.x()), Real(corner.y())};
+  }
+  return result;
+}
+
+// There and back: a point of a face without area can come back in another one.
+void check_there_and_back(const Triangulation& t, const Mesh& mesh, int points)
+{
+  const Correspondence c(t);
+  const Flat_faces faces(Side::intrinsic, t);
+  CGAL::Random random(1);
+  for(int i = 0; i < points; ++i) {
+    const Location p = random_location(t.input_mesh(), random);
+    const Location p_back =
+      IT::point_across(Side::intrinsic, IT::point_across(Side::input, p, c), c);
+    EXPECT_LT(
+      double(norm(in_plane(p, mesh, t.input_mesh()) - in_plane(p_back, mesh, t.input_mesh()))),
+      1e-12)
+      << i;
+    const Location q = random_location(t.mesh(), random);
+    const Location q_back =
+      IT::point_across(Side::input, IT::point_across(Side::intrinsic, q, c), c);
+    EXPECT_LT(double(faces.path(q, q_back)), 1e-12) << i;
+  }
+}
+
+void insert_and_flip_at_random(Triangulation& t, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  Inserter inserter(t);
+  for(unsigned int i = 0; i < 1 + seed % 40; ++i) {
+    inserter.insert(random_location(t.mesh(), random), 1e-6);
+    if(const Halfedge_index h = random_halfedge(t.mesh(), random); t.is_flippable(h))
+      inserter.flip(h);
+  }
+}
+
+} // namespace
+
+TEST(Insertion_exact, points_across_where_input_faces_have_no_area)
+{
+  const Mesh mesh = sliding_triangles();
+  for(double radius : {10., 1., 0.3, 0.1}) {
+    SCOPED_TRACE("largest circumradius " + std::to_string(radius));
+    Triangulation t(mesh);
+    IT::refine(t, IT::parameters::maximum_circumradius(radius));
+    EXPECT_TRUE(t.is_valid(true));
+    check_there_and_back(t, mesh, 2000);
+  }
+  for(unsigned int seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Triangulation t(mesh);
+    IT::make_Delaunay(t);
+    insert_and_flip_at_random(t, seed);
+    EXPECT_TRUE(t.is_valid(true));
+    check_there_and_back(t, mesh, 200);
+  }
+}
+
 // ---- What cannot be done changes nothing ----
 
 namespace {
@@ -360,7 +438,8 @@ TEST(Insertion_exact, overflow_changes_nothing)
 
 // ---- Rounding ----
 
-// Points at crossings, and as close to them as numbers can be: some valid triangulation comes out.
+// Points at crossings, and as close to them as numbers can be: some valid triangulation comes out. Strips
+// that start as good as on the first edge they cross do not lose half of the digits.
 TEST(Insertion_exact, points_on_curves)
 {
   for(const Named_mesh& m : meshes())
@@ -384,6 +463,10 @@ TEST(Insertion_exact, points_on_curves)
         ASSERT_EQ(t.mesh().num_edges(), edges + 3) << e;
         ASSERT_TRUE(t.is_valid(true)) << e;
       }
+      Triangulation afresh(t);
+      afresh.recompute_lengths();
+      for(Edge_index e : t.mesh().edges())
+        EXPECT_NEAR(afresh.length(e) / t.length(e), 1, 1e-11) << e;
     }
 }
 

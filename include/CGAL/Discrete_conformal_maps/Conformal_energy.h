@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/Sparse>
 #include <boost/math/constants/constants.hpp>
@@ -18,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -61,22 +63,27 @@ public:
       m_angle(mesh.num_halfedges()),
       m_cotangent(mesh.num_halfedges())
   {
-    evaluate(Vector::Zero(size()));
+    evaluate(Vector::Zero(target_defect.size()));
   }
 
   /// the number of variables, one for each vertex.
-  Eigen::Index size() const { return m_target_defect.size(); }
+  std::size_t size() const { return m_origin.size(); }
 
-  /// moves to the point `x`. Complexity: linear in the vertices, edges and flips.
-  /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
+  /// moves to the point `x`; where a scaled length is too great or small for a number, the gradient is not a
+  /// number. Complexity: linear in the vertices, edges and flips.
   void evaluate(const Vector& x)
   {
     for(std::size_t i = 0; i < m_origin.size(); ++i)
       m_scale_factor[i] = m_origin[i] + FT(x[static_cast<Eigen::Index>(i)]);
-    m_surface.scale(m_scale_factor);
+    m_has_Hessian = false;
+    try {
+      m_surface.scale(m_scale_factor);
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      m_gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
     measure_faces();
     sum_angles();
-    m_has_Hessian = false;
   }
 
   /// makes the present point the origin: the variable there is zero.
@@ -141,7 +148,7 @@ private:
     std::vector<FT> defect(m_origin.size(), 2 * boost::math::constants::pi<FT>());
     for(Halfedge_index h : mesh().halfedges())
       defect[mesh().source(h).idx()] -= m_angle[h.idx()];
-    m_gradient.resize(size());
+    m_gradient.resize(m_target_defect.size());
     m_gradient_error = 0;
     for(Vertex_index v : mesh().vertices()) {
       const auto i = static_cast<Eigen::Index>(v.idx());
@@ -161,8 +168,9 @@ private:
   // The columns one after the other, without sorting more than the neighbors of one vertex.
   void assemble_Hessian() const
   {
-    m_Hessian.resize(size(), size());
-    m_Hessian.reserve(2 * static_cast<Eigen::Index>(mesh().num_edges()) + size());
+    const Eigen::Index n = m_target_defect.size();
+    m_Hessian.resize(n, n);
+    m_Hessian.reserve(2 * static_cast<Eigen::Index>(mesh().num_edges()) + n);
     std::vector<std::pair<int, double>> entries;
     for(Vertex_index v : mesh().vertices()) {
       const int i = static_cast<int>(v.idx());

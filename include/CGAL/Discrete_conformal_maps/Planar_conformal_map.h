@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Minimization_result.h>
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
@@ -37,6 +37,10 @@ class Flattening;
 /// the input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay
 /// triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay triangulation of \f$T^B\f$ with the
 /// scale factors. Its faces are flat, and can be laid out beside each other except at seams.
+///
+/// Every component of the input is one chart. Where no scale factors are prescribed and no cones placed,
+/// it has the same area as the component. Charts stand side by side and do not overlap each other; the
+/// smallest rectangle around each is parallel to the axes, and the first starts at the origin.
 class Planar_conformal_map
 {
 public:
@@ -75,6 +79,16 @@ public:
 
   /// the greatest difference of a curvature from what was prescribed, in radians.
   double max_curvature_error() const { return m_data->max_curvature_error; }
+
+  /// the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of \f$T^A\f$, or
+  /// \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
+  std::size_t number_of_flips(Layer layer) const
+  {
+    return m_data->number_of_flips[static_cast<std::size_t>(layer)];
+  }
+
+  /// whether the face `f` of \f$T^C\f$ is in the plane: if a part of it belongs to the input.
+  bool is_laid_out(Face_index f) const { return m_data->is_laid_out[f.idx()] != 0; }
 
   /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
   std::complex<double> position(Halfedge_index h) const { return m_data->position[h.idx()]; }
@@ -131,6 +145,8 @@ private:
     std::vector<Vertex_index> cones;
     Minimization_result minimization;
     double max_curvature_error = 0;
+    std::array<std::size_t, 3> number_of_flips{0, 0, 0};
+    std::vector<char> is_laid_out;              // for each face of T^C
     std::vector<std::complex<double>> position; // of the sources of halfedges of T^C
     std::vector<char> is_seam;                  // for each edge of T^C
   };

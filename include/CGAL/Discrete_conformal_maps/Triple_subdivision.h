@@ -10,10 +10,12 @@
 #include <CGAL/Discrete_conformal_maps/internal/Edge_marks.h>
 #include <CGAL/Discrete_conformal_maps/internal/Face_chords.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -68,6 +70,7 @@ public:
   /// builds the subdivision from the correspondence of \f$T^A\f$ (`Side::input`) and \f$T^B\f$
   /// (`Side::intrinsic`), and that of \f$T^B\f$ (`Side::input`) and \f$T^C\f$ (`Side::intrinsic`).
   /// Complexity: linear in the vertices, edges and crossings.
+  /// \throws Overflow_error if there are more edges than a `Surface_mesh` can number
   /// \pre \f$T^B\f$ is the same mesh in both; neither has inserted vertices
   template <typename Traits_AB, typename Traits_BC>
   Triple_subdivision(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
@@ -78,6 +81,8 @@ public:
     CGAL_precondition(ab.triangulation().number_of_inserted_vertices() == 0);
     CGAL_precondition(bc.triangulation().number_of_inserted_vertices() == 0);
     CGAL_precondition(internal::is_same_complex(ab.mesh(Side::intrinsic), bc.mesh(Side::input)));
+    check_number_of_edges(std::uint64_t(ab.mesh(Side::intrinsic).number_of_edges()) +
+                          ab.number_of_crossings() + bc.number_of_crossings());
     Builder(internal::Edge_marks<FT>(ab, bc), *this).build();
   }
 
@@ -149,6 +154,12 @@ private:
   using Map = typename Mesh::template Property_map<Index, Value>;
 
   static std::size_t index(Layer layer) { return static_cast<std::size_t>(layer); }
+
+  static void check_number_of_edges(std::uint64_t number)
+  {
+    if(number >= (std::numeric_limits<size_type>::max)() / 2)
+      throw Intrinsic_triangulations::Overflow_error("more edges than a mesh can number");
+  }
 
   static bool is_between(size_type first, size_type end, Vertex_index v)
   {
@@ -301,6 +312,8 @@ private:
   {
     m_first_piece.clear();
     const auto& crossings = m_chords.crossings();
+    check_number_of_edges(std::uint64_t(m_mesh.num_edges()) + m_chords.size() +
+                          2 * crossings.size());
     for(std::size_t c = 0; c < m_chords.size(); ++c) {
       const auto& chord = m_chords[c];
       m_first_piece.push_back(m_mesh.num_edges());

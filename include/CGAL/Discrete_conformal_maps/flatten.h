@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/Flat_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
@@ -89,10 +90,12 @@ public:
       *m_data->correspondence_ab, *m_data->correspondence_bc);
     m_visitor.start(Flattening_stage::layout);
     find_walls();
+    const std::vector<double> correction = area_correction();
     if(m_scale.is_extended())
-      lay_out(m_scale.extended_values());
+      lay_out(m_scale.extended_values(), correction);
     else
-      lay_out(std::vector<double>(m_data->log_scale));
+      lay_out(std::vector<double>(m_data->log_scale), correction);
+    arrange_charts();
     return std::move(m_map);
   }
 
@@ -106,10 +109,12 @@ private:
     for(Vertex_index v : m_problem.triangulation().mesh().vertices())
       m_data->input_vertex.push_back(m_problem.front(v));
     m_data->ab = std::move(m_problem.triangulation());
+    m_data->number_of_flips[1] = m_problem.number_of_flips();
     m_data->bc = Ideal_triangulation(
       m_data->ab.mesh(),
       Intrinsic_triangulations::parameters::edge_length_map(m_data->ab.length_map()));
     flip_to_Delaunay();
+    m_data->number_of_flips[2] = m_flips.size();
     m_data->correspondence_ab =
       std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data->ab);
     m_data->correspondence_bc = std::make_unique<
@@ -167,10 +172,10 @@ private:
         if(is_front(subdivision.mesh().halfedge(e)) &&
            is_front(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
           m_is_wall[c.idx()] = 0;
-    m_is_used.assign(mesh().num_faces(), 0);
+    m_data->is_laid_out.assign(mesh().num_faces(), 0);
     for(Face_index f : subdivision.mesh().faces())
       if(m_map.is_front(subdivision.parent_face(Layer::A, f)))
-        m_is_used[subdivision.parent_face(Layer::C, f).idx()] = 1;
+        m_data->is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
   }
 
   // the vertices around which faces do not close up: those with prescribed values, and ends of walls
@@ -187,19 +192,79 @@ private:
     return result;
   }
 
-  template <typename FT>
-  void lay_out(const std::vector<FT>& u)
+  std::size_t component(Face_index f) const
   {
+    return m_problem.components()[mesh().target(mesh().halfedge(f)).idx()];
+  }
+
+  // the area of each component, for these lengths of halfedges
+  template <typename Length>
+  std::vector<double> areas(const Delta_complex& complex, const Length& length) const
+  {
+    std::vector<double> result(m_problem.components().size(), 0);
+    for(Face_index f : complex.faces()) {
+      const auto h = Intrinsic_triangulations::internal::sides(f, complex);
+      result[m_problem.components()[complex.target(h[0]).idx()]] +=
+        std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(length(h[0]), length(h[1]),
+                                                                    length(h[2]))) /
+        4;
+    }
+    return result;
+  }
+
+  // What is to be added to the scale factors at each vertex: nothing, or where none are prescribed, what
+  // keeps the area of the component.
+  std::vector<double> area_correction() const
+  {
+    const std::vector<double> flat =
+      areas(mesh(), [&](Halfedge_index h) { return scaled_length(h); });
+    const std::vector<double> curved = areas(m_data->ab.mesh(), [&](Halfedge_index h) {
+      return m_data->ab.length(m_data->ab.mesh().edge(h));
+    });
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    std::vector<double> result(m_problem.size(), 0);
+    for(std::size_t v = 0; v < result.size(); ++v)
+      if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0)
+        result[v] = std::log(curved[c] / flat[c]) / 2;
+    return result;
+  }
+
+  template <typename FT>
+  void lay_out(std::vector<FT> u, const std::vector<double>& correction)
+  {
+    for(std::size_t v = 0; v < u.size(); ++v) {
+      u[v] += FT(correction[v]);
+      m_data->log_scale[v] += correction[v];
+    }
     std::vector<double> length(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       length[e.idx()] = scaled_length(Halfedge_index(2 * e.idx()));
-    const Cut_graph cut(mesh(), length, m_is_wall, m_is_used, terminals());
+    const Cut_graph cut(mesh(), length, m_is_wall, m_data->is_laid_out, terminals());
     const std::vector<FT> exact = scaled_lengths(u);
     const Flat_layout<FT> layout(mesh(), exact, cut);
     for(Halfedge_index h : mesh().halfedges())
       m_data->position.push_back(layout.position(h));
     for(Edge_index e : mesh().edges())
       m_data->is_seam.push_back(cut.is_seam(e));
+  }
+
+  // The charts of different components side by side. What lies beyond the boundary does not count.
+  void arrange_charts()
+  {
+    const auto& subdivision = *m_data->subdivision;
+    std::vector<std::vector<std::complex<double>>> points(m_problem.components().size());
+    for(Halfedge_index h : subdivision.mesh().halfedges()) {
+      const Face_index f = subdivision.mesh().face(h);
+      if(!f.is_valid() || !m_map.is_front(subdivision.parent_face(Layer::A, f)))
+        continue;
+      const auto z = m_map.homogeneous_coordinates(subdivision.place_on_C(h));
+      points[component(subdivision.parent_face(Layer::C, f))].emplace_back(z[0] / z[2],
+                                                                           z[1] / z[2]);
+    }
+    const Chart_packing packing(points);
+    for(Halfedge_index h : mesh().halfedges())
+      m_data->position[h.idx()] =
+        packing.motion(component(mesh().face(h)))(m_data->position[h.idx()]);
   }
 
   // of the edges of T^C, by the same flips in the precision of the scale factors
@@ -231,7 +296,6 @@ private:
   Planar_conformal_map::Data* m_data;
   std::vector<Halfedge_index> m_flips; // from T^B to T^C
   std::vector<char> m_is_wall;         // edges of T^C that are not passed
-  std::vector<char> m_is_used;         // faces of T^C with a part of the input
 };
 
 // What is prescribed where the caller says nothing: flat inside, not scaled on the boundary.

@@ -368,7 +368,10 @@ private:
     part.first = static_cast<size_type>(m_order_on_input.size());
     part.first_piece = number_of_input_pieces();
     for(auto id = begin; id != begin + part.count; ++id) {
-      m_records[*id].order = static_cast<size_type>(m_order_on_input.size());
+      Record& r = m_records[*id];
+      if(!m_is_input_in_order && id != begin)
+        r.s = (std::max)(r.s, m_records[*(id - 1)].s);
+      r.order = static_cast<size_type>(m_order_on_input.size());
       m_order_on_input.push_back(*id);
     }
     m_parts.push_back(part);
@@ -377,9 +380,35 @@ private:
   // Rounding may move a crossing, but never past another.
   void order_along_intrinsic()
   {
-    for(size_type id = 1; id < m_records.size(); ++id)
-      if(m_records[id].intrinsic == m_records[id - 1].intrinsic)
-        m_records[id].t = (std::max)(m_records[id].t, m_records[id - 1].t);
+    for(Edge_index e : m_tri.mesh().edges()) {
+      FT t(0), moved(0);
+      for(size_type id = m_first_on_intrinsic[e]; id < m_first_on_intrinsic[e.idx() + 1]; ++id) {
+        moved = (std::max)(moved, FT(t - m_records[id].t));
+        m_records[id].t = t = (std::max)(m_records[id].t, t);
+      }
+      if constexpr(internal::Has_distance<Traits>::value)
+        if(moved > rounding_unit<FT>())
+          place_along_intrinsic(e);
+    }
+  }
+
+  // Edges of T1 at a face without area can run along `e`, and each crosses it where rounding says. Laid out
+  // in one strip, they cross it in order.
+  void place_along_intrinsic(Edge_index e)
+  {
+    const size_type first = m_first_on_intrinsic[e], n = number_of_crossings(Side::intrinsic, e);
+    typename Traits::Geodesic_strip strip;
+    const auto exit = [&](std::size_t m) { return twin(m_records[first + m].input); };
+    if(!m_tri.traits().is_length_object()(m_tri.lay_out(strip, first_halfedge(e), exit, n)))
+      return;
+    FT t(0);
+    for(size_type m = 0; m < n; ++m) {
+      const auto position = strip.crossing(m, t);
+      Record& r = m_records[first + m];
+      r.t = t = position.along_line;
+      r.s = on(twin(r.input), position.along_edge).t;
+    }
+    m_is_input_in_order = false;
   }
 
   const Triangulation& m_tri;
@@ -393,7 +422,8 @@ private:
   std::vector<size_type>
     m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
   std::vector<Record> m_records;
-  std::vector<FT> m_scale; // of the crossings; empty where all are 1
+  bool m_is_input_in_order = true; // whether crossings of each part are, after tracing
+  std::vector<FT> m_scale;         // of the crossings; empty where all are 1
 };
 
 namespace internal {

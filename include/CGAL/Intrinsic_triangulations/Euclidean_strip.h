@@ -9,6 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -21,7 +23,8 @@ namespace Intrinsic_triangulations {
 /// line between its ends (Algorithm 3).
 ///
 /// The strip leaves the corner \f$a\f$ of a first triangle through the opposite side
-/// \f$\overrightarrow{ij}\f$, goes on from triangle to triangle and ends at a corner \f$b\f$. Directions
+/// \f$\overrightarrow{ij}\f$, goes on from triangle to triangle and ends at a corner \f$b\f$. It can also
+/// start and end at other points of the first and last triangle. Directions
 /// of edges are turned by corner angles instead of being taken from differences of positions, so that a
 /// short edge in the strip does not spoil what follows. Every corner is placed along the edges that lead
 /// to it on the shorter way, so that a short line between long edges keeps all its digits. An object can
@@ -74,6 +77,19 @@ public:
     m_way_to_target = ja;
   }
 
+  /// the same for a line that starts in this triangle at the point with barycentric coordinates `p`, which
+  /// belong to \f$a\f$, \f$i\f$, \f$j\f$. The point may be as close to \f$\overrightarrow{ij}\f$ as it
+  /// likes.
+  void start(const FT& ai, const FT& ij, const FT& ja, const std::array<FT, 3>& p)
+  {
+    start(ai, ij, ja);
+    const Segment from_a = m_edges.back();
+    const Vector edge = ij * m_direction;
+    m_edges.back() = {p[0] * from_a.source - p[2] * edge, p[0] * from_a.target + p[1] * edge};
+    m_way_to_source = p[0] * ai + p[2] * ij;
+    m_way_to_target = p[0] * ja + p[1] * ij;
+  }
+
   /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
   /// through \f$\overrightarrow{il}\f$.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li)
@@ -96,10 +112,17 @@ public:
 
   /// ends the strip at the corner \f$l\f$ of the triangle \f$jil\f$ beyond the last edge
   /// \f$\overrightarrow{ij}\f$.
-  void finish(const FT& ij, const FT& jl, const FT& li)
+  void finish(const FT& ij, const FT& jl, const FT& li) { set_end(apex(ij, jl, li)); }
+
+  /// the same for a line that ends in this triangle at the point with barycentric coordinates `q`, which
+  /// belong to \f$l\f$, \f$j\f$, \f$i\f$.
+  void finish(const FT& ij, const FT& jl, const FT& li, const std::array<FT, 3>& q)
   {
-    m_end = apex(ij, jl, li);
-    m_squared_length = dot(m_end, m_end);
+    const Segment& edge = m_edges.back();
+    if(is_nearer_to_source(q[2] * ij + q[0] * jl, q[1] * ij + q[0] * li))
+      set_end(edge.source + q[1] * ij * m_direction + q[0] * li * direction_at_source(ij, jl, li));
+    else
+      set_end(edge.target - q[2] * ij * m_direction - q[0] * jl * direction_to_target(ij, jl, li));
   }
 
   /// the number of inner edges.
@@ -108,18 +131,28 @@ public:
   /// the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
 
-  /// the angle at \f$a\f$ from the first side \f$\overrightarrow{ai}\f$ counterclockwise to the line; `FT`
-  /// is a floating point type. \pre `finish()` has been called
-  FT angle() const { return std::atan2(m_end.y, m_end.x); }
+  /// the angle at the start of the line from the direction to the first \f$i\f$ counterclockwise to the
+  /// line; `FT` is a floating point type. \pre `finish()` has been called
+  FT angle() const
+  {
+    const Vector& i = m_edges.front().source;
+    return std::atan2(cross(i, m_end), dot(i, m_end));
+  }
 
-  /// the crossing of the line with inner edge `m`. \pre `finish()` has been called
-  Crossing crossing(std::size_t m) const
+  /// the crossing of the line with inner edge `m`, not before `least` on the line. Where both run along each
+  /// other, any point that they share will do, but not a point that only one of them has.
+  /// \pre `finish()` has been called
+  Crossing crossing(std::size_t m, const FT& least = FT(0)) const
   {
     const Segment& edge = m_edges[m];
     const FT right = -cross(m_end, edge.source), left = cross(m_end, edge.target);
     const FT t = right > 0 ? (left > 0 ? right / (right + left) : FT(1)) : FT(0);
-    const Vector p = edge.source + t * (edge.target - edge.source);
-    return {clamped(dot(m_end, p) / m_squared_length), t};
+    const Vector ij = edge.target - edge.source;
+    const FT s = dot(m_end, edge.source + t * ij) / m_squared_length;
+    const FT on_line = (std::max)(clamped(s), least);
+    if(!(CGAL::abs(on_line - s) > rounding_unit<FT>()))
+      return {on_line, t};
+    return {on_line, clamped(dot(on_line * m_end - edge.source, ij) / dot(ij, ij))};
   }
 
 private:
@@ -146,10 +179,12 @@ private:
     return m_direction.turned(cosine(ij, jl, li), sine(ij, jl, li));
   }
 
-  bool is_nearer_to_source([[maybe_unused]] const FT& jl, [[maybe_unused]] const FT& li) const
+  // of a point with these distances from the ends of the last edge
+  bool is_nearer_to_source([[maybe_unused]] const FT& to_target,
+                           [[maybe_unused]] const FT& to_source) const
   {
     if constexpr(internal::is_rounded<FT>())
-      return m_way_to_source + li <= m_way_to_target + jl;
+      return m_way_to_source + to_source <= m_way_to_target + to_target;
     else
       return true; // all ways are the same
   }
@@ -168,11 +203,17 @@ private:
     return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target;
   }
 
+  void set_end(const Vector& end)
+  {
+    m_end = end;
+    m_squared_length = dot(end, end);
+  }
+
   static FT clamped(const FT& s) { return s < 0 ? FT(0) : s > 1 ? FT(1) : s; }
 
   std::vector<Segment> m_edges;
   Vector m_direction{}; // of the last edge
-  FT m_way_to_source{}; // from a along edges
+  FT m_way_to_source{}; // from the start along edges
   FT m_way_to_target{};
   Vector m_end{};
   FT m_squared_length{};

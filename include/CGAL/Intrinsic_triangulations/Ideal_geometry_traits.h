@@ -23,8 +23,8 @@ namespace Intrinsic_triangulations {
 /// the two horocycles (Section 4.1.2). Any positive numbers are the lengths of a decorated triangle.
 ///
 /// Four operations suffice: with an exact number type, for instance `CGAL::Exact_rational`, every length
-/// and every decision is exact. With a floating point type an edge is flipped only where that is certain for the
-/// stored lengths; see `Is_locally_Delaunay`.
+/// and every decision is exact. With a floating point type an edge is flipped only where that is certain
+/// for the stored lengths; see `Is_locally_Delaunay`. There are no square roots.
 ///
 /// Barycentric coordinates are those in the triangle of the light-like vectors of the corners, with
 /// \f$\langle q_i, q_j\rangle = -2\ell_{ij}^2\f$. One point has different coordinates in different

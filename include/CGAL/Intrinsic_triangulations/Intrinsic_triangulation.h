@@ -504,10 +504,14 @@ public:
   FT lay_out(typename Traits::Geodesic_strip& strip, Halfedge_index h, const Exit& exit,
              std::size_t n) const
   {
-    const auto first = distances(input_location(h), exit(0));
-    const auto last = distances(input_location(m_mesh.opposite(h)), m_input.opposite(exit(n - 1)));
-    internal::lay_out_strip(strip, m_input, m_input_length, exit, n, first,
-                            internal::End_distances<FT>{last.target, last.source});
+    if constexpr(internal::Has_distance<Traits>::value)
+      internal::lay_out_strip(
+        strip, m_input, m_input_length, exit, n,
+        std::make_pair(
+          coordinates_beyond(exit(0), input_location(h)),
+          coordinates_beyond(m_input.opposite(exit(n - 1)), input_location(m_mesh.opposite(h)))));
+    else
+      internal::lay_out_strip(strip, m_input, m_input_length, exit, n);
     return strip.length();
   }
 
@@ -620,16 +624,10 @@ private:
     return checked_length(distance_to_corner(h, internal::barycentric_coordinates(0, t), 2));
   }
 
-  // the distances of a point of a face of T1 from the ends of a side of that face; to the last digit if
-  // the point is the corner opposite to that side
-  internal::End_distances<FT> distances(const Face_location<FT>& p, Halfedge_index side) const
+  // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side` first
+  std::array<FT, 3> coordinates_beyond(Halfedge_index side, const Face_location<FT>& p) const
   {
-    const Halfedge_index before = m_input.prev(side), after = m_input.next(side);
-    if(internal::face_location(Edge_point<FT>{before, FT(0)}, m_input).second == p.second)
-      return {m_input_length[m_input.edge(before)], m_input_length[m_input.edge(after)]};
-    return {
-      distance_from_inserted(p, internal::face_location(Edge_point<FT>{side, FT(0)}, m_input)),
-      distance_from_inserted(p, internal::face_location(Edge_point<FT>{side, FT(1)}, m_input))};
+    return internal::coordinates_from(m_input.prev(side), p, m_input);
   }
 
   // A distance that is asked for only if vertices have been inserted; otherwise 0, which is no length.

@@ -198,8 +198,7 @@ private:
   {
     const Coordinates end = face_map.coordinates(curve.mark),
                       begin = face_map.coordinates(curve.other);
-    const FT square = internal::dot(begin, end, begin, end);
-    const FT t = square > 0 ? internal::dot(begin, end, begin, p.second) / square : FT(0);
+    const FT t = foot_on_chord(begin, end, p);
     Coordinates foot;
     for(std::size_t s = 0; s < 3; ++s)
       foot[s] = begin[s] + t * (end[s] - begin[s]);
@@ -209,6 +208,17 @@ private:
     return m_tri.split_face({p.first, foot},
                             split_on_curve(curve, across.halfedge, face_map.regions()),
                             {place.halfedge, internal::face_location(place, m_tri.input_mesh())});
+  }
+
+  // The place of the point closest to `p` on the way from `begin` to `end`. The distance is that on the
+  // surface: in a thin face any other would carry what rounding puts `p` off the curve to along the curve.
+  FT foot_on_chord(const Coordinates& begin, const Coordinates& end, const Face_location<FT>& p) const
+  {
+    const internal::Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri.mesh(),
+                                       m_tri.length_map());
+    const auto chord = face.between(begin, end);
+    const FT square = internal::dot(chord, chord);
+    return square > 0 ? internal::dot(chord, face.between(begin, p.second)) / square : FT(0);
   }
 
   // on the halfedge `input` of T1, along which the curve leaves the face

@@ -36,9 +36,8 @@ public:
   // fixed vertices. `twin` is the vertex that gets a cone together with a vertex, perhaps the same.
   Cone_placement(const Eigen::SparseMatrix<double>& Laplacian, const Vector& defect,
                  const std::vector<char>& is_fixed, const std::vector<Vertex_index>& twin)
-    : m_twin(twin)
+    : m_twin(twin), m_solver(Laplacian, is_fixed)
   {
-    m_solver.factorize(Laplacian, is_fixed);
     m_estimate = m_solver.solve(-defect);
   }
 

@@ -60,7 +60,7 @@ public:
       m_is_fixed(m_double.mesh().num_vertices(), 0),
       m_value(Vector::Zero(Eigen::Index(m_is_fixed.size())))
   {
-    Intrinsic_triangulations::make_Delaunay(m_triangulation);
+    m_number_of_flips = Intrinsic_triangulations::make_Delaunay(m_triangulation);
     for(Vertex_index v : m_half.vertices()) {
       m_front[mirrored(v).idx()] = m_front[v.idx()] = v;
       set_condition(v, condition[v.idx()]);
@@ -73,6 +73,9 @@ public:
   // T^A and T^B
   const Triangulation& triangulation() const { return m_triangulation; }
   Triangulation& triangulation() { return m_triangulation; }
+
+  // from T^A to T^B
+  std::size_t number_of_flips() const { return m_number_of_flips; }
 
   std::size_t size() const { return m_is_fixed.size(); }
 
@@ -125,13 +128,16 @@ public:
   }
 
   // Of each component, how much the prescribed curvatures exceed 2 pi times the Euler characteristic; this
-  // much less must be the curvature of the vertices with prescribed scale factors (Equation 4.11).
+  // much less must be the curvature of the vertices with prescribed scale factors (Equation 4.11). Zero for an
+  // isolated vertex.
   std::vector<double> curvature_excess() const
   {
     const Delta_complex& mesh = m_double.mesh();
     std::vector<double> sum(m_components.size(), 0);
     std::vector<long> characteristic(m_components.size(), 0);
     for(Vertex_index v : mesh.vertices()) {
+      if(mesh.is_isolated(v))
+        continue;
       sum[m_components[v.idx()]] += m_is_fixed[v.idx()] ? 0 : m_value[Eigen::Index(v.idx())];
       characteristic[m_components[v.idx()]] += !mesh.is_isolated(v); // a point has no curvature
     }
@@ -208,6 +214,7 @@ private:
   std::vector<double> m_length; // of the doubled surface
   Doubled_surface m_double;
   Triangulation m_triangulation;
+  std::size_t m_number_of_flips = 0;
   Components m_components;
   std::vector<Vertex_index> m_front;
   std::vector<char> m_is_fixed;

@@ -173,7 +173,7 @@ private:
            const Correspondence<Traits>& correspondence, size_type first_vertex)
   {
     const auto c = correspondence.crossing(side, h, p);
-    const FT& scale = correspondence.scale(c.id);
+    const FT scale = correspondence.scale(c.id);
     const FT factor = side == Side::input ? scale : FT(1 / scale);
     m_marks.push_back({Vertex_index(first_vertex + c.id),
                        family,

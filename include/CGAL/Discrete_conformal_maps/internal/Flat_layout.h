@@ -8,10 +8,13 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/Cut_graph.h>
+#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/Least_squares_shift.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -20,7 +23,8 @@ namespace internal {
 
 // The faces of a flat surface with cones, unfolded into the plane one after the other. Directions are
 // turned by the angles of faces, so that small faces beside large ones do not suffer from differences of
-// positions.
+// positions. What does not fit for rounding, where faces meet that were reached on different ways, is then
+// distributed such that the edges of all faces change least, in proportion to their lengths.
 template <typename FT>
 class Flat_layout
 {
@@ -29,6 +33,7 @@ class Flat_layout
     FT x, y;
 
     friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
+    friend Vector operator-(const Vector& v, const Vector& w) { return {v.x - w.x, v.y - w.y}; }
     friend Vector operator*(const FT& s, const Vector& v) { return {s * v.x, s * v.y}; }
     friend Vector turned(const Vector& v, const Vector& by)
     {
@@ -42,7 +47,8 @@ public:
     : m_mesh(mesh),
       m_length(length),
       m_position(mesh.num_halfedges(), Vector{FT(0), FT(0)}),
-      m_direction(mesh.num_halfedges())
+      m_direction(mesh.num_halfedges()),
+      m_point(mesh.num_halfedges())
   {
     for(const Cut_graph::Step& step : cut.steps()) {
       const Halfedge_index h = step.entry.is_valid() ? step.entry : mesh.halfedge(step.face);
@@ -52,14 +58,11 @@ public:
     for(Vertex_index v : mesh.vertices())
       if(!mesh.is_isolated(v))
         unite_corners(v, cut);
+    distribute_errors(cut);
   }
 
   // the position of the source of `h` in the face of `h`
-  std::complex<double> position(Halfedge_index h) const
-  {
-    const Vector& p = m_position[h.idx()];
-    return {static_cast<double>(p.x), static_cast<double>(p.y)};
-  }
+  std::complex<double> position(Halfedge_index h) const { return to_complex(united(h)); }
 
 private:
   const FT& length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
@@ -107,19 +110,55 @@ private:
       first = Intrinsic_triangulations::next_spoke(first, m_mesh);
     } while(first != start);
     Halfedge_index h = first;
-    Vector position = m_position[h.idx()];
     do {
-      if(cut.is_seam(Edge_index(h)))
-        position = m_position[h.idx()];
-      m_position[h.idx()] = position;
+      if(h == first || cut.is_seam(Edge_index(h)))
+        m_united.push_back(m_position[h.idx()]);
+      m_point[h.idx()] = static_cast<int>(m_united.size()) - 1;
       h = Intrinsic_triangulations::next_spoke(h, m_mesh);
     } while(h != first);
+  }
+
+  // The sum over all sides of faces of the squared change of the side, with its cotangent weight, is least.
+  void distribute_errors(const Cut_graph& cut)
+  {
+    Least_squares_shift shift(m_united.size());
+    for(const Cut_graph::Step& step : cut.steps())
+      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(step.face, m_mesh)) {
+        const Vector misfit =
+          length(h) * m_direction[h.idx()] - (united(m_mesh.next(h)) - united(h));
+        shift.add(point(h), point(m_mesh.next(h)), cotangent(h), to_complex(misfit));
+      }
+    for(const Cut_graph::Step& step : cut.steps())
+      if(!step.entry.is_valid())
+        shift.hold(point(m_mesh.halfedge(step.face)));
+    shift.solve();
+    for(std::size_t i = 0; i < m_united.size(); ++i)
+      m_united[i] = m_united[i] + Vector{FT(shift(i).real()), FT(shift(i).imag())};
+  }
+
+  const Vector& united(Halfedge_index h) const { return m_united[std::size_t(point(h))]; }
+
+  static std::complex<double> to_complex(const Vector& v)
+  {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+  }
+
+  int point(Halfedge_index h) const { return m_point[h.idx()]; }
+
+  // half the cotangent of the angle opposite to `h` in its face
+  double cotangent(Halfedge_index h) const
+  {
+    return static_cast<double>(
+      Flat_triangle<FT>({length(h), length(m_mesh.next(h)), length(m_mesh.prev(h))}).cotangent(2) /
+      2);
   }
 
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;
   std::vector<Vector> m_position;  // of the source of each halfedge
   std::vector<Vector> m_direction; // of each halfedge
+  std::vector<int> m_point;        // the number of the point at the source of each halfedge
+  std::vector<Vector> m_united;    // the points
 };
 
 } // namespace internal

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
-#include <CGAL/Discrete_conformal_maps/Minimization_result.h>
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
 
@@ -99,9 +99,9 @@ private:
     energy.evaluate(m_u);
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
-    const Minimization_result last = minimizer(energy, x, with_pins(), visitor);
-    const int iterations = m_result.iterations + last.iterations,
-              evaluations = m_result.evaluations + last.evaluations;
+    const Minimization_result last = minimizer(energy, x, domain(), visitor);
+    const std::size_t iterations = m_result.iterations + last.iterations,
+                      evaluations = m_result.evaluations + last.evaluations;
     m_result = last;
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
@@ -114,8 +114,15 @@ private:
     return energy.scale_factors();
   }
 
-  // The energy does not depend on the size of a component without prescribed scale factors: one vertex is
-  // held.
+  Minimization_domain domain() const
+  {
+    Minimization_domain result{m_problem.is_fixed(), {}};
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      result.component.push_back(m_problem.components()[v]);
+    return result;
+  }
+
+  // The Laplacian does not see constants on a component without prescribed scale factors: one vertex is held.
   std::vector<char> with_pins() const
   {
     std::vector<char> result = m_problem.is_fixed();
@@ -157,8 +164,7 @@ private:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(fixed[component[v]] == 0)
         balanced[Eigen::Index(v)] += excess[component[v]] / size[component[v]];
-    Dirichlet_solver solver;
-    solver.factorize(energy.Hessian(), with_pins());
+    Dirichlet_solver solver(energy.Hessian(), with_pins());
     const Vector estimate = solver.solve(-balanced);
     for(std::size_t c = 0; c < component.size(); ++c)
       if(fixed[c] == 0 && size[c] > 1)

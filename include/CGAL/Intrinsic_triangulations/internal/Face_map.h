@@ -186,9 +186,10 @@ private:
 //
 // `Marks` describes the sides of the face: crossings(s) on side s; here(s, p), the place of crossing p on
 // it; across(s, p), the place on the halfedge of the other triangulation that leaves the face there;
-// scale(s, p), how many times the vector across the vector here is; spoke_before(s), the last spoke of the other triangulation at or clockwise from side s; and
-// vertex_across(s, at), the place of the source of side s on the other triangulation, which is `at`
-// unless it is no vertex there: then only the face of `at` counts.
+// scale(s, p), how many times the vector across the vector here is; spoke_before(s), the last spoke of the
+// other triangulation at or clockwise from side s; and vertex_across(s, at), the place of the source of
+// side s on the other triangulation, which is `at` unless it is no vertex there: then only the face of
+// `at` counts.
 template <typename FT, typename Marks>
 class Face_map
 {

@@ -178,7 +178,7 @@ private:
   {
     const FT square = dot(a, b, a, b);
     const FT t =
-      square > 0 ? (std::min)((std::max)(dot(a, b, a, p) / square, FT(0)), FT(1)) : FT(0);
+      square > 0 ? (std::min)((std::max)(FT(dot(a, b, a, p) / square), FT(0)), FT(1)) : FT(0);
     Coordinates foot;
     for(std::size_t s = 0; s < 3; ++s)
       foot[s] = a[s] + t * (b[s] - a[s]);

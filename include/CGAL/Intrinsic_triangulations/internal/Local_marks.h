@@ -72,7 +72,7 @@ private:
                             " has no positive finite length");
     FT here(0); // rounding may move a crossing, but never past another
     for(std::size_t m = 0; m < n; ++m) {
-      const auto position = m_strip.crossing(m);
+      const auto position = m_strip.crossing(m, here);
       here = (std::max)(here, position.along_line);
       m_mark[s][m] = {here, {lists(h, m), 1 - position.along_edge}};
     }

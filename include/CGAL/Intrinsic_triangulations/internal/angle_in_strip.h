@@ -19,6 +19,7 @@
 #include <complex>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -39,10 +40,10 @@ struct Start_in_input_face
       place(coordinates_from(axis, location, tri.input_mesh()))
   {}
 
-  // of the point from the ends of side `s`
-  End_distances<FT> distances(std::size_t s) const
+  // the coordinates of the point, that of the corner opposite to side `s` first
+  typename Flat_face<FT>::Place place_beyond(std::size_t s) const
   {
-    return {std::abs(face.to_corner(s, place)), std::abs(face.to_corner((s + 1) % 3, place))};
+    return {place[(s + 2) % 3], place[s], place[(s + 1) % 3]};
   }
 
   // the number of a side of the face, counted from the axis
@@ -71,9 +72,9 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
     return std::arg(
       start.face.between(start.place, coordinates_from(start.axis, end.location, mesh)));
   const std::size_t first = start.number(exit(0), mesh);
-  const auto last = end.distances(end.number(mesh.opposite(exit(n - 1)), mesh));
-  lay_out_strip(strip, mesh, tri.input_length_map(), exit, n, start.distances(first),
-                {last.target, last.source});
+  const std::size_t last = end.number(mesh.opposite(exit(n - 1)), mesh);
+  lay_out_strip(strip, mesh, tri.input_length_map(), exit, n,
+                std::make_pair(start.place_beyond(first), end.place_beyond(last)));
   if(!tri.traits().is_length_object()(strip.length()))
     throw Numerical_error("the strip of edge " + std::to_string(tri.mesh().edge(h).idx()) +
                           " has no positive finite length");

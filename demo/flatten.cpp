@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+
+#include "Command_run.h"
+#include "Mesh_writer.h"
+#include "Program_error.h"
+#include "boundary_shapes.h"
+#include "flat_mesh.h"
+#include "flattening_conditions.h"
+#include "triangulation_stages.h"
+
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace CM = CGAL::Discrete_conformal_maps;
+
+namespace {
+
+const char* name_of(CM::Flattening_stage stage)
+{
+  switch(stage) {
+    case CM::Flattening_stage::cones: return "cones";
+    case CM::Flattening_stage::optimize: return "optimize";
+    case CM::Flattening_stage::trace: return "trace";
+    case CM::Flattening_stage::subdivide: return "subdivide";
+    case CM::Flattening_stage::layout: return "layout";
+  }
+  return "";
+}
+
+// Tells and times the stages of flattening.
+struct Stage_visitor
+{
+  Command_run& run;
+
+  void start(CM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
+  void after_iteration(std::size_t, double, double) { run.progress().long_step(); }
+};
+
+Mesh_format format_with_texture(const std::string& path, const std::string& format_name)
+{
+  const Mesh_format format = output_format(path, format_name);
+  if(!has_texture(format))
+    throw Program_error(path +
+                        ": this format cannot carry texture coordinates (.obj, .ply and .vtp can)");
+  return format;
+}
+
+// Greedy, except for shapes that need no cones.
+Flatten_options with_defaults(Flatten_options options)
+{
+  check_boundary(options.boundary);
+  const bool is_shape = options.boundary[0] == "rectangle" || options.boundary[0] == "disk";
+  if(options.cones.empty())
+    options.cones = is_shape ? "none" : "greedy";
+  if(options.maximum_log_scale && options.cones != "greedy")
+    throw Program_error("--max-log-scale is for --cones greedy");
+  return options;
+}
+
+class Flatten_command
+{
+public:
+  Flatten_command(const Common_options& common, const Flatten_options& options)
+    : m_options(with_defaults(options)),
+      m_format(format_with_texture(options.output, options.format)),
+      m_run("flatten", common, {options.output}, 7)
+  {}
+
+  void run()
+  {
+    m_conditions = m_run.timed("build", [&] {
+      m_length = edge_lengths(m_run);
+      return flattening_conditions(m_options, mesh(), m_run.options().input);
+    });
+    const CM::Planar_conformal_map map =
+      m_options.boundary[0] == "disk" ? flattened_to_disk() : flattened();
+    m_run.timed("write", [&] {
+      const Output_mesh result = flat_mesh(map, mesh(), cones(map), m_options.is_homogeneous);
+      describe_map(map, result);
+      m_run.add_output(m_options.output, text_of(result, m_format));
+    });
+    m_run.finish(summary());
+  }
+
+private:
+  Mesh& mesh() { return m_run.input().mesh; }
+
+  // Throws std::runtime_error if the minimization has not converged.
+  CM::Planar_conformal_map flattened()
+  {
+    Stage_visitor visitor{m_run};
+    const double bound = m_options.cones == "greedy" ? m_options.maximum_log_scale.value_or(5)
+                                                     : std::numeric_limits<double>::infinity();
+    const auto conditions =
+      boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
+    CM::Planar_conformal_map result = CM::flatten(
+      mesh(), CM::parameters::vertex_condition_map(
+                conditions, CM::parameters::maximum_log_scale(
+                              bound, CGAL::Intrinsic_triangulations::parameters::edge_length_map(
+                                       m_length, CGAL::parameters::visitor(std::ref(visitor))))));
+    m_run.end_stage();
+    check(result);
+    return result;
+  }
+
+  static void check(const CM::Planar_conformal_map& map)
+  {
+    if(map.minimization().status == CM::Minimization_status::converged)
+      return;
+    std::ostringstream text;
+    text << "the minimization has not converged: " << CM::to_string(map.minimization().status)
+         << ", with an error of curvatures of " << map.max_curvature_error() << " radians";
+    throw std::runtime_error(text.str());
+  }
+
+  // The exterior angles that a circle has depend on the lengths in the result.
+  CM::Planar_conformal_map flattened_to_disk()
+  {
+    constexpr int maximum_number_of_rounds = 100;
+    constexpr double tolerance = 1e-10; // radians
+    double change = 0;
+    for(int i = 0; i < maximum_number_of_rounds; ++i) {
+      CM::Planar_conformal_map result = flattened();
+      m_iterations += result.minimization().iterations;
+      change = set_circle(m_conditions, mesh(), boundary_lengths(result));
+      if(change <= tolerance)
+        return result;
+    }
+    std::ostringstream text;
+    text << "the boundary has not become a circle: after " << maximum_number_of_rounds
+         << " rounds its angles still change by " << change << " radians";
+    throw std::runtime_error(text.str());
+  }
+
+  // Those that were placed and those of the file.
+  std::vector<Mesh::Vertex_index> cones(const CM::Planar_conformal_map& map)
+  {
+    std::vector<Mesh::Vertex_index> result;
+    for(const CM::Vertex_index v : map.cones())
+      result.emplace_back(v.idx());
+    for(const Mesh::Vertex_index v : mesh().vertices())
+      if(!mesh().is_border(v) && m_conditions[v].value != 0)
+        result.push_back(v);
+    return result;
+  }
+
+  void describe_map(const CM::Planar_conformal_map& map, const Output_mesh& result)
+  {
+    Statistics& statistics = m_run.statistics();
+    statistics["cones"] = cones(map).size();
+    statistics["iterations"] = (std::max)(m_iterations, map.minimization().iterations);
+    statistics["status"] = CM::to_string(map.minimization().status);
+    statistics["max_curvature_error"] = map.max_curvature_error();
+    statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
+    describe_triangles(statistics, result);
+    describe_scales(map);
+    statistics["flips"] = map.number_of_flips(CM::Layer::B);
+    statistics["ptolemy_flips"] = map.number_of_flips(CM::Layer::C);
+    statistics["subdivision"] = {{"vertices", result.points.size()},
+                                 {"edges", result.edges.size()},
+                                 {"faces", result.polygons.size()}};
+  }
+
+  // Vertices without faces have no scale.
+  void describe_scales(const CM::Planar_conformal_map& map)
+  {
+    std::vector<double> u;
+    for(const Mesh::Vertex_index v : mesh().vertices())
+      if(!mesh().is_isolated(v))
+        u.push_back(map.log_scale(CM::Vertex_index(v.idx())));
+    double sum = 0, square_sum = 0;
+    for(const double x : u)
+      sum += x;
+    for(const double x : u)
+      square_sum += (x - sum / double(u.size())) * (x - sum / double(u.size()));
+    Statistics& statistics = m_run.statistics();
+    statistics["log_scale_min"] = *std::min_element(u.begin(), u.end());
+    statistics["log_scale_max"] = *std::max_element(u.begin(), u.end());
+    statistics["log_scale_square_sum"] = square_sum;
+  }
+
+  std::string summary()
+  {
+    const Statistics& s = m_run.statistics();
+    std::ostringstream text;
+    text << s["cones"] << " cones, log scale factors " << s["log_scale_min"].get<double>() << " to "
+         << s["log_scale_max"].get<double>() << ", " << s["flips"] << " + " << s["ptolemy_flips"]
+         << " flips, " << s["flipped_triangles"] << " triangles flipped in the plane, "
+         << s["subdivision"]["faces"] << " faces in the common subdivision";
+    return text.str();
+  }
+
+  Flatten_options m_options;
+  Mesh_format m_format;
+  Command_run m_run;
+  Edge_length_map m_length;
+  Conditions m_conditions;
+  std::size_t m_iterations = 0; // of all rounds, for a disk
+};
+
+} // namespace
+
+int flatten(const Common_options& common, const Flatten_options& options)
+{
+  Flatten_command(common, options).run();
+  return 0;
+}

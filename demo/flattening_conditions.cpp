@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flattening_conditions.h"
+
+#include "Program_error.h"
+#include "boundary_shapes.h"
+#include "vertex_values.h"
+
+#include <algorithm>
+#include <cmath>
+
+using CGAL::Discrete_conformal_maps::Vertex_condition;
+
+namespace {
+
+bool is_on_boundary(Mesh::Vertex_index v, const Mesh& mesh)
+{
+  return !mesh.is_isolated(v) && mesh.is_border(v);
+}
+
+bool is_inside(Mesh::Vertex_index v, const Mesh& mesh)
+{
+  return !mesh.is_isolated(v) && !mesh.is_border(v);
+}
+
+// Each value becomes a condition made by `make`; `is_allowed` says of which vertices.
+template <class Predicate>
+void set_from_file(Conditions& conditions, const Mesh& mesh, const std::string& path,
+                   Vertex_condition (*make)(double), const Predicate& is_allowed,
+                   const std::string& place)
+{
+  for(const Vertex_value& x : read_vertex_values(path, conditions.size())) {
+    if(!is_allowed(Mesh::Vertex_index(Mesh::size_type(x.vertex)), mesh))
+      throw Program_error(path + ": line " + std::to_string(x.line) + ": vertex " +
+                          std::to_string(x.vertex) + " is not " + place);
+    conditions[x.vertex] = make(x.value);
+  }
+}
+
+void set_rectangle(Conditions& conditions, const Mesh& mesh, const std::string& path)
+{
+  for(const Boundary_loop& loop : single_boundary_loops(mesh, path)) {
+    if(loop.size() < 4)
+      throw Program_error(path +
+                          ": a boundary has too few vertices for the corners of a rectangle");
+    for(const Mesh::Vertex_index v : rectangle_corners(mesh, loop))
+      conditions[v] = Vertex_condition::curvature(CGAL_PI / 2);
+  }
+}
+
+void set_unscaled(Conditions& conditions, const Mesh& mesh)
+{
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(is_on_boundary(v, mesh))
+      conditions[v] = Vertex_condition::log_scale(0);
+}
+
+void set_boundary(Conditions& conditions, const std::vector<std::string>& words, const Mesh& mesh,
+                  const std::string& path)
+{
+  const std::string& what = words.front();
+  if(what == "free")
+    set_unscaled(conditions, mesh);
+  else if(what == "rectangle")
+    set_rectangle(conditions, mesh, path);
+  else if(what == "disk") {
+    single_boundary_loops(mesh, path);
+    set_circle(conditions, mesh, boundary_lengths(mesh));
+  } else
+    set_from_file(conditions, mesh, words[1],
+                  what == "scale" ? Vertex_condition::log_scale : Vertex_condition::curvature,
+                  is_on_boundary, "on the boundary");
+}
+
+} // namespace
+
+void check_boundary(const std::vector<std::string>& words)
+{
+  const std::string& what = words.front();
+  const bool has_file = what == "scale" || what == "curvature";
+  if(!has_file && what != "free" && what != "rectangle" && what != "disk")
+    throw Program_error("--boundary: '" + what +
+                        "' is none of free, scale, curvature, rectangle and disk");
+  if(has_file && words.size() == 1)
+    throw Program_error("--boundary " + what + ": the name of a file is missing");
+  if(!has_file && words.size() == 2)
+    throw Program_error("--boundary " + what + ": '" + words[1] + "' is one word too many");
+}
+
+Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh,
+                                 const std::string& path)
+{
+  Conditions result(mesh.number_of_vertices());
+  if(options.cones != "greedy" && options.cones != "none")
+    set_from_file(result, mesh, options.cones, Vertex_condition::curvature, is_inside,
+                  "inside the surface");
+  set_boundary(result, options.boundary, mesh, path);
+  return result;
+}
+
+double set_circle(Conditions& conditions, const Mesh& mesh, const std::vector<double>& length)
+{
+  double change = 0;
+  for(const Boundary_loop& loop : single_boundary_loops(mesh, "")) {
+    std::vector<double> length_of_edge;
+    for(const Mesh::Vertex_index v : loop)
+      length_of_edge.push_back(length[v]);
+    const std::vector<double> angle = circle_angles(length_of_edge);
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      Vertex_condition& condition = conditions[loop[i]];
+      change = (std::max)(change, std::abs(angle[i] - condition.value));
+      condition = Vertex_condition::curvature(angle[i]);
+    }
+  }
+  return change;
+}

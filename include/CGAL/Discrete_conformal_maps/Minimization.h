@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_MINIMIZATION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_MINIMIZATION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsMinimizers
+/// how a minimization has ended.
+enum class Minimization_status
+{
+  converged,       ///< no entry of the gradient is above the tolerance
+  rounding_limit,  ///< rounding keeps the gradient above the tolerance: it gets no smaller
+  iteration_limit, ///< as many iterations have been made as are allowed
+  no_descent, ///< no step along the direction of search was good: the energy is not convex, or its
+              ///< derivatives do not agree with each other
+  unbounded,  ///< there is no minimum: the gradient does not sum to zero on a component where no
+              ///< variable is fixed
+  not_finite  ///< the gradient or the Hessian is infinite or not a number
+};
+
+/// \ingroup PkgDiscreteConformalMapsMinimizers
+/// returns the name of `status`.
+inline const char* to_string(Minimization_status status)
+{
+  switch(status) {
+    case Minimization_status::converged: return "converged";
+    case Minimization_status::rounding_limit: return "rounding_limit";
+    case Minimization_status::iteration_limit: return "iteration_limit";
+    case Minimization_status::no_descent: return "no_descent";
+    case Minimization_status::unbounded: return "unbounded";
+    case Minimization_status::not_finite: return "not_finite";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgDiscreteConformalMapsMinimizers
+/// what a minimization has done.
+struct Minimization_result
+{
+  Minimization_status status = Minimization_status::converged; ///< how it ended
+  std::size_t iterations = 0;                                  ///< the number of steps taken
+  std::size_t evaluations = 0;       ///< how often the energy has been moved to a point
+  std::size_t factorizations = 0;    ///< the number of numeric factorizations
+  std::size_t symbolic_analyses = 0; ///< how often the pattern of the factor has been found
+  std::size_t orderings = 0;         ///< how often a fill-reducing order has been computed
+  double gradient_norm = 0;          ///< the greatest entry of the gradient that is left
+  double gradient_error =
+    0; ///< the rounding error of that gradient: of its computation, and of storing
+       ///< the point
+};
+
+/// \ingroup PkgDiscreteConformalMapsMinimizers
+/// says which variables of an energy move, and along which directions the energy is constant.
+struct Minimization_domain
+{
+  /// for each variable, whether it stays as it is; empty if all move
+  std::vector<char> is_fixed;
+  /// for each variable the number of its component, from 0 on. On a component where no variable is
+  /// fixed, the energy does not change when the same number is added to all its variables, and changes
+  /// in all other directions. Empty if the energy changes in every direction.
+  std::vector<std::size_t> component;
+};
+
+/// \ingroup PkgDiscreteConformalMapsMinimizers
+/// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
+///
+/// \cgalModels `MinimizationVisitor`
+struct Default_minimization_visitor
+{
+  /// is called after every step.
+  void after_iteration(std::size_t /* iteration */, double /* gradient_norm */,
+                       double /* step_length */)
+  {}
+};
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_MINIMIZATION_H

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_CROSS_RATIOS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_CROSS_RATIOS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+
+// The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h is ij.
+template <typename Length>
+double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Length& length)
+{
+  const Halfedge_index o = mesh.opposite(h);
+  return length(mesh.next(h)) / length(mesh.prev(h)) *
+         (length(mesh.next(o)) / length(mesh.prev(o)));
+}
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// returns how far a map is from being discretely conformal: the greatest relative error of a length cross
+/// ratio \f$\ell_{jk}\ell_{im} / (\ell_{ki}\ell_{mj})\f$ of an edge \f$ij\f$ of \f$T^C\f$ with faces
+/// \f$ijk\f$ and \f$jim\f$, between the lengths in the plane and those of the ideal polyhedron, which the
+/// scale factors do not change. Edges with a face that is not laid out do not count. Complexity: linear.
+inline double max_cross_ratio_error(const Planar_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  const auto in_plane = [&](Halfedge_index h) {
+    return std::abs(map.position(mesh.next(h)) - map.position(h));
+  };
+  const auto ideal = [&](Halfedge_index h) { return map.ideal().length(mesh.edge(h)); };
+  double result = 0;
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e);
+    if(!map.is_laid_out(mesh.face(h)) || !map.is_laid_out(mesh.face(mesh.opposite(h))))
+      continue;
+    const double error = std::abs(internal::length_cross_ratio(h, mesh, in_plane) /
+                                    internal::length_cross_ratio(h, mesh, ideal) -
+                                  1);
+    result = error <= result ? result : error; // keeps what is no number
+  }
+  return result;
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_CROSS_RATIOS_H
