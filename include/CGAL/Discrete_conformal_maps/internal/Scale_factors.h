@@ -12,7 +12,11 @@
 #include <CGAL/Discrete_conformal_maps/internal/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
 
+#ifdef CGAL_USE_MPFR
+#include <boost/multiprecision/mpfr.hpp>
+#else
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +28,13 @@ namespace Discrete_conformal_maps {
 namespace internal {
 
 // takes over where double has too few digits
-typedef boost::multiprecision::number<
-  boost::multiprecision::cpp_bin_float<113, boost::multiprecision::digit_base_2>,
-  boost::multiprecision::et_off>
-  Extended;
+#ifdef CGAL_USE_MPFR // many times as fast
+typedef boost::multiprecision::mpfr_float_backend<34, boost::multiprecision::allocate_stack>
+  Extended_backend;
+#else
+typedef boost::multiprecision::cpp_bin_float<34> Extended_backend;
+#endif
+typedef boost::multiprecision::number<Extended_backend, boost::multiprecision::et_off> Extended;
 
 // The scale factors of a doubled problem.
 class Scale_factors
@@ -72,9 +79,10 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    run<double>(minimizer, visitor);
-    if(m_max_curvature_error > tolerance || m_result.gradient_error > tolerance)
-      m_extended = run<Extended>(minimizer, visitor);
+    Conformal_energy<> energy = energy_at_start<double>();
+    run(energy, minimizer, visitor);
+    if(!is_within(tolerance))
+      minimize_extended(minimizer, tolerance, visitor);
   }
 
   // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Says whether it has.
@@ -91,12 +99,38 @@ public:
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  template <typename FT, typename Minimizer, typename Visitor>
-  std::vector<FT> run(const Minimizer& minimizer, Visitor& visitor)
+  // rounding counts as well
+  bool is_within(double tolerance) const
   {
-    Conformal_energy<FT> energy(m_problem.triangulation().mesh(),
+    return m_max_curvature_error <= tolerance && m_result.gradient_error <= tolerance;
+  }
+
+  template <typename FT>
+  Conformal_energy<FT> energy_at_start() const
+  {
+    Conformal_energy<FT> result(m_problem.triangulation().mesh(),
                                 m_problem.triangulation().length_map(), m_problem.target_defect());
-    energy.evaluate(m_u);
+    result.evaluate(m_u);
+    return result;
+  }
+
+  // The minimizer moves by numbers in double, which lose fewer digits the closer the origin is.
+  template <typename Minimizer, typename Visitor>
+  void minimize_extended(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  {
+    Conformal_energy<Extended> energy = energy_at_start<Extended>();
+    double before = 0;
+    do {
+      before = (std::max)(m_max_curvature_error, m_result.gradient_error);
+      run(energy, minimizer, visitor);
+    } while(!is_within(tolerance) &&
+            (std::max)(m_max_curvature_error, m_result.gradient_error) < before / 2);
+    m_extended = energy.scale_factors();
+  }
+
+  template <typename FT, typename Minimizer, typename Visitor>
+  void run(Conformal_energy<FT>& energy, const Minimizer& minimizer, Visitor& visitor)
+  {
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
     const Minimization_result last = minimizer(energy, x, domain(), visitor);
@@ -105,13 +139,13 @@ private:
     m_result = last;
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
-    m_u += x;
     m_max_curvature_error = 0;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
+    for(std::size_t v = 0; v < m_problem.size(); ++v) {
+      const auto i = static_cast<Eigen::Index>(v);
+      m_u[i] = static_cast<double>(energy.scale_factors()[v]);
       if(!m_problem.is_fixed()[v])
-        m_max_curvature_error =
-          (std::max)(m_max_curvature_error, std::abs(energy.gradient()[Eigen::Index(v)]));
-    return energy.scale_factors();
+        m_max_curvature_error = (std::max)(m_max_curvature_error, std::abs(energy.gradient()[i]));
+    }
   }
 
   Minimization_domain domain() const
