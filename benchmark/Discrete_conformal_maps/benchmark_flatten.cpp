@@ -91,7 +91,7 @@ void print_head()
               "steps");
   for(const char* name : stage_names)
     std::printf("%13s", name);
-  std::printf("%9s%7s%9s%9s%8s\n", "total", "MB", "curvature", "cr. ratio", "growth");
+  std::printf("%9s%7s%10s%10s%8s\n", "total", "MB", "curvature", "ratios", "growth");
 }
 
 // Returns the time.
@@ -106,7 +106,7 @@ double benchmark(const std::string& name, const Mesh& mesh)
               map.minimization().iterations);
   for(const double seconds : watch.seconds)
     std::printf("%8.3f %3.0f%%", seconds, 100 * seconds / watch.total());
-  std::printf("%9.3f%7.0f%9.1e%9.1e", watch.total(), peak_memory(), map.max_curvature_error(),
+  std::printf("%9.3f%7.0f%10.1e%10.1e", watch.total(), peak_memory(), map.max_curvature_error(),
               DCM::max_cross_ratio_error(map));
   return watch.total();
 }

@@ -41,6 +41,6 @@ int main(int argc, char* argv[])
   const std::complex<double> a = map({f, {1, 0, 0}}), b = map({f, {0, 1, 0}}),
                              middle = map({f, {0.5, 0.5, 0}});
   std::cout << "the middle of an edge is mapped "
-            << std::abs(middle - (a + b) / 2) / std::abs(b - a)
+            << std::abs(middle - (a + b) / 2.) / std::abs(b - a)
             << " lengths of the edge from the middle of its ends\n";
 }

@@ -44,7 +44,7 @@ int main(int argc, char* argv[])
 
   std::vector<std::complex<double>> place;
   for(Mesh::Vertex_index v : corners)
-    place.push_back(map(PMP::locate_vertex<Mesh>(v, mesh)));
+    place.push_back(map(PMP::locate_vertex<double>(v, mesh)));
   std::cout << "a rectangle with sides of " << std::abs(place[1] - place[0]) << " and "
             << std::abs(place[2] - place[1]) << "; the opposite ones have "
             << std::abs(place[3] - place[2]) << " and " << std::abs(place[0] - place[3]) << '\n';

@@ -8,7 +8,7 @@
 /// sees the progress of `CGAL::Discrete_conformal_maps::flatten()`: to show it, to take times, or to stop
 /// the work by an exception.
 ///
-/// \cgalRefines `MinimizationVisitor`
+/// \cgalRefines{MinimizationVisitor}
 ///
 /// \cgalHasModel `CGAL::Discrete_conformal_maps::Default_flattening_visitor`
 class FlatteningVisitor
