@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -55,13 +57,24 @@ public:
   // of the vertices where curvatures are prescribed
   double max_curvature_error() const { return m_max_curvature_error; }
   const std::vector<Vertex_index>& cones() const { return m_cones; }
+  Flattening_status status() const { return m_status; }
+  // whether all faces have the triangle inequality, but for rounding
+  bool has_layout() const { return m_has_layout; }
+
+  // by the vertices of the surface itself
+  void start_from(const std::vector<double>& log_scale)
+  {
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      m_u[Eigen::Index(v)] =
+        log_scale[m_problem.front(Vertex_index(Delta_complex::size_type(v))).idx()];
+  }
 
   // Places cones until a linear estimate of the scale factors lies within a bound.
   void place_cones(double bound)
   {
     const Conformal_energy<> energy(m_problem.triangulation().mesh(),
                                     m_problem.triangulation().length_map(),
-                                    m_problem.target_defect());
+                                    m_problem.target_defect(), m_problem.flipping());
     place_first_cones(energy, bound);
     const std::vector<Vertex_index> twin = twins();
     Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins(), twin);
@@ -81,7 +94,7 @@ public:
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
     Conformal_energy<> energy = energy_at_start<double>();
     run(energy, minimizer, visitor);
-    if(!is_within(tolerance))
+    if(is_rounded(tolerance) && !has_no_solution())
       minimize_extended(minimizer, tolerance, visitor);
   }
 
@@ -109,7 +122,8 @@ private:
   Conformal_energy<FT> energy_at_start() const
   {
     Conformal_energy<FT> result(m_problem.triangulation().mesh(),
-                                m_problem.triangulation().length_map(), m_problem.target_defect());
+                                m_problem.triangulation().length_map(), m_problem.target_defect(),
+                                m_problem.flipping());
     result.evaluate(m_u);
     return result;
   }
@@ -123,7 +137,7 @@ private:
     do {
       before = (std::max)(m_max_curvature_error, m_result.gradient_error);
       run(energy, minimizer, visitor);
-    } while(!is_within(tolerance) &&
+    } while(!is_within(tolerance) && !has_no_solution() &&
             (std::max)(m_max_curvature_error, m_result.gradient_error) < before / 2);
     m_extended = energy.scale_factors();
   }
@@ -139,6 +153,9 @@ private:
     m_result = last;
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
+    m_has_layout =
+      m_problem.flipping() == Flipping::to_Delaunay || energy.number_of_flat_faces() == 0;
+    m_status = status(x);
     m_max_curvature_error = 0;
     for(std::size_t v = 0; v < m_problem.size(); ++v) {
       const auto i = static_cast<Eigen::Index>(v);
@@ -146,6 +163,56 @@ private:
       if(!m_problem.is_fixed()[v])
         m_max_curvature_error = (std::max)(m_max_curvature_error, std::abs(energy.gradient()[i]));
     }
+  }
+
+  // Whether more digits might give less than the tolerance; not if a minimizer was content with more.
+  bool is_rounded(double tolerance) const
+  {
+    return m_result.gradient_error > tolerance ||
+           (m_max_curvature_error > tolerance && m_result.status != Minimization_status::converged);
+  }
+
+  // In a fixed triangulation it need not be rounding that stops the minimization.
+  bool has_no_solution() const
+  {
+    return m_status == Flattening_status::no_minimum ||
+           (m_status == Flattening_status::triangle_inequality &&
+            m_result.status == Minimization_status::iteration_limit);
+  }
+
+  // after a minimization that has led in this direction
+  Flattening_status status(const Vector& direction) const
+  {
+    if(m_problem.flipping() == Flipping::none && falls_without_end(direction))
+      return Flattening_status::no_minimum;
+    if(!m_has_layout)
+      return Flattening_status::triangle_inequality;
+    return m_result.status == Minimization_status::converged ? Flattening_status::success
+                                                             : Flattening_status::not_converged;
+  }
+
+  // Far along a direction, every face of a fixed triangulation has the angle pi where its entry is least. A
+  // convex energy that falls even there has no minimum.
+  bool falls_without_end(const Vector& direction) const
+  {
+    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    const Vector target = m_problem.target_defect();
+    const double pi = boost::math::constants::pi<double>();
+    double slope = 0, size = 0;
+    const auto add = [&](double x) {
+      slope += x;
+      size += std::abs(x);
+    };
+    for(Vertex_index v : mesh.vertices())
+      if(!m_problem.is_fixed()[v.idx()])
+        add((2 * pi - target[Eigen::Index(v.idx())]) * direction[Eigen::Index(v.idx())]);
+    for(Face_index f : mesh.faces()) {
+      double least = std::numeric_limits<double>::infinity();
+      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, mesh))
+        least = (std::min)(least, direction[Eigen::Index(mesh.source(h).idx())]);
+      add(-pi * least);
+    }
+    return slope < -1e-12 * size; // rounding
   }
 
   Minimization_domain domain() const
@@ -244,6 +311,8 @@ private:
   Vector m_u;
   std::vector<Extended> m_extended;
   Minimization_result m_result;
+  Flattening_status m_status = Flattening_status::success;
+  bool m_has_layout = true;
   double m_max_curvature_error = 0;
   std::vector<Vertex_index> m_cones;
 };
