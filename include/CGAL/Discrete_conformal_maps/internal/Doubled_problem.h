@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -186,12 +187,7 @@ public:
     const std::vector<std::size_t> fixed = number_of_fixed();
     for(std::size_t c = 0; c < excess.size(); ++c)
       if(fixed[c] < needed_cones(excess[c]))
-        throw Intrinsic_triangulations::Invalid_input(
-          "the prescribed curvatures of component " + std::to_string(c) +
-          " exceed what its topology" + " allows (Gauss-Bonnet) by " + std::to_string(excess[c]) +
-          " radians" + (has_boundary(c) ? " on its double" : "") + ", and " +
-          std::to_string(fixed[c]) +
-          " vertices with prescribed scale factors cannot make up for it");
+        throw Intrinsic_triangulations::Invalid_input(unbalanced(c, excess[c], fixed[c] > 0));
   }
 
 private:
@@ -213,6 +209,18 @@ private:
       if(m_components[v.idx()] == component && is_on_boundary(v))
         return true;
     return false;
+  }
+
+  // what is wrong with the curvatures of a component
+  std::string unbalanced(std::size_t component, double excess, bool has_fixed) const
+  {
+    const double own = has_boundary(component) ? excess / 2 : excess; // not of the double
+    std::ostringstream text;
+    text << "the curvatures prescribed on component " << component << " sum up to " << std::abs(own)
+         << " radians " << (own > 0 ? "more" : "less")
+         << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
+         << (has_fixed ? ": more than vertices with prescribed scale factors can have" : "");
+    return text.str();
   }
 
   static double pi() { return boost::math::constants::pi<double>(); }
