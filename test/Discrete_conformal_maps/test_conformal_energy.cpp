@@ -372,14 +372,15 @@ TEST(Conformal_energy, origin_has_the_precision_of_its_type)
     EXPECT_LT(abs(energy.scale_factors()[i] - Quad(u[int(i)]) - 2 * Quad(tiny[int(i)])), 1e-33);
 }
 
-TEST(Conformal_energy, lengths_out_of_range_are_an_error_that_leaves_a_way_back)
+TEST(Conformal_energy, lengths_out_of_range_give_no_gradient_but_leave_a_way_back)
 {
   const Triangulation t(random_sphere(20, 3));
   auto energy = energy_of<double>(t, Numbers::Zero(20));
   const Numbers before = energy.gradient();
-  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, 2000)), IT::Numerical_error);
-  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, -2000)), IT::Numerical_error);
-  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, std::nan(""))), IT::Numerical_error);
+  for(double x : {2000., -2000., std::nan("")}) {
+    energy.evaluate(Numbers::Constant(20, x));
+    EXPECT_TRUE(energy.gradient().array().isNaN().all()) << x;
+  }
   energy.evaluate(Numbers::Zero(20));
   EXPECT_LT((energy.gradient() - before).norm(), 1e-12);
 }
