@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/Hyperbolic_triangle.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/Sparse>
@@ -30,14 +31,19 @@ namespace Discrete_conformal_maps {
 /// the convex energy whose minimum are the scale factors that give a surface prescribed angle defects
 /// (Section 4.3.2).
 ///
+/// Faces are Euclidean triangles with the scaled lengths, or hyperbolic triangles with sides \f$x\f$ for
+/// scaled lengths \f$\sinh(x/2)\f$. Both have the same ideal Delaunay triangulation. See
+/// `Hyperbolic_conformal_energy` for the latter: it is strictly convex, also along constants.
+///
 /// It is twice continuously differentiable on the whole space: whoever minimizes it sees nothing of the
 /// flips behind it. Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and
 /// a variable \f$x\f$ in that of `double`. So a minimum can be approached to any precision by a minimizer
 /// that knows only `double`, which moves the origin from time to time.
 ///
 /// \tparam FT_ the floating point type in which gradients are computed
+/// \tparam Triangle the geometry of faces
 /// \cgalModels `ConvexEnergy`
-template <typename FT_ = double>
+template <typename FT_ = double, typename Triangle = internal::Flat_triangle<FT_>>
 class Conformal_energy
 {
 public:
@@ -98,7 +104,7 @@ public:
   /// the angle at the source of `h` in its face, in the scaled metric.
   const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
 
-  /// the energy (Equation 4.12). Complexity: linear.
+  /// the energy: Equation 4.12, with the volume of Leibon (2002) for hyperbolic faces. Complexity: linear.
   FT value() const;
 
   /// the derivatives of the energy: the angle defects minus their targets (Equation 4.13).
@@ -107,8 +113,9 @@ public:
   /// a bound for the rounding errors in the gradient.
   double gradient_error() const { return m_gradient_error; }
 
-  /// the second derivatives: the cotan Laplacian (Section 4.3.2). Complexity: linear at the first call
-  /// after `evaluate()`.
+  /// the second derivatives: the cotan Laplacian (Section 4.3.2), and for hyperbolic faces what Bobenko,
+  /// Pinkall and Springborn (2015) have in Section 6. Complexity: linear at the first call after
+  /// `evaluate()`.
   const Matrix& Hessian() const
   {
     if(!m_has_Hessian)
@@ -118,8 +125,6 @@ public:
   }
 
 private:
-  typedef internal::Flat_triangle<FT> Triangle;
-
   const Delta_complex& mesh() const { return m_surface.mesh(); }
 
   std::array<FT, 3> side_lengths(const std::array<Halfedge_index, 3>& side) const
@@ -129,16 +134,21 @@ private:
             m_surface.scaled_length(mesh().edge(side[2]))};
   }
 
+  Triangle triangle(const std::array<Halfedge_index, 3>& side) const
+  {
+    return Triangle(side_lengths(side));
+  }
+
   void measure_faces()
   {
     m_error.assign(m_origin.size(), 0.);
     for(Face_index f : mesh().faces()) {
       const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
-      const Triangle triangle(side_lengths(side));
+      const Triangle face = triangle(side);
       for(std::size_t s = 0; s < 3; ++s) {
-        m_angle[side[s].idx()] = triangle.angle(s);
-        m_cotangent[side[s].idx()] = static_cast<double>(triangle.cotangent((s + 2) % 3));
-        m_error[mesh().source(side[s]).idx()] += static_cast<double>(triangle.angle_error());
+        m_angle[side[s].idx()] = face.angle(s);
+        m_cotangent[side[s].idx()] = static_cast<double>(face.cotangent((s + 2) % 3));
+        m_error[mesh().source(side[s]).idx()] += static_cast<double>(face.angle_error());
       }
     }
   }
@@ -185,7 +195,8 @@ private:
     m_Hessian.finalize();
   }
 
-  // in order of rows; loops do not count
+  // In order of rows. The second derivative along x is the sum over all edges of
+  //   weight ((x_i - x_j)^2 + tanh^2 (x_i + x_j)^2).
   void column(Vertex_index v, std::vector<std::pair<int, double>>& entries) const
   {
     entries.clear();
@@ -194,10 +205,11 @@ private:
     double diagonal = 0;
     Intrinsic_triangulations::internal::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
       const Vertex_index w = mesh().target(h);
-      if(w == v)
-        return;
-      entries.emplace_back(static_cast<int>(w.idx()), -weight(h));
-      diagonal += weight(h);
+      const auto tanh2 =
+        static_cast<double>(Triangle::squared_tanh(m_surface.scaled_length(mesh().edge(h))));
+      if(w != v)
+        entries.emplace_back(static_cast<int>(w.idx()), (tanh2 - 1) * weight(h));
+      diagonal += (w == v ? 2 * tanh2 : 1 + tanh2) * weight(h);
     });
     entries.emplace_back(static_cast<int>(v.idx()), diagonal);
     std::stable_sort(entries.begin(), entries.end(),
@@ -216,8 +228,13 @@ private:
   mutable bool m_has_Hessian = false;
 };
 
-template <typename FT>
-FT Conformal_energy<FT>::value() const
+/// \ingroup PkgDiscreteConformalMapsEnergy
+/// the energy for hyperbolic faces.
+template <typename FT = double>
+using Hyperbolic_conformal_energy = Conformal_energy<FT, internal::Hyperbolic_triangle<FT>>;
+
+template <typename FT, typename Triangle>
+FT Conformal_energy<FT, Triangle>::value() const
 {
   using std::log;
   const FT pi = boost::math::constants::pi<FT>();
@@ -226,10 +243,15 @@ FT Conformal_energy<FT>::value() const
     if(!mesh().is_isolated(v))
       sum += (2 * pi - FT(m_target_defect[static_cast<Eigen::Index>(v.idx())])) *
              m_scale_factor[v.idx()];
-  for(Halfedge_index h : mesh().halfedges()) {
-    const FT lambda = 2 * log(m_surface.scaled_length(mesh().edge(h)));
-    const FT& opposite = m_angle[mesh().prev(h).idx()];
-    sum += (opposite - pi / 2) * lambda + 2 * Lobachevsky_function(opposite);
+  for(Face_index f : mesh().faces()) {
+    const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+    const Triangle face = triangle(side);
+    for(std::size_t s = 0; s < 3; ++s) {
+      const FT lambda = 2 * log(m_surface.scaled_length(mesh().edge(side[(s + 1) % 3])));
+      sum += (face.circle_angle(s) - pi / 2) * lambda + Lobachevsky_function(face.angle(s)) +
+             Lobachevsky_function(face.circle_angle(s));
+    }
+    sum += Lobachevsky_function(face.half_defect());
   }
   return sum;
 }

@@ -44,7 +44,13 @@ public:
 
   // at the source of side s
   const FT& angle(std::size_t s) const { return m_angle[s]; }
+  // between the opposite side and the circle through the corners
+  const FT& circle_angle(std::size_t s) const { return m_angle[s]; }
   const FT& cotangent(std::size_t s) const { return m_cotangent[s]; }
+  // half of pi less the sum of angles
+  FT half_defect() const { return FT(0); }
+  // of half a side in proportion to the radius of curvature
+  static FT squared_tanh(const FT& /* length */) { return FT(0); }
   // a bound for the rounding error of an angle, if the sides have an error of a few units in the last place
   const FT& angle_error() const { return m_error; }
 
