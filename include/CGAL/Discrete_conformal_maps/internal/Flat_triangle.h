@@ -23,6 +23,9 @@ template <typename FT>
 class Flat_triangle
 {
 public:
+  // whether scaling changes no angles
+  static constexpr bool has_similar_ones = true;
+
   explicit Flat_triangle(const std::array<FT, 3>& side)
   {
     using std::atan2;

@@ -30,6 +30,9 @@ template <typename FT>
 class Hyperbolic_triangle
 {
 public:
+  // whether scaling changes no angles
+  static constexpr bool has_similar_ones = false;
+
   explicit Hyperbolic_triangle(const std::array<FT, 3>& l)
   {
     using std::atan2;

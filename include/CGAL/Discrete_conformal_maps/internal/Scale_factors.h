@@ -9,7 +9,6 @@
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
-#include <CGAL/Discrete_conformal_maps/internal/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -29,14 +28,16 @@ typedef boost::multiprecision::number<
   boost::multiprecision::et_off>
   Extended;
 
-// The scale factors of a doubled problem.
+// The scale factors of a doubled problem, with faces of the geometry of `Triangle`.
+template <template <typename> class Triangle>
 class Scale_factors
 {
   typedef Eigen::VectorXd Vector;
 
 public:
-  explicit Scale_factors(Doubled_problem& problem)
-    : m_problem(problem), m_u(Vector::Zero(Eigen::Index(problem.size())))
+  // `start` has scale factors to begin with; those that are prescribed do not count
+  Scale_factors(const Doubled_problem& problem, const Vector& start)
+    : m_problem(problem), m_u(start)
   {}
 
   // the scale factors: the sum of both, where double has too few digits for them
@@ -47,23 +48,6 @@ public:
   const Minimization_result& result() const { return m_result; }
   // of the vertices where curvatures are prescribed
   double max_curvature_error() const { return m_max_curvature_error; }
-  const std::vector<Vertex_index>& cones() const { return m_cones; }
-
-  // Places cones until a linear estimate of the scale factors lies within a bound.
-  void place_cones(double bound)
-  {
-    const Conformal_energy<> energy(m_problem.triangulation().mesh(),
-                                    m_problem.triangulation().length_map(),
-                                    m_problem.target_defect());
-    place_first_cones(energy, bound);
-    const std::vector<Vertex_index> twin = twins();
-    Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins(), twin);
-    for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
-      const std::size_t v = placement.worst(m_problem.components(), c);
-      placement.add(v);
-      add_cone(v);
-    }
-  }
 
   // Minimizes the energy; if double has too few digits for `tolerance`, in extended precision.
   template <typename Minimizer, typename Visitor>
@@ -77,25 +61,13 @@ public:
       m_extended = run<Extended>(minimizer, visitor);
   }
 
-  // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Says whether it has.
-  bool add_cone_if_beyond(double bound)
-  {
-    Eigen::Index v = 0;
-    if(m_u.size() == 0 || m_u.cwiseAbs().maxCoeff(&v) <= bound ||
-       m_problem.is_fixed()[std::size_t(v)])
-      return false;
-    add_cone(std::size_t(v));
-    return true;
-  }
-
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
   template <typename FT, typename Minimizer, typename Visitor>
   std::vector<FT> run(const Minimizer& minimizer, Visitor& visitor)
   {
-    Conformal_energy<FT> energy(m_problem.triangulation().mesh(),
-                                m_problem.triangulation().length_map(), m_problem.target_defect());
+    Conformal_energy<FT, Triangle<FT>> energy(m_problem.triangulation().mesh(),
+                                              m_problem.triangulation().length_map(),
+                                              m_problem.target_defect());
     energy.evaluate(m_u);
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
@@ -117,101 +89,17 @@ private:
   Minimization_domain domain() const
   {
     Minimization_domain result{m_problem.is_fixed(), {}};
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      result.component.push_back(m_problem.components()[v]);
+    if(Triangle<double>::has_similar_ones)
+      for(std::size_t v = 0; v < m_problem.size(); ++v)
+        result.component.push_back(m_problem.components()[v]);
     return result;
   }
 
-  // The Laplacian does not see constants on a component without prescribed scale factors: one vertex is held.
-  std::vector<char> with_pins() const
-  {
-    std::vector<char> result = m_problem.is_fixed();
-    std::vector<std::size_t> count = m_problem.number_of_fixed();
-    for(std::size_t v = 0; v < result.size(); ++v)
-      if(count[m_problem.components()[v]]++ == 0)
-        result[v] = 1;
-    return result;
-  }
-
-  std::vector<Vertex_index> twins() const
-  {
-    std::vector<Vertex_index> result(m_problem.size());
-    for(Vertex_index v : m_problem.surface_vertices()) {
-      result[v.idx()] = m_problem.mirrored(v);
-      result[m_problem.mirrored(v).idx()] = v;
-    }
-    return result;
-  }
-
-  void add_cone(std::size_t v)
-  {
-    const Vertex_index cone = m_problem.front(Vertex_index(Delta_complex::size_type(v)));
-    m_problem.set_condition(cone, Vertex_condition::log_scale(0));
-    m_cones.push_back(cone);
-  }
-
-  // A component without prescribed scale factors gets a cone where the estimate is farthest from its middle,
-  // unless it needs none.
-  void place_first_cones(const Conformal_energy<>& energy, double bound)
-  {
-    const auto& component = m_problem.components();
-    const std::vector<double> excess = m_problem.curvature_excess();
-    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
-    std::vector<double> size(component.size(), 0);
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      ++size[component[v]];
-    Vector balanced = energy.gradient();
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(fixed[component[v]] == 0)
-        balanced[Eigen::Index(v)] += excess[component[v]] / size[component[v]];
-    Dirichlet_solver solver(energy.Hessian(), with_pins());
-    const Vector estimate = solver.solve(-balanced);
-    for(std::size_t c = 0; c < component.size(); ++c)
-      if(fixed[c] == 0 && size[c] > 1)
-        place_first_cone(c, estimate, excess[c], bound);
-  }
-
-  void place_first_cone(std::size_t c, const Vector& estimate, double excess, double bound)
-  {
-    std::size_t least = none, greatest = none;
-    double sum = 0, count = 0;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(m_problem.components()[v] == c) {
-        const double u = estimate[Eigen::Index(v)];
-        sum += u;
-        ++count;
-        if(least == none || u < estimate[Eigen::Index(least)])
-          least = v;
-        if(greatest == none || u > estimate[Eigen::Index(greatest)])
-          greatest = v;
-      }
-    const double below = sum / count - estimate[Eigen::Index(least)],
-                 above = estimate[Eigen::Index(greatest)] - sum / count;
-    if(Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound)
-      add_cone(above > below ? greatest : least);
-  }
-
-  // a component with cones whose estimate is out of bounds, or that needs more of them
-  std::size_t worst_component(const Vector& estimate, double bound) const
-  {
-    const std::vector<double> excess = m_problem.curvature_excess();
-    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
-    for(std::size_t v = 0; v < m_problem.size(); ++v) {
-      const std::size_t c = m_problem.components()[v];
-      const double u = std::abs(estimate[Eigen::Index(v)]);
-      if(fixed[c] > 0 &&
-         (u > bound || (u > 0 && fixed[c] < Doubled_problem::needed_cones(excess[c]))))
-        return c;
-    }
-    return none;
-  }
-
-  Doubled_problem& m_problem;
+  const Doubled_problem& m_problem;
   Vector m_u;
   std::vector<Extended> m_extended;
   Minimization_result m_result;
   double m_max_curvature_error = 0;
-  std::vector<Vertex_index> m_cones;
 };
 
 } // namespace internal
