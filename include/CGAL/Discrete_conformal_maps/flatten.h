@@ -7,15 +7,15 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/Flat_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
-
-#include <CGAL/boost/graph/helpers.h>
 
 #include <limits>
 #include <memory>
@@ -25,27 +25,6 @@
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
-
-/// \ingroup PkgDiscreteConformalMapsFlat
-/// a part of the work of `flatten()`.
-enum class Flattening_stage
-{
-  cones,     ///< cones are placed
-  optimize,  ///< scale factors are computed
-  trace,     ///< the triangulations are traced over each other
-  subdivide, ///< their common subdivision is made
-  layout     ///< faces are laid out in the plane
-};
-
-/// \ingroup PkgDiscreteConformalMapsFlat
-/// a visitor that does nothing.
-///
-/// \cgalModels `FlatteningVisitor`
-struct Default_flattening_visitor : Default_minimization_visitor
-{
-  /// is called when a part of the work begins.
-  void start(Flattening_stage /* stage */) {}
-};
 
 namespace internal {
 
@@ -137,30 +116,15 @@ private:
     return m_problem.components()[mesh().target(mesh().halfedge(f)).idx()];
   }
 
-  // the area of each component, for these lengths of halfedges
-  template <typename Length>
-  std::vector<double> areas(const Delta_complex& complex, const Length& length) const
-  {
-    std::vector<double> result(m_problem.components().size(), 0);
-    for(Face_index f : complex.faces()) {
-      const auto h = Intrinsic_triangulations::internal::sides(f, complex);
-      result[m_problem.components()[complex.target(h[0]).idx()]] +=
-        std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(length(h[0]), length(h[1]),
-                                                                    length(h[2]))) /
-        4;
-    }
-    return result;
-  }
-
   // What is to be added to the scale factors at each vertex: nothing, or where none are prescribed, what
   // keeps the area of the component.
   std::vector<double> area_correction() const
   {
     const std::vector<double> flat =
-      areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length(h); });
-    const std::vector<double> curved = areas(m_map.Delaunay().mesh(), [&](Halfedge_index h) {
-      return m_map.Delaunay().length(Edge_index(h));
-    });
+      m_problem.areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length(h); });
+    const std::vector<double> curved =
+      m_problem.areas(m_map.Delaunay().mesh(),
+                      [&](Halfedge_index h) { return m_map.Delaunay().length(Edge_index(h)); });
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
     std::vector<double> result(m_problem.size(), 0);
     for(std::size_t v = 0; v < result.size(); ++v)
@@ -213,27 +177,6 @@ private:
   Map_builder m_builder;
   std::vector<char> m_is_wall; // edges of T^C that are not passed
 };
-
-// What is prescribed where the caller says nothing: flat inside, not scaled on the boundary.
-template <typename Graph, typename NamedParameters>
-std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_complex& mesh,
-                                                const NamedParameters& np)
-{
-  using CGAL::parameters::get_parameter;
-  std::vector<Vertex_condition> result(mesh.num_vertices());
-  constexpr bool has_map =
-    !CGAL::parameters::is_default_parameter<NamedParameters,
-                                            internal_np::vertex_condition_map_t>::value;
-  if constexpr(has_map) {
-    std::size_t number = 0;
-    for(auto v : vertices(g))
-      result[number++] = get(get_parameter(np, internal_np::vertex_condition_map), v);
-  } else
-    for(Vertex_index v : mesh.vertices())
-      if(!mesh.is_isolated(v) && mesh.is_border(v))
-        result[v.idx()] = Vertex_condition::log_scale(0);
-  return result;
-}
 
 } // namespace internal
 
@@ -294,7 +237,8 @@ Planar_conformal_map flatten(const Graph& g,
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  internal::Doubled_problem problem(input, internal::vertex_conditions(g, input.mesh(), np));
+  internal::Doubled_problem problem(
+    input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0)));
   internal::Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, input.mesh().num_faces(), visitor);
   flattening.find_scale_factors(

@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The angles of a hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads from corner s to the
+// The corners of a hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads from corner s to the
 // next.
 //
 // With the law of cosines, at the corner between sides b and c
@@ -26,6 +26,28 @@ namespace internal {
 // and the same with the sine is d, where d^2 is 16 times the squared area of the Euclidean triangle with sides
 // l plus 4 (l_a l_b l_c)^2. No term cancels beyond what it does in that triangle, to which all tends where
 // the sides are short.
+template <typename FT>
+struct Hyperbolic_corners
+{
+  explicit Hyperbolic_corners(const std::array<FT, 3>& l)
+  {
+    using std::sqrt;
+    const FT volume = 2 * l[0] * l[1] * l[2];
+    sine =
+      sqrt(Intrinsic_triangulations::squared_quadrupled_area(l[0], l[1], l[2]) + volume * volume);
+    for(std::size_t s = 0; s < 3; ++s) {
+      const FT &b = l[s], &c = l[(s + 2) % 3], bc = b * c;
+      product[s] = Intrinsic_triangulations::doubled_corner_product(l[(s + 1) % 3], b, c);
+      cosine[s] = product[s] + 2 * bc * bc;
+    }
+  }
+
+  FT sine;                   // d, the same at all corners
+  std::array<FT, 3> product, // p
+    cosine;                  // p + 2 l_b^2 l_c^2
+};
+
+// The angles of such a triangle.
 template <typename FT>
 class Hyperbolic_triangle
 {
@@ -36,22 +58,16 @@ public:
   explicit Hyperbolic_triangle(const std::array<FT, 3>& l)
   {
     using std::atan2;
-    using std::sqrt;
-    const FT volume = 2 * l[0] * l[1] * l[2];
-    const FT d =
-      sqrt(Intrinsic_triangulations::squared_quadrupled_area(l[0], l[1], l[2]) + volume * volume);
+    const Hyperbolic_corners<FT> corner(l);
     const FT squares = l[0] * l[0] + l[1] * l[1] + l[2] * l[2];
     const FT least = std::numeric_limits<FT>::epsilon() * squares;
-    const FT divisor = d > least ? d : least;
+    const FT divisor = corner.sine > least ? corner.sine : least;
     for(std::size_t s = 0; s < 3; ++s) {
-      const FT &b = l[s], &c = l[(s + 2) % 3];
-      const FT p = Intrinsic_triangulations::doubled_corner_product(l[(s + 1) % 3], b, c);
-      const FT bc = b * c;
-      m_angle[s] = atan2(d, p + 2 * bc * bc);
-      m_circle_angle[s] = atan2(d, p);
-      m_cotangent[s] = p / divisor;
+      m_angle[s] = atan2(corner.sine, corner.cosine[s]);
+      m_circle_angle[s] = atan2(corner.sine, corner.product[s]);
+      m_cotangent[s] = corner.product[s] / divisor;
     }
-    m_half_defect = atan2(d, 2 + squares);
+    m_half_defect = atan2(corner.sine, FT(2 + squares));
     // twice that of a flat triangle: the derivatives have the additional factor 1 + tanh^2(x/2)
     m_error = 16 * std::numeric_limits<FT>::epsilon() * (1 + squares / divisor);
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -33,6 +34,7 @@ template <template <typename> class Triangle>
 class Scale_factors
 {
   typedef Eigen::VectorXd Vector;
+  typedef Doubled_problem::Triangulation Triangulation;
 
 public:
   // `start` has scale factors to begin with; those that are prescribed do not count
@@ -56,17 +58,25 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    run<double>(minimizer, visitor);
+    run<double>(m_problem.triangulation(), minimizer, visitor);
     if(m_max_curvature_error > tolerance || m_result.gradient_error > tolerance)
-      m_extended = run<Extended>(minimizer, visitor);
+      m_extended = run<Extended>(m_problem.triangulation(), minimizer, visitor);
+  }
+
+  // Goes on from the minimum in extended precision, to where its rounding ends. The triangulation of the problem
+  // may have been moved to `triangulation`.
+  template <typename Visitor>
+  void refine(const Triangulation& triangulation, Visitor& visitor)
+  {
+    m_extended = run<Extended>(triangulation, Newton_minimizer(1e-30), visitor);
   }
 
 private:
   template <typename FT, typename Minimizer, typename Visitor>
-  std::vector<FT> run(const Minimizer& minimizer, Visitor& visitor)
+  std::vector<FT> run(const Triangulation& triangulation, const Minimizer& minimizer,
+                      Visitor& visitor)
   {
-    Conformal_energy<FT, Triangle<FT>> energy(m_problem.triangulation().mesh(),
-                                              m_problem.triangulation().length_map(),
+    Conformal_energy<FT, Triangle<FT>> energy(triangulation.mesh(), triangulation.length_map(),
                                               m_problem.target_defect());
     energy.evaluate(m_u);
     energy.move_origin();
