@@ -66,7 +66,7 @@ public:
       m_target_defect(target_defect),
       m_scale_factor(mesh.num_vertices(), FT(0)),
       m_origin(mesh.num_vertices(), FT(0)),
-      m_angle(mesh.num_halfedges()),
+      m_corner(mesh.num_halfedges()),
       m_cotangent(mesh.num_halfedges())
   {
     evaluate(Vector::Zero(target_defect.size()));
@@ -102,7 +102,7 @@ public:
   const Penner_surface<FT>& surface() const { return m_surface; }
 
   /// the angle at the source of `h` in its face, in the scaled metric.
-  const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
+  FT angle(Halfedge_index h) const { return m_corner[h.idx()].angle(); }
 
   /// the energy: Equation 4.12, with the volume of Leibon (2002) for hyperbolic faces. Complexity: linear.
   FT value() const;
@@ -146,7 +146,7 @@ private:
       const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
       const Triangle face = triangle(side);
       for(std::size_t s = 0; s < 3; ++s) {
-        m_angle[side[s].idx()] = face.angle(s);
+        m_corner[side[s].idx()] = face.corner(s);
         m_cotangent[side[s].idx()] = static_cast<double>(face.cotangent((s + 2) % 3));
         m_error[mesh().source(side[s]).idx()] += static_cast<double>(face.angle_error());
       }
@@ -155,16 +155,15 @@ private:
 
   void sum_angles()
   {
-    std::vector<FT> defect(m_origin.size(), 2 * boost::math::constants::pi<FT>());
-    for(Halfedge_index h : mesh().halfedges())
-      defect[mesh().source(h).idx()] -= m_angle[h.idx()];
     m_gradient.resize(m_target_defect.size());
     m_gradient_error = 0;
+    std::vector<internal::Angle_difference<FT>> defect(
+      m_target_defect.data(), m_target_defect.data() + m_target_defect.size());
+    for(Halfedge_index h : mesh().halfedges())
+      defect[mesh().source(h).idx()].subtract(m_corner[h.idx()]);
     for(Vertex_index v : mesh().vertices()) {
-      const auto i = static_cast<Eigen::Index>(v.idx());
-      const bool is_isolated = mesh().is_isolated(v);
-      m_gradient[i] =
-        is_isolated ? 0 : static_cast<double>(defect[v.idx()] - FT(m_target_defect[i]));
+      m_gradient[static_cast<Eigen::Index>(v.idx())] =
+        mesh().is_isolated(v) ? 0 : defect[v.idx()].value();
       m_gradient_error = (std::max)(m_gradient_error, m_error[v.idx()]);
     }
   }
@@ -219,9 +218,9 @@ private:
   Penner_surface<FT> m_surface;
   Vector m_target_defect;
   std::vector<FT> m_scale_factor, m_origin;
-  std::vector<FT> m_angle;         // at the source of each halfedge
-  std::vector<double> m_cotangent; // of the angle opposite to each halfedge
-  std::vector<double> m_error;     // of the sum of angles, for each vertex
+  std::vector<internal::Corner<FT>> m_corner; // at the source of each halfedge
+  std::vector<double> m_cotangent;            // of the angle opposite to each halfedge
+  std::vector<double> m_error;                // of the sum of angles, for each vertex
   Vector m_gradient;
   double m_gradient_error = 0;
   mutable Matrix m_Hessian;

@@ -91,11 +91,17 @@ private:
     const std::vector<double> length = m_builder.scaled_lengths(m_builder.log_scale());
     const Tree_cotree cut(mesh(), crossing_lengths(mesh(), length), m_is_cone);
     set_components(cut);
-    if(!m_scale.is_extended() && lay_out(length, cut) <= tolerance)
-      return;
-    m_scale.refine(m_map.Delaunay(), m_visitor);
+    if((m_scale.is_extended() || lay_out(length, cut) > tolerance) &&
+       lay_out_with_more_digits<Extended>(cut) > tolerance)
+      lay_out_with_more_digits<More_extended>(cut);
+  }
+
+  template <typename FT>
+  double lay_out_with_more_digits(const Tree_cotree& cut)
+  {
+    const std::vector<FT> u = m_scale.template refine<FT>(m_map.Delaunay(), m_visitor);
     m_builder.set_scale_factors(m_scale);
-    lay_out(m_builder.scaled_lengths(m_scale.extended_values()), cut);
+    return lay_out(m_builder.scaled_lengths(u), cut);
   }
 
   void set_components(const Tree_cotree& cut)

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/Corner.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <array>
@@ -28,7 +29,6 @@ public:
 
   explicit Flat_triangle(const std::array<FT, 3>& side)
   {
-    using std::atan2;
     using std::sqrt;
     const FT area =
       sqrt(Intrinsic_triangulations::squared_quadrupled_area(side[0], side[1], side[2]));
@@ -37,7 +37,7 @@ public:
     for(std::size_t s = 0; s < 3; ++s) {
       const FT product = Intrinsic_triangulations::doubled_corner_product(
         side[(s + 1) % 3], side[(s + 2) % 3], side[s]);
-      m_angle[s] = atan2(area, product);
+      m_corner[s] = {product, area};
       // cotangents only lead the way to a minimum: those of a flat triangle may be any large number
       m_cotangent[s] = product / (area > least ? area : least);
     }
@@ -46,9 +46,10 @@ public:
   }
 
   // at the source of side s
-  const FT& angle(std::size_t s) const { return m_angle[s]; }
+  const Corner<FT>& corner(std::size_t s) const { return m_corner[s]; }
+  FT angle(std::size_t s) const { return m_corner[s].angle(); }
   // between the opposite side and the circle through the corners
-  const FT& circle_angle(std::size_t s) const { return m_angle[s]; }
+  FT circle_angle(std::size_t s) const { return angle(s); }
   const FT& cotangent(std::size_t s) const { return m_cotangent[s]; }
   // half of pi less the sum of angles
   FT half_defect() const { return FT(0); }
@@ -58,7 +59,8 @@ public:
   const FT& angle_error() const { return m_error; }
 
 private:
-  std::array<FT, 3> m_angle, m_cotangent;
+  std::array<Corner<FT>, 3> m_corner;
+  std::array<FT, 3> m_cotangent;
   FT m_error;
 };
 

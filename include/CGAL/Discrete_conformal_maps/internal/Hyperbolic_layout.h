@@ -96,26 +96,27 @@ private:
     const bool is_entry = step.entry.is_valid();
     const Halfedge_index h = is_entry ? step.entry : m_mesh.halfedge(step.face);
     const std::array<Halfedge_index, 3> side{h, m_mesh.next(h), m_mesh.prev(h)};
-    const Hyperbolic_corners<FT> corner({length[Edge_index(side[0]).idx()],
-                                         length[Edge_index(side[1]).idx()],
-                                         length[Edge_index(side[2]).idx()]});
+    const Hyperbolic_triangle<FT> triangle({length[Edge_index(side[0]).idx()],
+                                            length[Edge_index(side[1]).idx()],
+                                            length[Edge_index(side[2]).idx()]});
     m_frame[h.idx()] = is_entry ? beyond(m_mesh.opposite(h)) : Motion();
     for(std::size_t s = 1; s < 3; ++s)
       m_frame[side[s].idx()] = m_frame[side[s - 1].idx()] * m_along[Edge_index(side[s - 1]).idx()] *
-                               turn(corner.cosine[s], corner.sine);
+                               turn(triangle.corner(s));
     if(!is_entry)
       move_to_origin(side);
   }
 
-  // the rotation by pi less the angle that has this cosine and sine, up to a common factor
-  static Motion turn(const FT& cosine, const FT& sine)
+  // the rotation by pi less an angle
+  static Motion turn(const Corner<FT>& angle)
   {
     using std::sqrt;
-    const FT norm = sqrt(cosine * cosine + sine * sine);
+    const FT norm = sqrt(angle.cosine * angle.cosine + angle.sine * angle.sine);
+    const bool is_obtuse = angle.cosine < 0;
     // cosine and sine of half the angle, or sine and cosine if it is obtuse
-    const FT greater = sqrt((norm + (cosine < 0 ? FT(-cosine) : cosine)) / (2 * norm)),
-             lesser = sine / (2 * norm * greater);
-    return cosine < 0 ? Motion::rotation(greater, lesser) : Motion::rotation(lesser, greater);
+    const FT greater = sqrt((norm + (is_obtuse ? FT(-angle.cosine) : angle.cosine)) / (2 * norm)),
+             lesser = angle.sine / (2 * norm * greater);
+    return is_obtuse ? Motion::rotation(greater, lesser) : Motion::rotation(lesser, greater);
   }
 
   // Moves the first face of a component such that its center is the origin.

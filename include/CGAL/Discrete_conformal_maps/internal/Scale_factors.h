@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -28,6 +29,12 @@ typedef boost::multiprecision::number<
   boost::multiprecision::cpp_bin_float<113, boost::multiprecision::digit_base_2>,
   boost::multiprecision::et_off>
   Extended;
+
+// takes over from that where lengths are added up to very long ways
+typedef boost::multiprecision::number<
+  boost::multiprecision::cpp_bin_float<384, boost::multiprecision::digit_base_2>,
+  boost::multiprecision::et_off>
+  More_extended;
 
 // The scale factors of a doubled problem, with faces of the geometry of `Triangle`.
 template <template <typename> class Triangle>
@@ -63,22 +70,52 @@ public:
       m_extended = run<Extended>(m_problem.triangulation(), minimizer, visitor);
   }
 
-  // Goes on from the minimum in extended precision, to where its rounding ends. The triangulation of the problem
-  // may have been moved to `triangulation`.
-  template <typename Visitor>
-  void refine(const Triangulation& triangulation, Visitor& visitor)
+  // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the values from now
+  // on. The triangulation of the problem may have been moved to `triangulation`.
+  template <typename FT, typename Visitor>
+  std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
   {
-    m_extended = run<Extended>(triangulation, Newton_minimizer(1e-30), visitor);
+    const double limit = 1e4 * static_cast<double>(std::numeric_limits<FT>::epsilon());
+    auto energy = energy_at_values<FT>(triangulation);
+    for(double before = 1, norm = max_norm(energy.gradient());
+        norm > limit && norm < before / 10;) {
+      energy.move_origin();
+      Vector x = Vector::Zero(m_u.size());
+      before = norm;
+      // the digits of x end there
+      norm = Newton_minimizer(1e-12 * norm)(energy, x, domain(), visitor).gradient_norm;
+    }
+    note_error(energy);
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      m_u[Eigen::Index(v)] = static_cast<double>(energy.scale_factors()[v]);
+    return energy.scale_factors();
   }
 
 private:
-  template <typename FT, typename Minimizer, typename Visitor>
-  std::vector<FT> run(const Triangulation& triangulation, const Minimizer& minimizer,
-                      Visitor& visitor)
+  template <typename FT>
+  Conformal_energy<FT, Triangle<FT>> energy_at_values(const Triangulation& triangulation) const
   {
     Conformal_energy<FT, Triangle<FT>> energy(triangulation.mesh(), triangulation.length_map(),
                                               m_problem.target_defect());
     energy.evaluate(m_u);
+    return energy;
+  }
+
+  template <typename Energy>
+  void note_error(const Energy& energy)
+  {
+    m_max_curvature_error = 0;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(!m_problem.is_fixed()[v])
+        m_max_curvature_error =
+          (std::max)(m_max_curvature_error, std::abs(energy.gradient()[Eigen::Index(v)]));
+  }
+
+  template <typename FT, typename Minimizer, typename Visitor>
+  std::vector<FT> run(const Triangulation& triangulation, const Minimizer& minimizer,
+                      Visitor& visitor)
+  {
+    auto energy = energy_at_values<FT>(triangulation);
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
     const Minimization_result last = minimizer(energy, x, domain(), visitor);
@@ -88,11 +125,7 @@ private:
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
     m_u += x;
-    m_max_curvature_error = 0;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(!m_problem.is_fixed()[v])
-        m_max_curvature_error =
-          (std::max)(m_max_curvature_error, std::abs(energy.gradient()[Eigen::Index(v)]));
+    note_error(energy);
     return energy.scale_factors();
   }
 
