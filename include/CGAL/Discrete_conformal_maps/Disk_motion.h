@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -100,9 +99,11 @@ public:
   double distance_to_identity() const
   {
     using std::abs;
-    double result = abs(static_cast<double>(FT(abs(m_entry[0]) - 1)));
-    for(std::size_t i = 1; i < 4; ++i)
-      result = (std::max)(result, static_cast<double>(abs(m_entry[i])));
+    double result = static_cast<double>(abs(FT(abs(m_entry[0]) - 1)));
+    for(std::size_t i = 1; i < 4; ++i) {
+      const auto entry = static_cast<double>(abs(m_entry[i]));
+      result = entry <= result ? result : entry; // keeps what is no number
+    }
     return result;
   }
 

@@ -84,15 +84,17 @@ public:
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
 
-  // Errors grow exponentially with the distance from the origin.
+  // Errors grow exponentially with the distance from the origin, but shrink with the rounding unit.
   void lay_out()
   {
-    constexpr double tolerance = 1e-9;
+    constexpr double tolerance = 1e-9, gain = 1e-18;
     const std::vector<double> length = m_builder.scaled_lengths(m_builder.log_scale());
     const Tree_cotree cut(mesh(), crossing_lengths(mesh(), length), m_is_cone);
     set_components(cut);
-    if((m_scale.is_extended() || lay_out(length, cut) > tolerance) &&
-       lay_out_with_more_digits<Extended>(cut) > tolerance)
+    double error = m_scale.is_extended() ? 1 : lay_out(length, cut);
+    if(error > tolerance && gain * error <= tolerance)
+      error = lay_out_with_more_digits<Extended>(cut);
+    if(!(error <= tolerance))
       lay_out_with_more_digits<More_extended>(cut);
   }
 
@@ -127,7 +129,8 @@ private:
     double error = m_map.m_max_gluing_error = gluing_error(layout, cut);
     for(std::size_t c = 0; c < m_map.m_groups.size(); ++c) {
       set_group(layout, cut, c);
-      error = (std::max)(error, m_map.m_groups[c].relation_error);
+      if(!(m_map.m_groups[c].relation_error <= error)) // keeps what is no number
+        error = m_map.m_groups[c].relation_error;
     }
     return error;
   }
