@@ -479,7 +479,7 @@ struct Stopping_visitor : DC::Default_flattening_visitor
     if(stage == last && !stops_at_step)
       throw std::runtime_error("stopped");
   }
-  void after_step(int, double)
+  void after_iteration(std::size_t, double, double)
   {
     if(stops_at_step)
       throw std::runtime_error("stopped");

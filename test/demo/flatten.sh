@@ -241,6 +241,59 @@ done
 expect_files a.obj a.ply a.vtp statistics.json texture
 rm a.* statistics.json texture
 
+# interpolates MATRIX OBJ MESH: the matrix takes the points of the mesh, which come first in the OBJ file, to
+# all of its points, with weights that sum to one.
+interpolates()
+{
+  awk -v n="$(awk 'NR == 2 { print $1 }' "$3")" '
+    FNR == NR { if($1 == "v") { x[++m, 0] = $2; x[m, 1] = $3; x[m, 2] = $4 }; next }
+    FNR == 1 { if($0 != "%%MatrixMarket matrix coordinate real general") exit 1; next }
+    FNR == 2 { rows = $1; if(rows != m || $2 != n) exit 1; next }
+    { sum[$1] += $3; for(k = 0; k < 3; ++k) y[$1, k] += $3 * x[$2, k] }
+    END {
+      for(i = 1; i <= rows; ++i) {
+        if((sum[i] - 1) ^ 2 > 1e-24) exit 1
+        for(k = 0; k < 3; ++k) if((x[i, k] - y[i, k]) ^ 2 > 1e-24) exit 1
+      }
+    }' "$2" "$1"
+}
+
+# The matrix takes the positions of the vertices of the mesh to those of the output.
+expect 0 flatten slivers.mesh.off -o a.obj --matrix a.mtx
+interpolates a.mtx a.obj slivers.mesh.off || fail 'the matrix is wrong'
+expect 0 flatten slivers.mesh.off -o b.obj --matrix -
+cmp out a.mtx
+expect 2 flatten slivers.mesh.off -o a.obj --matrix a.obj
+rm a.* b.obj
+
+# In the triangulation of the mesh nothing is flipped; where that cannot be, nothing is written.
+expect 0 flatten square.mesh.off -o a.obj --solver cetm --stats a.json
+is_conformal a.json
+grep -q '"ptolemy_flips": 0,' a.json
+grep -q '"flips": 0,' a.json
+near "$(number a.json log_scale_max)" 0 1e-12
+printf '0 %s\n' "$(awk -v p=$pi 'BEGIN { printf "%.17g", -1.5 * p }')" >cones
+awk -v p=$pi 'BEGIN { for(v = 1; v < 4; ++v) printf "%d %.17g\n", v, 11 * p / 6 }' >>cones
+expect 0 flatten regular.mesh.off -o a.obj --cones cones --stats a.json
+is_conformal a.json
+rm a.*
+expect 1 flatten regular.mesh.off -o a.obj --cones cones --solver cetm
+says 'the triangulation of the mesh has no such scale factors: no_minimum'
+rm cones
+
+# The Ceres Solver gives the same with fewer digits, or says that it is not there.
+if "$program" flatten square.mesh.off -o a.obj --solver ceres --stats a.json --quiet 2>err; then
+  expect 0 flatten torus.mesh.off -o a.obj --solver ceres --stats a.json
+  expect 0 flatten torus.mesh.off -o a.obj --stats b.json
+  for key in log_scale_min log_scale_max; do
+    near "$(number a.json $key)" "$(number b.json $key)" 1e-5
+  done
+  rm a.* b.json
+else
+  says '--solver ceres: this program was built without the Ceres Solver'
+fi
+expect 2 flatten square.mesh.off -o a.obj --solver simplex
+
 # bad FILE TEXT OPTIONS...: a file with these lines is refused, with this message.
 bad()
 {

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_status.h>
 
 #include <array>
 #include <cmath>
@@ -24,8 +25,9 @@ class Flattening;
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// a discrete conformal map of a surface to the plane: three triangulations with the correspondence of
-/// each to the next, scale factors, and the faces of the last in the plane (Section 4.3). The faces of
-/// \f$T^C\f$ are flat, and can be laid out beside each other except at seams.
+/// each to the next, scale factors, and the faces of the last in the plane (Section 4.3). With a fixed
+/// triangulation, all three are the same. The faces of \f$T^C\f$ are flat, and can be laid out beside each other
+/// except at seams.
 ///
 /// Every component of the input is one chart. Where no scale factors are prescribed and no cones placed,
 /// it has the same area as the component. Charts stand side by side and do not overlap each other; the
@@ -33,13 +35,21 @@ class Flattening;
 class Planar_conformal_map : public Discrete_conformal_map
 {
 public:
+  /// whether the map has what is prescribed, and if not, why.
+  Flattening_status status() const { return m_status; }
+
   /// the vertices of the input at which cones were placed.
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
-  /// whether the face `f` of \f$T^C\f$ is in the plane: if a part of it belongs to the input.
+  /// whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not if scaled lengths
+  /// violate the triangle inequality.
+  bool is_laid_out() const { return m_has_layout; }
+
+  /// whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it belongs to the input.
   bool is_laid_out(Face_index f) const { return m_is_laid_out[f.idx()] != 0; }
 
   /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
+  /// \pre The face is laid out.
   std::complex<double> position(Halfedge_index h) const { return m_position[h.idx()]; }
 
   /// whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the plane; also where a
@@ -67,6 +77,7 @@ public:
 
   /// the image of a point of the input, by piecewise projective interpolation (Section 4.2.3).
   /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
+  /// \pre `is_laid_out()`
   std::complex<double> operator()(const Face_location& p) const
   {
     const auto z = homogeneous_coordinates(place_on_C(p));
@@ -77,7 +88,9 @@ private:
   template <typename Visitor>
   friend class internal::Flattening;
 
+  Flattening_status m_status = Flattening_status::success;
   std::vector<Vertex_index> m_cones;
+  bool m_has_layout = true;
   std::vector<char> m_is_laid_out;              // for each face of T^C
   std::vector<std::complex<double>> m_position; // of the sources of halfedges of T^C
   std::vector<char> m_is_seam;                  // for each edge of T^C

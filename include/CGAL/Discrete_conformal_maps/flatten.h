@@ -40,6 +40,9 @@ public:
       m_builder(problem, number_of_front_faces, m_map)
   {}
 
+  // by the vertices of the input
+  void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
+
   // Cones are placed for a finite `bound` of scale factors.
   template <typename Minimizer>
   void find_scale_factors(const Minimizer& minimizer, double bound)
@@ -53,6 +56,7 @@ public:
     do
       m_scale.minimize(minimizer, 1e-11, m_visitor);
     while(is_bounded && m_scale.add_cone_if_beyond(bound));
+    m_map.m_status = m_scale.status();
     m_map.m_cones = m_scale.cones();
     m_builder.set_scale_factors(m_scale);
   }
@@ -65,12 +69,11 @@ public:
     m_builder.subdivide();
     m_visitor.start(Flattening_stage::layout);
     find_walls();
-    const std::vector<double> correction = area_correction();
-    if(m_scale.is_extended())
-      lay_out(m_scale.extended_values(), correction);
+    m_map.m_has_layout = m_scale.has_layout();
+    if(m_map.m_has_layout)
+      lay_out();
     else
-      lay_out(m_builder.log_scale(), correction);
-    arrange_charts();
+      leave_out();
     return std::move(m_map);
   }
 
@@ -133,6 +136,23 @@ private:
     return result;
   }
 
+  void lay_out()
+  {
+    const std::vector<double> correction = area_correction();
+    if(m_scale.is_extended())
+      lay_out(m_scale.extended_values(), correction);
+    else
+      lay_out(m_builder.log_scale(), correction);
+    arrange_charts();
+  }
+
+  void leave_out()
+  {
+    m_map.m_is_laid_out.assign(mesh().num_faces(), 0);
+    m_map.m_position.assign(mesh().num_halfedges(), 0);
+    m_map.m_is_seam.assign(mesh().num_edges(), 1);
+  }
+
   template <typename FT>
   void lay_out(std::vector<FT> u, const std::vector<double>& correction)
   {
@@ -178,6 +198,21 @@ private:
   std::vector<char> m_is_wall; // edges of T^C that are not passed
 };
 
+// those to start from
+template <typename Graph, typename NamedParameters>
+std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  std::vector<double> result;
+  for([[maybe_unused]] auto v : vertices(g))
+    if constexpr(CGAL::parameters::is_default_parameter<
+                   NamedParameters, internal_np::initial_log_scale_map_t>::value)
+      result.push_back(0);
+    else
+      result.push_back(get(get_parameter(np, internal_np::initial_log_scale_map), v));
+  return result;
+}
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -186,6 +221,9 @@ private:
 /// The faces of the result are flat. Its cones are the vertices with a curvature that is not zero. There are
 /// none on a torus without conditions; elsewhere there must be some, which are prescribed or placed
 /// greedily.
+///
+/// The result says how that has ended (`Planar_conformal_map::status()`); without convergence, it has the best
+/// scale factors that have been found.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -207,6 +245,19 @@ private:
 ///     \cgalParamDescription{what minimizes the energy}
 ///     \cgalParamType{a model of `ConvexMinimizer`}
 ///     \cgalParamDefault{`Newton_minimizer`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{initial_log_scale_map}
+///     \cgalParamDescription{where the minimization starts: the nearer the result, the fewer steps it takes}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
+///     \cgalParamDefault{zero everywhere}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{flipping}
+///     \cgalParamDescription{whether triangulations follow the scale factors. In a fixed triangulation, the scale
+///                           factors are those of Springborn, Schr&ouml;der and Pinkall (2008): they exist only
+///                           sometimes, which `Planar_conformal_map::status()` tells, and depend on how the
+///                           surface is triangulated}
+///     \cgalParamType{`Flipping`}
+///     \cgalParamDefault{`Flipping::to_Delaunay`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
@@ -238,9 +289,11 @@ Planar_conformal_map flatten(const Graph& g,
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   internal::Doubled_problem problem(
-    input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0)));
+    input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0)),
+    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay));
   internal::Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, input.mesh().num_faces(), visitor);
+  flattening.start_from(internal::initial_log_scales(g, np));
   flattening.find_scale_factors(
     choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()), bound);
   return flattening.finish();

@@ -301,7 +301,8 @@ uniformize_hyperbolic(const Graph& g,
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   internal::Doubled_problem problem(
-    input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0)));
+    input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0)),
+    Flipping::to_Delaunay);
   problem.check_hyperbolic();
   internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
     problem, input.mesh().num_faces(), visitor);

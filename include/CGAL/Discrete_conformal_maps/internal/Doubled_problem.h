@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_surface.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -52,8 +53,10 @@ public:
   typedef Eigen::VectorXd Vector;
 
   // `half` is the surface, `condition` has one entry for each of its vertices
-  Doubled_problem(const Triangulation& half, const std::vector<Vertex_condition>& condition)
-    : m_half(half.mesh()),
+  Doubled_problem(const Triangulation& half, const std::vector<Vertex_condition>& condition,
+                  Flipping flipping)
+    : m_flipping(flipping),
+      m_half(half.mesh()),
       m_double(m_half, faces_to_copy(m_half)),
       m_triangulation(m_double.mesh(), lengths(half)),
       m_components(m_double.mesh()),
@@ -61,7 +64,8 @@ public:
       m_is_fixed(m_double.mesh().num_vertices(), 0),
       m_value(Vector::Zero(Eigen::Index(m_is_fixed.size())))
   {
-    m_number_of_flips = Intrinsic_triangulations::make_Delaunay(m_triangulation);
+    if(flipping == Flipping::to_Delaunay)
+      m_number_of_flips = Intrinsic_triangulations::make_Delaunay(m_triangulation);
     for(Vertex_index v : m_half.vertices()) {
       m_front[mirrored(v).idx()] = m_front[v.idx()] = v;
       set_condition(v, condition[v.idx()]);
@@ -70,6 +74,9 @@ public:
 
   Doubled_problem(const Doubled_problem&) = delete;
   Doubled_problem& operator=(const Doubled_problem&) = delete;
+
+  // whether T^B and T^C are Delaunay, or the same as T^A
+  Flipping flipping() const { return m_flipping; }
 
   // T^A and T^B
   const Triangulation& triangulation() const { return m_triangulation; }
@@ -246,6 +253,7 @@ private:
 
   static double pi() { return boost::math::constants::pi<double>(); }
 
+  Flipping m_flipping;
   Delta_complex m_half;
   std::vector<double> m_length; // of the doubled surface
   Doubled_surface m_double;

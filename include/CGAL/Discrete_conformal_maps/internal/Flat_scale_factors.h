@@ -8,8 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/Cone_placement.h>
-#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/Scale_factors.h>
+#include <CGAL/Intrinsic_triangulations/internal/Flat_triangle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +21,14 @@ namespace Discrete_conformal_maps {
 namespace internal {
 
 // The scale factors of a doubled problem with flat faces, and the cones it needs.
-class Flat_scale_factors : public Scale_factors<Flat_triangle>
+class Flat_scale_factors : public Scale_factors<Intrinsic_triangulations::internal::Flat_triangle>
 {
   typedef Eigen::VectorXd Vector;
 
 public:
   explicit Flat_scale_factors(Doubled_problem& problem)
-    : Scale_factors<Flat_triangle>(problem, Vector::Zero(Eigen::Index(problem.size()))),
+    : Scale_factors<Intrinsic_triangulations::internal::Flat_triangle>(
+        problem, Vector::Zero(Eigen::Index(problem.size()))),
       m_problem(problem)
   {}
 
@@ -38,7 +39,7 @@ public:
   {
     const Conformal_energy<> energy(m_problem.triangulation().mesh(),
                                     m_problem.triangulation().length_map(),
-                                    m_problem.target_defect());
+                                    m_problem.target_defect(), m_problem.flipping());
     place_first_cones(energy, bound);
     const std::vector<Vertex_index> twin = twins();
     Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins(), twin);

@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/Corner.h>
+#include <CGAL/Intrinsic_triangulations/internal/Corner.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -19,6 +19,8 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
+
+using Intrinsic_triangulations::internal::Corner;
 
 // A hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads from corner s to the next.
 //
@@ -63,6 +65,9 @@ public:
 
   // half of pi less the sum of angles, which is the area
   FT half_defect() const { return Corner<FT>{2 + m_squares, sine()}.angle(); }
+
+  // whether there is no triangle inside its longest side
+  bool is_flat() const { return !(sine() > 0); }
 
   // A bound for the rounding error of an angle, if the sides have an error of a few units in the last place:
   // twice that of a flat triangle, since derivatives have the additional factor 1 + tanh^2(x/2).

@@ -60,7 +60,8 @@ public:
     m_data.bc = Discrete_conformal_map::Ideal_triangulation(
       m_data.ab.mesh(),
       Intrinsic_triangulations::parameters::edge_length_map(m_data.ab.length_map()));
-    flip_to_Delaunay();
+    if(m_problem.flipping() == Flipping::to_Delaunay)
+      flip_to_Delaunay();
     m_data.number_of_flips[2] = m_flips.size();
     m_data.correspondence_ab =
       std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab);

@@ -8,11 +8,16 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
 
+#ifdef CGAL_USE_MPFR
+#include <boost/multiprecision/mpfr.hpp>
+#else
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -24,16 +29,20 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// takes over where double has too few digits
-typedef boost::multiprecision::number<
-  boost::multiprecision::cpp_bin_float<113, boost::multiprecision::digit_base_2>,
-  boost::multiprecision::et_off>
-  Extended;
+#ifdef CGAL_USE_MPFR // many times as fast
+template <unsigned int digits>
+using Extended_backend =
+  boost::multiprecision::mpfr_float_backend<digits, boost::multiprecision::allocate_stack>;
+#else
+template <unsigned int digits>
+using Extended_backend = boost::multiprecision::cpp_bin_float<digits>;
+#endif
 
-// takes over from that where lengths are added up to very long ways
-typedef boost::multiprecision::number<
-  boost::multiprecision::cpp_bin_float<384, boost::multiprecision::digit_base_2>,
-  boost::multiprecision::et_off>
+// takes over where double has too few digits
+typedef boost::multiprecision::number<Extended_backend<34>, boost::multiprecision::et_off> Extended;
+
+// takes over from that where errors grow on very long ways
+typedef boost::multiprecision::number<Extended_backend<115>, boost::multiprecision::et_off>
   More_extended;
 
 // The scale factors of a doubled problem, with faces of the geometry of `Triangle`.
@@ -57,6 +66,17 @@ public:
   const Minimization_result& result() const { return m_result; }
   // of the vertices where curvatures are prescribed
   double max_curvature_error() const { return m_max_curvature_error; }
+  Flattening_status status() const { return m_status; }
+  // whether all faces have the triangle inequality, but for rounding
+  bool has_layout() const { return m_has_layout; }
+
+  // by the vertices of the surface itself
+  void start_from(const std::vector<double>& log_scale)
+  {
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      m_u[Eigen::Index(v)] =
+        log_scale[m_problem.front(Vertex_index(Delta_complex::size_type(v))).idx()];
+  }
 
   // Minimizes the energy; if double has too few digits for `tolerance`, in extended precision.
   template <typename Minimizer, typename Visitor>
@@ -65,9 +85,10 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
-    run<double>(m_problem.triangulation(), minimizer, visitor);
-    if(m_max_curvature_error > tolerance || m_result.gradient_error > tolerance)
-      m_extended = run<Extended>(m_problem.triangulation(), minimizer, visitor);
+    auto energy = energy_at_start<double>(m_problem.triangulation());
+    run(energy, minimizer, visitor);
+    if(is_rounded(tolerance) && !has_no_solution())
+      minimize_extended(minimizer, tolerance, visitor);
   }
 
   // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the values from now
@@ -76,7 +97,7 @@ public:
   std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
   {
     const double limit = 1e4 * static_cast<double>(std::numeric_limits<FT>::epsilon());
-    auto energy = energy_at_values<FT>(triangulation);
+    auto energy = energy_at_start<FT>(triangulation);
     for(double before = 1, norm = max_norm(energy.gradient());
         norm > limit && norm < before / 10;) {
       energy.move_origin();
@@ -85,37 +106,43 @@ public:
       // the digits of x end there
       norm = Newton_minimizer(1e-12 * norm)(energy, x, domain(), visitor).gradient_norm;
     }
-    note_error(energy);
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      m_u[Eigen::Index(v)] = static_cast<double>(energy.scale_factors()[v]);
+    note_values(energy);
     return energy.scale_factors();
   }
 
 private:
-  template <typename FT>
-  Conformal_energy<FT, Triangle<FT>> energy_at_values(const Triangulation& triangulation) const
+  // rounding counts as well
+  bool is_within(double tolerance) const
   {
-    Conformal_energy<FT, Triangle<FT>> energy(triangulation.mesh(), triangulation.length_map(),
-                                              m_problem.target_defect());
-    energy.evaluate(m_u);
-    return energy;
+    return m_max_curvature_error <= tolerance && m_result.gradient_error <= tolerance;
   }
 
-  template <typename Energy>
-  void note_error(const Energy& energy)
+  template <typename FT>
+  Conformal_energy<FT, Triangle<FT>> energy_at_start(const Triangulation& triangulation) const
   {
-    m_max_curvature_error = 0;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(!m_problem.is_fixed()[v])
-        m_max_curvature_error =
-          (std::max)(m_max_curvature_error, std::abs(energy.gradient()[Eigen::Index(v)]));
+    Conformal_energy<FT, Triangle<FT>> result(triangulation.mesh(), triangulation.length_map(),
+                                              m_problem.target_defect(), m_problem.flipping());
+    result.evaluate(m_u);
+    return result;
+  }
+
+  // The minimizer moves by numbers in double, which lose fewer digits the closer the origin is.
+  template <typename Minimizer, typename Visitor>
+  void minimize_extended(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  {
+    auto energy = energy_at_start<Extended>(m_problem.triangulation());
+    double before = 0;
+    do {
+      before = (std::max)(m_max_curvature_error, m_result.gradient_error);
+      run(energy, minimizer, visitor);
+    } while(!is_within(tolerance) && !has_no_solution() &&
+            (std::max)(m_max_curvature_error, m_result.gradient_error) < before / 2);
+    m_extended = energy.scale_factors();
   }
 
   template <typename FT, typename Minimizer, typename Visitor>
-  std::vector<FT> run(const Triangulation& triangulation, const Minimizer& minimizer,
-                      Visitor& visitor)
+  void run(Conformal_energy<FT, Triangle<FT>>& energy, const Minimizer& minimizer, Visitor& visitor)
   {
-    auto energy = energy_at_values<FT>(triangulation);
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
     const Minimization_result last = minimizer(energy, x, domain(), visitor);
@@ -124,9 +151,72 @@ private:
     m_result = last;
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
-    m_u += x;
-    note_error(energy);
-    return energy.scale_factors();
+    m_has_layout =
+      m_problem.flipping() == Flipping::to_Delaunay || energy.number_of_flat_faces() == 0;
+    m_status = status(x);
+    note_values(energy);
+  }
+
+  template <typename Energy>
+  void note_values(const Energy& energy)
+  {
+    m_max_curvature_error = 0;
+    for(std::size_t v = 0; v < m_problem.size(); ++v) {
+      const auto i = static_cast<Eigen::Index>(v);
+      m_u[i] = static_cast<double>(energy.scale_factors()[v]);
+      if(!m_problem.is_fixed()[v])
+        m_max_curvature_error = (std::max)(m_max_curvature_error, std::abs(energy.gradient()[i]));
+    }
+  }
+
+  // Whether more digits might give less than the tolerance; not if a minimizer was content with more.
+  bool is_rounded(double tolerance) const
+  {
+    return m_result.gradient_error > tolerance ||
+           (m_max_curvature_error > tolerance && m_result.status != Minimization_status::converged);
+  }
+
+  // In a fixed triangulation it need not be rounding that stops the minimization.
+  bool has_no_solution() const
+  {
+    return m_status == Flattening_status::no_minimum ||
+           (m_status == Flattening_status::triangle_inequality &&
+            m_result.status == Minimization_status::iteration_limit);
+  }
+
+  // after a minimization that has led in this direction
+  Flattening_status status(const Vector& direction) const
+  {
+    if(m_problem.flipping() == Flipping::none && falls_without_end(direction))
+      return Flattening_status::no_minimum;
+    if(!m_has_layout)
+      return Flattening_status::triangle_inequality;
+    return m_result.status == Minimization_status::converged ? Flattening_status::success
+                                                             : Flattening_status::not_converged;
+  }
+
+  // Far along a direction, every face of a fixed triangulation has the angle pi where its entry is least. A
+  // convex energy that falls even there has no minimum.
+  bool falls_without_end(const Vector& direction) const
+  {
+    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    const Vector target = m_problem.target_defect();
+    const double pi = boost::math::constants::pi<double>();
+    double slope = 0, size = 0;
+    const auto add = [&](double x) {
+      slope += x;
+      size += std::abs(x);
+    };
+    for(Vertex_index v : mesh.vertices())
+      if(!m_problem.is_fixed()[v.idx()])
+        add((2 * pi - target[Eigen::Index(v.idx())]) * direction[Eigen::Index(v.idx())]);
+    for(Face_index f : mesh.faces()) {
+      double least = std::numeric_limits<double>::infinity();
+      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, mesh))
+        least = (std::min)(least, direction[Eigen::Index(mesh.source(h).idx())]);
+      add(-pi * least);
+    }
+    return slope < -1e-12 * size; // rounding
   }
 
   Minimization_domain domain() const
@@ -142,6 +232,8 @@ private:
   Vector m_u;
   std::vector<Extended> m_extended;
   Minimization_result m_result;
+  Flattening_status m_status = Flattening_status::success;
+  bool m_has_layout = true;
   double m_max_curvature_error = 0;
 };
 

@@ -2,39 +2,22 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CORNER_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CORNER_H
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_ANGLE_DIFFERENCE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_ANGLE_DIFFERENCE_H
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Intrinsic_triangulations/internal/Corner.h>
+
 #include <boost/math/constants/constants.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The cosine and the sine of an angle, up to a common factor.
-template <typename FT>
-struct Corner
-{
-  FT cosine, sine;
-
-  FT angle() const
-  {
-    using std::atan2;
-    return atan2(sine, cosine);
-  }
-
-  // in double precision
-  double rounded_angle() const
-  {
-    const FT size = (std::max)(cosine < 0 ? FT(-cosine) : cosine, sine < 0 ? FT(-sine) : sine);
-    return std::atan2(static_cast<double>(FT(sine / size)), static_cast<double>(FT(cosine / size)));
-  }
-};
+using Intrinsic_triangulations::internal::Corner;
 
 // What a full turn exceeds an angle and those that are subtracted from it, with as many digits as double has
 // also where that is little.
@@ -92,4 +75,4 @@ private:
 } // namespace Discrete_conformal_maps
 } // namespace CGAL
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_CORNER_H
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_ANGLE_DIFFERENCE_H
