@@ -19,6 +19,7 @@ constexpr const char* examples = R"(Examples:
   intrinsic distance bunny.obj --source 17 -o distance.vtp
   intrinsic operators bunny.obj --prefix bunny
   intrinsic flatten bunny.obj -o flat.obj
+  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
 
@@ -66,6 +67,7 @@ areas on the boundary are kept too. A surface that has no boundary is cut throug
 
 Boundaries, after --boundary; write MESH before it:
   free            vertices on the boundary are not scaled (the default)
+  straight        all exterior angles are zero
   scale FILE      logarithms of their scale factors are prescribed
   curvature FILE  their exterior angles are prescribed
   rectangle       of each component: four corners; those are as far apart along the boundary as they can
@@ -109,6 +111,35 @@ If the minimization does not converge, or there is no map, nothing is written.
 Examples:
   intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
+
+constexpr const char* hyperbolic_notes =
+  R"(Every component must have genus two or more, or boundaries, or cones enough; boundaries become geodesics, and
+what is laid out is the double of the surface, as far as it belongs to the mesh.
+
+The output is as that of `intrinsic flatten`, with positions in the Poincare disk. With --homogeneous they are
+x t, y t, t, in Klein's disk, where the map is exact.
+
+Statistics: the area, which is 4 pi (genus - 1); for each component its genus and the motions
+z -> (a z + b) / (conj(b) z + conj(a)) that glue the sides of its domain, as real and imaginary parts of a and
+b; a relation, the order in which their product is the identity (from 1, negative for inverse ones), and its
+error. max_gluing_error tells the same of the corners of the domain, radius how far from its middle it reaches:
+in double precision, positions at a distance d are good for 1e-16 exp(d).
+
+Example:
+  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg --tiles 4 --stats pretzel.json)";
+
+constexpr const char* uniformize_notes =
+  R"(The mesh must be connected. By its topology it becomes
+  a disk        in the plane, with a round boundary, as with `intrinsic flatten --boundary disk`
+  a torus       flat, as with `intrinsic flatten --cones none`
+  a cylinder    if it has two boundaries and no handles: flat with straight boundaries
+  hyperbolic    if it has more handles or boundaries, as with `intrinsic hyperbolic`
+Statistics are those of these commands, and "modulus": of a torus the quotient tau of the generators of its lattice
+in the fundamental domain of the modular group, as real and imaginary part; of a cylinder the height over
+the circumference, as imaginary part.
+
+Example:
+  intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
 
 // Ranges do not exclude it.
 std::string not_a_number(const std::string& text)
@@ -273,6 +304,21 @@ void add_operators(CLI::App& app, Options& options)
   command.footer(operators_notes);
 }
 
+// Of the commands whose output has a texture.
+void add_texture_output(CLI::App& command, std::string& output, std::string& format,
+                        bool& is_homogeneous)
+{
+  command
+    .add_option("-o,--output", output,
+                "Common subdivision with texture coordinates (.obj, .ply, .vtp; - for standard "
+                "output)")
+    ->required();
+  command.add_option("--format", format, "Format on standard output: obj, ply or vtp")
+    ->capture_default_str();
+  command.add_flag("--homogeneous,!--linear", is_homogeneous,
+                   "Write homogeneous texture coordinates, or linear ones (the default)");
+}
+
 void add_flattening_targets(CLI::App& command, Flatten_options& options)
 {
   command.add_option("--cones", options.cones,
@@ -287,7 +333,7 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
     ->check(not_a_number);
   command
     .add_option("--boundary", options.boundary,
-                "free, scale FILE, curvature FILE, rectangle or disk, see below")
+                "free, straight, scale FILE, curvature FILE, rectangle or disk, see below")
     ->expected(1, 2)
     ->capture_default_str();
 }
@@ -297,13 +343,7 @@ void add_flatten(CLI::App& app, Options& options)
   CLI::App& command =
     add_command(app, "flatten", "Map a mesh to the plane, conformally", options.common.input);
   Flatten_options& own = options.flatten;
-  command
-    .add_option("-o,--output", own.output,
-                "Common subdivision with texture coordinates (.obj, .ply, .vtp; - for standard "
-                "output)")
-    ->required();
-  command.add_option("--format", own.format, "Format on standard output: obj, ply or vtp")
-    ->capture_default_str();
+  add_texture_output(command, own.output, own.format, own.is_homogeneous);
   add_flattening_targets(command, own);
   command
     .add_option("--solver", own.solver,
@@ -313,10 +353,40 @@ void add_flatten(CLI::App& app, Options& options)
   command.add_option(
     "--matrix", own.matrix,
     "Matrix Market file (.mtx) for the interpolation to the vertices of the output");
-  command.add_flag("--homogeneous,!--linear", own.is_homogeneous,
-                   "Write homogeneous texture coordinates, or linear ones (the default)");
   add_common_options(command, options.common);
   command.footer(flatten_notes);
+}
+
+void add_tiling(CLI::App& command, Hyperbolic_options& options)
+{
+  command.add_option("--svg", options.picture, "Picture of the domain and its images in the disk");
+  command.add_option("--tiles", options.depth, "Across how many sides images in the picture are")
+    ->check(CLI::Range(0, 100))
+    ->capture_default_str();
+}
+
+void add_hyperbolic(CLI::App& app, Options& options)
+{
+  CLI::App& command = add_command(
+    app, "hyperbolic", "Give a mesh a conformal metric of curvature -1", options.common.input);
+  Hyperbolic_options& own = options.hyperbolic;
+  add_texture_output(command, own.output, own.format, own.is_homogeneous);
+  command.add_option("--cones", own.cones, "File of angle defects; zero everywhere if not given");
+  add_tiling(command, own);
+  add_common_options(command, options.common);
+  command.footer(hyperbolic_notes);
+}
+
+void add_uniformize(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "uniformize", "Give a mesh the conformal metric that suits its topology",
+                options.common.input);
+  Hyperbolic_options& own = options.hyperbolic;
+  add_texture_output(command, own.output, own.format, own.is_homogeneous);
+  add_tiling(command, own);
+  add_common_options(command, options.common);
+  command.footer(uniformize_notes);
 }
 
 } // namespace
@@ -335,4 +405,6 @@ void define_command_line(CLI::App& app, Options& options)
   add_distance(app, options);
   add_operators(app, options);
   add_flatten(app, options);
+  add_hyperbolic(app, options);
+  add_uniformize(app, options);
 }

@@ -11,11 +11,14 @@
 #include "boundary_shapes.h"
 #include "flat_mesh.h"
 #include "flattening_conditions.h"
+#include "map_commands.h"
 #include "matrix_market.h"
 #include "triangulation_stages.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/flat_modulus.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/surface_type.h>
 #ifdef INTRINSIC_USE_CERES
 #include <CGAL/Discrete_conformal_maps/Ceres_minimizer.h>
 #endif
@@ -23,6 +26,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <complex>
 #include <functional>
 #include <limits>
 #include <sstream>
@@ -32,36 +36,6 @@
 namespace CM = CGAL::Discrete_conformal_maps;
 
 namespace {
-
-const char* name_of(CM::Flattening_stage stage)
-{
-  switch(stage) {
-    case CM::Flattening_stage::cones: return "cones";
-    case CM::Flattening_stage::optimize: return "optimize";
-    case CM::Flattening_stage::trace: return "trace";
-    case CM::Flattening_stage::subdivide: return "subdivide";
-    case CM::Flattening_stage::layout: return "layout";
-  }
-  return "";
-}
-
-// Tells and times the stages of flattening.
-struct Stage_visitor
-{
-  Command_run& run;
-
-  void start(CM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
-  void after_iteration(std::size_t, double, double) { run.progress().long_step(); }
-};
-
-Mesh_format format_with_texture(const std::string& path, const std::string& format_name)
-{
-  const Mesh_format format = output_format(path, format_name);
-  if(!has_texture(format))
-    throw Program_error(path +
-                        ": this format cannot carry texture coordinates (.obj, .ply and .vtp can)");
-  return format;
-}
 
 // Greedy, except for shapes that need no cones.
 Flatten_options with_defaults(Flatten_options options)
@@ -82,10 +56,9 @@ Flatten_options with_defaults(Flatten_options options)
 class Flatten_command
 {
 public:
-  Flatten_command(const Common_options& common, const Flatten_options& options)
-    : m_options(with_defaults(options)),
-      m_format(format_with_texture(options.output, options.format)),
-      m_run("flatten", common, {options.output, options.matrix}, 7)
+  // Has the default options, and the format of the output.
+  Flatten_command(Command_run& run, const Flatten_options& options, Mesh_format format)
+    : m_options(options), m_format(format), m_run(run)
   {}
 
   void run()
@@ -230,30 +203,20 @@ private:
     statistics["max_curvature_error"] = map.max_curvature_error();
     statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
     describe_triangles(statistics, result);
-    describe_scales(map);
-    statistics["flips"] = map.number_of_flips(CM::Layer::B);
-    statistics["ptolemy_flips"] = map.number_of_flips(CM::Layer::C);
+    describe_scales(statistics, map, mesh());
+    if(m_options.is_modulus_wanted)
+      describe_modulus(map);
     statistics["subdivision"] = {{"vertices", result.points.size()},
                                  {"edges", result.edges.size()},
                                  {"faces", result.polygons.size()}};
   }
 
-  // Vertices without faces have no scale.
-  void describe_scales(const CM::Planar_conformal_map& map)
+  void describe_modulus(const CM::Planar_conformal_map& map)
   {
-    std::vector<double> u;
-    for(const Mesh::Vertex_index v : mesh().vertices())
-      if(!mesh().is_isolated(v))
-        u.push_back(map.log_scale(CM::Vertex_index(v.idx())));
-    double sum = 0, square_sum = 0;
-    for(const double x : u)
-      sum += x;
-    for(const double x : u)
-      square_sum += (x - sum / double(u.size())) * (x - sum / double(u.size()));
-    Statistics& statistics = m_run.statistics();
-    statistics["log_scale_min"] = *std::min_element(u.begin(), u.end());
-    statistics["log_scale_max"] = *std::max_element(u.begin(), u.end());
-    statistics["log_scale_square_sum"] = square_sum;
+    const bool is_torus = CM::surface_type(mesh()) == CM::Surface_type::torus;
+    const std::complex<double> modulus =
+      is_torus ? CM::torus_modulus(map) : std::complex<double>(0, CM::annulus_modulus(map));
+    m_run.statistics()["modulus"] = {modulus.real(), modulus.imag()};
   }
 
   std::string summary()
@@ -269,7 +232,7 @@ private:
 
   Flatten_options m_options;
   Mesh_format m_format;
-  Command_run m_run;
+  Command_run& m_run;
   Edge_length_map m_length;
   Conditions m_conditions;
   std::vector<double> m_log_scale; // of each vertex: what the next minimization starts from
@@ -278,8 +241,16 @@ private:
 
 } // namespace
 
-int flatten(const Common_options& common, const Flatten_options& options)
+void flatten(Command_run& run, const Flatten_options& options, Mesh_format format)
 {
-  Flatten_command(common, options).run();
+  Flatten_command(run, options, format).run();
+}
+
+int flatten(const Common_options& common, const Flatten_options& given)
+{
+  const Flatten_options options = with_defaults(given);
+  const Mesh_format format = format_with_texture(options.output, options.format);
+  Command_run run("flatten", common, {options.output, options.matrix}, 7);
+  flatten(run, options, format);
   return 0;
 }

@@ -34,6 +34,10 @@ int run_command(const CLI::App& app, const Options& options)
     return distance(options.common, options.distance);
   if(app.got_subcommand("flatten"))
     return flatten(options.common, options.flatten);
+  if(app.got_subcommand("hyperbolic"))
+    return hyperbolic(options.common, options.hyperbolic);
+  if(app.got_subcommand("uniformize"))
+    return uniformize(options.common, options.hyperbolic);
   return operators(options.common, options.operators);
 }
 

@@ -344,7 +344,7 @@ expect 2 flatten square.mesh.off -o a.obj --boundary scale
 says 'the name of a file is missing'
 expect 2 flatten square.mesh.off -o a.obj --boundary disk free
 expect 2 flatten square.mesh.off -o a.obj --boundary round
-says "'round' is none of free, scale, curvature, rectangle and disk"
+says "'round' is none of free, straight, scale, curvature, rectangle and disk"
 for shape in rectangle disk; do
   expect 2 flatten regular.mesh.off -o a.obj --boundary $shape
   says 'regular.mesh.off: a component has no boundary'

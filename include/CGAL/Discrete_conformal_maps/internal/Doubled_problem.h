@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
@@ -135,6 +136,21 @@ public:
     }
   }
 
+  // the area of each component in one of its triangulations, for these lengths of halfedges
+  template <typename Length>
+  std::vector<double> areas(const Delta_complex& complex, const Length& length) const
+  {
+    std::vector<double> result(m_components.size(), 0);
+    for(Face_index f : complex.faces()) {
+      const auto h = Intrinsic_triangulations::internal::sides(f, complex);
+      result[m_components[complex.target(h[0]).idx()]] +=
+        std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(length(h[0]), length(h[1]),
+                                                                    length(h[2]))) /
+        4;
+    }
+    return result;
+  }
+
   // Of each component, how much the prescribed curvatures exceed 2 pi times the Euler characteristic; this
   // much less must be the curvature of the vertices with prescribed scale factors (Equation 4.11). Zero for an
   // isolated vertex.
@@ -176,13 +192,10 @@ public:
     return result;
   }
 
-  // \throws Invalid_input if no metric has what is prescribed
+  // \throws Invalid_input if no flat metric has what is prescribed
   void check() const
   {
-    for(std::size_t v = 0; v < size(); ++v)
-      if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * pi()))
-        throw Intrinsic_triangulations::Invalid_input(
-          "no angle is left at vertex " + std::to_string(v) + ": its curvature is too great");
+    check_angles();
     const std::vector<double> excess = curvature_excess();
     const std::vector<std::size_t> fixed = number_of_fixed();
     for(std::size_t c = 0; c < excess.size(); ++c)
@@ -190,7 +203,30 @@ public:
         throw Intrinsic_triangulations::Invalid_input(unbalanced(c, excess[c], fixed[c] > 0));
   }
 
+  // \throws Invalid_input if no hyperbolic metric has what is prescribed: the area, by Gauss and Bonnet, must be
+  // positive
+  void check_hyperbolic() const
+  {
+    check_angles();
+    const std::vector<double> area = curvature_excess();
+    const std::vector<std::size_t> fixed = number_of_fixed();
+    for(std::size_t c = 0; c < area.size(); ++c)
+      if(fixed[c] == 0 && !(area[c] > 1e-8))
+        throw Intrinsic_triangulations::Invalid_input(
+          "component " + std::to_string(c) +
+          " cannot be hyperbolic with the prescribed curvatures: " + "it would have an area of " +
+          std::to_string(area[c]) + " (Gauss-Bonnet)");
+  }
+
 private:
+  void check_angles() const
+  {
+    for(std::size_t v = 0; v < size(); ++v)
+      if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * pi()))
+        throw Intrinsic_triangulations::Invalid_input(
+          "no angle is left at vertex " + std::to_string(v) + ": its curvature is too great");
+  }
+
   static std::vector<char> faces_to_copy(const Delta_complex& half)
   {
     const Components components(half);

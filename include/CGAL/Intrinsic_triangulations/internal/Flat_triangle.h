@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/internal/Corner.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <array>
@@ -24,9 +25,11 @@ template <typename FT>
 class Flat_triangle
 {
 public:
+  // whether scaling changes no angles
+  static constexpr bool has_similar_ones = true;
+
   explicit Flat_triangle(const std::array<FT, 3>& side)
   {
-    using std::atan2;
     using std::sqrt;
     const FT area = sqrt(squared_quadrupled_area(side[0], side[1], side[2]));
     m_is_flat = !(area > 0);
@@ -34,7 +37,7 @@ public:
     const FT least = std::numeric_limits<FT>::epsilon() * squares;
     for(std::size_t s = 0; s < 3; ++s) {
       const FT product = doubled_corner_product(side[(s + 1) % 3], side[(s + 2) % 3], side[s]);
-      m_angle[s] = atan2(area, product);
+      m_corner[s] = {product, area};
       // cotangents only lead the way to a minimum: those of a flat triangle may be any large number
       m_cotangent[s] = product / (area > least ? area : least);
     }
@@ -43,8 +46,15 @@ public:
   }
 
   // at the source of side s
-  const FT& angle(std::size_t s) const { return m_angle[s]; }
+  const Corner<FT>& corner(std::size_t s) const { return m_corner[s]; }
+  FT angle(std::size_t s) const { return m_corner[s].angle(); }
+  // between the opposite side and the circle through the corners
+  FT circle_angle(std::size_t s) const { return angle(s); }
   const FT& cotangent(std::size_t s) const { return m_cotangent[s]; }
+  // half of pi less the sum of angles
+  FT half_defect() const { return FT(0); }
+  // of half a side in proportion to the radius of curvature
+  static FT squared_tanh(const FT& /* length */) { return FT(0); }
   // the derivative of the angle at corner s by a logarithmic scale factor there, which multiplies both its
   // sides by e^(u/2); by one at another corner, it is half the cotangent at the third
   FT angle_derivative(std::size_t s) const
@@ -59,7 +69,8 @@ public:
   const FT& angle_error() const { return m_error; }
 
 private:
-  std::array<FT, 3> m_angle, m_cotangent;
+  std::array<Corner<FT>, 3> m_corner;
+  std::array<FT, 3> m_cotangent;
   FT m_error;
   bool m_is_flat;
 };
