@@ -47,11 +47,11 @@ public:
   {
     m_slack = m_variables.lower_bound() - point;
     const auto damped = [&](double lift) {
-      return minimize(hessian, damping(hessian, gradient, bound, lift), gradient);
+      return minimize(hessian, damping(hessian, gradient, bound, lift), gradient, infinity);
     };
     if(m_is_damped && damped(0) && length() > bound / 2)
       return true; // as in the step before
-    m_is_damped = !minimize(hessian, Vector::Zero(gradient.size()), gradient) || length() > bound;
+    m_is_damped = !minimize(hessian, Vector::Zero(gradient.size()), gradient, bound);
     for(double lift = 0; m_is_damped && !damped(lift); lift = lift == 0 ? 1e-14 : 100 * lift)
       if(lift > 1)
         return false;
@@ -70,14 +70,16 @@ public:
   bool is_damped() const { return m_is_damped; }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   // Minimizes the quadratic function with `diagonal` added to the Hessian. Returns false if that has no
-  // factorization.
-  bool minimize(const Matrix& hessian, const Vector& diagonal, const Vector& gradient)
+  // factorization, or if the way seems to be longer than `bound`.
+  bool minimize(const Matrix& hessian, const Vector& diagonal, const Vector& gradient, double bound)
   {
     start(gradient);
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     for(int round = 0, patience = 10; round < 1000; ++round) {
-      if(!solve(hessian, diagonal, gradient))
+      if(!solve(hessian, diagonal, gradient) || length() > bound)
         return false;
       const std::vector<Eigen::Index> wrong = violations(hessian, diagonal, gradient);
       if(wrong.empty())
@@ -92,12 +94,15 @@ private:
     return gradient.dot(m_direction) <= 0;
   }
 
-  // as if every variable that is not at its bound would not come there
+  // First all that are at their bounds are active, later the active set of the last time and what is held by
+  // its bound.
   void start(const Vector& gradient)
   {
-    m_is_active.assign(std::size_t(gradient.size()), 0);
+    const bool is_first = m_is_active.empty();
+    m_is_active.resize(std::size_t(gradient.size()), 0);
     for(const Eigen::Index i : m_variables.indices())
-      m_is_active[std::size_t(i)] = m_slack[i] == 0 && gradient[i] > 0;
+      if(m_slack[i] == 0)
+        m_is_active[std::size_t(i)] = is_first || gradient[i] > 0;
   }
 
   // Active variables go to their bounds. They are left out by weights that are beyond all others.
@@ -126,18 +131,28 @@ private:
     return m_solver.solve(right_side);
   }
 
-  // the variables that break a condition of the minimum, by more than rounding
+  // how far a variable that is not active would go below its bound
+  double greatest_depth() const
+  {
+    double result = 0;
+    for(const Eigen::Index i : m_variables.indices())
+      if(!is_active(i))
+        result = (std::max)(result, m_slack[i] - m_direction[i]);
+    return result;
+  }
+
+  // The variables that break a condition of the minimum, by more than rounding. Of those below their bounds,
+  // the lowest are enough: others will follow them up.
   std::vector<Eigen::Index> violations(const Matrix& hessian, const Vector& diagonal,
                                        const Vector& gradient) const
   {
     const Vector slope = gradient + hessian * m_direction + diagonal.cwiseProduct(m_direction);
     const Vector size = gradient.cwiseAbs() + hessian.cwiseAbs() * m_direction.cwiseAbs() +
                         diagonal.cwiseProduct(m_direction.cwiseAbs());
-    const double margin = 1e-12;
+    const double margin = 1e-12, depth = (std::max)(margin * length(), 0.8 * greatest_depth());
     std::vector<Eigen::Index> result;
     for(const Eigen::Index i : m_variables.indices())
-      if(is_active(i) ? slope[i] < -margin * size[i]
-                      : m_direction[i] < m_slack[i] - margin * length())
+      if(is_active(i) ? slope[i] < -margin * size[i] : m_slack[i] - m_direction[i] > depth)
         result.push_back(i);
     return result;
   }

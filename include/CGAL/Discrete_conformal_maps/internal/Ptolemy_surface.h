@@ -94,7 +94,6 @@ public:
   }
 
 private:
-
   Intrinsic_triangulations::Ideal_geometry_traits<FT> m_geometry;
   Delta_complex m_mesh;
   std::vector<FT> m_length;
