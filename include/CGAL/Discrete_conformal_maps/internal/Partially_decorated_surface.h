@@ -37,7 +37,8 @@ public:
 
   const Delta_complex& mesh() const { return m_surface.mesh(); }
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
-  std::size_t number_of_flips() const { return m_flips; }
+  // all flips so far
+  const std::vector<Halfedge_index>& flips() const { return m_flips; }
 
   bool is_remaining(Edge_index e) const
   {
@@ -63,9 +64,11 @@ public:
         m_root_of_scale[v.idx()] = exp(u[v.idx()] / 2);
     for(Edge_index e : mesh().edges())
       set_scaled_length(e);
-    m_flips +=
-      m_surface.flip_until([this](Halfedge_index h) { return is_Delaunay(h); },
-                           [this](Halfedge_index h) { set_scaled_length(mesh().edge(h)); });
+    m_surface.flip_until([this](Halfedge_index h) { return is_Delaunay(h); },
+                         [this](Halfedge_index h) {
+                           set_scaled_length(mesh().edge(h));
+                           m_flips.push_back(h);
+                         });
   }
 
 private:
@@ -103,7 +106,7 @@ private:
   Vertex_index m_at_infinity;
   std::vector<FT> m_scaled_length;
   std::vector<FT> m_root_of_scale; // e^(u/2)
-  std::size_t m_flips = 0;
+  std::vector<Halfedge_index> m_flips;
 };
 
 } // namespace internal

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_PLANE_PREDICATES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_PLANE_PREDICATES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// Exact predicates on points of the plane with coordinates of any floating point type: a filter first, then
+// rational numbers.
+template <typename FT>
+class Plane_predicates
+{
+public:
+  typedef std::array<FT, 2> Point;
+
+  // 1 if `p`, `q`, `r` turn left, 0 if they are on a line
+  int orientation(const Point& p, const Point& q, const Point& r) const
+  {
+    const FT unit = std::numeric_limits<FT>::epsilon();
+    const FT a = (q[0] - p[0]) * (r[1] - p[1]), b = (q[1] - p[1]) * (r[0] - p[0]);
+    const FT det = a - b, bound = 4 * unit * (abs_of(a) + abs_of(b));
+    return is_certain(det, bound) ? sign_of(det) : exact_orientation(p, q, r);
+  }
+
+  // 1 if `s` is inside the circle through `p`, `q`, `r`, if these turn left
+  int in_circle(const Point& p, const Point& q, const Point& r, const Point& s) const
+  {
+    const FT unit = std::numeric_limits<FT>::epsilon();
+    const Lift<FT> a(p, s), b(q, s), c(r, s);
+    const FT det = a.square * cross(b, c) + b.square * cross(c, a) + c.square * cross(a, b);
+    const FT bound = 16 * unit *
+                     (a.square * crossed_sizes(b, c) + b.square * crossed_sizes(c, a) +
+                      c.square * crossed_sizes(a, b));
+    return is_certain(det, bound) ? sign_of(det) : exact_in_circle(p, q, r, s);
+  }
+
+private:
+  typedef boost::multiprecision::cpp_rational Exact;
+
+  template <typename T>
+  struct Lift
+  {
+    template <typename Coordinates>
+    Lift(const Coordinates& p, const Coordinates& origin)
+      : x(T(p[0]) - T(origin[0])), y(T(p[1]) - T(origin[1])), square(x * x + y * y)
+    {}
+    T x, y, square;
+  };
+
+  template <typename T>
+  static T cross(const Lift<T>& a, const Lift<T>& b)
+  {
+    return a.x * b.y - a.y * b.x;
+  }
+
+  static FT crossed_sizes(const Lift<FT>& a, const Lift<FT>& b)
+  {
+    return abs_of(a.x * b.y) + abs_of(a.y * b.x);
+  }
+
+  static FT abs_of(const FT& x) { return x < 0 ? FT(-x) : x; }
+
+  template <typename T>
+  static int sign_of(const T& x)
+  {
+    return x > 0 ? 1 : x < 0 ? -1 : 0;
+  }
+
+  // A product too small for a number is not to be trusted.
+  static bool is_certain(const FT& det, const FT& bound)
+  {
+    const FT least = (std::numeric_limits<FT>::min)() / std::numeric_limits<FT>::epsilon();
+    return abs_of(det) > bound && abs_of(det) > least;
+  }
+
+  static int exact_orientation(const Point& p, const Point& q, const Point& r)
+  {
+    return sign_of(cross(Lift<Exact>(q, p), Lift<Exact>(r, p)));
+  }
+
+  static int exact_in_circle(const Point& p, const Point& q, const Point& r, const Point& s)
+  {
+    const Lift<Exact> a(p, s), b(q, s), c(r, s);
+    return sign_of(Exact(a.square * cross(b, c) + b.square * cross(c, a) + c.square * cross(a, b)));
+  }
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_PLANE_PREDICATES_H
