@@ -124,11 +124,18 @@ private:
   // with the last factorization
   Vector solve_free(const Vector& gradient)
   {
-    Vector right_side = -gradient;
+    Vector result = -gradient;
+    set_active_to_zero(result);
+    result = m_solver.solve(result);
+    set_active_to_zero(result);
+    return result;
+  }
+
+  void set_active_to_zero(Vector& v) const
+  {
     for(const Eigen::Index i : m_variables.indices())
       if(is_active(i))
-        right_side[i] = 0;
-    return m_solver.solve(right_side);
+        v[i] = 0;
   }
 
   // how far a variable that is not active would go below its bound

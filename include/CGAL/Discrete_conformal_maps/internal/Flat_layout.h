@@ -156,9 +156,10 @@ private:
   // half the cotangent of the angle opposite to `h` in its face
   double cotangent(Halfedge_index h) const
   {
-    return static_cast<double>(
-      Flat_triangle<FT>({length(h), length(m_mesh.next(h)), length(m_mesh.prev(h))}).cotangent(2) /
-      2);
+    const auto rounded = [&](Halfedge_index x) { return static_cast<double>(length(x)); };
+    return Flat_triangle<double>({rounded(h), rounded(m_mesh.next(h)), rounded(m_mesh.prev(h))})
+             .cotangent(2) /
+           2;
   }
 
   const Delta_complex& m_mesh;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/Ptolemy_surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -58,10 +59,15 @@ public:
   // \throws Numerical_error if a scaled length is no length
   void scale(const std::vector<FT>& u)
   {
+    using std::abs;
     using std::exp;
+    FT greatest(0);
     for(Vertex_index v : mesh().vertices())
-      if(v != m_at_infinity)
+      if(v != m_at_infinity) {
         m_root_of_scale[v.idx()] = exp(u[v.idx()] / 2);
+        greatest = (std::max)(greatest, FT(abs(u[v.idx()])));
+      }
+    m_margin = 16 * std::numeric_limits<FT>::epsilon() * (1 + greatest);
     for(Edge_index e : mesh().edges())
       set_scaled_length(e);
     m_surface.flip_until([this](Halfedge_index h) { return is_Delaunay(h); },
@@ -95,10 +101,9 @@ private:
     const Horocyclic_arcs<FT> arc(m_surface.diamond(h, m_scaled_length));
     const FT opposite = (k ? arc.at_k : FT(0)) + (l ? arc.at_l : FT(0));
     const FT adjacent = (i ? arc.at_i : FT(0)) + (j ? arc.at_j : FT(0));
-    const FT unit = std::numeric_limits<FT>::epsilon();
     if(i && j && k != l)
-      return opposite < adjacent * (1 - 16 * unit);
-    return !(opposite > adjacent * (1 + 64 * unit));
+      return opposite < adjacent * (1 - m_margin);
+    return !(opposite > adjacent * (1 + 4 * m_margin));
   }
 
   Intrinsic_triangulations::Ideal_geometry_traits<FT> m_geometry;
@@ -106,6 +111,7 @@ private:
   Vertex_index m_at_infinity;
   std::vector<FT> m_scaled_length;
   std::vector<FT> m_root_of_scale; // e^(u/2)
+  FT m_margin = FT(0);             // of ties: the rounding error of squared lengths
   std::vector<Halfedge_index> m_flips;
 };
 
