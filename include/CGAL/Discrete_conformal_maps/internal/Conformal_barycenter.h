@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -101,14 +102,16 @@ private:
       sum += m_mass[v] * p;
       hessian += m_mass[v] * (Eigen::Matrix3d::Identity() - p * p.transpose());
     }
-    if(sum.norm() <= tolerance)
+    // where convergence is quadratic, and yet does not go on, rounding of the point is the limit
+    const double last = std::exchange(m_norm, sum.norm());
+    if(m_norm <= tolerance || (m_norm <= 1e-6 && m_norm > last / 2))
       return true;
     // masses in two points have no curvature along the line through both
     hessian += 1e-12 * Eigen::Matrix3d::Identity();
     const Vector step = hessian.ldlt().solve(sum);
     const double length = step.norm();
     move(step / length, step_length(step / length, (std::min)(length, longest_step)));
-    return length <= tolerance;
+    return false;
   }
 
   template <typename Function>
@@ -170,6 +173,7 @@ private:
   std::vector<Vector> m_direction;
   Point m_base;
   FT m_height;
+  double m_norm = 1; // of the sum of directions
 };
 
 } // namespace internal

@@ -74,13 +74,16 @@ public:
       domain.is_fixed.assign(m_u.size(), 0);
       domain.is_fixed[m_at_infinity.idx()] = 1;
       const Minimization_result last =
-        Bounded_Newton_minimizer(tolerance)(m_energy, x, lower, domain, visitor);
+        Bounded_Newton_minimizer(tolerance, iteration_limit)(m_energy, x, lower, domain, visitor);
       add_result(last);
       take(x, lower);
     }
   }
 
 private:
+  // Ten or twenty are usual. Where bounds are active without effect, it may be better to take more digits.
+  static constexpr std::size_t iteration_limit = 100;
+
   void add_result(const Minimization_result& last)
   {
     const std::size_t iterations = m_result.iterations + last.iterations,
