@@ -59,7 +59,7 @@ public:
       m_u[v] = other.values()[v] == other.bounds()[v] ? m_bound[v] : FT(other.values()[v]);
   }
 
-  // Minimizes the energy under the bounds. Rounding to `double` limits only how far a step can change the
+  // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to `double` limits only how far a step can change the
   // scale factors: where they have more digits, a second run finds these.
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
@@ -83,6 +83,7 @@ public:
 private:
   // Ten or twenty are usual. Where bounds are active without effect, it may be better to take more digits.
   static constexpr std::size_t iteration_limit = 100;
+  static constexpr double sufficient = 1e-13; // radians
 
   void add_result(const Minimization_result& last)
   {
@@ -91,6 +92,8 @@ private:
     m_result = last;
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
+    if(last.gradient_norm <= sufficient)
+      m_result.status = Minimization_status::converged; // what is less than that is welcome, no more
   }
 
   // at the bounds to the bit
