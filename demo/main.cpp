@@ -34,6 +34,8 @@ int run_command(const CLI::App& app, const Options& options)
     return distance(options.common, options.distance);
   if(app.got_subcommand("flatten"))
     return flatten(options.common, options.flatten);
+  if(app.got_subcommand("sphere"))
+    return sphere(options.common, options.sphere);
   return operators(options.common, options.operators);
 }
 
