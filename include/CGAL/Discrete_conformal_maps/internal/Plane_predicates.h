@@ -7,12 +7,12 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/number_utils.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace CGAL {
@@ -20,7 +20,7 @@ namespace Discrete_conformal_maps {
 namespace internal {
 
 // Exact predicates on points of the plane with coordinates of any floating point type: a filter first, then
-// rational numbers.
+// integers.
 template <typename FT>
 class Plane_predicates
 {
@@ -49,7 +49,9 @@ public:
   }
 
 private:
-  typedef boost::multiprecision::cpp_rational Exact;
+  typedef boost::multiprecision::number<boost::multiprecision::cpp_int::backend_type,
+                                        boost::multiprecision::et_off>
+    Integer;
 
   template <typename T>
   struct Lift
@@ -87,15 +89,43 @@ private:
     return abs_of(det) > bound && abs_of(det) > least;
   }
 
+  // The coordinates, multiplied by the least power of two that makes all of them integers. Signs stay.
+  template <std::size_t n>
+  static std::array<std::array<Integer, 2>, n> scaled(const std::array<Point, n>& points)
+  {
+    using std::frexp;
+    using std::ldexp;
+    constexpr int digits = std::numeric_limits<FT>::digits;
+    int least = std::numeric_limits<int>::max(), exponent;
+    for(const Point& p : points)
+      for(const FT& x : p)
+        if(x != 0) {
+          (void)frexp(x, &exponent);
+          least = (std::min)(least, exponent);
+        }
+    std::array<std::array<Integer, 2>, n> result;
+    for(std::size_t i = 0; i < n; ++i)
+      for(std::size_t c = 0; c < 2; ++c) {
+        const FT mantissa = frexp(points[i][c], &exponent);
+        result[i][c] = static_cast<Integer>(FT(ldexp(mantissa, digits)));
+        if(points[i][c] != 0)
+          result[i][c] <<= exponent - least;
+      }
+    return result;
+  }
+
   static int exact_orientation(const Point& p, const Point& q, const Point& r)
   {
-    return sign_of(cross(Lift<Exact>(q, p), Lift<Exact>(r, p)));
+    const auto [a, b, c] = scaled<3>({p, q, r});
+    return sign_of(cross(Lift<Integer>(b, a), Lift<Integer>(c, a)));
   }
 
   static int exact_in_circle(const Point& p, const Point& q, const Point& r, const Point& s)
   {
-    const Lift<Exact> a(p, s), b(q, s), c(r, s);
-    return sign_of(Exact(a.square * cross(b, c) + b.square * cross(c, a) + c.square * cross(a, b)));
+    const auto e = scaled<4>({p, q, r, s});
+    const Lift<Integer> a(e[0], e[3]), b(e[1], e[3]), c(e[2], e[3]);
+    return sign_of(
+      Integer(a.square * cross(b, c) + b.square * cross(c, a) + c.square * cross(a, b)));
   }
 };
 
