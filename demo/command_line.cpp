@@ -92,7 +92,20 @@ three numbers u w, v w, w, linear on faces, to be divided after interpolation.
 logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat face or edge
 they are a part. Edges with is_seam 1 are cut open.
 
-If the minimization does not converge, nothing is written.
+Solvers:
+  newton  Newton's method, to the last digits
+  ceres   L-BFGS of the Ceres Solver, for comparison: half of the digits, and slow
+  cetm    Newton's method in the triangulation of the mesh, without any flip, for comparison. There the
+          scale factors depend on the triangulation and often do not exist; the error says which
+          condition is violated: triangle_inequality or no_minimum.
+
+The file of --matrix has a sparse matrix with one row for each vertex of the output, in the order of .obj
+and .ply (.vtp repeats vertices along seams), and one column for each vertex of the mesh. Its product with
+values at the vertices of the mesh (positions, colours, logarithmic scale factors) is the values at the
+vertices of the output, linear on the faces of the mesh. Each row has one to three weights, sum one. Rows of
+vertices of the mesh come first, in their order, so the matrix starts with the identity.
+
+If the minimization does not converge, or there is no map, nothing is written.
 
 Examples:
   intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
@@ -314,6 +327,14 @@ void add_flatten(CLI::App& app, Options& options)
   command.add_option("--format", own.format, "Format on standard output: obj, ply or vtp")
     ->capture_default_str();
   add_flattening_targets(command, own);
+  command
+    .add_option("--solver", own.solver,
+                "newton, ceres, or cetm, which keeps the triangulation of the mesh, see below")
+    ->check(CLI::IsMember({"newton", "ceres", "cetm"}))
+    ->capture_default_str();
+  command.add_option(
+    "--matrix", own.matrix,
+    "Matrix Market file (.mtx) for the interpolation to the vertices of the output");
   command.add_flag("--homogeneous,!--linear", own.is_homogeneous,
                    "Write homogeneous texture coordinates, or linear ones (the default)");
   add_common_options(command, options.common);

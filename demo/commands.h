@@ -95,7 +95,9 @@ struct Flatten_options
   std::string cones;          // "greedy", "none" or a file; empty for what suits the boundary
   std::optional<double> maximum_log_scale;   // for greedy cones
   std::vector<std::string> boundary{"free"}; // and the file of "scale" and "curvature"
+  std::string solver = "newton";             // or "ceres" or "cetm"
   bool is_homogeneous = false;
+  std::string matrix; // a file for the interpolation matrix
 };
 
 // Maps the surface to the plane, discretely conformally, and writes the common subdivision of its three

@@ -32,11 +32,11 @@ public:
       m_corner(m_mesh.number_of_halfedges(), none)
   {
     m_result.texture.dimension = is_homogeneous ? 3 : 2;
+    choose_elements();
   }
 
   Output_mesh build(const std::vector<Mesh::Vertex_index>& cones)
   {
-    choose_elements();
     for(const Vertex_index v : m_vertices)
       m_result.points.push_back(point(v));
     for(const Face_index f : m_faces)
@@ -52,6 +52,25 @@ public:
         return number_of(m_subdivision.parent_face(layer, f));
       }));
     return std::move(m_result);
+  }
+
+  Eigen::SparseMatrix<double> interpolation_matrix() const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for(std::size_t row = 0; row < m_vertices.size(); ++row) {
+      const auto add = [&](Mesh::Vertex_index v, double weight) {
+        if(weight != 0)
+          entries.emplace_back(int(row), int(v.idx()), weight);
+      };
+      if(is_of_input(m_vertices[row]))
+        add(Mesh::Vertex_index(m_vertices[row].idx()), 1);
+      else
+        for_each_corner(m_vertices[row], add);
+    }
+    Eigen::SparseMatrix<double> result(Eigen::Index(m_vertices.size()),
+                                       Eigen::Index(m_input.number_of_vertices()));
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
   }
 
 private:
@@ -231,6 +250,12 @@ Output_mesh flat_mesh(const CM::Planar_conformal_map& map, const Mesh& input,
                       const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
 {
   return Flat_mesh_builder(map, input, is_homogeneous).build(cones);
+}
+
+Eigen::SparseMatrix<double> interpolation_matrix(const CM::Planar_conformal_map& map,
+                                                 const Mesh& input)
+{
+  return Flat_mesh_builder(map, input, false).interpolation_matrix();
 }
 
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh)

@@ -10,6 +10,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 
+#include <Eigen/SparseCore>
+
 #include <vector>
 
 // The common subdivision of the three triangulations of a map, as far as it belongs to the input, with the
@@ -26,6 +28,12 @@
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
                       const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);
+
+// The weights of the vertices of the input (columns) in those of the same mesh (rows): functions that are
+// linear on the faces of the input are interpolated by it.
+Eigen::SparseMatrix<double>
+interpolation_matrix(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
+                     const Mesh& input);
 
 // Adds how many triangles are flipped in the plane or have no area there, with linear texture coordinates.
 // Polygons are cut into triangles from their first corners. A triangle that rounding of its points may have

@@ -231,7 +231,8 @@ TEST(map_to_sphere, does_not_depend_on_the_vertex_at_infinity)
 {
   const Mesh m = perturbed(random_sphere(60, 3), 0.2, 4);
   const Triangulation input(m);
-  DC::internal::Doubled_problem problem(input, std::vector<DC::Vertex_condition>(60));
+  DC::internal::Doubled_problem problem(input, std::vector<DC::Vertex_condition>(60),
+                                        DC::Flipping::to_Delaunay);
   const std::vector<double> mass(60, 1.);
   DC::Default_flattening_visitor visitor;
   std::vector<std::vector<double>> distances;

@@ -9,8 +9,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
-#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/Flat_triangle.h>
 
 #include <Eigen/Sparse>
 #include <boost/math/constants/constants.hpp>
@@ -31,7 +31,10 @@ namespace Discrete_conformal_maps {
 /// (Section 4.3.2).
 ///
 /// It is twice continuously differentiable on the whole space: whoever minimizes it sees nothing of the
-/// flips behind it. Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and
+/// flips behind it. In a fixed triangulation, it is the energy of Springborn, Schr&ouml;der and Pinkall (2008):
+/// where the scaled lengths of a face violate the triangle inequality, its part of the energy is linear, as
+/// if its angles were 0, 0 and \f$\pi\f$. This is convex, but has no second derivatives where faces become
+/// flat; a minimum with such faces gives no metric, and there may be no minimum at all. Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and
 /// a variable \f$x\f$ in that of `double`. So a minimum can be approached to any precision by a minimizer
 /// that knows only `double`, which moves the origin from time to time.
 ///
@@ -49,14 +52,15 @@ public:
   typedef Eigen::SparseMatrix<double> Matrix;
 
   /// the energy of a surface.
-  /// \param mesh the connectivity, without boundary, intrinsic Delaunay
+  /// \param mesh the connectivity, without boundary; intrinsic Delaunay, unless it is fixed
   /// \param length a readable property map from the edges to positive lengths
   /// \param target_defect the angle defects \f$\Omega^*\f$ of the minimum, in radians, by the numbers of
   ///        vertices
+  /// \param flipping whether the triangulation follows the scale factors
   template <typename EdgeLengthMap>
   Conformal_energy(const Delta_complex& mesh, const EdgeLengthMap& length,
-                   const Vector& target_defect)
-    : m_surface(mesh, length),
+                   const Vector& target_defect, Flipping flipping = Flipping::to_Delaunay)
+    : m_surface(mesh, length, flipping),
       m_target_defect(target_defect),
       m_scale_factor(mesh.num_vertices(), FT(0)),
       m_origin(mesh.num_vertices(), FT(0)),
@@ -92,11 +96,15 @@ public:
   /// the scale factors, by the numbers of vertices.
   const std::vector<FT>& scale_factors() const { return m_scale_factor; }
 
-  /// the surface in its ideal Delaunay triangulation.
+  /// the surface in its ideal Delaunay triangulation, or its fixed one.
   const Penner_surface<FT>& surface() const { return m_surface; }
 
   /// the angle at the source of `h` in its face, in the scaled metric.
   const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
+
+  /// the number of faces whose scaled lengths do not obey the triangle inequality strictly. In a triangulation
+  /// that is Delaunay only rounding makes them.
+  std::size_t number_of_flat_faces() const { return m_flat_faces; }
 
   /// the energy (Equation 4.12). Complexity: linear.
   FT value() const;
@@ -118,7 +126,7 @@ public:
   }
 
 private:
-  typedef internal::Flat_triangle<FT> Triangle;
+  typedef Intrinsic_triangulations::internal::Flat_triangle<FT> Triangle;
 
   const Delta_complex& mesh() const { return m_surface.mesh(); }
 
@@ -132,13 +140,18 @@ private:
   void measure_faces()
   {
     m_error.assign(m_origin.size(), 0.);
+    m_flat_faces = 0;
     for(Face_index f : mesh().faces()) {
       const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
       const Triangle triangle(side_lengths(side));
+      m_flat_faces += triangle.is_flat();
+      const bool is_linear = m_surface.flipping() == Flipping::none && triangle.is_flat();
       for(std::size_t s = 0; s < 3; ++s) {
         m_angle[side[s].idx()] = triangle.angle(s);
-        m_cotangent[side[s].idx()] = static_cast<double>(triangle.cotangent((s + 2) % 3));
-        m_error[mesh().source(side[s]).idx()] += static_cast<double>(triangle.angle_error());
+        m_cotangent[side[s].idx()] =
+          is_linear ? 0 : static_cast<double>(triangle.cotangent((s + 2) % 3));
+        m_error[mesh().source(side[s]).idx()] +=
+          is_linear ? 0 : static_cast<double>(triangle.angle_error());
       }
     }
   }
@@ -212,6 +225,7 @@ private:
   std::vector<double> m_error;     // of the sum of angles, for each vertex
   Vector m_gradient;
   double m_gradient_error = 0;
+  std::size_t m_flat_faces = 0;
   mutable Matrix m_Hessian;
   mutable bool m_has_Hessian = false;
 };

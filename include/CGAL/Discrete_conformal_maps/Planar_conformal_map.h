@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Flattening_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
@@ -36,7 +37,7 @@ class Flattening;
 /// \f$T^A\f$ is the input. A component with boundary is doubled: the faces of its second copy follow those of
 /// the input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay
 /// triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay triangulation of \f$T^B\f$ with the
-/// scale factors. Its faces are flat, and can be laid out beside each other except at seams.
+/// scale factors; with a fixed triangulation, all three are the same. The faces of \f$T^C\f$ are flat, and can be laid out beside each other except at seams.
 ///
 /// Every component of the input is one chart. Where no scale factors are prescribed and no cones placed,
 /// it has the same area as the component. Charts stand side by side and do not overlap each other; the
@@ -71,6 +72,9 @@ public:
   /// the logarithmic scale factor at `v`.
   double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
 
+  /// whether the map has what is prescribed, and if not, why.
+  Flattening_status status() const { return m_data->status; }
+
   /// the vertices of the input at which cones were placed.
   const std::vector<Vertex_index>& cones() const { return m_data->cones; }
 
@@ -87,10 +91,15 @@ public:
     return m_data->number_of_flips[static_cast<std::size_t>(layer)];
   }
 
-  /// whether the face `f` of \f$T^C\f$ is in the plane: if a part of it belongs to the input.
+  /// whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not if scaled lengths
+  /// violate the triangle inequality.
+  bool is_laid_out() const { return m_data->has_layout; }
+
+  /// whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it belongs to the input.
   bool is_laid_out(Face_index f) const { return m_data->is_laid_out[f.idx()] != 0; }
 
   /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
+  /// \pre The face is laid out.
   std::complex<double> position(Halfedge_index h) const { return m_data->position[h.idx()]; }
 
   /// whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the plane; also where a
@@ -118,6 +127,7 @@ public:
 
   /// the image of a point of the input, by piecewise projective interpolation (Section 4.2.3).
   /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
+  /// \pre `is_laid_out()`
   std::complex<double> operator()(const Face_location& p) const
   {
     using Intrinsic_triangulations::Side;
@@ -142,10 +152,12 @@ private:
     std::size_t number_of_front_faces = 0;
     std::vector<Vertex_index> input_vertex;
     std::vector<double> log_scale;
+    Flattening_status status = Flattening_status::success;
     std::vector<Vertex_index> cones;
     Minimization_result minimization;
     double max_curvature_error = 0;
     std::array<std::size_t, 3> number_of_flips{0, 0, 0};
+    bool has_layout = true;
     std::vector<char> is_laid_out;              // for each face of T^C
     std::vector<std::complex<double>> position; // of the sources of halfedges of T^C
     std::vector<char> is_seam;                  // for each edge of T^C

@@ -63,6 +63,9 @@ public:
     m_data->number_of_front_faces = number_of_front_faces;
   }
 
+  // by the vertices of the input
+  void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
+
   // Cones are placed for a finite `bound` of scale factors.
   template <typename Minimizer>
   void find_scale_factors(const Minimizer& minimizer, double bound)
@@ -76,6 +79,7 @@ public:
     do
       m_scale.minimize(minimizer, 1e-11, m_visitor);
     while(is_bounded && m_scale.add_cone_if_beyond(bound));
+    m_data->status = m_scale.status();
     m_data->cones = m_scale.cones();
     m_data->minimization = m_scale.result();
     m_data->max_curvature_error = m_scale.max_curvature_error();
@@ -90,12 +94,11 @@ public:
       *m_data->correspondence_ab, *m_data->correspondence_bc);
     m_visitor.start(Flattening_stage::layout);
     find_walls();
-    const std::vector<double> correction = area_correction();
-    if(m_scale.is_extended())
-      lay_out(m_scale.extended_values(), correction);
+    m_data->has_layout = m_scale.has_layout();
+    if(m_data->has_layout)
+      lay_out();
     else
-      lay_out(std::vector<double>(m_data->log_scale), correction);
-    arrange_charts();
+      leave_out();
     return std::move(m_map);
   }
 
@@ -113,7 +116,8 @@ private:
     m_data->bc = Ideal_triangulation(
       m_data->ab.mesh(),
       Intrinsic_triangulations::parameters::edge_length_map(m_data->ab.length_map()));
-    flip_to_Delaunay();
+    if(m_problem.flipping() == Flipping::to_Delaunay)
+      flip_to_Delaunay();
     m_data->number_of_flips[2] = m_flips.size();
     m_data->correspondence_ab =
       std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data->ab);
@@ -229,6 +233,23 @@ private:
     return result;
   }
 
+  void lay_out()
+  {
+    const std::vector<double> correction = area_correction();
+    if(m_scale.is_extended())
+      lay_out(m_scale.extended_values(), correction);
+    else
+      lay_out(std::vector<double>(m_data->log_scale), correction);
+    arrange_charts();
+  }
+
+  void leave_out()
+  {
+    m_data->is_laid_out.assign(mesh().num_faces(), 0);
+    m_data->position.assign(mesh().num_halfedges(), 0);
+    m_data->is_seam.assign(mesh().num_edges(), 1);
+  }
+
   template <typename FT>
   void lay_out(std::vector<FT> u, const std::vector<double>& correction)
   {
@@ -319,6 +340,21 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
   return result;
 }
 
+// those to start from
+template <typename Graph, typename NamedParameters>
+std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  std::vector<double> result;
+  for([[maybe_unused]] auto v : vertices(g))
+    if constexpr(CGAL::parameters::is_default_parameter<
+                   NamedParameters, internal_np::initial_log_scale_map_t>::value)
+      result.push_back(0);
+    else
+      result.push_back(get(get_parameter(np, internal_np::initial_log_scale_map), v));
+  return result;
+}
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -327,6 +363,9 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
 /// The faces of the result are flat. Its cones are the vertices with a curvature that is not zero. There are
 /// none on a torus without conditions; elsewhere there must be some, which are prescribed or placed
 /// greedily.
+///
+/// The result says how that has ended (`Planar_conformal_map::status()`); without convergence, it has the best
+/// scale factors that have been found.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -348,6 +387,19 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
 ///     \cgalParamDescription{what minimizes the energy}
 ///     \cgalParamType{a model of `ConvexMinimizer`}
 ///     \cgalParamDefault{`Newton_minimizer`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{initial_log_scale_map}
+///     \cgalParamDescription{where the minimization starts: the nearer the result, the fewer steps it takes}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
+///     \cgalParamDefault{zero everywhere}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{flipping}
+///     \cgalParamDescription{whether triangulations follow the scale factors. In a fixed triangulation, the scale
+///                           factors are those of Springborn, Schr&ouml;der and Pinkall (2008): they exist only
+///                           sometimes, which `Planar_conformal_map::status()` tells, and depend on how the
+///                           surface is triangulated}
+///     \cgalParamType{`Flipping`}
+///     \cgalParamDefault{`Flipping::to_Delaunay`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
@@ -378,9 +430,12 @@ Planar_conformal_map flatten(const Graph& g,
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  internal::Doubled_problem problem(input, internal::vertex_conditions(g, input.mesh(), np));
+  internal::Doubled_problem problem(
+    input, internal::vertex_conditions(g, input.mesh(), np),
+    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay));
   internal::Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, input.mesh().num_faces(), visitor);
+  flattening.start_from(internal::initial_log_scales(g, np));
   flattening.find_scale_factors(
     choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()), bound);
   return flattening.finish();

@@ -236,8 +236,8 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  internal::Doubled_problem problem(input,
-                                    std::vector<Vertex_condition>(input.mesh().num_vertices()));
+  internal::Doubled_problem problem(
+    input, std::vector<Vertex_condition>(input.mesh().num_vertices()), Flipping::to_Delaunay);
   internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(
     problem, input.mesh().num_faces(), visitor);
   return mapping.run();

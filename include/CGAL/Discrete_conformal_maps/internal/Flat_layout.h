@@ -8,7 +8,6 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/Cut_graph.h>
-#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/Least_squares_shift.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -126,7 +125,7 @@ private:
     } while(h != first);
   }
 
-  // The sum over all sides of faces of the squared change of the side, with its cotangent weight, is least.
+  // The sum over all sides of faces of the squared change of the side, relative to its length, is least.
   void distribute_errors(const Cut_graph& cut)
   {
     Least_squares_shift shift(m_united.size());
@@ -134,7 +133,8 @@ private:
       for(Halfedge_index h : Intrinsic_triangulations::internal::sides(step.face, m_mesh)) {
         const Vector misfit =
           length(h) * m_direction[h.idx()] - (united(m_mesh.next(h)) - united(h));
-        shift.add(point(h), point(m_mesh.next(h)), cotangent(h), to_complex(misfit));
+        const double weight = static_cast<double>(1 / (length(h) * length(h)));
+        shift.add(point(h), point(m_mesh.next(h)), weight, to_complex(misfit));
       }
     for(const Cut_graph::Step& step : cut.steps())
       if(!step.entry.is_valid())
@@ -152,15 +152,6 @@ private:
   }
 
   int point(Halfedge_index h) const { return m_point[h.idx()]; }
-
-  // half the cotangent of the angle opposite to `h` in its face
-  double cotangent(Halfedge_index h) const
-  {
-    const auto rounded = [&](Halfedge_index x) { return static_cast<double>(length(x)); };
-    return Flat_triangle<double>({rounded(h), rounded(m_mesh.next(h)), rounded(m_mesh.prev(h))})
-             .cotangent(2) /
-           2;
-  }
 
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;

@@ -128,10 +128,9 @@ private:
 
   void accept()
   {
-    if(m_step < 1)
-      m_bound = 2 * m_step * m_direction.length();
-    else if(m_direction.is_damped())
-      m_bound = (std::min)(4 * m_bound, 1e100); // beyond any use, but finite
+    if(m_direction.is_damped())
+      m_bound = m_step < 1 ? 2 * m_step * m_direction.length()
+                           : (std::min)(4 * m_bound, 1e100); // beyond any use, but finite
     m_descent.keep_if_best();
   }
 

@@ -8,9 +8,9 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
-#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/Partially_decorated_surface.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/Flat_triangle.h>
 
 #include <Eigen/Sparse>
 #include <boost/math/constants/constants.hpp>
@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  typedef internal::Flat_triangle<FT> Triangle;
+  typedef Intrinsic_triangulations::internal::Flat_triangle<FT> Triangle;
 
   const Delta_complex& mesh() const { return m_surface.mesh(); }
 

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_FLAT_TRIANGLE_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_FLAT_TRIANGLE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLAT_TRIANGLE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLAT_TRIANGLE_H
 
-#include <CGAL/license/Discrete_conformal_maps.h>
+#include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -15,10 +15,11 @@
 #include <limits>
 
 namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace Intrinsic_triangulations {
 namespace internal {
 
-// The angles of a Euclidean triangle. Side s leads from corner s to the next.
+// The angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that violate the triangle
+// inequality have the limits of angles: pi opposite to the longest, zero elsewhere.
 template <typename FT>
 class Flat_triangle
 {
@@ -27,13 +28,12 @@ public:
   {
     using std::atan2;
     using std::sqrt;
-    const FT area =
-      sqrt(Intrinsic_triangulations::squared_quadrupled_area(side[0], side[1], side[2]));
+    const FT area = sqrt(squared_quadrupled_area(side[0], side[1], side[2]));
+    m_is_flat = !(area > 0);
     const FT squares = side[0] * side[0] + side[1] * side[1] + side[2] * side[2];
     const FT least = std::numeric_limits<FT>::epsilon() * squares;
     for(std::size_t s = 0; s < 3; ++s) {
-      const FT product = Intrinsic_triangulations::doubled_corner_product(
-        side[(s + 1) % 3], side[(s + 2) % 3], side[s]);
+      const FT product = doubled_corner_product(side[(s + 1) % 3], side[(s + 2) % 3], side[s]);
       m_angle[s] = atan2(area, product);
       // cotangents only lead the way to a minimum: those of a flat triangle may be any large number
       m_cotangent[s] = product / (area > least ? area : least);
@@ -45,16 +45,27 @@ public:
   // at the source of side s
   const FT& angle(std::size_t s) const { return m_angle[s]; }
   const FT& cotangent(std::size_t s) const { return m_cotangent[s]; }
+  // the derivative of the angle at corner s by a logarithmic scale factor there, which multiplies both its
+  // sides by e^(u/2); by one at another corner, it is half the cotangent at the third
+  FT angle_derivative(std::size_t s) const
+  {
+    return -(m_cotangent[(s + 1) % 3] + m_cotangent[(s + 2) % 3]) / 2;
+  }
+
+  // whether there is no triangle inside its longest side
+  bool is_flat() const { return m_is_flat; }
+
   // a bound for the rounding error of an angle, if the sides have an error of a few units in the last place
   const FT& angle_error() const { return m_error; }
 
 private:
   std::array<FT, 3> m_angle, m_cotangent;
   FT m_error;
+  bool m_is_flat;
 };
 
 } // namespace internal
-} // namespace Discrete_conformal_maps
+} // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_FLAT_TRIANGLE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLAT_TRIANGLE_H
