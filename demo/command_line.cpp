@@ -20,6 +20,7 @@ constexpr const char* examples = R"(Examples:
   intrinsic operators bunny.obj --prefix bunny
   intrinsic flatten bunny.obj -o flat.obj
   intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
+  intrinsic sphere bunny.obj -o sphere.ply
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
 
@@ -140,6 +141,27 @@ the circumference, as imaginary part.
 
 Example:
   intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
+
+constexpr const char* sphere_notes =
+  R"(The mesh must be connected and a sphere or a disk. The image is a convex polyhedron with vertices on the
+unit sphere, discretely conformal to the mesh, that has its center of mass (with areas of the mesh) in the
+center; or one half of such a polyhedron, with the boundary on the equator. Convexity is decided exactly.
+
+The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the polyhedron,
+projected to the sphere. .ply and .vtp tell of each vertex the input vertex (-1 if it is none) and its
+logarithmic scale factor, its place in the mesh (input_x, input_y, input_z) and homogeneous coordinates on
+the polyhedron (homogeneous_x, _y, _z, _w), which are linear on faces; of faces (and in .ply of edges) of
+which input, intrinsic and sphere face or edge they are a part. A disk has its image in the unit disk as
+texture coordinates.
+
+Long limbs have small images. Where the digits of the output are too few for them, triangles lose their
+convexity or are flipped: lost_in_output in the statistics says how many. --precise writes the positions of
+the input vertices with 36 digits.
+
+If the image is not convex, nothing is written.
+
+Example:
+  intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
 
 // Ranges do not exclude it.
 std::string not_a_number(const std::string& text)
@@ -389,6 +411,24 @@ void add_uniformize(CLI::App& app, Options& options)
   command.footer(uniformize_notes);
 }
 
+void add_sphere(CLI::App& app, Options& options)
+{
+  CLI::App& command = add_command(
+    app, "sphere", "Map a sphere or a disk to the unit sphere, conformally", options.common.input);
+  Sphere_options& own = options.sphere;
+  command
+    .add_option("-o,--output", own.output,
+                "Common subdivision on the sphere (.off, .obj, .ply, .vtp; - for standard output)")
+    ->required();
+  command.add_option("--format", own.format, "Format on standard output: off, obj, ply or vtp")
+    ->capture_default_str();
+  command.add_option(
+    "--precise", own.precise,
+    "Text file for the positions of the input vertices in all digits: index x y z");
+  add_common_options(command, options.common);
+  command.footer(sphere_notes);
+}
+
 } // namespace
 
 void define_command_line(CLI::App& app, Options& options)
@@ -407,4 +447,5 @@ void define_command_line(CLI::App& app, Options& options)
   add_flatten(app, options);
   add_hyperbolic(app, options);
   add_uniformize(app, options);
+  add_sphere(app, options);
 }

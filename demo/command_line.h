@@ -20,6 +20,7 @@ struct Options
   Operators_options operators;
   Flatten_options flatten;
   Hyperbolic_options hyperbolic;
+  Sphere_options sphere;
 };
 
 // Tells `app` what can stand on the command line; parsing sets `options`, which must live as long.

@@ -123,4 +123,15 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options);
 // latter serve for both. Returns the exit code.
 int uniformize(const Common_options& common, const Hyperbolic_options& options);
 
+struct Sphere_options
+{
+  std::string output;
+  std::string format = "ply"; // on standard output
+  std::string precise;        // positions in all digits; empty if not wanted
+};
+
+// Maps the surface to the sphere or a hemisphere, discretely conformally, and writes the common subdivision of its
+// three triangulations there. Returns the exit code.
+int sphere(const Common_options& common, const Sphere_options& options);
+
 #endif // INTRINSIC_COMMANDS_H

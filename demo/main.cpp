@@ -38,6 +38,8 @@ int run_command(const CLI::App& app, const Options& options)
     return hyperbolic(options.common, options.hyperbolic);
   if(app.got_subcommand("uniformize"))
     return uniformize(options.common, options.hyperbolic);
+  if(app.got_subcommand("sphere"))
+    return sphere(options.common, options.sphere);
   return operators(options.common, options.operators);
 }
 

@@ -11,9 +11,11 @@
 #include <CGAL/Discrete_conformal_maps/internal/Least_squares_shift.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -58,10 +60,16 @@ public:
       if(!mesh.is_isolated(v))
         unite_corners(v, cut);
     distribute_errors(cut);
+    // with more digits than shifts have, what the first has left
+    if(!std::is_same<FT, double>::value)
+      distribute_errors(cut);
   }
 
   // the position of the source of `h` in the face of `h`
   std::complex<double> position(Halfedge_index h) const { return to_complex(united(h)); }
+
+  // the same in all digits
+  std::array<FT, 2> exact_position(Halfedge_index h) const { return {united(h).x, united(h).y}; }
 
 private:
   const FT& length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
