@@ -131,6 +131,7 @@ Example:
 
 constexpr const char* uniformize_notes =
   R"(The mesh must be connected. By its topology it becomes
+  a sphere      round, as with `intrinsic sphere`
   a disk        in the plane, with a round boundary, as with `intrinsic flatten --boundary disk`
   a torus       flat, as with `intrinsic flatten --cones none`
   a cylinder    if it has two boundaries and no handles: flat with straight boundaries

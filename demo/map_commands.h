@@ -35,5 +35,6 @@ void check_convergence(const CGAL::Discrete_conformal_maps::Discrete_conformal_m
 // The commands, after the input has been read; `format` is that of the output.
 void flatten(Command_run& run, const Flatten_options& options, Mesh_format format);
 void hyperbolic(Command_run& run, const Hyperbolic_options& options, Mesh_format format);
+void sphere(Command_run& run, const Sphere_options& options, Mesh_format format);
 
 #endif // INTRINSIC_MAP_COMMANDS_H

@@ -6,6 +6,7 @@
 
 #include "Command_run.h"
 #include "Mesh_writer.h"
+#include "map_commands.h"
 #include "sphere_mesh.h"
 #include "triangulation_stages.h"
 
@@ -22,31 +23,11 @@ namespace CM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-const char* name_of(CM::Flattening_stage stage)
-{
-  switch(stage) {
-    case CM::Flattening_stage::trace: return "trace";
-    case CM::Flattening_stage::subdivide: return "subdivide";
-    default: return "optimize";
-  }
-}
-
-// Tells and times the stages.
-struct Stage_visitor
-{
-  Command_run& run;
-
-  void start(CM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
-  void after_iteration(std::size_t, double, double) { run.progress().long_step(); }
-};
-
 class Sphere_command
 {
 public:
-  Sphere_command(const Common_options& common, const Sphere_options& options)
-    : m_options(options),
-      m_format(output_format(options.output, options.format)),
-      m_run("sphere", common, {options.output, options.precise}, 6)
+  Sphere_command(Command_run& run, const Sphere_options& options, Mesh_format format)
+    : m_options(options), m_format(format), m_run(run)
   {}
 
   void run()
@@ -139,13 +120,20 @@ private:
 
   Sphere_options m_options;
   Mesh_format m_format;
-  Command_run m_run;
+  Command_run& m_run;
 };
 
 } // namespace
 
+void sphere(Command_run& run, const Sphere_options& options, Mesh_format format)
+{
+  Sphere_command(run, options, format).run();
+}
+
 int sphere(const Common_options& common, const Sphere_options& options)
 {
-  Sphere_command(common, options).run();
+  const Mesh_format format = output_format(options.output, options.format);
+  Command_run run("sphere", common, {options.output, options.precise}, 6);
+  sphere(run, options, format);
   return 0;
 }

@@ -13,7 +13,7 @@ namespace CM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-// What makes a surface flat that can be, or round.
+// What makes a surface flat that can be, or a round disk.
 Flatten_options flatten_options(const Hyperbolic_options& options, CM::Surface_type type)
 {
   Flatten_options result;
@@ -38,10 +38,11 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
     hyperbolic(run, options, format);
     return 0;
   }
-  if(type == CM::Surface_type::sphere)
-    throw Program_error(common.input + ": a sphere has neither a flat nor a hyperbolic metric");
   if(!options.picture.empty())
     throw Program_error("--svg is for hyperbolic surfaces");
-  flatten(run, flatten_options(options, type), format);
+  if(type == CM::Surface_type::sphere)
+    sphere(run, {options.output, options.format, ""}, format);
+  else
+    flatten(run, flatten_options(options, type), format);
   return 0;
 }

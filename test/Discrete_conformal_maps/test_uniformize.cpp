@@ -122,8 +122,14 @@ TEST(Uniformize, others_become_hyperbolic)
   EXPECT_TRUE(DC::uniformize(punctured(embedded_torus(5, 4), {0})).hyperbolic);
 }
 
-TEST(Uniformize, refuses_simply_connected_surfaces)
+TEST(Uniformize, simply_connected_surfaces_become_round)
 {
-  EXPECT_THROW(DC::uniformize(tetrahedron()), IT::Invalid_input);
-  EXPECT_THROW(DC::uniformize(punctured(cube(), {0})), IT::Invalid_input);
+  const DC::Uniformization sphere = DC::uniformize(tetrahedron());
+  EXPECT_EQ(sphere.type, Surface_type::sphere);
+  ASSERT_TRUE(sphere.spherical);
+  EXPECT_TRUE(sphere.spherical->certificate().is_convex());
+  const DC::Uniformization disk = DC::uniformize(punctured(cube(), {0}));
+  EXPECT_EQ(disk.type, Surface_type::disk);
+  ASSERT_TRUE(disk.spherical);
+  EXPECT_TRUE(disk.spherical->is_disk());
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/flat_modulus.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Discrete_conformal_maps/surface_type.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -30,6 +31,8 @@ struct Uniformization
   Surface_type type;
   /// the map of a torus or an annulus
   std::optional<Planar_conformal_map> flat;
+  /// the map of a sphere, or of a disk to a hemisphere
+  std::optional<Spherical_conformal_map> spherical;
   /// the map of all other surfaces
   std::optional<Hyperbolic_conformal_map> hyperbolic;
   /// the modulus of a torus (see `torus_modulus()`); the imaginary unit times that of an annulus (see
@@ -38,17 +41,17 @@ struct Uniformization
 };
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// gives a surface the discretely conformal metric of constant curvature that its topology allows: a torus
-/// becomes flat, an annulus a flat cylinder, and all surfaces with more handles or boundaries hyperbolic, the
+/// gives a surface the discretely conformal metric of constant curvature that its topology allows: a sphere becomes
+/// round, a disk a hemisphere, a torus flat, an annulus a flat cylinder, and all surfaces with more handles or boundaries hyperbolic, the
 /// boundaries geodesics.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
-/// \param g a connected manifold triangle mesh that is not simply connected
+/// \param g a connected manifold triangle mesh
 /// \param np the parameters of `uniformize_hyperbolic()` other than `vertex_condition_map`
 ///
-/// Complexity and exceptions: those of `flatten()` and `uniformize_hyperbolic()`.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is a sphere or a disk, or is not connected
+/// Complexity and exceptions: those of `map_to_sphere()`, `flatten()` and `uniformize_hyperbolic()`.
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not connected
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Uniformization uniformize(const Graph& g,
                           const NamedParameters& np = CGAL::parameters::default_values())
@@ -58,8 +61,7 @@ Uniformization uniformize(const Graph& g,
   result.type = surface_type(g);
   switch(result.type) {
     case Surface_type::sphere:
-    case Surface_type::disk:
-      throw Intrinsic_triangulations::Invalid_input("the surface is simply connected");
+    case Surface_type::disk: result.spherical.emplace(map_to_sphere(g, np)); break;
     case Surface_type::hyperbolic: result.hyperbolic.emplace(uniformize_hyperbolic(g, np)); break;
     default:
       const auto straight = boost::make_function_property_map<Vertex>(

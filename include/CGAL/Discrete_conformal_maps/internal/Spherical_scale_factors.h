@@ -93,7 +93,8 @@ private:
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
     if(last.gradient_norm <= sufficient)
-      m_result.status = Minimization_status::converged; // what is less than that is welcome, no more
+      m_result.status =
+        Minimization_status::converged; // what is less than that is welcome, no more
   }
 
   // at the bounds to the bit
