@@ -73,9 +73,11 @@ private:
   {
     const Halfedge_index h(2 * e.idx()), o = mesh().opposite(h);
     const Horocyclic_arcs<FT> arc(m_surface.diamond(h));
-    FT growing(0), shrinking(0); // what stands against the edge
+    FT growing(0), shrinking(0), center_size(0); // what stands against the edge
     const auto add = [&](Vertex_index v, const FT& x) {
       (v == m_center ? growing : shrinking) += x;
+      if(v == m_center)
+        center_size += x < 0 ? FT(-x) : x;
     };
     add(mesh().target(mesh().next(h)), arc.at_k);
     add(mesh().target(mesh().next(o)), arc.at_l);
@@ -83,7 +85,8 @@ private:
     add(mesh().target(h), -arc.at_j);
     FT& end = m_end[e.idx()];
     end = (std::max)(FT(-shrinking / growing), m_scale);
-    if(growing > 0)
+    // a tie is not broken by rounding, lest edges be flipped without end
+    if(growing > 16 * std::numeric_limits<FT>::epsilon() * center_size)
       m_queue.emplace(end, e.idx());
     else
       end = std::numeric_limits<FT>::infinity();
