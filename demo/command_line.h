@@ -19,6 +19,7 @@ struct Options
   Distance_options distance;
   Operators_options operators;
   Flatten_options flatten;
+  Simplify_options simplify;
 };
 
 // Tells `app` what can stand on the command line; parsing sets `options`, which must live as long.

@@ -34,6 +34,8 @@ int run_command(const CLI::App& app, const Options& options)
     return distance(options.common, options.distance);
   if(app.got_subcommand("flatten"))
     return flatten(options.common, options.flatten);
+  if(app.got_subcommand("simplify"))
+    return simplify(options.common, options.simplify);
   return operators(options.common, options.operators);
 }
 
