@@ -260,8 +260,24 @@ private:
                                          after.q, after.opposite, after.p, new_area);
       }
     for(std::size_t n = 0; n < size(); ++n)
-      m_spokes[n].angle_change = sum_of_angles(m_change[2 * n], m_change[2 * n + 1]);
+      m_spokes[n].angle_change = angle_change(n);
   }
+
+  double angle_change(std::size_t n) const
+  {
+    const Complex &after = m_change[2 * n], &before = m_change[2 * n + 1];
+    if(m_has_loop || !(after.real() > 0) || !(before.real() > 0))
+      return share(n) * std::arg(after) + share(previous(n)) * std::arg(before);
+    return std::arg(after * before);
+  }
+
+  // of an angle opposite to a corner: a face with a loop has two corners at the center
+  double share(std::size_t n) const
+  {
+    return n < number_of_corners() && opposite_ends(n) > 0 ? 0.5 : 1;
+  }
+
+  std::size_t previous(std::size_t n) const { return n == 0 ? size() - 1 : n - 1; }
 
   static double quadrupled_area(const Corner& c)
   {
@@ -276,11 +292,6 @@ private:
     const double x = doubled_corner_product(c, a, b), scale = 1 / (4 * a * b * new_a * new_b);
     const double new_x = doubled_corner_product(new_c, new_a, new_b);
     return {(x * new_x + area * new_area) * scale, (new_area * x - new_x * area) * scale};
-  }
-
-  static double sum_of_angles(const Complex& a, const Complex& b)
-  {
-    return a.real() > 0 && b.real() > 0 ? std::arg(a * b) : std::arg(a) + std::arg(b);
   }
 
   void set_weights()

@@ -14,36 +14,40 @@ namespace Intrinsic_simplification {
 namespace internal {
 
 // The sum of angles between 0 and pi, given by their cosines and sines: a product of complex numbers, with
-// its full turns counted. One arc tangent is needed for all.
+// the quadrants counted that it passes. One arc tangent is needed for all.
 class Angle_sum
 {
 public:
-  // adds the angle with a cosine and a sine that are not negative
+  // adds the angle with a cosine and a sine that is not negative
   void add(double cosine, double sine)
   {
-    const bool was_upper = m_sine >= 0;
     const double c = m_cosine * cosine - m_sine * sine;
-    double s = m_cosine * sine + m_sine * cosine;
-    // rounding must not turn a very small angle back beyond the start of the turn
-    if(was_upper && s < 0 && c > 0 && cosine > 0)
-      s = 0;
-    if(!was_upper && s >= 0)
-      m_turns += 1;
+    m_sine = m_cosine * sine + m_sine * cosine;
     m_cosine = c;
-    m_sine = s;
+    // The sum is in the first of two quadrants or the second; where it is seen in another, by rounding, the
+    // nearer of the two counts.
+    const int first = m_quadrant + (cosine < 0 ? 1 : 0);
+    const int beyond = (seen_quadrant() - first) & 3;
+    m_quadrant = first + (beyond == 1 || beyond == 2 ? 1 : 0);
   }
 
   // the sum minus `angle`, a multiple of pi, without the rounding of a large sum
   double minus(double angle) const
   {
     constexpr double pi = 3.14159265358979323846;
-    const double turns = m_sine < 0 ? m_turns + 1 : m_turns;
-    return (2 * pi * turns - angle) + std::atan2(m_sine, m_cosine);
+    const double rest = std::atan2(m_sine, m_cosine);
+    const double turns = std::round((m_quadrant + 0.5) / 4 - rest / (2 * pi));
+    return (2 * pi * turns - angle) + rest;
   }
 
 private:
+  int seen_quadrant() const
+  {
+    return m_sine >= 0 ? (m_cosine >= 0 ? 0 : 1) : (m_cosine < 0 ? 2 : 3);
+  }
+
   double m_cosine = 1, m_sine = 0;
-  double m_turns = 0;
+  int m_quadrant = 0;
 };
 
 } // namespace internal

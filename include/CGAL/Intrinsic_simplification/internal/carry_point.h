@@ -113,9 +113,9 @@ inline void carry_back_through_removal(const Surface_operation& removal, Locatio
   const Coordinates w = removed_vertex(removal);
   const std::size_t first = place_of_first(removal);
   Coordinates b{p.second[first], p.second[(first + 1) % 3], p.second[(first + 2) % 3]};
-  std::size_t used_up = 3;
+  auto used_up = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
   for(std::size_t m = 0; m < 3; ++m)
-    if(w[m] > 0 && (used_up == 3 || b[m] * w[used_up] < b[used_up] * w[m]))
+    if(w[m] > 0 && b[m] * w[used_up] < b[used_up] * w[m])
       used_up = m;
   const double at_vertex = b[used_up] / w[used_up];
   for(std::size_t m = 0; m < 3; ++m)
