@@ -87,6 +87,6 @@ int main(int argc, char* argv[])
   else
     for(const char* name : {"elephant", "camel", "armadillo", "turbine", "refined_elephant"})
       benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
-  for(unsigned n : {64, 128, 256, 500})
+  for(unsigned n : {64U, 128U, 256U, 500U})
     benchmark("bumpy torus", bumpy_torus(n));
 }
