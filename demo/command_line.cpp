@@ -101,9 +101,11 @@ Examples:
 constexpr const char* simplify_notes =
   R"(Vertices are removed one after the other, the one of least cost first. Nothing moves in space: what is
 left is an intrinsic triangulation, Delaunay, of a surface close to the mesh in its distances. The cost of
-a vertex is a length: how far curvature, area, or both times their weights, will have been moved on average.
+a vertex is a length: how far its curvature, area, or both times their weights, will have been moved, times the
+part of the whole that this is.
 --error ends with the last vertex whose cost is not above. Where vertices cannot be removed any more,
 simplification ends early, with exit code 0 and the status "nothing_removable" in the statistics.
+Vertices without faces stay; --vertices and --ratio do not count them.
 
 The output is the mesh, with the face property "coarse_face": the number of the coarse face in which the centroid
 of the face is. The vertex property "coarse_vertex" is the number among the coarse vertices, or -1. Coarse edges

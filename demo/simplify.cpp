@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -138,13 +139,19 @@ private:
                                 IT::parameters::edge_length_map(edge_lengths(m_run)));
   }
 
-  // How many vertices are to be left; zero if something else is the target.
+  // How many vertices are to be left, those without faces included; zero if something else is the target.
   std::size_t target()
   {
-    if(m_options.ratio)
-      return static_cast<std::size_t>(
-        std::ceil(*m_options.ratio * double(m_run.input().mesh.number_of_vertices())));
-    return m_options.number_of_vertices.value_or(0);
+    if(m_options.maximum_cost)
+      return 0;
+    const Mesh& mesh = m_run.input().mesh;
+    const auto isolated = static_cast<std::size_t>(
+      std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
+                    [&](Mesh::Vertex_index v) { return mesh.is_isolated(v); }));
+    const double others = double(mesh.number_of_vertices() - isolated);
+    return isolated + (m_options.ratio
+                         ? static_cast<std::size_t>(std::ceil(*m_options.ratio * others))
+                         : *m_options.number_of_vertices);
   }
 
   IS::Simplification_result simplified(IS::Evolving_surface& surface)
