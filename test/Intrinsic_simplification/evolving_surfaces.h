@@ -120,9 +120,10 @@ inline void expect_valid(const Evolving_surface& s, int characteristic)
   EXPECT_EQ(euler_characteristic(s.mesh()), characteristic);
   expect_triangles(s);
   expect_Delaunay(s);
+  const std::vector<double> curvature = curvatures(s);
   double total = 0;
   for(Vertex_index v : s.mesh().vertices())
-    total += s.mesh().is_isolated(v) ? 0 : curvatures(s)[v];
+    total += s.mesh().is_isolated(v) ? 2 * pi : curvature[v];
   EXPECT_NEAR(total, 2 * pi * characteristic, angle_tolerance);
 }
 
