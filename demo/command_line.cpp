@@ -19,6 +19,8 @@ constexpr const char* examples = R"(Examples:
   intrinsic distance bunny.obj --source 17 -o distance.vtp
   intrinsic operators bunny.obj --prefix bunny
   intrinsic flatten bunny.obj -o flat.obj
+  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
+  intrinsic sphere bunny.obj -o sphere.ply
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
@@ -67,6 +69,7 @@ areas on the boundary are kept too. A surface that has no boundary is cut throug
 
 Boundaries, after --boundary; write MESH before it:
   free            vertices on the boundary are not scaled (the default)
+  straight        all exterior angles are zero
   scale FILE      logarithms of their scale factors are prescribed
   curvature FILE  their exterior angles are prescribed
   rectangle       of each component: four corners; those are as far apart along the boundary as they can
@@ -92,11 +95,74 @@ three numbers u w, v w, w, linear on faces, to be divided after interpolation.
 logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat face or edge
 they are a part. Edges with is_seam 1 are cut open.
 
-If the minimization does not converge, nothing is written.
+Solvers:
+  newton  Newton's method, to the last digits
+  ceres   L-BFGS of the Ceres Solver, for comparison: half of the digits, and slow
+  cetm    Newton's method in the triangulation of the mesh, without any flip, for comparison. There the
+          scale factors depend on the triangulation and often do not exist; the error says which
+          condition is violated: triangle_inequality or no_minimum.
+
+The file of --matrix has a sparse matrix with one row for each vertex of the output, in the order of .obj
+and .ply (.vtp repeats vertices along seams), and one column for each vertex of the mesh. Its product with
+values at the vertices of the mesh (positions, colours, logarithmic scale factors) is the values at the
+vertices of the output, linear on the faces of the mesh. Each row has one to three weights, sum one. Rows of
+vertices of the mesh come first, in their order, so the matrix starts with the identity.
+
+If the minimization does not converge, or there is no map, nothing is written.
 
 Examples:
   intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
+
+constexpr const char* hyperbolic_notes =
+  R"(Every component must have genus two or more, or boundaries, or cones enough; boundaries become geodesics, and
+what is laid out is the double of the surface, as far as it belongs to the mesh.
+
+The output is as that of `intrinsic flatten`, with positions in the Poincare disk. With --homogeneous they are
+x t, y t, t, in Klein's disk, where the map is exact.
+
+Statistics: the area, which is 4 pi (genus - 1); for each component its genus and the motions
+z -> (a z + b) / (conj(b) z + conj(a)) that glue the sides of its domain, as real and imaginary parts of a and
+b; a relation, the order in which their product is the identity (from 1, negative for inverse ones), and its
+error. max_gluing_error tells the same of the corners of the domain, radius how far from its middle it reaches:
+in double precision, positions at a distance d are good for 1e-16 exp(d).
+
+Example:
+  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg --tiles 4 --stats pretzel.json)";
+
+constexpr const char* uniformize_notes =
+  R"(The mesh must be connected. By its topology it becomes
+  a disk        in the plane, with a round boundary, as with `intrinsic flatten --boundary disk`
+  a torus       flat, as with `intrinsic flatten --cones none`
+  a cylinder    if it has two boundaries and no handles: flat with straight boundaries
+  hyperbolic    if it has more handles or boundaries, as with `intrinsic hyperbolic`
+Statistics are those of these commands, and "modulus": of a torus the quotient tau of the generators of its lattice
+in the fundamental domain of the modular group, as real and imaginary part; of a cylinder the height over
+the circumference, as imaginary part.
+
+Example:
+  intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
+
+constexpr const char* sphere_notes =
+  R"(The mesh must be connected and a sphere or a disk. The image is a convex polyhedron with vertices on the
+unit sphere, discretely conformal to the mesh, that has its center of mass (with areas of the mesh) in the
+center; or one half of such a polyhedron, with the boundary on the equator. Convexity is decided exactly.
+
+The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the polyhedron,
+projected to the sphere. .ply and .vtp tell of each vertex the input vertex (-1 if it is none) and its
+logarithmic scale factor, its place in the mesh (input_x, input_y, input_z) and homogeneous coordinates on
+the polyhedron (homogeneous_x, _y, _z, _w), which are linear on faces; of faces (and in .ply of edges) of
+which input, intrinsic and sphere face or edge they are a part. A disk has its image in the unit disk as
+texture coordinates.
+
+Long limbs have small images. Where the digits of the output are too few for them, triangles lose their
+convexity or are flipped: lost_in_output in the statistics says how many. --precise writes the positions of
+the input vertices with 36 digits.
+
+If the image is not convex, nothing is written.
+
+Example:
+  intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
 
 constexpr const char* simplify_notes =
   R"(Vertices are removed one after the other, the one of least cost first. Nothing moves in space: what is
@@ -280,6 +346,21 @@ void add_operators(CLI::App& app, Options& options)
   command.footer(operators_notes);
 }
 
+// Of the commands whose output has a texture.
+void add_texture_output(CLI::App& command, std::string& output, std::string& format,
+                        bool& is_homogeneous)
+{
+  command
+    .add_option("-o,--output", output,
+                "Common subdivision with texture coordinates (.obj, .ply, .vtp; - for standard "
+                "output)")
+    ->required();
+  command.add_option("--format", format, "Format on standard output: obj, ply or vtp")
+    ->capture_default_str();
+  command.add_flag("--homogeneous,!--linear", is_homogeneous,
+                   "Write homogeneous texture coordinates, or linear ones (the default)");
+}
+
 void add_flattening_targets(CLI::App& command, Flatten_options& options)
 {
   command.add_option("--cones", options.cones,
@@ -294,7 +375,7 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
     ->check(not_a_number);
   command
     .add_option("--boundary", options.boundary,
-                "free, scale FILE, curvature FILE, rectangle or disk, see below")
+                "free, straight, scale FILE, curvature FILE, rectangle or disk, see below")
     ->expected(1, 2)
     ->capture_default_str();
 }
@@ -304,18 +385,68 @@ void add_flatten(CLI::App& app, Options& options)
   CLI::App& command =
     add_command(app, "flatten", "Map a mesh to the plane, conformally", options.common.input);
   Flatten_options& own = options.flatten;
-  command
-    .add_option("-o,--output", own.output,
-                "Common subdivision with texture coordinates (.obj, .ply, .vtp; - for standard "
-                "output)")
-    ->required();
-  command.add_option("--format", own.format, "Format on standard output: obj, ply or vtp")
-    ->capture_default_str();
+  add_texture_output(command, own.output, own.format, own.is_homogeneous);
   add_flattening_targets(command, own);
-  command.add_flag("--homogeneous,!--linear", own.is_homogeneous,
-                   "Write homogeneous texture coordinates, or linear ones (the default)");
+  command
+    .add_option("--solver", own.solver,
+                "newton, ceres, or cetm, which keeps the triangulation of the mesh, see below")
+    ->check(CLI::IsMember({"newton", "ceres", "cetm"}))
+    ->capture_default_str();
+  command.add_option(
+    "--matrix", own.matrix,
+    "Matrix Market file (.mtx) for the interpolation to the vertices of the output");
   add_common_options(command, options.common);
   command.footer(flatten_notes);
+}
+
+void add_tiling(CLI::App& command, Hyperbolic_options& options)
+{
+  command.add_option("--svg", options.picture, "Picture of the domain and its images in the disk");
+  command.add_option("--tiles", options.depth, "Across how many sides images in the picture are")
+    ->check(CLI::Range(0, 100))
+    ->capture_default_str();
+}
+
+void add_hyperbolic(CLI::App& app, Options& options)
+{
+  CLI::App& command = add_command(
+    app, "hyperbolic", "Give a mesh a conformal metric of curvature -1", options.common.input);
+  Hyperbolic_options& own = options.hyperbolic;
+  add_texture_output(command, own.output, own.format, own.is_homogeneous);
+  command.add_option("--cones", own.cones, "File of angle defects; zero everywhere if not given");
+  add_tiling(command, own);
+  add_common_options(command, options.common);
+  command.footer(hyperbolic_notes);
+}
+
+void add_uniformize(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "uniformize", "Give a mesh the conformal metric that suits its topology",
+                options.common.input);
+  Hyperbolic_options& own = options.hyperbolic;
+  add_texture_output(command, own.output, own.format, own.is_homogeneous);
+  add_tiling(command, own);
+  add_common_options(command, options.common);
+  command.footer(uniformize_notes);
+}
+
+void add_sphere(CLI::App& app, Options& options)
+{
+  CLI::App& command = add_command(
+    app, "sphere", "Map a sphere or a disk to the unit sphere, conformally", options.common.input);
+  Sphere_options& own = options.sphere;
+  command
+    .add_option("-o,--output", own.output,
+                "Common subdivision on the sphere (.off, .obj, .ply, .vtp; - for standard output)")
+    ->required();
+  command.add_option("--format", own.format, "Format on standard output: off, obj, ply or vtp")
+    ->capture_default_str();
+  command.add_option(
+    "--precise", own.precise,
+    "Text file for the positions of the input vertices in all digits: index x y z");
+  add_common_options(command, options.common);
+  command.footer(sphere_notes);
 }
 
 void add_target(CLI::App& command, Simplify_options& options)
@@ -371,5 +502,8 @@ void define_command_line(CLI::App& app, Options& options)
   add_distance(app, options);
   add_operators(app, options);
   add_flatten(app, options);
+  add_hyperbolic(app, options);
+  add_uniformize(app, options);
+  add_sphere(app, options);
   add_simplify(app, options);
 }

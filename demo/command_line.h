@@ -19,6 +19,8 @@ struct Options
   Distance_options distance;
   Operators_options operators;
   Flatten_options flatten;
+  Hyperbolic_options hyperbolic;
+  Sphere_options sphere;
   Simplify_options simplify;
 };
 

@@ -95,12 +95,44 @@ struct Flatten_options
   std::string cones;          // "greedy", "none" or a file; empty for what suits the boundary
   std::optional<double> maximum_log_scale;   // for greedy cones
   std::vector<std::string> boundary{"free"}; // and the file of "scale" and "curvature"
+  std::string solver = "newton";             // or "ceres" or "cetm"
   bool is_homogeneous = false;
+  std::string matrix;             // a file for the interpolation matrix
+  bool is_modulus_wanted = false; // of a torus or annulus without cones
 };
 
 // Maps the surface to the plane, discretely conformally, and writes the common subdivision of its three
 // triangulations with texture coordinates. Returns the exit code.
 int flatten(const Common_options& common, const Flatten_options& options);
+
+struct Hyperbolic_options
+{
+  std::string output;
+  std::string format = "obj"; // on standard output
+  std::string cones;          // a file; empty for none
+  bool is_homogeneous = false;
+  std::string picture; // an SVG file
+  int depth = 3;       // of the tiling in the picture
+};
+
+// Gives the surface curvature -1, maps it to the hyperbolic plane, and writes the common subdivision with texture
+// coordinates in the disk, and a picture of the tiling. Returns the exit code.
+int hyperbolic(const Common_options& common, const Hyperbolic_options& options);
+
+// Gives the surface the constant curvature of its topology: as `flatten()` or `hyperbolic()`, of whose options the
+// latter serve for both. Returns the exit code.
+int uniformize(const Common_options& common, const Hyperbolic_options& options);
+
+struct Sphere_options
+{
+  std::string output;
+  std::string format = "ply"; // on standard output
+  std::string precise;        // positions in all digits; empty if not wanted
+};
+
+// Maps the surface to the sphere or a hemisphere, discretely conformally, and writes the common subdivision of its
+// three triangulations there. Returns the exit code.
+int sphere(const Common_options& common, const Sphere_options& options);
 
 struct Simplify_options
 {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 namespace CM = CGAL::Discrete_conformal_maps;
@@ -20,10 +21,22 @@ using CM::Halfedge_index;
 using CM::Layer;
 using CM::Vertex_index;
 
+std::complex<double> position(const CM::Planar_conformal_map&, const std::array<double, 3>& z)
+{
+  return {z[0] / z[2], z[1] / z[2]};
+}
+
+std::complex<double> position(const CM::Hyperbolic_conformal_map& map,
+                              const std::array<double, 3>& z)
+{
+  return map.to_disk(z);
+}
+
+template <class Map>
 class Flat_mesh_builder
 {
 public:
-  Flat_mesh_builder(const CM::Planar_conformal_map& map, const Mesh& input, bool is_homogeneous)
+  Flat_mesh_builder(const Map& map, const Mesh& input, bool is_homogeneous)
     : m_map(map),
       m_subdivision(map.subdivision()),
       m_mesh(m_subdivision.mesh()),
@@ -32,11 +45,11 @@ public:
       m_corner(m_mesh.number_of_halfedges(), none)
   {
     m_result.texture.dimension = is_homogeneous ? 3 : 2;
+    choose_elements();
   }
 
   Output_mesh build(const std::vector<Mesh::Vertex_index>& cones)
   {
-    choose_elements();
     for(const Vertex_index v : m_vertices)
       m_result.points.push_back(point(v));
     for(const Face_index f : m_faces)
@@ -52,6 +65,25 @@ public:
         return number_of(m_subdivision.parent_face(layer, f));
       }));
     return std::move(m_result);
+  }
+
+  Eigen::SparseMatrix<double> interpolation_matrix() const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for(std::size_t row = 0; row < m_vertices.size(); ++row) {
+      const auto add = [&](Mesh::Vertex_index v, double weight) {
+        if(weight != 0)
+          entries.emplace_back(int(row), int(v.idx()), weight);
+      };
+      if(is_of_input(m_vertices[row]))
+        add(Mesh::Vertex_index(m_vertices[row].idx()), 1);
+      else
+        for_each_corner(m_vertices[row], add);
+    }
+    Eigen::SparseMatrix<double> result(Eigen::Index(m_vertices.size()),
+                                       Eigen::Index(m_input.number_of_vertices()));
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
   }
 
 private:
@@ -171,12 +203,13 @@ private:
     return is_seam(e) || !is_front(h) || !is_front(m_mesh.opposite(h));
   }
 
-  std::array<double, 3> coordinates(const CM::Planar_conformal_map::Face_location& on_C) const
+  std::array<double, 3> coordinates(const CM::Discrete_conformal_map::Face_location& on_C) const
   {
     const std::array<double, 3> z = m_map.homogeneous_coordinates(on_C);
     if(m_result.texture.dimension == 3)
       return z;
-    return {z[0] / z[2], z[1] / z[2], 1};
+    const std::complex<double> p = position(m_map, z);
+    return {p.real(), p.imag(), 1};
   }
 
   // ---- Edges ----
@@ -199,9 +232,9 @@ private:
       attribute("is_seam", m_edges, [&](Edge_index e) { return std::int64_t(is_seam(e)); }));
   }
 
-  const CM::Planar_conformal_map& m_map;
-  const CM::Planar_conformal_map::Subdivision& m_subdivision;
-  const CM::Planar_conformal_map::Subdivision::Mesh& m_mesh;
+  const Map& m_map;
+  const CM::Discrete_conformal_map::Subdivision& m_subdivision;
+  const CM::Discrete_conformal_map::Subdivision::Mesh& m_mesh;
   const Mesh& m_input;
   std::vector<std::size_t> m_number; // in the result, of each vertex
   std::vector<std::size_t> m_corner; // coordinates at the target of each halfedge
@@ -233,10 +266,22 @@ Output_mesh flat_mesh(const CM::Planar_conformal_map& map, const Mesh& input,
   return Flat_mesh_builder(map, input, is_homogeneous).build(cones);
 }
 
+Output_mesh flat_mesh(const CM::Hyperbolic_conformal_map& map, const Mesh& input,
+                      const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
+{
+  return Flat_mesh_builder(map, input, is_homogeneous).build(cones);
+}
+
+Eigen::SparseMatrix<double> interpolation_matrix(const CM::Planar_conformal_map& map,
+                                                 const Mesh& input)
+{
+  return Flat_mesh_builder(map, input, false).interpolation_matrix();
+}
+
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
 {
   std::size_t flipped = 0, degenerate = 0;
-  const auto position = [&](std::size_t c) {
+  const auto place = [&](std::size_t c) {
     const std::array<double, 3>& z = mesh.texture.coordinates[c];
     return Kernel::Point_2(z[0] / z[2], z[1] / z[2]);
   };
@@ -245,12 +290,30 @@ void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
     for(std::size_t k = 2; k < p.size(); ++k) {
       if(!has_area(mesh.points[p[0]], mesh.points[p[k - 1]], mesh.points[p[k]]))
         continue;
-      const CGAL::Orientation turn =
-        CGAL::orientation(position(t[0]), position(t[k - 1]), position(t[k]));
+      const CGAL::Orientation turn = CGAL::orientation(place(t[0]), place(t[k - 1]), place(t[k]));
       flipped += turn == CGAL::RIGHT_TURN;
       degenerate += turn == CGAL::COLLINEAR;
     }
   }
   statistics["flipped_triangles"] = flipped;
   statistics["degenerate_triangles"] = degenerate;
+}
+
+void describe_scales(Statistics& statistics, const CM::Discrete_conformal_map& map,
+                     const Mesh& input)
+{
+  std::vector<double> u;
+  for(const Mesh::Vertex_index v : input.vertices())
+    if(!input.is_isolated(v))
+      u.push_back(map.log_scale(Vertex_index(v.idx())));
+  double sum = 0, square_sum = 0;
+  for(const double x : u)
+    sum += x;
+  for(const double x : u)
+    square_sum += (x - sum / double(u.size())) * (x - sum / double(u.size()));
+  statistics["log_scale_min"] = *std::min_element(u.begin(), u.end());
+  statistics["log_scale_max"] = *std::max_element(u.begin(), u.end());
+  statistics["log_scale_square_sum"] = square_sum;
+  statistics["flips"] = map.number_of_flips(Layer::B);
+  statistics["ptolemy_flips"] = map.number_of_flips(Layer::C);
 }

@@ -8,7 +8,10 @@
 #include "Output_mesh.h"
 #include "Statistics.h"
 
+#include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+
+#include <Eigen/SparseCore>
 
 #include <vector>
 
@@ -27,9 +30,26 @@ Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map&
                       const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);
 
+// The same for a map to the hyperbolic plane: homogeneous coordinates are those of Klein's disk, positions those in the
+// Poincare disk.
+Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+                      const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
+                      bool is_homogeneous);
+
+// The weights of the vertices of the input (columns) in those of the same mesh (rows): functions that are
+// linear on the faces of the input are interpolated by it.
+Eigen::SparseMatrix<double>
+interpolation_matrix(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
+                     const Mesh& input);
+
 // Adds how many triangles are flipped in the plane or have no area there, with linear texture coordinates.
 // Polygons are cut into triangles from their first corners. A triangle that rounding of its points may have
 // taken all area in space does not count.
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh);
+
+// Adds the numbers of flips and the range of logarithmic scale factors; vertices without faces have none.
+void describe_scales(Statistics& statistics,
+                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                     const Mesh& input);
 
 #endif // INTRINSIC_FLAT_MESH_H

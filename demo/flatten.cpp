@@ -5,62 +5,46 @@
 #include "commands.h"
 
 #include "Command_run.h"
+#include "Fixed_point_acceleration.h"
 #include "Mesh_writer.h"
 #include "Program_error.h"
 #include "boundary_shapes.h"
 #include "flat_mesh.h"
 #include "flattening_conditions.h"
+#include "map_commands.h"
+#include "matrix_market.h"
 #include "triangulation_stages.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/flat_modulus.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/surface_type.h>
+#ifdef INTRINSIC_USE_CERES
+#include <CGAL/Discrete_conformal_maps/Ceres_minimizer.h>
+#endif
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <complex>
 #include <functional>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace CM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-const char* name_of(CM::Flattening_stage stage)
-{
-  switch(stage) {
-    case CM::Flattening_stage::cones: return "cones";
-    case CM::Flattening_stage::optimize: return "optimize";
-    case CM::Flattening_stage::trace: return "trace";
-    case CM::Flattening_stage::subdivide: return "subdivide";
-    case CM::Flattening_stage::layout: return "layout";
-  }
-  return "";
-}
-
-// Tells and times the stages of flattening.
-struct Stage_visitor
-{
-  Command_run& run;
-
-  void start(CM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
-  void after_iteration(std::size_t, double, double) { run.progress().long_step(); }
-};
-
-Mesh_format format_with_texture(const std::string& path, const std::string& format_name)
-{
-  const Mesh_format format = output_format(path, format_name);
-  if(!has_texture(format))
-    throw Program_error(path +
-                        ": this format cannot carry texture coordinates (.obj, .ply and .vtp can)");
-  return format;
-}
-
 // Greedy, except for shapes that need no cones.
 Flatten_options with_defaults(Flatten_options options)
 {
   check_boundary(options.boundary);
+#ifndef INTRINSIC_USE_CERES
+  if(options.solver == "ceres")
+    throw Program_error("--solver ceres: this program was built without the Ceres Solver");
+#endif
   const bool is_shape = options.boundary[0] == "rectangle" || options.boundary[0] == "disk";
   if(options.cones.empty())
     options.cones = is_shape ? "none" : "greedy";
@@ -72,10 +56,9 @@ Flatten_options with_defaults(Flatten_options options)
 class Flatten_command
 {
 public:
-  Flatten_command(const Common_options& common, const Flatten_options& options)
-    : m_options(with_defaults(options)),
-      m_format(format_with_texture(options.output, options.format)),
-      m_run("flatten", common, {options.output}, 7)
+  // Has the default options, and the format of the output.
+  Flatten_command(Command_run& run, const Flatten_options& options, Mesh_format format)
+    : m_options(options), m_format(format), m_run(run)
   {}
 
   void run()
@@ -84,12 +67,16 @@ public:
       m_length = edge_lengths(m_run);
       return flattening_conditions(m_options, mesh(), m_run.options().input);
     });
+    m_log_scale.resize(mesh().number_of_vertices(), 0);
     const CM::Planar_conformal_map map =
       m_options.boundary[0] == "disk" ? flattened_to_disk() : flattened();
     m_run.timed("write", [&] {
       const Output_mesh result = flat_mesh(map, mesh(), cones(map), m_options.is_homogeneous);
       describe_map(map, result);
       m_run.add_output(m_options.output, text_of(result, m_format));
+      if(!m_options.matrix.empty())
+        m_run.add_output(m_options.matrix, matrix_market(interpolation_matrix(map, mesh()),
+                                                         Matrix_symmetry::GENERAL));
     });
     m_run.finish(summary());
   }
@@ -97,32 +84,80 @@ public:
 private:
   Mesh& mesh() { return m_run.input().mesh; }
 
-  // Throws std::runtime_error if the minimization has not converged.
+  // Throws std::runtime_error if there is no map.
   CM::Planar_conformal_map flattened()
   {
+    CM::Planar_conformal_map result = solved();
+    m_run.end_stage();
+    check(result);
+    for(const Mesh::Vertex_index v : mesh().vertices())
+      m_log_scale[v] = result.log_scale(CM::Vertex_index(v.idx()));
+    return result;
+  }
+
+  CM::Planar_conformal_map solved()
+  {
+#ifdef INTRINSIC_USE_CERES
+    if(m_options.solver == "ceres")
+      return flattened_by(CM::Ceres_minimizer());
+#endif
+    return flattened_by(CM::Newton_minimizer());
+  }
+
+  template <class Minimizer>
+  CM::Planar_conformal_map flattened_by(const Minimizer& minimizer)
+  {
+    namespace np = CM::parameters;
     Stage_visitor visitor{m_run};
     const double bound = m_options.cones == "greedy" ? m_options.maximum_log_scale.value_or(5)
                                                      : std::numeric_limits<double>::infinity();
-    const auto conditions =
-      boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
-    CM::Planar_conformal_map result = CM::flatten(
-      mesh(), CM::parameters::vertex_condition_map(
-                conditions, CM::parameters::maximum_log_scale(
-                              bound, CGAL::Intrinsic_triangulations::parameters::edge_length_map(
-                                       m_length, CGAL::parameters::visitor(std::ref(visitor))))));
-    m_run.end_stage();
-    check(result);
-    return result;
+    const auto by_vertex = [&](auto& values) {
+      return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh()));
+    };
+    const auto surface = CGAL::Intrinsic_triangulations::parameters::edge_length_map(
+      m_length, CGAL::parameters::visitor(std::ref(visitor)));
+    const auto target =
+      np::vertex_condition_map(by_vertex(m_conditions), np::maximum_log_scale(bound, surface));
+    const auto flipping =
+      m_options.solver == "cetm" ? CM::Flipping::none : CM::Flipping::to_Delaunay;
+    return CM::flatten(
+      mesh(), np::initial_log_scale_map(by_vertex(m_log_scale),
+                                        np::flipping(flipping, np::minimizer(minimizer, target))));
   }
 
   static void check(const CM::Planar_conformal_map& map)
   {
-    if(map.minimization().status == CM::Minimization_status::converged)
+    if(map.status() == CM::Flattening_status::success)
       return;
     std::ostringstream text;
-    text << "the minimization has not converged: " << CM::to_string(map.minimization().status)
-         << ", with an error of curvatures of " << map.max_curvature_error() << " radians";
+    if(map.status() == CM::Flattening_status::not_converged)
+      text << "the minimization has not converged: " << CM::to_string(map.minimization().status);
+    else
+      text << "the triangulation of the mesh has no such scale factors: "
+           << CM::to_string(map.status());
+    text << ", with an error of curvatures of " << map.max_curvature_error() << " radians";
     throw std::runtime_error(text.str());
+  }
+
+  Eigen::VectorXd prescribed() const
+  {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(m_conditions.size()));
+    for(std::size_t v = 0; v < m_conditions.size(); ++v)
+      result[static_cast<Eigen::Index>(v)] = m_conditions[v].value;
+    return result;
+  }
+
+  // Prescribes these exterior angles, unless one is too great for a boundary.
+  void set_boundary(const Eigen::VectorXd& angle)
+  {
+    Conditions result = m_conditions;
+    for(const Mesh::Vertex_index v : mesh().vertices())
+      if(mesh().is_border(v) && !mesh().is_isolated(v)) {
+        result[v].value = angle[static_cast<Eigen::Index>(v)];
+        if(!(result[v].value < CGAL_PI))
+          return;
+      }
+    m_conditions = result;
   }
 
   // The exterior angles that a circle has depend on the lengths in the result.
@@ -131,12 +166,15 @@ private:
     constexpr int maximum_number_of_rounds = 100;
     constexpr double tolerance = 1e-10; // radians
     double change = 0;
+    Fixed_point_acceleration acceleration;
     for(int i = 0; i < maximum_number_of_rounds; ++i) {
       CM::Planar_conformal_map result = flattened();
       m_iterations += result.minimization().iterations;
+      const Eigen::VectorXd angles = prescribed();
       change = set_circle(m_conditions, mesh(), boundary_lengths(result));
       if(change <= tolerance)
         return result;
+      set_boundary(acceleration.next(angles, prescribed()));
     }
     std::ostringstream text;
     text << "the boundary has not become a circle: after " << maximum_number_of_rounds
@@ -165,30 +203,20 @@ private:
     statistics["max_curvature_error"] = map.max_curvature_error();
     statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
     describe_triangles(statistics, result);
-    describe_scales(map);
-    statistics["flips"] = map.number_of_flips(CM::Layer::B);
-    statistics["ptolemy_flips"] = map.number_of_flips(CM::Layer::C);
+    describe_scales(statistics, map, mesh());
+    if(m_options.is_modulus_wanted)
+      describe_modulus(map);
     statistics["subdivision"] = {{"vertices", result.points.size()},
                                  {"edges", result.edges.size()},
                                  {"faces", result.polygons.size()}};
   }
 
-  // Vertices without faces have no scale.
-  void describe_scales(const CM::Planar_conformal_map& map)
+  void describe_modulus(const CM::Planar_conformal_map& map)
   {
-    std::vector<double> u;
-    for(const Mesh::Vertex_index v : mesh().vertices())
-      if(!mesh().is_isolated(v))
-        u.push_back(map.log_scale(CM::Vertex_index(v.idx())));
-    double sum = 0, square_sum = 0;
-    for(const double x : u)
-      sum += x;
-    for(const double x : u)
-      square_sum += (x - sum / double(u.size())) * (x - sum / double(u.size()));
-    Statistics& statistics = m_run.statistics();
-    statistics["log_scale_min"] = *std::min_element(u.begin(), u.end());
-    statistics["log_scale_max"] = *std::max_element(u.begin(), u.end());
-    statistics["log_scale_square_sum"] = square_sum;
+    const bool is_torus = CM::surface_type(mesh()) == CM::Surface_type::torus;
+    const std::complex<double> modulus =
+      is_torus ? CM::torus_modulus(map) : std::complex<double>(0, CM::annulus_modulus(map));
+    m_run.statistics()["modulus"] = {modulus.real(), modulus.imag()};
   }
 
   std::string summary()
@@ -204,16 +232,25 @@ private:
 
   Flatten_options m_options;
   Mesh_format m_format;
-  Command_run m_run;
+  Command_run& m_run;
   Edge_length_map m_length;
   Conditions m_conditions;
-  std::size_t m_iterations = 0; // of all rounds, for a disk
+  std::vector<double> m_log_scale; // of each vertex: what the next minimization starts from
+  std::size_t m_iterations = 0;    // of all rounds, for a disk
 };
 
 } // namespace
 
-int flatten(const Common_options& common, const Flatten_options& options)
+void flatten(Command_run& run, const Flatten_options& options, Mesh_format format)
 {
-  Flatten_command(common, options).run();
+  Flatten_command(run, options, format).run();
+}
+
+int flatten(const Common_options& common, const Flatten_options& given)
+{
+  const Flatten_options options = with_defaults(given);
+  const Mesh_format format = format_with_texture(options.output, options.format);
+  Command_run run("flatten", common, {options.output, options.matrix}, 7);
+  flatten(run, options, format);
   return 0;
 }

@@ -61,6 +61,8 @@ void set_boundary(Conditions& conditions, const std::vector<std::string>& words,
                   const std::string& path)
 {
   const std::string& what = words.front();
+  if(what == "straight") // as all vertices that are not listed anywhere
+    return;
   if(what == "free")
     set_unscaled(conditions, mesh);
   else if(what == "rectangle")
@@ -80,9 +82,9 @@ void check_boundary(const std::vector<std::string>& words)
 {
   const std::string& what = words.front();
   const bool has_file = what == "scale" || what == "curvature";
-  if(!has_file && what != "free" && what != "rectangle" && what != "disk")
+  if(!has_file && what != "free" && what != "straight" && what != "rectangle" && what != "disk")
     throw Program_error("--boundary: '" + what +
-                        "' is none of free, scale, curvature, rectangle and disk");
+                        "' is none of free, straight, scale, curvature, rectangle and disk");
   if(has_file && words.size() == 1)
     throw Program_error("--boundary " + what + ": the name of a file is missing");
   if(!has_file && words.size() == 2)
@@ -97,6 +99,14 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
     set_from_file(result, mesh, options.cones, Vertex_condition::curvature, is_inside,
                   "inside the surface");
   set_boundary(result, options.boundary, mesh, path);
+  return result;
+}
+
+Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh)
+{
+  Conditions result(mesh.number_of_vertices());
+  const auto is_used = [](Mesh::Vertex_index v, const Mesh& m) { return !m.is_isolated(v); };
+  set_from_file(result, mesh, path, Vertex_condition::curvature, is_used, "part of the surface");
   return result;
 }
 

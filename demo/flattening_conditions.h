@@ -20,6 +20,10 @@ using Conditions = std::vector<CGAL::Discrete_conformal_maps::Vertex_condition>;
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh,
                                  const std::string& path);
 
+// Curvatures from a file, zero where it says nothing.
+// Throws Program_error if the file is wrong.
+Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
+
 // Makes the exterior angles of each component those of a polygon in a circle whose edges have these lengths;
 // each belongs to the vertex at the start of the edge. Returns the greatest change of an angle.
 // Precondition: each component has one boundary loop.

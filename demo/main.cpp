@@ -34,6 +34,12 @@ int run_command(const CLI::App& app, const Options& options)
     return distance(options.common, options.distance);
   if(app.got_subcommand("flatten"))
     return flatten(options.common, options.flatten);
+  if(app.got_subcommand("hyperbolic"))
+    return hyperbolic(options.common, options.hyperbolic);
+  if(app.got_subcommand("uniformize"))
+    return uniformize(options.common, options.hyperbolic);
+  if(app.got_subcommand("sphere"))
+    return sphere(options.common, options.sphere);
   if(app.got_subcommand("simplify"))
     return simplify(options.common, options.simplify);
   return operators(options.common, options.operators);

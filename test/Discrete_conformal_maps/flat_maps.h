@@ -95,8 +95,8 @@ inline Conditions default_conditions(const Delta_complex& mesh)
   return result;
 }
 
-// A plate of cubes with `genus` square holes in a row, a little out of shape.
-inline Mesh plate_with_holes(int genus)
+// A plate of cubes with `genus` square holes in a row.
+inline Mesh straight_plate_with_holes(int genus)
 {
   const auto is_full = [&](int x, int y, int z) {
     return z == 0 && y >= 0 && y < 3 && x >= 0 && x < 2 * genus + 1 && !(x % 2 == 1 && y == 1);
@@ -132,7 +132,13 @@ inline Mesh plate_with_holes(int genus)
             if(!is_full(beyond_side[0], beyond_side[1], beyond_side[2]))
               add_side({x, y, 0}, axis, side);
           }
-  return perturbed(make_mesh(points, triangles), 0.1, 12);
+  return make_mesh(points, triangles);
+}
+
+// The same, a little out of shape.
+inline Mesh plate_with_holes(int genus)
+{
+  return perturbed(straight_plate_with_holes(genus), 0.1, 12);
 }
 
 // Two spheres, a torus, a disk, and a point beside them.
@@ -180,7 +186,7 @@ inline Planar_conformal_map flatten(const Triangulation& t, const Conditions& co
 // ---- The flat surface ----
 
 inline const Delta_complex& mesh_C(const Planar_conformal_map& map) { return map.ideal().mesh(); }
-inline const Delta_complex& mesh_A(const Planar_conformal_map& map)
+inline const Delta_complex& mesh_A(const DC::Discrete_conformal_map& map)
 {
   return map.Delaunay().input_mesh();
 }
@@ -275,7 +281,7 @@ inline bool has_no_seam(const Planar_conformal_map& map)
 // ---- The map ----
 
 // the place of a vertex of the subdivision in a face of T^A, a simplicial complex
-inline Location on_face(const Planar_conformal_map& map, Face_index f, const Location& p)
+inline Location on_face(const DC::Discrete_conformal_map& map, Face_index f, const Location& p)
 {
   const Delta_complex& mesh = mesh_A(map);
   std::map<Vertex_index, double> weight;

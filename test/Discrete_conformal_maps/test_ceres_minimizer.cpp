@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "archetypes.h"
 #include "convex_functions.h"
 
 #include <CGAL/Discrete_conformal_maps/Ceres_minimizer.h>
@@ -41,6 +42,8 @@ void expect_agreement(Energy energy, const Minimization_domain& domain)
 }
 
 Minimization_domain floating() { return {{}, std::vector<std::size_t>(grid_size, 0)}; }
+
+TEST(Ceres_minimizer, Archetypes) { archetypes::expect_minimum(Ceres_minimizer(1e-6)); }
 
 TEST(Ceres_minimizer, Agrees_with_Newton)
 {

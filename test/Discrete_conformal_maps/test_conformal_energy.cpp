@@ -28,7 +28,6 @@ using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_
 using Precise = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_50::backend_type,
                                               boost::multiprecision::et_off>;
 using Numbers = Eigen::VectorXd;
-using Energy = DC::Conformal_energy<Quad>;
 
 // ---- Lobachevsky's function ----
 
@@ -120,16 +119,15 @@ Numbers random_targets(const Triangulation& t)
   return random_numbers(t.mesh().number_of_vertices(), 2, 5);
 }
 
-template <typename FT = Quad>
-DC::Conformal_energy<FT> energy_of(Triangulation t, const Numbers& target)
+template <typename Energy>
+Energy energy_of(Triangulation t, const Numbers& target)
 {
   IT::make_Delaunay(t);
   return {t.mesh(), t.length_map(), target};
 }
 
-Energy energy_of(const Triangulation& t) { return energy_of(t, random_targets(t)); }
-
 // as functions of u, not of the double nearest to the result
+template <typename Energy>
 std::vector<Quad> precise_gradient(const Energy& energy, const Numbers& target)
 {
   const Delta_complex& mesh = energy.surface().mesh();
@@ -141,23 +139,70 @@ std::vector<Quad> precise_gradient(const Energy& energy, const Numbers& target)
   return result;
 }
 
+// ---- Geometries of faces, with the laws of cosines and areas from textbooks ----
+
+struct Flat
+{
+  template <typename FT>
+  using Energy = DC::Conformal_energy<FT>;
+
+  // between sides a and b
+  static double angle(double a, double b, double c)
+  {
+    return std::acos((a * a + b * b - c * c) / (2 * a * b));
+  }
+
+  // what angles miss of pi
+  static double defect(double, double, double) { return 0; }
+};
+
+struct Hyperbolic
+{
+  template <typename FT>
+  using Energy = DC::Hyperbolic_conformal_energy<FT>;
+
+  static double side(double l) { return 2 * std::asinh(l); }
+
+  static double angle(double a, double b, double c)
+  {
+    const double x = side(a), y = side(b);
+    return std::acos((std::cosh(x) * std::cosh(y) - std::cosh(side(c))) /
+                     (std::sinh(x) * std::sinh(y)));
+  }
+
+  // L'Huilier's formula
+  static double defect(double a, double b, double c)
+  {
+    const double x = side(a), y = side(b), z = side(c);
+    return 4 * std::atan(std::sqrt(std::tanh((x + y + z) / 4) * std::tanh((y + z - x) / 4) *
+                                   std::tanh((z + x - y) / 4) * std::tanh((x + y - z) / 4)));
+  }
+};
+
+template <typename Geometry>
+class Conformal_energy : public ::testing::Test
+{};
+
+typedef ::testing::Types<Flat, Hyperbolic> Geometries;
+TYPED_TEST_SUITE(Conformal_energy, Geometries, );
+
+template <typename Geometry>
 double angle_at_source(const Triangulation& t, Halfedge_index h)
 {
   const Delta_complex& mesh = t.mesh();
-  const double a = t.length(mesh.edge(h)), b = t.length(mesh.edge(mesh.prev(h))),
-               c = t.length(mesh.edge(mesh.next(h)));
-  return std::acos((a * a + b * b - c * c) / (2 * a * b));
+  return Geometry::angle(t.length(mesh.edge(h)), t.length(mesh.edge(mesh.prev(h))),
+                         t.length(mesh.edge(mesh.next(h))));
 }
 
 // Calls f(surface, energy, target, point) at scale factors far enough apart for many flips.
-template <typename Function>
+template <typename Energy, typename Function>
 void for_each_point(const Function& f)
 {
   for(const Named_triangulation& s : surfaces()) {
     SCOPED_TRACE(s.name);
     const Numbers target = random_targets(s.triangulation);
     for(const double bound : {0., 3.}) {
-      Energy energy = energy_of(s.triangulation, target);
+      Energy energy = energy_of<Energy>(s.triangulation, target);
       const Numbers u = random_numbers(s.triangulation.mesh().number_of_vertices(), bound, 17);
       energy.evaluate(u);
       f(s.triangulation, energy, target, u);
@@ -198,27 +243,32 @@ TEST(Lobachevsky_function, has_its_special_values)
 
 // ---- The energy ----
 
-TEST(Conformal_energy, gradient_without_scaling_is_that_of_the_Euclidean_surface)
+TYPED_TEST(Conformal_energy, gradient_without_scaling_is_that_of_the_Delaunay_triangulation)
 {
+  typedef typename TypeParam::template Energy<Quad> Energy;
   for(const Named_triangulation& s : surfaces()) {
     SCOPED_TRACE(s.name);
-    const Delta_complex& mesh = s.triangulation.mesh();
-    const Numbers target = random_targets(s.triangulation);
-    const Energy energy = energy_of(s.triangulation, target);
+    Triangulation t = s.triangulation;
+    IT::make_Delaunay(t);
+    const Delta_complex& mesh = t.mesh();
+    const Numbers target = random_targets(t);
+    const Energy energy = energy_of<Energy>(s.triangulation, target);
     Numbers defect = Numbers::Constant(target.size(), 2 * constants::pi<double>()) - target;
     for(Halfedge_index h : mesh.halfedges())
-      defect[int(mesh.source(h))] -= angle_at_source(s.triangulation, h);
+      defect[int(mesh.source(h))] -= angle_at_source<TypeParam>(t, h);
     for(Vertex_index v : mesh.vertices())
       EXPECT_NEAR(energy.gradient()[int(v)], mesh.is_isolated(v) ? 0 : defect[int(v)], 1e-12) << v;
   }
 }
 
-TEST(Conformal_energy, sums_of_the_gradient_are_those_of_Gauss_and_Bonnet)
+// Without scaling a Delaunay triangulation stays as it is.
+TYPED_TEST(Conformal_energy, sums_of_the_gradient_are_those_of_Gauss_and_Bonnet)
 {
-  for_each_point(
+  typedef typename TypeParam::template Energy<Quad> Energy;
+  for_each_point<Energy>(
     [](const Triangulation& t, const Energy& energy, const Numbers& target, const auto&) {
-      const Delta_complex& mesh = t.mesh();
-      const IT::internal::Mesh_components component(mesh);
+      const Delta_complex& mesh = energy.surface().mesh();
+      const IT::internal::Mesh_components component(t.mesh());
       std::vector<double> sum(component.size(), 0);
       const double turn = 2 * constants::pi<double>();
       for(Vertex_index v : mesh.vertices())
@@ -226,17 +276,24 @@ TEST(Conformal_energy, sums_of_the_gradient_are_those_of_Gauss_and_Bonnet)
           sum[component[v]] += turn - target[int(v)] - energy.gradient()[int(v)];
       for(Edge_index e : mesh.edges())
         sum[component[mesh.vertex(e, 0)]] -= turn;
-      for(Face_index f : mesh.faces())
-        sum[component[mesh.target(mesh.halfedge(f))]] += turn;
+      const auto length = [&](Halfedge_index h) {
+        return double(energy.surface().scaled_length(mesh.edge(h)));
+      };
+      for(Face_index f : mesh.faces()) {
+        const Halfedge_index h = mesh.halfedge(f);
+        sum[component[mesh.target(h)]] +=
+          turn + TypeParam::defect(length(h), length(mesh.next(h)), length(mesh.prev(h)));
+      }
       for(double x : sum)
         EXPECT_NEAR(x, 0, 1e-12 * double(mesh.number_of_vertices()));
     });
 }
 
 // Central differences over 2e-9: what they miss is of order 1e-18, and 34 digits less 9 are left.
-TEST(Conformal_energy, gradient_is_the_derivative_of_the_value)
+TYPED_TEST(Conformal_energy, gradient_is_the_derivative_of_the_value)
 {
-  for_each_point([](const Triangulation&, Energy energy, const Numbers&, const Numbers& u) {
+  typedef typename TypeParam::template Energy<Quad> Energy;
+  for_each_point<Energy>([](const Triangulation&, Energy energy, const Numbers&, const Numbers& u) {
     const Numbers gradient = energy.gradient();
     energy.move_origin();
     const double step = 1e-9;
@@ -251,42 +308,67 @@ TEST(Conformal_energy, gradient_is_the_derivative_of_the_value)
 }
 
 // Where four points are on a circle, the Hessian has a kink: what central differences miss is of order 1e-14.
-TEST(Conformal_energy, Hessian_is_the_derivative_of_the_gradient)
+TYPED_TEST(Conformal_energy, Hessian_is_the_derivative_of_the_gradient)
 {
-  for_each_point([](const Triangulation&, Energy energy, const Numbers& target, const Numbers& u) {
+  typedef typename TypeParam::template Energy<Quad> Energy;
+  for_each_point<Energy>(
+    [](const Triangulation&, Energy energy, const Numbers& target, const Numbers& u) {
+      const Eigen::MatrixXd Hessian = energy.Hessian();
+      energy.move_origin();
+      const double step = 1e-14;
+      for(Eigen::Index i = 0; i < u.size(); ++i) {
+        const Numbers x = step * Numbers::Unit(u.size(), i);
+        energy.evaluate(x);
+        const std::vector<Quad> after = precise_gradient(energy, target);
+        energy.evaluate(-x);
+        const std::vector<Quad> before = precise_gradient(energy, target);
+        for(std::size_t k = 0; k < after.size(); ++k)
+          EXPECT_NEAR(double((after[k] - before[k]) / Quad(2 * step)), Hessian(int(k), i),
+                      1e-13 * (1 + Hessian(i, i)))
+            << k << ' ' << i;
+      }
+    });
+}
+
+TYPED_TEST(Conformal_energy, Hessian_is_symmetric)
+{
+  typedef typename TypeParam::template Energy<Quad> Energy;
+  for_each_point<Energy>([](const auto&, const Energy& energy, const auto&, const auto&) {
     const Eigen::MatrixXd Hessian = energy.Hessian();
-    energy.move_origin();
-    const double step = 1e-14;
-    for(Eigen::Index i = 0; i < u.size(); ++i) {
-      const Numbers x = step * Numbers::Unit(u.size(), i);
-      energy.evaluate(x);
-      const std::vector<Quad> after = precise_gradient(energy, target);
-      energy.evaluate(-x);
-      const std::vector<Quad> before = precise_gradient(energy, target);
-      for(std::size_t k = 0; k < after.size(); ++k)
-        EXPECT_NEAR(double((after[k] - before[k]) / Quad(2 * step)), Hessian(int(k), i),
-                    1e-13 * (1 + Hessian(i, i)))
-          << k << ' ' << i;
-    }
+    EXPECT_LT((Hessian - Hessian.transpose()).norm(), 1e-15 * (1 + Hessian.norm()));
   });
 }
 
-TEST(Conformal_energy, Hessian_is_symmetric_and_without_effect_on_constants)
+TEST(Flat_energy, Hessian_has_no_effect_on_constants)
 {
-  for_each_point([](const Triangulation&, const Energy& energy, const Numbers&, const Numbers& u) {
+  typedef Flat::Energy<Quad> Energy;
+  for_each_point<Energy>([](const auto&, const Energy& energy, const auto&, const Numbers& u) {
     const Eigen::MatrixXd Hessian = energy.Hessian();
-    EXPECT_LT((Hessian - Hessian.transpose()).norm(), 1e-15 * (1 + Hessian.norm()));
     EXPECT_LT((Hessian * Numbers::Ones(u.size())).norm(), 1e-14 * (1 + Hessian.norm()));
   });
 }
 
-TEST(Conformal_energy, is_convex_and_continuous_along_segments)
+TEST(Hyperbolic_energy, Hessian_is_positive_definite)
 {
+  typedef Hyperbolic::Energy<Quad> Energy;
+  for_each_point<Energy>(
+    [](const Triangulation& t, const Energy& energy, const auto&, const auto&) {
+      Eigen::MatrixXd Hessian = energy.Hessian();
+      for(Vertex_index v : t.mesh().vertices())
+        if(t.mesh().is_isolated(v))
+          Hessian(int(v), int(v)) = 1;
+      EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(Hessian).info(), Eigen::Success);
+    });
+}
+
+TYPED_TEST(Conformal_energy, is_convex_and_continuous_along_segments)
+{
+  typedef typename TypeParam::template Energy<double> Energy;
   std::size_t flips = 0;
   for(const Named_triangulation& s : surfaces()) {
     SCOPED_TRACE(s.name);
     const std::size_t n = s.triangulation.mesh().number_of_vertices();
-    auto energy = energy_of<double>(s.triangulation, random_targets(s.triangulation));
+    auto energy = energy_of<Energy>(s.triangulation, random_targets(s.triangulation));
     const Numbers from = random_numbers(n, 3, 23), way = random_numbers(n, 3, 29) - from;
     energy.evaluate(from);
     const double first = energy.value();
@@ -306,8 +388,9 @@ TEST(Conformal_energy, is_convex_and_continuous_along_segments)
 }
 
 // The same ideal polyhedron, and so the same functions, after any flips by Ptolemy's relation.
-TEST(Conformal_energy, does_not_depend_on_the_triangulation)
+TYPED_TEST(Conformal_energy, does_not_depend_on_the_triangulation)
 {
+  typedef typename TypeParam::template Energy<Quad> Energy;
   const IT::Ideal_geometry_traits<Quad> traits;
   for(const Named_triangulation& s : surfaces()) {
     SCOPED_TRACE(s.name);
@@ -339,14 +422,16 @@ TEST(Conformal_energy, does_not_depend_on_the_triangulation)
   }
 }
 
-TEST(Conformal_energy, gradient_error_bounds_the_error_in_double)
+TYPED_TEST(Conformal_energy, gradient_error_bounds_the_error_in_double)
 {
+  typedef typename TypeParam::template Energy<double> Rounded;
+  typedef typename TypeParam::template Energy<Quad> Precise_energy;
   for(const Named_triangulation& s : surfaces())
     for(const double bound : {0., 1., 5., 20.}) {
       SCOPED_TRACE(s.name + ' ' + std::to_string(bound));
       const Numbers target = random_targets(s.triangulation);
-      auto rounded = energy_of<double>(s.triangulation, target);
-      Energy precise = energy_of(s.triangulation, target);
+      Rounded rounded = energy_of<Rounded>(s.triangulation, target);
+      Precise_energy precise = energy_of<Precise_energy>(s.triangulation, target);
       const Numbers u = random_numbers(s.triangulation.mesh().number_of_vertices(), bound, 41);
       rounded.evaluate(u);
       precise.evaluate(u);
@@ -358,10 +443,11 @@ TEST(Conformal_energy, gradient_error_bounds_the_error_in_double)
     }
 }
 
-TEST(Conformal_energy, origin_has_the_precision_of_its_type)
+TYPED_TEST(Conformal_energy, origin_has_the_precision_of_its_type)
 {
+  typedef typename TypeParam::template Energy<Quad> Energy;
   const Triangulation t(random_sphere(20, 3));
-  Energy energy = energy_of(t);
+  Energy energy = energy_of<Energy>(t, random_targets(t));
   const Numbers u = random_numbers(20, 1, 43), tiny = 1e-20 * random_numbers(20, 1, 47);
   energy.evaluate(u);
   energy.move_origin();
@@ -372,14 +458,78 @@ TEST(Conformal_energy, origin_has_the_precision_of_its_type)
     EXPECT_LT(abs(energy.scale_factors()[i] - Quad(u[int(i)]) - 2 * Quad(tiny[int(i)])), 1e-33);
 }
 
-TEST(Conformal_energy, lengths_out_of_range_are_an_error_that_leaves_a_way_back)
+TYPED_TEST(Conformal_energy, lengths_out_of_range_give_no_gradient_and_leave_a_way_back)
 {
-  const Triangulation t(random_sphere(20, 3));
-  auto energy = energy_of<double>(t, Numbers::Zero(20));
+  typedef typename TypeParam::template Energy<double> Energy;
+  Energy energy = energy_of<Energy>(Triangulation(random_sphere(20, 3)), Numbers::Zero(20));
   const Numbers before = energy.gradient();
-  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, 2000)), IT::Numerical_error);
-  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, -2000)), IT::Numerical_error);
-  EXPECT_THROW(energy.evaluate(Numbers::Constant(20, std::nan(""))), IT::Numerical_error);
+  for(const double u : {2000., -2000., std::nan("")}) {
+    energy.evaluate(Numbers::Constant(20, u));
+    EXPECT_FALSE(energy.gradient().allFinite());
+  }
   energy.evaluate(Numbers::Zero(20));
   EXPECT_LT((energy.gradient() - before).norm(), 1e-12);
+}
+
+// ---- Hyperbolic triangles ----
+
+// By the law of cosines with 50 digits; the sides are given as doubles l = sinh(x/2).
+Precise true_angle(const std::array<double, 3>& l, std::size_t s)
+{
+  const auto cosh_of = [&](std::size_t i) -> Precise {
+    return 1 + 2 * Precise(l[i % 3]) * Precise(l[i % 3]);
+  };
+  const Precise a = cosh_of(s + 1), b = cosh_of(s), c = cosh_of(s + 2);
+  return acos(Precise((b * c - a) / sqrt(Precise((b * b - 1) * (c * c - 1)))));
+}
+
+TEST(Hyperbolic_triangle, angles_are_precise_for_sides_of_any_size)
+{
+  CGAL::Random random(53);
+  const double eps = std::numeric_limits<double>::epsilon();
+  for(double size = 1e-12; size < 1e5; size *= 10)
+    for(int i = 0; i < 20; ++i) {
+      const std::array<double, 3> l{size * random.get_double(1, 2), size * random.get_double(1, 2),
+                                    size * random.get_double(1, 2)};
+      const DC::internal::Hyperbolic_triangle<double> triangle(l);
+      Precise sum = 0;
+      for(std::size_t s = 0; s < 3; ++s) {
+        const Precise angle = true_angle(l, s);
+        sum += angle;
+        // angles of large triangles are small: it is relative errors that count
+        EXPECT_LE(double(abs(Precise(triangle.angle(s)) - angle) / angle), 40 * eps) << size;
+      }
+      const Precise defect = constants::pi<Precise>() - sum;
+      if(size > 1e-8) // 50 digits less 25 remain for the defect
+        EXPECT_LE(double(abs(2 * Precise(triangle.half_defect()) / defect - 1)), 40 * eps) << size;
+      else
+        EXPECT_NEAR(triangle.angle(0), DC::internal::Flat_triangle<double>(l).angle(0), 8 * eps);
+    }
+}
+
+// In half of a regular triangle with angle a, 2 cosh(x/2) sin(a/2) = 1.
+TEST(Hyperbolic_triangle, regular_triangles)
+{
+  const double pi = constants::pi<double>();
+  for(int n = 7; n < 1000; n += 13) {
+    const double a = 2 * pi / n, cosh = 1 / (2 * std::sin(a / 2)), l = std::sqrt(cosh * cosh - 1);
+    const DC::internal::Hyperbolic_triangle<double> triangle({l, l, l});
+    for(std::size_t s = 0; s < 3; ++s) {
+      EXPECT_NEAR(triangle.angle(s), a, 1e-14);
+      EXPECT_NEAR(triangle.circle_angle(s), (pi - a) / 2, 1e-14);
+    }
+    EXPECT_NEAR(triangle.half_defect(), (pi - 3 * a) / 2, 1e-14);
+  }
+}
+
+// A triangle that rounding has pressed flat, and one that is flat.
+TEST(Hyperbolic_triangle, flat_triangles_have_angles)
+{
+  for(const double c : {3., 3.0000000001}) {
+    const double l = 1e-9;
+    const DC::internal::Hyperbolic_triangle<double> triangle({l, 2 * l, c * l});
+    EXPECT_NEAR(triangle.angle(0) + triangle.angle(1) + triangle.angle(2), constants::pi<double>(),
+                1e-8);
+    EXPECT_TRUE(std::isfinite(triangle.cotangent(0)));
+  }
 }

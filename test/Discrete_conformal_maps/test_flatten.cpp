@@ -249,7 +249,7 @@ TEST(Flatten, takes_mixed_conditions)
 // Two pyramids over a regular polygon, whose faces become isosceles triangles with given angles.
 TEST(Flatten, bipyramid_has_a_closed_form)
 {
-  for(const std::size_t n : {4, 5, 12})
+  for(const std::size_t n : {4u, 5u, 12u})
     for(const double height : {0., 0.5, 2.})
       for(const double at_apex : {-3., 0., 1., 3., 6.}) {
         const double angle = (2 * pi - at_apex) / double(n);
@@ -367,7 +367,7 @@ TEST(Flatten, boundary_has_the_prescribed_angles)
   const Triangulation t(rough_disk(8));
   const std::vector<Vertex_index> loop = boundary(t.mesh());
   ASSERT_EQ(loop.size(), 32u);
-  for(const std::size_t corners : {3, 4, 5, 32}) {
+  for(const std::size_t corners : {3u, 4u, 5u, 32u}) {
     SCOPED_TRACE(corners);
     Conditions condition(t.mesh().number_of_vertices());
     for(std::size_t k = 0; k < corners; ++k)
@@ -448,11 +448,11 @@ TEST(Flatten, refuses_vertices_without_an_angle)
 struct Recording_visitor : DC::Default_flattening_visitor
 {
   std::vector<DC::Flattening_stage> stages;
-  int steps = 0;
+  std::size_t steps = 0;
   void start(DC::Flattening_stage stage) { stages.push_back(stage); }
-  void after_step(int iteration, double norm)
+  void after_iteration(std::size_t iteration, double norm, double)
   {
-    EXPECT_GT(iteration, 0);
+    EXPECT_GT(iteration, 0u);
     EXPECT_GE(norm, 0);
     ++steps;
   }
@@ -467,7 +467,7 @@ TEST(Flatten, visitor_sees_all_stages_and_steps)
   EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
                                                 Stage::subdivide, Stage::layout}));
   EXPECT_EQ(visitor.steps, map.minimization().iterations);
-  EXPECT_GT(visitor.steps, 0);
+  EXPECT_GT(visitor.steps, 0u);
 }
 
 struct Stopping_visitor : DC::Default_flattening_visitor
@@ -479,7 +479,7 @@ struct Stopping_visitor : DC::Default_flattening_visitor
     if(stage == last && !stops_at_step)
       throw std::runtime_error("stopped");
   }
-  void after_step(int, double)
+  void after_iteration(std::size_t, double, double)
   {
     if(stops_at_step)
       throw std::runtime_error("stopped");

@@ -11,6 +11,8 @@
 ///
 /// It may become linear far away. Along some directions it may be constant: see
 /// `CGAL::Discrete_conformal_maps::Minimization_domain`.
+///
+/// \cgalHasModel `CGAL::Discrete_conformal_maps::Conformal_energy`
 class ConvexEnergy
 {
 public:

@@ -7,6 +7,8 @@
 ///
 /// finds the minimum of a convex energy.
 ///
+/// \cgalRefines{CopyConstructible}
+///
 /// \cgalHasModel `CGAL::Discrete_conformal_maps::Newton_minimizer`
 /// \cgalHasModel `CGAL::Discrete_conformal_maps::Ceres_minimizer`
 class ConvexMinimizer

@@ -27,8 +27,17 @@ using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
+/// whether a triangulation follows the scale factors.
+enum class Flipping
+{
+  to_Delaunay, ///< edges are flipped until the triangulation is Delaunay
+  none         ///< the triangulation stays; scaled lengths may violate the triangle inequality
+};
+
+/// \ingroup PkgDiscreteConformalMapsEnergy
 /// a closed ideal hyperbolic polyhedron in the triangulation that is Delaunay for given scale factors
-/// (Section 4.1.2): connectivity and Penner lengths \f$\ell = e^{\lambda/2}\f$, without correspondence.
+/// (Section 4.1.2), or in a fixed one: connectivity and Penner lengths \f$\ell = e^{\lambda/2}\f$, without
+/// correspondence.
 ///
 /// Ptolemy flips and scaling commute, so the triangulation goes from one set of scale factors to the next
 /// by few flips, whatever the steps between them. All that is computed from lengths are sums, products and
@@ -48,9 +57,12 @@ public:
   /// copies a surface.
   /// \param mesh the connectivity, without boundary
   /// \param length a readable property map from the edges to positive lengths
+  /// \param flipping whether `scale()` flips edges
   template <typename EdgeLengthMap>
-  Penner_surface(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_mesh(mesh),
+  Penner_surface(const Delta_complex& mesh, const EdgeLengthMap& length,
+                 Flipping flipping = Flipping::to_Delaunay)
+    : m_flipping(flipping),
+      m_mesh(mesh),
       m_length(mesh.num_edges()),
       m_scaled_length(mesh.num_edges()),
       m_root_of_scale(mesh.num_vertices(), FT(1)),
@@ -63,27 +75,31 @@ public:
   /// the triangulation. Its edges keep no identity: they turn as they are flipped.
   const Delta_complex& mesh() const { return m_mesh; }
 
+  /// whether `scale()` flips edges.
+  Flipping flipping() const { return m_flipping; }
+
   /// the length of `e`, multiplied by \f$e^{(u_i + u_j)/2}\f$ (Equation 4.1).
   const FT& scaled_length(Edge_index e) const { return m_scaled_length[e.idx()]; }
 
   /// the number of flips of all calls of `scale()`.
   std::size_t number_of_flips() const { return m_flips; }
 
-  /// takes other scale factors and flips to the triangulation that is Delaunay with them.
+  /// takes other scale factors and, unless the triangulation is fixed, flips to the one that is Delaunay with
+  /// them.
   /// Complexity: linear in the vertices, edges and flips.
   /// \param u the logarithmic scale factors, by the numbers of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
-  /// \post the scaled lengths obey Equation 4.5 but for rounding, hence the triangle inequality
+  /// \post unless the triangulation is fixed, the scaled lengths obey Equation 4.5 but for rounding, hence the
+  ///       triangle inequality
   void scale(const std::vector<FT>& u)
   {
     using std::exp;
     for(Vertex_index v : m_mesh.vertices())
       m_root_of_scale[v.idx()] = exp(u[v.idx()] / 2);
-    for(Edge_index e : m_mesh.edges()) {
+    for(Edge_index e : m_mesh.edges())
       set_scaled_length(e);
-      m_stack.push(e);
-    }
-    flip_to_Delaunay();
+    if(m_flipping == Flipping::to_Delaunay)
+      flip_to_Delaunay();
   }
 
 private:
@@ -107,6 +123,8 @@ private:
   void flip_to_Delaunay()
   {
     const auto is_Delaunay = m_geometry.is_locally_Delaunay_object();
+    for(Edge_index e : m_mesh.edges())
+      m_stack.push(e);
     while(!m_stack.empty()) {
       const Edge_index e = m_stack.pop();
       const Halfedge_index h(2 * e.idx());
@@ -128,6 +146,7 @@ private:
     ++m_flips;
   }
 
+  Flipping m_flipping;
   Geometry m_geometry;
   Delta_complex m_mesh;
   std::vector<FT> m_length;        // without scale factors

@@ -8,26 +8,16 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/stereographic_cross_ratios.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
-
-namespace internal {
-
-// The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h is ij.
-template <typename Length>
-double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Length& length)
-{
-  const Halfedge_index o = mesh.opposite(h);
-  return length(mesh.next(h)) / length(mesh.prev(h)) *
-         (length(mesh.next(o)) / length(mesh.prev(o)));
-}
-
-} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// returns how far a map is from being discretely conformal: the greatest relative error of a length cross
@@ -52,6 +42,20 @@ inline double max_cross_ratio_error(const Planar_conformal_map& map)
     result = error <= result ? result : error; // keeps what is no number
   }
   return result;
+}
+
+/// \ingroup PkgDiscreteConformalMapsSphere
+/// returns the greatest relative error of a length cross ratio of an edge of \f$T^C\f$, between the lengths on
+/// the sphere and those of the ideal polyhedron. Positions have all digits that the map knows. Complexity:
+/// linear.
+inline double max_cross_ratio_error(const Spherical_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  std::vector<std::array<Spherical_conformal_map::Extended, 2>> position;
+  for(Vertex_index v : mesh.vertices())
+    position.push_back(map.stereographic_position(v));
+  return internal::max_stereographic_cross_ratio_error(
+    mesh, [&](Edge_index e) { return map.ideal().length(e); }, position, map.vertex_at_infinity());
 }
 
 } // namespace Discrete_conformal_maps

@@ -25,6 +25,14 @@ enum minimizer_t
 {
   minimizer
 };
+enum flipping_t
+{
+  flipping
+};
+enum initial_log_scale_map_t
+{
+  initial_log_scale_map
+};
 } // namespace internal_np
 
 namespace parameters {
@@ -78,6 +86,40 @@ auto minimizer(const Minimizer& value, const NamedParameters& np)
 {
   return CGAL::Named_function_parameters<Minimizer, internal_np::minimizer_t, NamedParameters>(
     value, np);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// names a `Flipping`: whether triangulations follow the scale factors.
+template <typename Flipping>
+auto flipping(const Flipping& value)
+{
+  return CGAL::Named_function_parameters<Flipping, internal_np::flipping_t>(value);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// the same, after the parameters `np`.
+template <typename Flipping, typename NamedParameters>
+auto flipping(const Flipping& value, const NamedParameters& np)
+{
+  return CGAL::Named_function_parameters<Flipping, internal_np::flipping_t, NamedParameters>(value,
+                                                                                             np);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// names a readable property map from the vertices of the input to the logarithmic scale factors to start from.
+template <typename Map>
+auto initial_log_scale_map(const Map& map)
+{
+  return CGAL::Named_function_parameters<Map, internal_np::initial_log_scale_map_t>(map);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// the same, after the parameters `np`.
+template <typename Map, typename NamedParameters>
+auto initial_log_scale_map(const Map& map, const NamedParameters& np)
+{
+  return CGAL::Named_function_parameters<Map, internal_np::initial_log_scale_map_t,
+                                         NamedParameters>(map, np);
 }
 
 } // namespace parameters

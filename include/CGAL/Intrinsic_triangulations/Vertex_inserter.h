@@ -212,7 +212,8 @@ private:
 
   // The place of the point closest to `p` on the way from `begin` to `end`. The distance is that on the
   // surface: in a thin face any other would carry what rounding puts `p` off the curve to along the curve.
-  FT foot_on_chord(const Coordinates& begin, const Coordinates& end, const Face_location<FT>& p) const
+  FT foot_on_chord(const Coordinates& begin, const Coordinates& end,
+                   const Face_location<FT>& p) const
   {
     const internal::Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri.mesh(),
                                        m_tri.length_map());

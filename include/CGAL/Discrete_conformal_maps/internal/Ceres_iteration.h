@@ -126,7 +126,7 @@ private:
     Eigen::VectorXd point = m_base;
     point(free) = Eigen::Map<const Eigen::VectorXd>(u, number_of_parameters());
     const bool is_finite = m_descent.move_to(point);
-    *value = m_descent.energy().value();
+    *value = static_cast<double>(m_descent.energy().value());
     if(!is_finite || !std::isfinite(*value)) {
       m_saw_not_finite = true;
       return false;

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/Seam_pruning.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
@@ -160,7 +161,7 @@ public:
   {
     grow_forest(length, Cone_tree(mesh, length, is_wall, is_terminal), is_used);
     m_is_seam = m_is_open;
-    close(is_terminal);
+    close_ends(mesh, is_terminal, m_is_seam);
   }
 
   // the halfedges through which faces are reached, in this order, each in the new face; a root has a null
@@ -199,37 +200,6 @@ private:
         m_is_open[Edge_index(h).idx()] = 0;
         reach(m_mesh.face(h), h);
       }
-    }
-  }
-
-  // Around a vertex that is flat and has one open edge, all faces fit: it can be closed.
-  void close(const std::vector<char>& is_terminal)
-  {
-    std::vector<int> count(m_mesh.num_vertices(), 0);
-    for(Halfedge_index h : m_mesh.halfedges())
-      count[m_mesh.source(h).idx()] += m_is_open[Edge_index(h).idx()];
-    std::vector<Vertex_index> ends;
-    const auto note = [&](Vertex_index v) {
-      if(count[v.idx()] == 1 && !is_terminal[v.idx()])
-        ends.push_back(v);
-    };
-    for(Vertex_index v : m_mesh.vertices())
-      note(v);
-    while(!ends.empty()) {
-      const Vertex_index v = ends.back();
-      ends.pop_back();
-      Halfedge_index open;
-      if(count[v.idx()] == 1)
-        Intrinsic_triangulations::internal::for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
-          if(m_is_seam[Edge_index(h).idx()])
-            open = h;
-        });
-      if(!open.is_valid())
-        continue;
-      m_is_seam[Edge_index(open).idx()] = 0;
-      --count[v.idx()];
-      --count[m_mesh.target(open).idx()];
-      note(m_mesh.target(open));
     }
   }
 

@@ -28,17 +28,13 @@ struct Minimization_limits
   std::size_t iterations;
 };
 
-inline double max_norm(const Eigen::VectorXd& v)
-{
-  return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>();
-}
-
-// The way of an energy from point to point. The best one is always in the caller's hands.
-template <typename Energy>
+// The way of an energy from point to point. The best one is always in the caller's hands. `Variables` says where
+// points may be, and how far a gradient is from that of a minimum there.
+template <typename Energy, typename Variables = Free_variables>
 class Descent
 {
 public:
-  Descent(Energy& energy, Eigen::VectorXd& best, const Free_variables& variables,
+  Descent(Energy& energy, Eigen::VectorXd& best, const Variables& variables,
           const Minimization_limits& limits)
     : m_energy(energy), m_best(best), m_variables(variables), m_limits(limits), m_point(best)
   {}
@@ -57,12 +53,12 @@ public:
   // Returns false if the gradient is not finite there.
   bool move_to(const Eigen::VectorXd& point)
   {
-    m_point = point;
+    m_point = m_variables.feasible(point);
     m_energy.evaluate(m_point);
     ++m_evaluations;
     m_gradient = m_energy.gradient();
     m_variables.set_fixed_to_zero(m_gradient);
-    m_norm = max_norm(m_gradient);
+    m_norm = m_variables.norm(m_gradient, m_point);
     m_excess = m_variables.remove_means(m_gradient);
     return m_gradient.allFinite();
   }
@@ -98,7 +94,7 @@ public:
   }
 
   Energy& energy() const { return m_energy; }
-  const Free_variables& variables() const { return m_variables; }
+  const Variables& variables() const { return m_variables; }
   const Minimization_limits& limits() const { return m_limits; }
   const Eigen::VectorXd& point() const { return m_point; }
   const Eigen::VectorXd& gradient() const { return m_gradient; }
@@ -108,7 +104,7 @@ public:
 private:
   Energy& m_energy;
   Eigen::VectorXd& m_best;
-  const Free_variables& m_variables;
+  const Variables& m_variables;
   const Minimization_limits m_limits;
 
   Eigen::VectorXd m_point;

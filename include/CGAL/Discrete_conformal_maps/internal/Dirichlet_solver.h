@@ -20,7 +20,8 @@ namespace Discrete_conformal_maps {
 namespace internal {
 
 // Solves systems with a symmetric positive semidefinite matrix from which the rows and columns of some
-// variables are left out; what is left is positive definite.
+// variables are left out; what is left is positive definite, but for rounding. Solutions are as good as
+// estimates and corrections need to be.
 class Dirichlet_solver
 {
 public:
@@ -30,9 +31,12 @@ public:
   Dirichlet_solver(const Matrix& matrix, const std::vector<char>& is_fixed)
     : m_solver(free_variables(is_fixed))
   {
-    if(!m_solver.factorize(matrix, Vector::Zero(matrix.rows())))
-      throw Intrinsic_triangulations::Numerical_error(
-        "the Laplacian has no factorization as a positive definite matrix");
+    // the lift, relative to the diagonal, is against rounding where weights differ by many orders
+    for(double lift = 0; !m_solver.factorize(matrix, lift * matrix.diagonal());
+        lift = lift == 0 ? 1e-14 : 100 * lift)
+      if(lift > 1e-3)
+        throw Intrinsic_triangulations::Numerical_error(
+          "the Laplacian has no factorization as a positive definite matrix");
   }
 
   // the solution; zero where variables are fixed

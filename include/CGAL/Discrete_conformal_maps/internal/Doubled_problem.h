@@ -7,12 +7,14 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_surface.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
@@ -21,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -51,8 +54,10 @@ public:
   typedef Eigen::VectorXd Vector;
 
   // `half` is the surface, `condition` has one entry for each of its vertices
-  Doubled_problem(const Triangulation& half, const std::vector<Vertex_condition>& condition)
-    : m_half(half.mesh()),
+  Doubled_problem(const Triangulation& half, const std::vector<Vertex_condition>& condition,
+                  Flipping flipping)
+    : m_flipping(flipping),
+      m_half(half.mesh()),
       m_double(m_half, faces_to_copy(m_half)),
       m_triangulation(m_double.mesh(), lengths(half)),
       m_components(m_double.mesh()),
@@ -60,7 +65,8 @@ public:
       m_is_fixed(m_double.mesh().num_vertices(), 0),
       m_value(Vector::Zero(Eigen::Index(m_is_fixed.size())))
   {
-    m_number_of_flips = Intrinsic_triangulations::make_Delaunay(m_triangulation);
+    if(flipping == Flipping::to_Delaunay)
+      m_number_of_flips = Intrinsic_triangulations::make_Delaunay(m_triangulation);
     for(Vertex_index v : m_half.vertices()) {
       m_front[mirrored(v).idx()] = m_front[v.idx()] = v;
       set_condition(v, condition[v.idx()]);
@@ -69,6 +75,9 @@ public:
 
   Doubled_problem(const Doubled_problem&) = delete;
   Doubled_problem& operator=(const Doubled_problem&) = delete;
+
+  // whether T^B and T^C are Delaunay, or the same as T^A
+  Flipping flipping() const { return m_flipping; }
 
   // T^A and T^B
   const Triangulation& triangulation() const { return m_triangulation; }
@@ -127,6 +136,21 @@ public:
     }
   }
 
+  // the area of each component in one of its triangulations, for these lengths of halfedges
+  template <typename Length>
+  std::vector<double> areas(const Delta_complex& complex, const Length& length) const
+  {
+    std::vector<double> result(m_components.size(), 0);
+    for(Face_index f : complex.faces()) {
+      const auto h = Intrinsic_triangulations::internal::sides(f, complex);
+      result[m_components[complex.target(h[0]).idx()]] +=
+        std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(length(h[0]), length(h[1]),
+                                                                    length(h[2]))) /
+        4;
+    }
+    return result;
+  }
+
   // Of each component, how much the prescribed curvatures exceed 2 pi times the Euler characteristic; this
   // much less must be the curvature of the vertices with prescribed scale factors (Equation 4.11). Zero for an
   // isolated vertex.
@@ -168,26 +192,41 @@ public:
     return result;
   }
 
-  // \throws Invalid_input if no metric has what is prescribed
+  // \throws Invalid_input if no flat metric has what is prescribed
   void check() const
+  {
+    check_angles();
+    const std::vector<double> excess = curvature_excess();
+    const std::vector<std::size_t> fixed = number_of_fixed();
+    for(std::size_t c = 0; c < excess.size(); ++c)
+      if(fixed[c] < needed_cones(excess[c]))
+        throw Intrinsic_triangulations::Invalid_input(unbalanced(c, excess[c], fixed[c] > 0));
+  }
+
+  // \throws Invalid_input if no hyperbolic metric has what is prescribed: the area, by Gauss and Bonnet, must be
+  // positive
+  void check_hyperbolic() const
+  {
+    check_angles();
+    const std::vector<double> area = curvature_excess();
+    const std::vector<std::size_t> fixed = number_of_fixed();
+    for(std::size_t c = 0; c < area.size(); ++c)
+      if(fixed[c] == 0 && !(area[c] > 1e-8))
+        throw Intrinsic_triangulations::Invalid_input(
+          "component " + std::to_string(c) +
+          " cannot be hyperbolic with the prescribed curvatures: " + "it would have an area of " +
+          std::to_string(area[c]) + " (Gauss-Bonnet)");
+  }
+
+private:
+  void check_angles() const
   {
     for(std::size_t v = 0; v < size(); ++v)
       if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * pi()))
         throw Intrinsic_triangulations::Invalid_input(
           "no angle is left at vertex " + std::to_string(v) + ": its curvature is too great");
-    const std::vector<double> excess = curvature_excess();
-    const std::vector<std::size_t> fixed = number_of_fixed();
-    for(std::size_t c = 0; c < excess.size(); ++c)
-      if(fixed[c] < needed_cones(excess[c]))
-        throw Intrinsic_triangulations::Invalid_input(
-          "the prescribed curvatures of component " + std::to_string(c) +
-          " exceed what its topology" + " allows (Gauss-Bonnet) by " + std::to_string(excess[c]) +
-          " radians" + (has_boundary(c) ? " on its double" : "") + ", and " +
-          std::to_string(fixed[c]) +
-          " vertices with prescribed scale factors cannot make up for it");
   }
 
-private:
   static std::vector<char> faces_to_copy(const Delta_complex& half)
   {
     const Components components(half);
@@ -208,8 +247,21 @@ private:
     return false;
   }
 
+  // what is wrong with the curvatures of a component
+  std::string unbalanced(std::size_t component, double excess, bool has_fixed) const
+  {
+    const double own = has_boundary(component) ? excess / 2 : excess; // not of the double
+    std::ostringstream text;
+    text << "the curvatures prescribed on component " << component << " sum up to " << std::abs(own)
+         << " radians " << (own > 0 ? "more" : "less")
+         << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
+         << (has_fixed ? ": more than vertices with prescribed scale factors can have" : "");
+    return text.str();
+  }
+
   static double pi() { return boost::math::constants::pi<double>(); }
 
+  Flipping m_flipping;
   Delta_complex m_half;
   std::vector<double> m_length; // of the doubled surface
   Doubled_surface m_double;

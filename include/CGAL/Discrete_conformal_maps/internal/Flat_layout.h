@@ -8,13 +8,14 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/Cut_graph.h>
-#include <CGAL/Discrete_conformal_maps/internal/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/Least_squares_shift.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -59,10 +60,16 @@ public:
       if(!mesh.is_isolated(v))
         unite_corners(v, cut);
     distribute_errors(cut);
+    // with more digits than shifts have, what the first has left
+    if(!std::is_same<FT, double>::value)
+      distribute_errors(cut);
   }
 
   // the position of the source of `h` in the face of `h`
   std::complex<double> position(Halfedge_index h) const { return to_complex(united(h)); }
+
+  // the same in all digits
+  std::array<FT, 2> exact_position(Halfedge_index h) const { return {united(h).x, united(h).y}; }
 
 private:
   const FT& length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
@@ -118,7 +125,7 @@ private:
     } while(h != first);
   }
 
-  // The sum over all sides of faces of the squared change of the side, with its cotangent weight, is least.
+  // The sum over all sides of faces of the squared change of the side, relative to its length, is least.
   void distribute_errors(const Cut_graph& cut)
   {
     Least_squares_shift shift(m_united.size());
@@ -126,7 +133,8 @@ private:
       for(Halfedge_index h : Intrinsic_triangulations::internal::sides(step.face, m_mesh)) {
         const Vector misfit =
           length(h) * m_direction[h.idx()] - (united(m_mesh.next(h)) - united(h));
-        shift.add(point(h), point(m_mesh.next(h)), cotangent(h), to_complex(misfit));
+        const double weight = static_cast<double>(1 / (length(h) * length(h)));
+        shift.add(point(h), point(m_mesh.next(h)), weight, to_complex(misfit));
       }
     for(const Cut_graph::Step& step : cut.steps())
       if(!step.entry.is_valid())
@@ -144,14 +152,6 @@ private:
   }
 
   int point(Halfedge_index h) const { return m_point[h.idx()]; }
-
-  // half the cotangent of the angle opposite to `h` in its face
-  double cotangent(Halfedge_index h) const
-  {
-    return static_cast<double>(
-      Flat_triangle<FT>({length(h), length(m_mesh.next(h)), length(m_mesh.prev(h))}).cotangent(2) /
-      2);
-  }
 
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;

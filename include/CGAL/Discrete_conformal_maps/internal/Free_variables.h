@@ -23,6 +23,11 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
+inline double max_norm(const Eigen::VectorXd& v)
+{
+  return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>();
+}
+
 // The variables that move, and the components that float: where no variable is fixed.
 class Free_variables
 {
@@ -42,6 +47,15 @@ public:
 
   const Indices& indices() const { return m_indices; }
   const std::vector<Indices>& floating_components() const { return m_floating; }
+
+  // every point is allowed
+  const Eigen::VectorXd& feasible(const Eigen::VectorXd& point) const { return point; }
+
+  // how far a gradient is from that of a minimum
+  double norm(const Eigen::VectorXd& gradient, const Eigen::VectorXd& /* point */) const
+  {
+    return max_norm(gradient);
+  }
 
   void set_fixed_to_zero(Eigen::VectorXd& v) const
   {

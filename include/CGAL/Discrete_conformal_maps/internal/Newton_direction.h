@@ -7,7 +7,6 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/Hessian_solver.h>
 
@@ -28,6 +27,16 @@ typedef Supernodal_Cholesky Default_Cholesky;
 #else
 typedef Simplicial_Cholesky Default_Cholesky;
 #endif
+
+// What is added to the diagonal of a Hessian against steps beyond a bound: see `Newton_direction`. Entries of
+// the gradient that vanish still need a positive diagonal. The lift, relative to the diagonal, is against
+// rounding in the factorization.
+inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
+                               const Eigen::VectorXd& gradient, double bound, double lift)
+{
+  const double least = 1e-10 * max_norm(gradient);
+  return gradient.cwiseAbs().cwiseMax(least) / bound + lift * hessian.diagonal();
+}
 
 // Finds directions in which a convex function falls, from its gradient and Hessian.
 //
@@ -50,7 +59,8 @@ public:
 
   // Returns false if there is no such direction; the Hessian is not positive semidefinite then, even
   // with regard to rounding.
-  bool find(const Matrix& hessian, const Eigen::VectorXd& gradient, double bound)
+  bool find(const Matrix& hessian, const Eigen::VectorXd& gradient,
+            const Eigen::VectorXd& /* point */, double bound)
   {
     const Eigen::VectorXd ground = grounding(hessian);
     const auto damped = [&](double lift) {
@@ -59,7 +69,6 @@ public:
     if(m_is_damped && damped(0) && length() > bound / 2)
       return limit(bound); // as in the step before
     m_is_damped = !solve(hessian, ground, gradient) || length() > bound;
-    // the lift, relative to the diagonal, is against rounding in the factorization
     for(double lift = 0; m_is_damped && !damped(lift); lift = lift == 0 ? 1e-14 : 100 * lift)
       if(lift > 1)
         return false;
@@ -94,14 +103,6 @@ private:
       result[strongest] = diagonal[strongest] > 0 ? diagonal[strongest] : 1;
     }
     return result;
-  }
-
-  // Entries of the gradient that vanish still need a positive diagonal.
-  static Eigen::VectorXd damping(const Matrix& hessian, const Eigen::VectorXd& gradient,
-                                 double bound, double lift)
-  {
-    const double least = 1e-10 * max_norm(gradient);
-    return gradient.cwiseAbs().cwiseMax(least) / bound + lift * hessian.diagonal();
   }
 
   bool solve(const Matrix& hessian, const Eigen::VectorXd& diagonal,

@@ -25,11 +25,12 @@ namespace Discrete_conformal_maps {
 namespace internal {
 
 // One run of Newton's method.
-template <typename Energy, typename Visitor>
+template <typename Energy, typename Visitor, typename Variables = Free_variables,
+          typename Direction = Newton_direction>
 class Newton_iteration
 {
 public:
-  Newton_iteration(Energy& energy, Eigen::VectorXd& best, const Free_variables& variables,
+  Newton_iteration(Energy& energy, Eigen::VectorXd& best, const Variables& variables,
                    const Minimization_limits& limits, Visitor& visitor)
     : m_descent(energy, best, variables, limits), m_visitor(visitor), m_direction(variables)
   {}
@@ -68,7 +69,7 @@ private:
     const Eigen::SparseMatrix<double>& hessian = m_descent.energy().Hessian();
     if(!hessian.coeffs().allFinite())
       return Status::not_finite;
-    if(!m_direction.find(hessian, m_descent.gradient(), m_bound))
+    if(!m_direction.find(hessian, m_descent.gradient(), m_descent.point(), m_bound))
       return Status::no_descent;
     m_base = m_descent.point();
     m_base_slope = slope();
@@ -127,10 +128,9 @@ private:
 
   void accept()
   {
-    if(m_step < 1)
-      m_bound = 2 * m_step * m_direction.length();
-    else if(m_direction.is_damped())
-      m_bound = (std::min)(4 * m_bound, 1e100); // beyond any use, but finite
+    if(m_direction.is_damped())
+      m_bound = m_step < 1 ? 2 * m_step * m_direction.length()
+                           : (std::min)(4 * m_bound, 1e100); // beyond any use, but finite
     m_descent.keep_if_best();
   }
 
@@ -156,11 +156,11 @@ private:
       m_descent.keep_if_best();
   }
 
-  Descent<Energy> m_descent;
+  Descent<Energy, Variables> m_descent;
   Visitor& m_visitor;
   std::size_t m_iterations = 0;
 
-  Newton_direction m_direction;
+  Direction m_direction;
   double m_bound = 10; // of the length of steps where the Hessian is not to be trusted
   Eigen::VectorXd m_base;
   double m_base_slope = 0;

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How often there are scale factors with flips, and in the triangulation of the input, as Figure 4.20 has it:
+// on near-degenerate meshes, with cones where the greedy choice puts them, and for hard cones. Both get the
+// same cones. The numbers of meshes and of sets of cones can be given; they are those of the tests.
+
+#include "../../test/Discrete_conformal_maps/hard_cones.h"
+#include "../Intrinsic_triangulations/measure.h"
+
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+using namespace Test_surfaces;
+namespace CM = CGAL::Discrete_conformal_maps;
+using Conditions = std::vector<CM::Vertex_condition>;
+
+// What happened to one method.
+struct Score
+{
+  std::size_t refused = 0;
+  std::array<std::size_t, 4> ended{}; // by status
+  double milliseconds = 0;            // of all
+
+  std::size_t ended_with(CM::Flattening_status status) const
+  {
+    return ended[static_cast<std::size_t>(status)];
+  }
+};
+
+struct Scores
+{
+  std::size_t problems = 0;
+  Score with_flips, fixed;
+};
+
+// Nothing if the input is refused.
+template <typename NamedParameters>
+std::optional<CM::Planar_conformal_map> flatten(const Mesh& mesh, const NamedParameters& np,
+                                                Score& score)
+{
+  try {
+    Samples samples;
+    auto map = samples.time([&] { return CM::flatten(mesh, np); });
+    score.milliseconds += samples.median();
+    ++score.ended[static_cast<std::size_t>(map.status())];
+    return map;
+  } catch(const CGAL::Intrinsic_triangulations::Error&) {
+    ++score.refused;
+    return std::nullopt;
+  }
+}
+
+// `conditions` must stay.
+auto fixed_with(const Conditions& conditions)
+{
+  const auto map =
+    boost::make_function_property_map<Vertex_index>([&](Vertex_index v) { return conditions[v]; });
+  return CM::parameters::flipping(CM::Flipping::none, CM::parameters::vertex_condition_map(map));
+}
+
+void run_near_degenerate(unsigned int seed, std::map<std::string, Scores>& table)
+{
+  const Named_mesh m = near_degenerate_mesh(seed);
+  Scores& scores = table[m.name];
+  ++scores.problems;
+  Conditions conditions(m.mesh.number_of_vertices());
+  for(Vertex_index v : m.mesh.vertices())
+    if(m.mesh.is_border(v))
+      conditions[v] = CM::Vertex_condition::log_scale(0);
+  if(const auto map = flatten(m.mesh, CGAL::parameters::default_values(), scores.with_flips))
+    for(Vertex_index v : map->cones())
+      conditions[v] = CM::Vertex_condition::log_scale(0);
+  flatten(m.mesh, fixed_with(conditions), scores.fixed);
+}
+
+void run_hard_cones(unsigned int seed, std::map<std::string, Scores>& table)
+{
+  const unsigned int genus = seed % 5;
+  const Mesh mesh = coarse_surface(genus, seed);
+  Scores& scores = table["hard cones, genus " + std::to_string(genus)];
+  ++scores.problems;
+  Conditions conditions;
+  for(double defect : hard_cones(mesh, seed))
+    conditions.push_back(CM::Vertex_condition::curvature(defect));
+  const auto map =
+    boost::make_function_property_map<Vertex_index>([&](Vertex_index v) { return conditions[v]; });
+  flatten(mesh, CM::parameters::vertex_condition_map(map), scores.with_flips);
+  flatten(mesh, fixed_with(conditions), scores.fixed);
+}
+
+void print(const std::string& name, const Scores& s)
+{
+  using Status = CM::Flattening_status;
+  std::printf("%-26s%7zu", name.c_str(), s.problems);
+  for(const Score& score : {s.with_flips, s.fixed})
+    std::printf("%9.1f %%%9.1f",
+                100 * double(score.ended_with(Status::success)) / double(s.problems),
+                score.milliseconds / double(s.problems));
+  std::printf("%11zu%9zu%9zu%9zu\n", s.fixed.ended_with(Status::triangle_inequality),
+              s.fixed.ended_with(Status::no_minimum), s.fixed.ended_with(Status::not_converged),
+              s.fixed.refused);
+}
+
+int main(int argc, char** argv)
+{
+  const auto argument = [&](int i, unsigned int otherwise) {
+    return argc > i ? static_cast<unsigned int>(std::atoi(argv[i])) : otherwise;
+  };
+  std::map<std::string, Scores> table;
+  for(unsigned int seed = 0; seed < argument(1, 120); ++seed)
+    run_near_degenerate(seed, table);
+  for(unsigned int seed = 0; seed < argument(2, 150); ++seed)
+    run_hard_cones(seed, table);
+  std::printf("%-26s%7s%20s%20s%38s\n", "", "", "with flips", "fixed triangulation",
+              "failures in a fixed triangulation");
+  std::printf("%-26s%7s%11s%9s%11s%9s%11s%9s%9s%9s\n", "", "number", "success", "ms", "success",
+              "ms", "triangle", "no", "not con-", "refused");
+  std::printf("%84s%9s%9s\n", "inequality", "minimum", "verged");
+  for(const auto& [name, scores] : table)
+    print(name, scores);
+}

@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_MAP_COMMANDS_H
+#define INTRINSIC_MAP_COMMANDS_H
+
+#include "Command_run.h"
+#include "Mesh_writer.h"
+#include "commands.h"
+
+#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+
+#include <cstddef>
+#include <string>
+
+// What commands that map surfaces have in common.
+
+// Tells and times the stages.
+struct Stage_visitor
+{
+  Command_run& run;
+
+  void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
+  void after_iteration(std::size_t, double, double) { run.progress().long_step(); }
+};
+
+// Throws Program_error if the format has no texture coordinates.
+Mesh_format format_with_texture(const std::string& path, const std::string& format_name);
+
+// Throws std::runtime_error if the minimization of a map has not converged.
+void check_convergence(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
+
+// The commands, after the input has been read; `format` is that of the output.
+void flatten(Command_run& run, const Flatten_options& options, Mesh_format format);
+void hyperbolic(Command_run& run, const Hyperbolic_options& options, Mesh_format format);
+
+#endif // INTRINSIC_MAP_COMMANDS_H

@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+
+#include "Command_run.h"
+#include "Mesh_writer.h"
+#include "sphere_mesh.h"
+#include "triangulation_stages.h"
+
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace CM = CGAL::Discrete_conformal_maps;
+
+namespace {
+
+const char* name_of(CM::Flattening_stage stage)
+{
+  switch(stage) {
+    case CM::Flattening_stage::trace: return "trace";
+    case CM::Flattening_stage::subdivide: return "subdivide";
+    default: return "optimize";
+  }
+}
+
+// Tells and times the stages.
+struct Stage_visitor
+{
+  Command_run& run;
+
+  void start(CM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
+  void after_iteration(std::size_t, double, double) { run.progress().long_step(); }
+};
+
+class Sphere_command
+{
+public:
+  Sphere_command(const Common_options& common, const Sphere_options& options)
+    : m_options(options),
+      m_format(output_format(options.output, options.format)),
+      m_run("sphere", common, {options.output, options.precise}, 6)
+  {}
+
+  void run()
+  {
+    const Edge_length_map length = m_run.timed("build", [&] { return edge_lengths(m_run); });
+    const CM::Spherical_conformal_map map = mapped(length);
+    m_run.timed("write", [&] {
+      const Output_mesh result = sphere_mesh(map, mesh());
+      describe(map, result);
+      m_run.add_output(m_options.output, text_of(result, m_format));
+      if(!m_options.precise.empty())
+        m_run.add_output(m_options.precise, precise_positions(map, mesh()));
+    });
+    m_run.finish(summary());
+  }
+
+private:
+  Mesh& mesh() { return m_run.input().mesh; }
+
+  // Throws std::runtime_error if the polyhedron is not convex.
+  CM::Spherical_conformal_map mapped(const Edge_length_map& length)
+  {
+    Stage_visitor visitor{m_run};
+    CM::Spherical_conformal_map result =
+      CM::map_to_sphere(mesh(), CGAL::Intrinsic_triangulations::parameters::edge_length_map(
+                                  length, CGAL::parameters::visitor(std::ref(visitor))));
+    m_run.end_stage();
+    check(result);
+    return result;
+  }
+
+  static void check(const CM::Spherical_conformal_map& map)
+  {
+    const CM::Convexity_certificate& c = map.certificate();
+    if(c.is_convex() && map.bound_violations() == 0)
+      return;
+    std::ostringstream text;
+    text << "the image is not convex: " << c.concave_edges << " concave edges, "
+         << c.flipped_triangles << " flipped triangles, " << map.bound_violations()
+         << " violated bounds (" << CM::to_string(map.minimization().status) << ")";
+    throw std::runtime_error(text.str());
+  }
+
+  void describe(const CM::Spherical_conformal_map& map, const Output_mesh& result)
+  {
+    Statistics& statistics = m_run.statistics();
+    statistics["disk"] = map.is_disk();
+    statistics["iterations"] = map.minimization().iterations;
+    statistics["status"] = CM::to_string(map.minimization().status);
+    statistics["extended_precision"] = map.is_extended();
+    statistics["max_curvature_error"] = map.minimization().gradient_norm;
+    statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
+    statistics["convex"] = map.certificate().is_convex();
+    statistics["concave_edges"] = map.certificate().concave_edges;
+    statistics["flipped_triangles"] = map.certificate().flipped_triangles;
+    statistics["lost_in_output"] = map.lost_in_output();
+    statistics["max_inscribed_error"] = map.max_inscribed_error();
+    statistics["bound_violations"] = map.bound_violations();
+    describe_scales(map);
+    statistics["flips"] = map.number_of_flips(CM::Layer::B);
+    statistics["ptolemy_flips"] = map.number_of_flips(CM::Layer::C);
+    statistics["subdivision"] = {{"vertices", result.points.size()},
+                                 {"edges", result.edges.size()},
+                                 {"faces", result.polygons.size()}};
+  }
+
+  void describe_scales(const CM::Spherical_conformal_map& map)
+  {
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for(const Mesh::Vertex_index v : mesh().vertices()) {
+      const double u = map.log_scale(CM::Vertex_index(v.idx()));
+      least = (std::min)(least, u);
+      greatest = (std::max)(greatest, u);
+    }
+    m_run.statistics()["log_scale_min"] = least;
+    m_run.statistics()["log_scale_max"] = greatest;
+  }
+
+  std::string summary()
+  {
+    const Statistics& s = m_run.statistics();
+    std::ostringstream text;
+    text << (s["disk"] ? "hemisphere" : "sphere") << ", convex, log scale factors "
+         << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
+         << s["flips"] << " + " << s["ptolemy_flips"] << " flips, " << s["lost_in_output"]
+         << " triangles lost by rounding, " << s["subdivision"]["faces"]
+         << " faces in the common subdivision";
+    return text.str();
+  }
+
+  Sphere_options m_options;
+  Mesh_format m_format;
+  Command_run m_run;
+};
+
+} // namespace
+
+int sphere(const Common_options& common, const Sphere_options& options)
+{
+  Sphere_command(common, options).run();
+  return 0;
+}

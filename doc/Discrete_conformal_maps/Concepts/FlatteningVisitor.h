@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \ingroup PkgDiscreteConformalMapsConcepts
+/// \cgalConcept
+///
+/// sees the progress of `CGAL::Discrete_conformal_maps::flatten()`: to show it, to take times, or to stop
+/// the work by an exception.
+///
+/// \cgalRefines{MinimizationVisitor}
+///
+/// \cgalHasModel `CGAL::Discrete_conformal_maps::Default_flattening_visitor`
+class FlatteningVisitor
+{
+public:
+  /// is called when a stage of the work begins, once for each stage and in their order. What happens before the
+  /// first, the making of \f$T^B\f$, has no stage. `after_iteration()` is called in
+  /// `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only; where the minimization is repeated
+  /// (after a further cone, or in extended precision), iterations are counted from one again. An exception
+  /// leaves `flatten()`.
+  void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
+};

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_BOUNDED_NEWTON_MINIMIZER_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_BOUNDED_NEWTON_MINIMIZER_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/internal/Bounded_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/Bounded_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/Descent.h>
+#include <CGAL/Discrete_conformal_maps/internal/Newton_iteration.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsMinimizers
+/// minimizes a convex energy under lower bounds of its variables (Section 4.4.4).
+///
+/// Every step leads towards the minimum, under the bounds, of the quadratic function with the gradient and
+/// Hessian of the energy, which a set of active bounds determines. Apart from that it is as
+/// `Newton_minimizer`: the same line search, the same damping, the same factorizations, and quadratic
+/// convergence once the active set stays. All points are within the bounds; a variable whose bound is active
+/// at the minimum is at the bound, to the bit.
+///
+/// The same input gives the same result, bit by bit.
+class Bounded_Newton_minimizer
+{
+public:
+  /// makes a minimizer.
+  /// \param gradient_tolerance how great a derivative may be at the minimum, of a variable at its bound how
+  ///        far below zero; the rounding error of the gradient takes its place if that is greater
+  /// \param maximum_number_of_iterations the number of steps that may be taken
+  /// \pre `gradient_tolerance` is not negative.
+  explicit Bounded_Newton_minimizer(double gradient_tolerance = 1e-13,
+                                    std::size_t maximum_number_of_iterations = 500)
+    : m_limits{gradient_tolerance, maximum_number_of_iterations}
+  {
+    CGAL_precondition(gradient_tolerance >= 0);
+  }
+
+  /// minimizes `energy` from `u` on. Complexity of an iteration: an evaluation of the energy, and a sparse
+  /// Cholesky factorization for each active set that is tried, most often one or two.
+  /// \tparam Energy a model of `ConvexEnergy`
+  /// \tparam Visitor a model of `MinimizationVisitor`
+  /// \param energy the energy; afterwards it has been evaluated at `u`
+  /// \param u the point to start from; variables below their bounds start there. Afterwards the point with
+  ///        the least gradient (max norm, without positive entries at bounds) that has been seen.
+  /// \param lower_bound the bounds; minus infinity for none
+  /// \param domain which variables are fixed; their bounds do not matter
+  /// \param visitor sees every step; if it throws, `u` is the best point so far
+  /// \pre The sizes of `u` and `lower_bound` are that of the energy, and `domain` has no components.
+  template <typename Energy, typename Visitor>
+  Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
+                                 const Eigen::VectorXd& lower_bound,
+                                 const Minimization_domain& domain, Visitor&& visitor) const
+  {
+    typedef internal::Bounded_variables Variables;
+    CGAL_precondition(static_cast<std::size_t>(u.size()) == energy.size());
+    CGAL_precondition(lower_bound.size() == u.size());
+    const Variables variables(domain, lower_bound);
+    u = variables.feasible(u);
+    internal::Newton_iteration<Energy, Visitor, Variables, internal::Bounded_direction> iteration(
+      energy, u, variables, m_limits, visitor);
+    return iteration.run();
+  }
+
+  /// the same without a visitor.
+  template <typename Energy>
+  Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
+                                 const Eigen::VectorXd& lower_bound,
+                                 const Minimization_domain& domain = Minimization_domain()) const
+  {
+    return (*this)(energy, u, lower_bound, domain, Default_minimization_visitor());
+  }
+
+private:
+  internal::Minimization_limits m_limits;
+};
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_BOUNDED_NEWTON_MINIMIZER_H

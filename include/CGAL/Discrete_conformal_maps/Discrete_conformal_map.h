@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_DISCRETE_CONFORMAL_MAP_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_DISCRETE_CONFORMAL_MAP_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+class Map_builder;
+}
+
+/// \ingroup PkgDiscreteConformalMapsMaps
+/// what all discrete conformal maps have: three triangulations with the correspondence of each to the next,
+/// and scale factors (Section 4.2).
+///
+/// \f$T^A\f$ is the input. A component with boundary is doubled: the faces of its second copy follow those of
+/// the input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay
+/// triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay triangulation of \f$T^B\f$ with the
+/// scale factors.
+class Discrete_conformal_map
+{
+public:
+  /// the type of \f$T^A\f$ and \f$T^B\f$.
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Euclidean_triangulation;
+  /// the geometry of \f$T^B\f$ and \f$T^C\f$ as one ideal polyhedron.
+  typedef Intrinsic_triangulations::Ideal_geometry_traits<> Ideal_traits;
+  /// the type of \f$T^B\f$ and \f$T^C\f$.
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> Ideal_triangulation;
+  /// the common subdivision of all three.
+  typedef Triple_subdivision<double> Subdivision;
+  /// a point of the input.
+  typedef Intrinsic_triangulations::Face_location<double> Face_location;
+
+  /// \f$T^A\f$ (as `input_mesh()`) and \f$T^B\f$.
+  const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
+  /// \f$T^B\f$ (as `input_mesh()`) and \f$T^C\f$, both with the lengths that belong to scale factors of zero.
+  const Ideal_triangulation& ideal() const { return m_data->bc; }
+  /// the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
+  const Subdivision& subdivision() const { return *m_data->subdivision; }
+
+  /// whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
+  bool is_front(Face_index f) const { return f.idx() < m_data->number_of_front_faces; }
+
+  /// the vertex of the input that `v` is, or of which it is the second copy.
+  Vertex_index input_vertex(Vertex_index v) const { return m_data->input_vertex[v.idx()]; }
+
+  /// the logarithmic scale factor at `v`.
+  double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
+
+  /// how the minimization of the energy has ended.
+  const Minimization_result& minimization() const { return m_data->minimization; }
+
+  /// the greatest difference of a curvature from what was prescribed, in radians.
+  double max_curvature_error() const { return m_data->max_curvature_error; }
+
+  /// the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of \f$T^A\f$, or
+  /// \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
+  std::size_t number_of_flips(Layer layer) const
+  {
+    return m_data->number_of_flips[static_cast<std::size_t>(layer)];
+  }
+
+  /// the place of a point of the input on \f$T^C\f$: a face and weights of its corners, as
+  /// `Triple_subdivision::place_on_C()` gives them (Section 4.2.3).
+  /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
+  Face_location place_on_C(const Face_location& p) const
+  {
+    using Intrinsic_triangulations::Side;
+    const Face_location on_B = point_across(Side::input, p, *m_data->correspondence_ab);
+    return point_across(Side::input, on_B, *m_data->correspondence_bc);
+  }
+
+private:
+  friend class internal::Map_builder;
+
+  // does not move, since the correspondences refer to the triangulations
+  struct Data
+  {
+    Euclidean_triangulation ab;
+    Ideal_triangulation bc;
+    std::unique_ptr<Intrinsic_triangulations::Correspondence<>> correspondence_ab;
+    std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
+    std::unique_ptr<Subdivision> subdivision;
+    std::size_t number_of_front_faces = 0;
+    std::vector<Vertex_index> input_vertex;
+    std::vector<double> log_scale;
+    Minimization_result minimization;
+    double max_curvature_error = 0;
+    std::array<std::size_t, 3> number_of_flips{0, 0, 0};
+  };
+
+  std::unique_ptr<Data> m_data = std::make_unique<Data>();
+};
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_DISCRETE_CONFORMAL_MAP_H

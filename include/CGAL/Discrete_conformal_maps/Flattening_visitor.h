@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_FLATTENING_VISITOR_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_FLATTENING_VISITOR_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// a part of the work of `flatten()` or `uniformize_hyperbolic()`.
+enum class Flattening_stage
+{
+  cones,     ///< cones are placed, for a map to the plane
+  optimize,  ///< scale factors are computed
+  trace,     ///< the triangulations are traced over each other
+  subdivide, ///< their common subdivision is made
+  layout     ///< faces are laid out
+};
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// a visitor that does nothing.
+///
+/// \cgalModels `FlatteningVisitor`
+struct Default_flattening_visitor : Default_minimization_visitor
+{
+  /// is called when a part of the work begins.
+  void start(Flattening_stage /* stage */) {}
+};
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTENING_VISITOR_H

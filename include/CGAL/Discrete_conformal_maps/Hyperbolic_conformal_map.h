@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_HYPERBOLIC_CONFORMAL_MAP_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_HYPERBOLIC_CONFORMAL_MAP_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Disk_motion.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+template <typename Visitor>
+class Hyperbolic_uniformization;
+}
+
+/// \ingroup PkgDiscreteConformalMapsHyperbolic
+/// the group of motions of the hyperbolic plane that belongs to one component of a closed hyperbolic surface:
+/// the images of its fundamental domain cover the plane.
+struct Fuchsian_group
+{
+  /// a generator or its inverse.
+  struct Letter
+  {
+    std::size_t generator; ///< its number
+    bool is_inverse;       ///< whether it is the inverse
+  };
+
+  std::size_t genus = 0; ///< the genus of the surface
+  double area = 0;       ///< its area
+
+  /// two motions per handle. Each takes the fundamental domain to a place beside it, across one of the edges that
+  /// are open. Without cones, they generate the group.
+  std::vector<Disk_motion<>> generators;
+
+  /// The product of these letters, from left to right, is the identity: each generator is there once, and
+  /// once inverse. Empty if there are cones.
+  std::vector<Letter> relation;
+
+  /// how far that product is from the identity, in the precision in which the surface was laid out.
+  double relation_error = 0;
+};
+
+/// \ingroup PkgDiscreteConformalMapsHyperbolic
+/// a discrete conformal map of a surface to the hyperbolic plane: the faces of \f$T^C\f$ are hyperbolic
+/// triangles, those of each component are laid out beside each other in the Poincare disk except at seams, and
+/// motions glue the seams. A component with boundary is doubled, and its boundary is a geodesic.
+///
+/// All components have the middle of their domain at the origin.
+///
+/// Points far from the origin are close to the boundary of the disk: at a distance \f$d\f$, coordinates of type
+/// `double` are good for a distance of \f$10^{-16} e^d\f$.
+class Hyperbolic_conformal_map : public Discrete_conformal_map
+{
+public:
+  /// the number of components, except for isolated vertices.
+  std::size_t number_of_components() const { return m_groups.size(); }
+
+  /// the component of the face `f` of \f$T^C\f$.
+  std::size_t component(Face_index f) const { return m_component[f.idx()]; }
+
+  /// the group of component `c`.
+  const Fuchsian_group& group(std::size_t c) const { return m_groups[c]; }
+
+  /// the area of all components.
+  double area() const
+  {
+    double result = 0;
+    for(const Fuchsian_group& group : m_groups)
+      result += group.area;
+    return result;
+  }
+
+  /// the hyperbolic length of the edge `e` of \f$T^C\f$.
+  double length(Edge_index e) const
+  {
+    const double u =
+      log_scale(ideal().mesh().vertex(e, 0)) + log_scale(ideal().mesh().vertex(e, 1));
+    return 2 * std::asinh(ideal().length(e) * std::exp(u / 2));
+  }
+
+  /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the hyperboloid
+  /// \f$x^2 + y^2 - t^2 = -1\f$, as \f$(x, y, t)\f$.
+  const std::array<double, 3>& hyperboloid_position(Halfedge_index h) const
+  {
+    return m_position[h.idx()];
+  }
+
+  /// the same in the Poincare disk.
+  std::complex<double> position(Halfedge_index h) const { return to_disk(m_position[h.idx()]); }
+
+  /// whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other.
+  bool is_seam(Edge_index e) const { return m_seam[e.idx()] != no_seam; }
+
+  /// the motion that takes the face beyond the halfedge `h` of \f$T^C\f$ to its place beside the face of `h`;
+  /// the identity where there is no seam.
+  Disk_motion<> gluing(Halfedge_index h) const
+  {
+    if(!is_seam(Edge_index(h)))
+      return {};
+    const Disk_motion<>& motion = m_gluing[m_seam[Edge_index(h).idx()]];
+    return h.idx() % 2 == 0 ? motion : motion.inverse();
+  }
+
+  /// how far faces are from closing up around vertices without cones, seen from the origin: the greatest distance
+  /// of a product of gluing motions from the identity.
+  double max_gluing_error() const { return m_max_gluing_error; }
+
+  /// the greatest distance of a vertex from the origin.
+  double radius() const
+  {
+    double greatest = 1;
+    for(const auto& p : m_position)
+      greatest = (std::max)(greatest, p[2]);
+    return std::acosh(greatest);
+  }
+
+  /// the homogeneous coordinates of a point, as a vector \f$(x, y, t)\f$ in the cone over the hyperboloid. They
+  /// are linear on the faces of the common subdivision, \f$(x/t, y/t)\f$ is the point in Klein's disk.
+  /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
+  ///        `Triple_subdivision::place_on_C()` gives
+  std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
+  {
+    const Delta_complex& mesh = ideal().mesh();
+    std::array<double, 3> result{0, 0, 0};
+    const auto side = Intrinsic_triangulations::internal::sides(on_C.first, mesh);
+    for(std::size_t s = 0; s < 3; ++s) {
+      const double w = on_C.second[s] * std::exp(-log_scale(mesh.source(side[s])));
+      for(std::size_t i = 0; i < 3; ++i)
+        result[i] += w * m_position[side[s].idx()][i];
+    }
+    return result;
+  }
+
+  /// the point of the Poincare disk that belongs to a vector in the cone over the hyperboloid.
+  static std::complex<double> to_disk(const std::array<double, 3>& p)
+  {
+    const double square = p[2] * p[2] - p[0] * p[0] - p[1] * p[1];
+    return std::complex<double>(p[0], p[1]) / (p[2] + std::sqrt((std::max)(square, 0.)));
+  }
+
+  /// the image of a point of the input in the Poincare disk, by piecewise projective interpolation: on every
+  /// face, the coordinates in Klein's disk are a projective map. This is the map of Section 4.2.3 for a
+  /// hyperbolic target.
+  /// Complexity: that of `place_on_C()`.
+  std::complex<double> operator()(const Face_location& p) const
+  {
+    return to_disk(homogeneous_coordinates(place_on_C(p)));
+  }
+
+private:
+  template <typename Visitor>
+  friend class internal::Hyperbolic_uniformization;
+
+  static constexpr std::size_t no_seam = static_cast<std::size_t>(-1);
+
+  std::vector<std::size_t> m_component; // of the faces of T^C
+  std::vector<Fuchsian_group> m_groups;
+  std::vector<std::array<double, 3>> m_position; // of the sources of halfedges of T^C
+  std::vector<std::size_t> m_seam;               // for each edge of T^C, its number among the seams
+  std::vector<Disk_motion<>> m_gluing;           // of the first halfedge of each seam
+  double m_max_gluing_error = 0;
+};
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_HYPERBOLIC_CONFORMAL_MAP_H

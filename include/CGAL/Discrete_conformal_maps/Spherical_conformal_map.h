@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_SPHERICAL_CONFORMAL_MAP_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_SPHERICAL_CONFORMAL_MAP_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
+#include <CGAL/Discrete_conformal_maps/internal/Scale_factors.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+template <typename Visitor>
+class Sphere_mapping;
+}
+
+/// \ingroup PkgDiscreteConformalMapsSphere
+/// a discrete conformal map of a sphere, or of a disk to a hemisphere: three triangulations with the
+/// correspondence of each to the next, scale factors, and positions on the unit sphere (Section 4.4).
+///
+/// \f$T^A\f$ is the input. A disk is doubled: the faces of its second copy follow those of the input, and so do
+/// edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay triangulation of
+/// \f$T^A\f$. \f$T^C\f$ has the same ideal polyhedron as \f$T^B\f$, and its faces are those of a convex
+/// polyhedron with vertices on the unit sphere, whose lengths are \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This
+/// polyhedron is unique up to Moebius transformations. It is the one in which the vertices, each with a third
+/// of the area of its faces in the input as mass, have their center of mass in the center of the sphere; so it
+/// is unique up to rotations. The vertex from which the sphere was unfolded has the position (0, 0, -1).
+///
+/// The image of a disk is the upper hemisphere, and its boundary is on the equator; a vertex of the boundary has
+/// the position (-1, 0, 0).
+///
+/// Where limbs of the input are long, their images are small, and `double` may have too few digits for the
+/// differences of positions: `lost_in_output()` says how many triangles suffer. The map itself knows positions
+/// in 34 digits, relative to the image of infinity even those of differences. Logarithmic scale factors do
+/// not lose anything.
+class Spherical_conformal_map
+{
+public:
+  /// the type of \f$T^A\f$ and \f$T^B\f$.
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Euclidean_triangulation;
+  /// the geometry of \f$T^B\f$ and \f$T^C\f$ as one ideal polyhedron.
+  typedef Intrinsic_triangulations::Ideal_geometry_traits<> Ideal_traits;
+  /// the type of \f$T^B\f$ and \f$T^C\f$.
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> Ideal_triangulation;
+  /// the common subdivision of all three.
+  typedef Triple_subdivision<double> Subdivision;
+  /// a point of the input.
+  typedef Intrinsic_triangulations::Face_location<double> Face_location;
+  /// a point in space.
+  typedef std::array<double, 3> Point;
+  /// a floating point number of 113 binary digits.
+  typedef internal::Extended Extended;
+
+  /// \f$T^A\f$ (as `input_mesh()`) and \f$T^B\f$.
+  const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
+  /// \f$T^B\f$ (as `input_mesh()`) and \f$T^C\f$, both with the lengths that belong to scale factors of zero.
+  const Ideal_triangulation& ideal() const { return m_data->bc; }
+  /// the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
+  const Subdivision& subdivision() const { return *m_data->subdivision; }
+
+  /// whether the input is a disk.
+  bool is_disk() const
+  {
+    return m_data->number_of_front_faces < m_data->ab.input_mesh().number_of_faces();
+  }
+  /// whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
+  bool is_front(Face_index f) const { return f.idx() < m_data->number_of_front_faces; }
+  /// the vertex of the input that `v` is, or of which it is the second copy.
+  Vertex_index input_vertex(Vertex_index v) const { return m_data->input_vertex[v.idx()]; }
+  /// the vertex from which the sphere was unfolded into the plane.
+  Vertex_index vertex_at_infinity() const { return m_data->at_infinity; }
+
+  /// the logarithmic scale factor at `v`.
+  double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
+
+  /// the position of `v` on the unit sphere, the nearest that `double` has.
+  const Point& position(Vertex_index v) const { return m_data->position[v.idx()]; }
+
+  /// the position of `v` on the unit sphere, in more digits.
+  std::array<Extended, 3> precise_position(Vertex_index v) const { return m_data->on_sphere(v); }
+
+  /// the position of `v` in the plane: the stereographic projection, from the vertex at infinity, of its
+  /// position on the sphere. That of the vertex at infinity has no meaning.
+  const std::array<Extended, 2>& stereographic_position(Vertex_index v) const
+  {
+    return m_data->in_plane[v.idx()];
+  }
+
+  /// what exact predicates say about the polyhedron, with positions in the plane as above.
+  const Convexity_certificate& certificate() const { return m_data->certificate; }
+
+  /// the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped as seen from the
+  /// center, if they have their vertices at `position()`: exact for these numbers, whose rounding is to
+  /// blame. Edges between faces that are parts of one flat face can have any side, and count.
+  std::size_t lost_in_output() const { return m_data->lost_in_output; }
+
+  /// the greatest distance of a `position()` from the sphere.
+  double max_inscribed_error() const;
+
+  /// the number of vertices that break a bound of Section 4.4.3: their scale factors are too small, or they
+  /// are neighbors of the vertex at infinity and their scale factors are greater than they may be.
+  std::size_t bound_violations() const { return m_data->bound_violations; }
+
+  /// how the minimization of the energy has ended.
+  const Minimization_result& minimization() const { return m_data->minimization; }
+
+  /// whether more digits than those of `double` were needed.
+  bool is_extended() const { return m_data->is_extended; }
+
+  /// the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of \f$T^A\f$, or
+  /// \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
+  std::size_t number_of_flips(Layer layer) const
+  {
+    return m_data->number_of_flips[static_cast<std::size_t>(layer)];
+  }
+
+  /// the homogeneous coordinates of a point of the polyhedron, as a vector `(x w, y w, z w, w)`. They are
+  /// linear on the faces of the common subdivision (Section 4.4.6).
+  /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
+  ///        `Triple_subdivision::place_on_C()` gives
+  std::array<double, 4> homogeneous_coordinates(const Face_location& on_C) const
+  {
+    const Delta_complex& mesh = ideal().mesh();
+    const auto side = Intrinsic_triangulations::internal::sides(on_C.first, mesh);
+    std::array<double, 4> result{0, 0, 0, 0};
+    for(std::size_t s = 0; s < 3; ++s) {
+      const Vertex_index v = mesh.source(side[s]);
+      const double w = on_C.second[s] * std::exp(-log_scale(v));
+      for(std::size_t c = 0; c < 3; ++c)
+        result[c] += w * position(v)[c];
+      result[3] += w;
+    }
+    return result;
+  }
+
+  /// the image of a point of the polyhedron on the sphere, along the ray from the center.
+  static Point project(const std::array<double, 4>& homogeneous)
+  {
+    const double norm = std::hypot(homogeneous[0], homogeneous[1], homogeneous[2]);
+    return {homogeneous[0] / norm, homogeneous[1] / norm, homogeneous[2] / norm};
+  }
+
+  /// the image of a point of the sphere in the plane, by stereographic projection from (0, 0, -1): the image
+  /// of a disk is the unit disk. \pre the third coordinate of `p` is greater than -1
+  static std::complex<double> to_plane(const Point& p)
+  {
+    return std::complex<double>(p[0], p[1]) / (1 + p[2]);
+  }
+
+  /// the image on the sphere of a point of the input, by piecewise projective interpolation.
+  /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
+  Point operator()(const Face_location& p) const
+  {
+    using Intrinsic_triangulations::Side;
+    const Face_location on_B = point_across(Side::input, p, *m_data->correspondence_ab);
+    return project(
+      homogeneous_coordinates(point_across(Side::input, on_B, *m_data->correspondence_bc)));
+  }
+
+private:
+  template <typename Visitor>
+  friend class internal::Sphere_mapping;
+
+  // does not move, since the correspondences refer to the triangulations
+  struct Data
+  {
+    // Of a disk, the mirror plane is turned into that of the equator.
+    std::array<Extended, 3> on_sphere(Vertex_index v) const
+    {
+      if(v == at_infinity)
+        return turned({Extended(0), Extended(0), Extended(-1)});
+      const auto& [x, y] = in_plane[v.idx()];
+      const Extended square = x * x + y * y, scale = 1 / (1 + square);
+      return turned({2 * x * scale, 2 * y * scale, (1 - square) * scale});
+    }
+
+    std::array<Extended, 3> turned(const std::array<Extended, 3>& p) const
+    {
+      if(number_of_front_faces == ab.input_mesh().number_of_faces())
+        return p;
+      return {p[2], p[0], p[1]};
+    }
+
+    Euclidean_triangulation ab;
+    Ideal_triangulation bc;
+    std::unique_ptr<Intrinsic_triangulations::Correspondence<>> correspondence_ab;
+    std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
+    std::unique_ptr<Subdivision> subdivision;
+    std::size_t number_of_front_faces = 0;
+    std::vector<Vertex_index> input_vertex;
+    Vertex_index at_infinity;
+    std::vector<double> log_scale;
+    std::vector<std::array<Extended, 2>> in_plane;
+    std::vector<Point> position;
+    Convexity_certificate certificate;
+    std::size_t lost_in_output = 0, bound_violations = 0;
+    Minimization_result minimization;
+    bool is_extended = false;
+    std::array<std::size_t, 3> number_of_flips{0, 0, 0};
+  };
+
+  std::unique_ptr<Data> m_data = std::make_unique<Data>();
+};
+
+inline double Spherical_conformal_map::max_inscribed_error() const
+{
+  double result = 0;
+  for(const Point& p : m_data->position)
+    result = (std::max)(result, std::abs(std::hypot(p[0], p[1], p[2]) - 1));
+  return result;
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_SPHERICAL_CONFORMAL_MAP_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_FLAT_MODULUS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_FLAT_MODULUS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+
+// The translations that glue the seams of a flat surface without cones, the shortest first; rounding errors of
+// none do not count.
+inline std::vector<std::complex<double>> seam_translations(const Planar_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  std::vector<std::complex<double>> result;
+  double longest = 0;
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
+    if(!map.is_seam(e) || !map.is_laid_out(mesh.face(h)) || !map.is_laid_out(mesh.face(o)))
+      continue;
+    result.push_back(map.position(h) - map.position(mesh.next(o)));
+    longest = (std::max)(longest, std::abs(result.back()));
+  }
+  const auto is_none = [&](const auto& t) { return !(std::abs(t) > 1e-8 * longest); };
+  result.erase(std::remove_if(result.begin(), result.end(), is_none), result.end());
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& s, const auto& t) { return std::abs(s) < std::abs(t); });
+  return result;
+}
+
+// of the flat surface, with its second copy if it has a boundary
+inline double flat_area(const Planar_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  const auto length = [&](Halfedge_index h) {
+    return map.ideal().length(mesh.edge(h)) *
+           std::exp((map.log_scale(mesh.source(h)) + map.log_scale(mesh.target(h))) / 2);
+  };
+  double result = 0;
+  for(Face_index f : mesh.faces()) {
+    const auto h = Intrinsic_triangulations::internal::sides(f, mesh);
+    result +=
+      Intrinsic_triangulations::quadrupled_area(length(h[0]), length(h[1]), length(h[2])) / 4;
+  }
+  return result;
+}
+
+// of the boundary of the input, in the plane
+inline double boundary_length(const Planar_conformal_map& map)
+{
+  const auto& subdivision = map.subdivision();
+  const auto& mesh = subdivision.mesh();
+  const auto is_front = [&](Halfedge_index h) {
+    return map.is_front(subdivision.parent_face(Layer::A, mesh.face(h)));
+  };
+  const auto image = [&](Halfedge_index h) {
+    const auto z = map.homogeneous_coordinates(subdivision.place_on_C(h));
+    return std::complex<double>(z[0], z[1]) / z[2];
+  };
+  double result = 0;
+  for(Halfedge_index h : mesh.halfedges())
+    if(is_front(h) && !is_front(mesh.opposite(h)))
+      result += std::abs(image(h) - image(mesh.prev(h)));
+  return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// returns the modulus of a flat torus: the quotient \f$\tau\f$ of two translations that generate its lattice,
+/// with \f$|\tau| \ge 1\f$, \f$-\frac12 \le \mathrm{Re}\,\tau \le \frac12\f$ and \f$\mathrm{Im}\,\tau > 0\f$. It
+/// is unique but on the boundary of this domain. Complexity: \f$O(n \log n)\f$.
+/// \pre `map` is that of one torus without cones.
+inline std::complex<double> torus_modulus(const Planar_conformal_map& map)
+{
+  const std::vector<std::complex<double>> translation = internal::seam_translations(map);
+  CGAL_precondition(!translation.empty());
+  std::complex<double> a = translation.front(), b = 0;
+  // along the seams there are two generators, and perhaps their sum
+  for(const auto& t : translation)
+    if(b == 0. && std::abs((t / a).imag()) > 1e-8)
+      b = t;
+  CGAL_precondition(b != 0.);
+  do { // Lagrange's reduction
+    if(std::abs(b) < std::abs(a))
+      std::swap(a, b);
+    b -= std::round((b / a).real()) * a;
+  } while(std::abs(b) < std::abs(a));
+  const std::complex<double> tau = b / a;
+  return tau.imag() > 0 ? tau : -tau;
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// returns the modulus of a flat annulus with straight boundaries, a cylinder: its height, divided by its
+/// circumference. Complexity: linear.
+/// \pre `map` is that of one annulus with curvature zero everywhere.
+inline double annulus_modulus(const Planar_conformal_map& map)
+{
+  const double circumference = internal::boundary_length(map) / 2;
+  return internal::flat_area(map) / 2 / (circumference * circumference);
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLAT_MODULUS_H

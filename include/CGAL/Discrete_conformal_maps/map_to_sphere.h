@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_MAP_TO_SPHERE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_MAP_TO_SPHERE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/Unfolded_sphere.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+
+// The steps from a closed or doubled surface to its map.
+template <typename Visitor>
+class Sphere_mapping
+{
+public:
+  Sphere_mapping(Doubled_problem& problem, std::size_t number_of_front_faces, Visitor& visitor)
+    : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas())
+  {
+    check();
+    m_data = m_map.m_data.get();
+    m_data->number_of_front_faces = number_of_front_faces;
+  }
+
+  Spherical_conformal_map run()
+  {
+    m_visitor.start(Flattening_stage::optimize);
+    take(unfold());
+    m_visitor.start(Flattening_stage::trace);
+    m_data->correspondence_ab =
+      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data->ab);
+    m_data->correspondence_bc = std::make_unique<
+      Intrinsic_triangulations::Correspondence<Spherical_conformal_map::Ideal_traits>>(m_data->bc);
+    m_visitor.start(Flattening_stage::subdivide);
+    m_data->subdivision = std::make_unique<Spherical_conformal_map::Subdivision>(
+      *m_data->correspondence_ab, *m_data->correspondence_bc);
+    return std::move(m_map);
+  }
+
+private:
+  static constexpr std::size_t maximum_number_of_trials = 4;
+
+  // \throws Invalid_input if the surface is no sphere
+  void check() const
+  {
+    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    const auto characteristic = static_cast<long>(mesh.number_of_vertices()) -
+                                static_cast<long>(mesh.number_of_edges()) +
+                                static_cast<long>(mesh.number_of_faces());
+    if(m_problem.components().size() != 1 || mesh.number_of_faces() == 0)
+      throw Intrinsic_triangulations::Invalid_input(
+        "the surface is not connected, or has isolated vertices");
+    if(characteristic != 2)
+      throw Intrinsic_triangulations::Invalid_input(
+        "the surface is neither a sphere nor a disk: without boundary, or doubled along it, it has "
+        "an Euler characteristic of " +
+        std::to_string(characteristic));
+  }
+
+  // A third of the area of each face belongs to each of its corners.
+  std::vector<double> vertex_areas() const
+  {
+    const auto& triangulation = m_problem.triangulation();
+    const Delta_complex& mesh = triangulation.input_mesh();
+    std::vector<double> result(mesh.num_vertices(), 0);
+    for(Face_index f : mesh.faces()) {
+      const auto side = Intrinsic_triangulations::internal::sides(f, mesh);
+      const auto length = [&](std::size_t s) {
+        return triangulation.input_length(mesh.edge(side[s]));
+      };
+      const double area = std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(
+                            length(0), length(1), length(2))) /
+                          4;
+      for(Halfedge_index h : side)
+        result[mesh.target(h).idx()] += area / 3;
+    }
+    return result;
+  }
+
+  // Vertices with much area are best at infinity: all others can be seen from there. Of a disk, they are on the
+  // boundary.
+  std::vector<Vertex_index> candidates() const
+  {
+    std::vector<Vertex_index> all, on_boundary;
+    for(Vertex_index v : m_problem.triangulation().mesh().vertices()) {
+      all.push_back(v);
+      if(m_problem.is_on_boundary(v))
+        on_boundary.push_back(v);
+    }
+    std::vector<Vertex_index>& result = on_boundary.empty() ? all : on_boundary;
+    std::stable_sort(result.begin(), result.end(), [this](Vertex_index v, Vertex_index w) {
+      return m_mass[v.idx()] > m_mass[w.idx()];
+    });
+    return result;
+  }
+
+  // the first good result, or else the best
+  Unfolded_sphere unfold()
+  {
+    std::optional<Unfolded_sphere> best;
+    const std::vector<Vertex_index> vertices = candidates();
+    // vertices far apart in the order of areas are most likely far apart on the surface
+    const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
+    for(std::size_t i = 0; i < vertices.size() && i < maximum_number_of_trials * stride;
+        i += stride) {
+      Unfolded_sphere next(m_problem, m_mass, vertices[i], m_visitor);
+      if(!best || next < *best)
+        best.emplace(std::move(next));
+      if(best->is_good())
+        break;
+    }
+    if(!best->is_laid_out())
+      throw Intrinsic_triangulations::Numerical_error(
+        std::string("the scale factors of the sphere have not been found: ") +
+        to_string(best->minimization().status));
+    return std::move(*best);
+  }
+
+  void take(const Unfolded_sphere& sphere)
+  {
+    m_data->at_infinity = sphere.vertex_at_infinity();
+    m_data->log_scale = sphere.log_scales();
+    m_data->in_plane = sphere.positions();
+    m_data->certificate = sphere.certificate();
+    m_data->bound_violations = sphere.bound_violations();
+    m_data->minimization = sphere.minimization();
+    m_data->is_extended = sphere.is_extended();
+    take_triangulations(sphere.flips());
+    for(Vertex_index v : m_data->ab.mesh().vertices()) {
+      m_data->input_vertex.push_back(m_problem.front(v));
+      const auto p = m_data->on_sphere(v);
+      m_data->position.push_back(
+        {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+    }
+    m_data->lost_in_output = lost_in_output();
+  }
+
+  void take_triangulations(const std::vector<Halfedge_index>& flips)
+  {
+    m_data->ab = std::move(m_problem.triangulation());
+    m_data->number_of_flips[1] = m_problem.number_of_flips();
+    m_data->bc = Spherical_conformal_map::Ideal_triangulation(
+      m_data->ab.mesh(),
+      Intrinsic_triangulations::parameters::edge_length_map(m_data->ab.length_map()));
+    for(Halfedge_index h : flips)
+      m_data->bc.flip(h);
+    m_data->number_of_flips[2] = flips.size();
+  }
+
+  std::size_t lost_in_output() const
+  {
+    typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+    const Delta_complex& mesh = m_data->bc.mesh();
+    const auto at = [&](Vertex_index v) {
+      const auto& p = m_data->position[v.idx()];
+      return Point(p[0], p[1], p[2]);
+    };
+    const Point center(0, 0, 0);
+    std::size_t result = 0;
+    for(Face_index f : mesh.faces()) {
+      const auto side = Intrinsic_triangulations::internal::sides(f, mesh);
+      const Point p = at(mesh.source(side[0])), q = at(mesh.source(side[1])),
+                  r = at(mesh.source(side[2]));
+      bool is_good = CGAL::orientation(center, p, q, r) == CGAL::POSITIVE;
+      for(Halfedge_index h : side) {
+        const Point beyond = at(mesh.target(mesh.next(mesh.opposite(h))));
+        is_good = is_good && CGAL::orientation(p, q, r, beyond) != CGAL::POSITIVE;
+      }
+      result += !is_good;
+    }
+    return result;
+  }
+
+  Doubled_problem& m_problem;
+  Visitor& m_visitor;
+  std::vector<double> m_mass;
+  Spherical_conformal_map m_map;
+  Spherical_conformal_map::Data* m_data;
+};
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsSphere
+/// maps a surface of genus zero to the unit sphere, discretely conformally, or a disk to a hemisphere
+/// (Section 4.4).
+///
+/// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result is a convex
+/// polyhedron is decided exactly. If it is none, or length cross ratios are not what they should be, the work
+/// goes on with 113 binary digits, and if that is not enough with other vertices at infinity. The map says
+/// what has been reached.
+///
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param g a connected manifold triangle mesh, a sphere or a disk
+/// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
+///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamDefault{`Default_flattening_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// Complexity: for each step of the minimization, that of a few sparse Cholesky factorizations; beyond that
+/// \f$O(n \log n)\f$ in the vertices, flips and crossings.
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or neither a sphere nor a disk
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error where numbers
+///         have not enough digits
+template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Spherical_conformal_map
+map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  Default_flattening_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  internal::Doubled_problem problem(
+    input, std::vector<Vertex_condition>(input.mesh().num_vertices()), Flipping::to_Delaunay);
+  internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(
+    problem, input.mesh().num_faces(), visitor);
+  return mapping.run();
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_MAP_TO_SPHERE_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_TEXTURE_COORDINATES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_TEXTURE_COORDINATES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/copy_input.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// the faces of an input have no texture coordinates: a map is not projective on them, or is not laid out.
+class No_texture_coordinates : public Intrinsic_triangulations::Error
+{
+public:
+  using Error::Error;
+};
+
+namespace internal {
+
+// calls `f` with the faces of the subdivision that are on the input
+template <typename Function>
+void for_each_front_face(const Planar_conformal_map& map, const Function& f)
+{
+  for(Face_index part : map.subdivision().mesh().faces())
+    if(map.is_front(map.subdivision().parent_face(Layer::A, part)))
+      f(part);
+}
+
+// The halfedges of the subdivision that are those of T^A, for each halfedge of a face on the input.
+class Whole_faces
+{
+public:
+  // \pre the faces of the input are whole
+  explicit Whole_faces(const Planar_conformal_map& map) : m_map(map)
+  {
+    m_part.resize(map.Delaunay().input_mesh().num_halfedges());
+    for_each_front_face(map, [&](Face_index f) { add(f); });
+  }
+
+  std::array<double, 3> homogeneous_coordinates(Halfedge_index h) const
+  {
+    return m_map.homogeneous_coordinates(m_map.subdivision().place_on_C(m_part[h.idx()]));
+  }
+
+private:
+  void add(Face_index part)
+  {
+    const auto& mesh = m_map.subdivision().mesh();
+    const Delta_complex& input = m_map.Delaunay().input_mesh();
+    const Halfedge_index first = input.halfedge(m_map.subdivision().parent_face(Layer::A, part));
+    Halfedge_index h = mesh.halfedge(part);
+    while(!has_edges(h, first))
+      h = mesh.next(h);
+    for(Halfedge_index x : {first, input.next(first), input.prev(first)}) {
+      m_part[x.idx()] = h;
+      h = mesh.next(h);
+    }
+  }
+
+  // whether the edges of a face of the subdivision, from `h` on, are those of one of T^A from `x` on
+  bool has_edges(Halfedge_index h, Halfedge_index x) const
+  {
+    const auto& mesh = m_map.subdivision().mesh();
+    const Delta_complex& input = m_map.Delaunay().input_mesh();
+    const auto is_part = [&](Halfedge_index a, Halfedge_index b) {
+      return m_map.subdivision().parent_edge(Layer::A, mesh.edge(a)) == input.edge(b);
+    };
+    return is_part(h, x) && is_part(mesh.next(h), input.next(x)) &&
+           is_part(mesh.prev(h), input.prev(x));
+  }
+
+  const Planar_conformal_map& m_map;
+  std::vector<Halfedge_index> m_part;
+};
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// whether no face of the input is cut by edges of \f$T^B\f$ or \f$T^C\f$. Then the map is projective on each
+/// of them, and corners of the input suffice to tell it. Only the subdivision tells it otherwise.
+/// Complexity: linear in the faces of the subdivision.
+inline bool has_whole_faces(const Planar_conformal_map& map)
+{
+  std::vector<char> is_met(map.Delaunay().input_mesh().num_faces(), 0);
+  bool result = true;
+  internal::for_each_front_face(map, [&](Face_index part) {
+    char& is_second = is_met[map.subdivision().parent_face(Layer::A, part).idx()];
+    result = result && !is_second;
+    is_second = 1;
+  });
+  return result;
+}
+
+namespace internal {
+
+// Calls `write` with the halfedges of the faces of a graph and the homogeneous coordinates of their targets.
+template <typename Graph, typename Function>
+void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Function& write)
+{
+  if(!map.is_laid_out())
+    throw No_texture_coordinates(std::string("the map is not laid out: ") +
+                                 to_string(map.status()));
+  if(!has_whole_faces(map))
+    throw No_texture_coordinates(
+      "edges had to be flipped: the map is not projective on every face");
+  const Whole_faces whole(map);
+  Intrinsic_triangulations::internal::with_numbering(g, [&](const auto& numbering) {
+    for(auto h : halfedges(g))
+      if(face(h, g) != boost::graph_traits<Graph>::null_face())
+        write(h, whole.homogeneous_coordinates(numbering.halfedge_of(h)));
+  });
+}
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// writes homogeneous texture coordinates \f$(xw, yw, w)\f$ of the corners of a mesh. Interpolated linearly and
+/// then divided by the third, they give the exact map. Complexity: linear.
+///
+/// \param map the result of `flatten()` for `g`
+/// \param g the mesh
+/// \param uvw a writable property map with a halfedge of `g` as key, for the corner at its target in its
+///        face, and a value type that is made of three `double`. Border halfedges get no value.
+/// \throws No_texture_coordinates if faces of `g` are cut (see `has_whole_faces()`) or are not laid out;
+///         nothing is written then
+template <typename Graph, typename HalfedgeMap>
+void homogeneous_texture_coordinates(const Planar_conformal_map& map, const Graph& g,
+                                     HalfedgeMap uvw)
+{
+  typedef typename boost::property_traits<HalfedgeMap>::value_type Value;
+  internal::for_each_corner(map, g, [&](auto h, const std::array<double, 3>& z) {
+    put(uvw, h, Value{z[0], z[1], z[2]});
+  });
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// writes texture coordinates \f$(x, y)\f$ of the corners of a mesh. Interpolated linearly, they give the map
+/// at vertices and, on each edge and face, its image; in between they approximate it. Complexity: linear.
+///
+/// \param map the result of `flatten()` for `g`
+/// \param g the mesh
+/// \param uv a writable property map with a halfedge of `g` as key, for the corner at its target in its
+///        face, and a value type that is made of two `double`, such as `Point_2` of a kernel. Border halfedges
+///        get no value.
+/// \throws No_texture_coordinates if faces of `g` are cut (see `has_whole_faces()`) or are not laid out;
+///         nothing is written then
+template <typename Graph, typename HalfedgeMap>
+void texture_coordinates(const Planar_conformal_map& map, const Graph& g, HalfedgeMap uv)
+{
+  typedef typename boost::property_traits<HalfedgeMap>::value_type Value;
+  internal::for_each_corner(map, g, [&](auto h, const std::array<double, 3>& z) {
+    put(uv, h, Value{z[0] / z[2], z[1] / z[2]});
+  });
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_TEXTURE_COORDINATES_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/flat_modulus.h>
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/surface_type.h>
+#include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <complex>
+#include <optional>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsHyperbolic
+/// the metric of constant curvature of a surface, and the map that belongs to it.
+struct Uniformization
+{
+  /// the topology of the surface, on which the rest depends
+  Surface_type type;
+  /// the map of a torus or an annulus
+  std::optional<Planar_conformal_map> flat;
+  /// the map of all other surfaces
+  std::optional<Hyperbolic_conformal_map> hyperbolic;
+  /// the modulus of a torus (see `torus_modulus()`); the imaginary unit times that of an annulus (see
+  /// `annulus_modulus()`)
+  std::complex<double> modulus;
+};
+
+/// \ingroup PkgDiscreteConformalMapsHyperbolic
+/// gives a surface the discretely conformal metric of constant curvature that its topology allows: a torus
+/// becomes flat, an annulus a flat cylinder, and all surfaces with more handles or boundaries hyperbolic, the
+/// boundaries geodesics.
+///
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param g a connected manifold triangle mesh that is not simply connected
+/// \param np the parameters of `uniformize_hyperbolic()` other than `vertex_condition_map`
+///
+/// Complexity and exceptions: those of `flatten()` and `uniformize_hyperbolic()`.
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is a sphere or a disk, or is not connected
+template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Uniformization uniformize(const Graph& g,
+                          const NamedParameters& np = CGAL::parameters::default_values())
+{
+  typedef typename boost::graph_traits<Graph>::vertex_descriptor Vertex;
+  Uniformization result;
+  result.type = surface_type(g);
+  switch(result.type) {
+    case Surface_type::sphere:
+    case Surface_type::disk:
+      throw Intrinsic_triangulations::Invalid_input("the surface is simply connected");
+    case Surface_type::hyperbolic: result.hyperbolic.emplace(uniformize_hyperbolic(g, np)); break;
+    default:
+      const auto straight = boost::make_function_property_map<Vertex>(
+        [](Vertex) { return Vertex_condition::curvature(0); });
+      result.flat.emplace(flatten(g, parameters::vertex_condition_map(straight, np)));
+      result.modulus = result.type == Surface_type::torus
+                         ? torus_modulus(*result.flat)
+                         : std::complex<double>(0, annulus_modulus(*result.flat));
+  }
+  return result;
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_H

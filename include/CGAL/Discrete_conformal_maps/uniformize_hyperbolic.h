@@ -1,0 +1,317 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_HYPERBOLIC_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_HYPERBOLIC_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/Hyperbolic_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/Hyperbolic_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/named_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+
+// Scale factors, the same for all vertices of a component, with which small hyperbolic triangles would have the
+// area that a component must have by Gauss and Bonnet.
+inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
+{
+  const auto& t = problem.triangulation();
+  const std::vector<double> target = problem.curvature_excess(),
+                            area = problem.areas(
+                              t.mesh(), [&](Halfedge_index h) { return t.length(Edge_index(h)); });
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(problem.size()));
+  for(std::size_t v = 0; v < problem.size(); ++v)
+    // a length l = sinh(x/2) is half of x
+    if(const std::size_t c = problem.components()[v]; target[c] > 0 && area[c] > 0)
+      result[Eigen::Index(v)] = std::log(target[c] / (4 * area[c])) / 2;
+  return result;
+}
+
+// The steps from a doubled problem to a map.
+template <typename Visitor>
+class Hyperbolic_uniformization
+{
+public:
+  Hyperbolic_uniformization(Doubled_problem& problem, std::size_t number_of_front_faces,
+                            Visitor& visitor)
+    : m_visitor(visitor),
+      m_scale(problem, hyperbolic_start(problem)),
+      m_builder(problem, number_of_front_faces, m_map),
+      m_is_cone(problem.is_fixed())
+  {
+    const auto target = problem.target_defect();
+    for(std::size_t v = 0; v < problem.size(); ++v)
+      m_is_cone[v] |= target[Eigen::Index(v)] != 0;
+  }
+
+  template <typename Minimizer>
+  void find_scale_factors(const Minimizer& minimizer)
+  {
+    m_visitor.start(Flattening_stage::optimize);
+    m_scale.minimize(minimizer, 1e-11, m_visitor);
+    m_builder.set_scale_factors(m_scale);
+  }
+
+  Hyperbolic_conformal_map finish()
+  {
+    m_visitor.start(Flattening_stage::trace);
+    m_builder.trace();
+    m_visitor.start(Flattening_stage::subdivide);
+    m_builder.subdivide();
+    m_visitor.start(Flattening_stage::layout);
+    lay_out();
+    return std::move(m_map);
+  }
+
+private:
+  const Delta_complex& mesh() const { return m_builder.mesh(); }
+
+  // Errors grow exponentially with the distance from the origin, but shrink with the rounding unit.
+  void lay_out()
+  {
+    constexpr double tolerance = 1e-9, gain = 1e-18;
+    const std::vector<double> length = m_builder.scaled_lengths(m_builder.log_scale());
+    const Tree_cotree cut(mesh(), crossing_lengths(mesh(), length), m_is_cone);
+    set_components(cut);
+    double error = m_scale.is_extended() ? 1 : lay_out(length, cut);
+    if(error > tolerance && gain * error <= tolerance)
+      error = lay_out_with_more_digits<Extended>(cut);
+    if(!(error <= tolerance))
+      lay_out_with_more_digits<More_extended>(cut);
+  }
+
+  template <typename FT>
+  double lay_out_with_more_digits(const Tree_cotree& cut)
+  {
+    const std::vector<FT> u = m_scale.template refine<FT>(m_map.Delaunay(), m_visitor);
+    m_builder.set_scale_factors(m_scale);
+    return lay_out(m_builder.scaled_lengths(u), cut);
+  }
+
+  void set_components(const Tree_cotree& cut)
+  {
+    for(Face_index f : mesh().faces())
+      m_map.m_component.push_back(cut.component(f));
+    m_map.m_groups.resize(cut.number_of_components());
+    for(std::size_t c = 0; c < m_map.m_groups.size(); ++c)
+      m_map.m_groups[c].genus = cut.generators(c).size() / 2;
+    m_has_cone.assign(m_map.m_groups.size(), 0);
+    for(Halfedge_index h : mesh().halfedges())
+      m_has_cone[m_map.component(mesh().face(h))] |= m_is_cone[mesh().source(h).idx()];
+  }
+
+  // Returns the error of what must be the identity.
+  template <typename FT>
+  double lay_out(const std::vector<FT>& length, const Tree_cotree& cut)
+  {
+    const Hyperbolic_layout<FT> layout(mesh(), length, cut);
+    set_positions(layout, cut);
+    set_gluings(layout, cut);
+    set_areas(length);
+    double error = m_map.m_max_gluing_error = gluing_error(layout, cut);
+    for(std::size_t c = 0; c < m_map.m_groups.size(); ++c) {
+      set_group(layout, cut, c);
+      if(!(m_map.m_groups[c].relation_error <= error)) // keeps what is no number
+        error = m_map.m_groups[c].relation_error;
+    }
+    return error;
+  }
+
+  // Corners between which there is no seam are one point, but for rounding.
+  template <typename FT>
+  void set_positions(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut)
+  {
+    m_map.m_position.resize(mesh().num_halfedges());
+    for(Vertex_index v : mesh().vertices()) {
+      if(mesh().is_isolated(v))
+        continue;
+      const Halfedge_index first = first_corner(v, cut);
+      Halfedge_index h = first, corner = first;
+      do {
+        if(cut.is_seam(Edge_index(h)))
+          corner = h;
+        const auto p = layout.frame(corner).image_of_origin();
+        for(std::size_t i = 0; i < 3; ++i)
+          m_map.m_position[h.idx()][i] = static_cast<double>(p[i]);
+        h = Intrinsic_triangulations::next_spoke(h, mesh());
+      } while(h != first);
+    }
+  }
+
+  // one that starts at a seam, if there is any
+  Halfedge_index first_corner(Vertex_index v, const Tree_cotree& cut) const
+  {
+    Halfedge_index result = Intrinsic_triangulations::first_spoke(v, mesh());
+    Intrinsic_triangulations::internal::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+      if(cut.is_seam(Edge_index(h)))
+        result = h;
+    });
+    return result;
+  }
+
+  template <typename FT>
+  static Disk_motion<> rounded(const Disk_motion<FT>& motion)
+  {
+    const auto& e = motion.entries();
+    return {static_cast<double>(e[0]), static_cast<double>(e[1]), static_cast<double>(e[2]),
+            static_cast<double>(e[3])};
+  }
+
+  template <typename FT>
+  void set_gluings(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut)
+  {
+    m_map.m_seam.assign(mesh().num_edges(), Hyperbolic_conformal_map::no_seam);
+    m_map.m_gluing.clear();
+    for(Edge_index e : mesh().edges())
+      if(cut.is_seam(e)) {
+        m_map.m_seam[e.idx()] = m_map.m_gluing.size();
+        m_map.m_gluing.push_back(rounded(layout.gluing(mesh().halfedge(e))));
+      }
+  }
+
+  template <typename FT>
+  double gluing_error(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut) const
+  {
+    std::vector<char> is_open(mesh().num_vertices(), 0);
+    for(Edge_index e : mesh().edges())
+      if(cut.is_open(e))
+        is_open[mesh().vertex(e, 0).idx()] = is_open[mesh().vertex(e, 1).idx()] = 1;
+    double result = 0;
+    for(Vertex_index v : mesh().vertices())
+      if(is_open[v.idx()] && !m_is_cone[v.idx()]) {
+        const double error = layout.gluing_error(v);
+        result = error <= result ? result : error; // keeps what is no number
+      }
+    return result;
+  }
+
+  template <typename FT>
+  void set_areas(const std::vector<FT>& length)
+  {
+    for(Fuchsian_group& group : m_map.m_groups)
+      group.area = 0;
+    for(Face_index f : mesh().faces()) {
+      const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+      const auto of = [&](std::size_t s) {
+        return static_cast<double>(length[Edge_index(side[s]).idx()]);
+      };
+      m_map.m_groups[m_map.component(f)].area +=
+        2 * Hyperbolic_triangle<double>({of(0), of(1), of(2)}).half_defect();
+    }
+  }
+
+  template <typename FT>
+  void set_group(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut, std::size_t c)
+  {
+    Fuchsian_group& group = m_map.m_groups[c];
+    const std::vector<Edge_index>& edges = cut.generators(c);
+    std::vector<Disk_motion<FT>> motion;
+    for(Edge_index e : edges)
+      motion.push_back(layout.gluing(mesh().halfedge(e)));
+    group.generators.clear();
+    for(const Disk_motion<FT>& m : motion)
+      group.generators.push_back(rounded(m));
+    group.relation.clear();
+    if(m_has_cone[c])
+      return;
+    Disk_motion<FT> product;
+    for(Halfedge_index h : cut.relation(c)) {
+      const auto i = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), Edge_index(h)) -
+                                              edges.begin());
+      const bool is_inverse = h.idx() % 2 == 1;
+      group.relation.push_back({i, is_inverse});
+      product = product * (is_inverse ? motion[i].inverse() : motion[i]);
+    }
+    group.relation_error = product.distance_to_identity();
+  }
+
+  Visitor& m_visitor;
+  Scale_factors<Hyperbolic_triangle> m_scale;
+  Hyperbolic_conformal_map m_map;
+  Map_builder m_builder;
+  std::vector<char> m_is_cone;  // for each vertex
+  std::vector<char> m_has_cone; // for each component
+};
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsHyperbolic
+/// gives a surface the discretely conformal metric of curvature -1, and maps it to the hyperbolic plane.
+///
+/// Every component must allow such a metric: a surface without boundary and cones needs a genus of two or more.
+/// A component with boundary is doubled; its boundary is a geodesic, unless exterior angles are prescribed.
+///
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param g a manifold triangle mesh, with any number of components
+/// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_condition_map}
+///     \cgalParamDescription{what is prescribed at each vertex: a curvature, \f$2\pi\f$ less the angle of a cone,
+///                           or a logarithmic scale factor}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as value}
+///     \cgalParamDefault{curvature zero everywhere}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimizer}
+///     \cgalParamDescription{what minimizes the energy}
+///     \cgalParamType{a model of `ConvexMinimizer`}
+///     \cgalParamDefault{`Newton_minimizer`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
+///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamDefault{`Default_flattening_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond that
+/// \f$O(n \log n)\f$ in the vertices and crossings.
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or a component cannot be
+///         hyperbolic with what is prescribed
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error where numbers
+///         have not enough digits
+template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Hyperbolic_conformal_map
+uniformize_hyperbolic(const Graph& g,
+                      const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  Default_flattening_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  internal::Doubled_problem problem(
+    input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0)),
+    Flipping::to_Delaunay);
+  problem.check_hyperbolic();
+  internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
+    problem, input.mesh().num_faces(), visitor);
+  uniformization.find_scale_factors(
+    choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()));
+  return uniformization.finish();
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_HYPERBOLIC_H

@@ -1,0 +1,428 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../Intrinsic_triangulations/known_surfaces.h"
+
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <boost/property_map/function_property_map.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+namespace DC = CGAL::Discrete_conformal_maps;
+using DC::Layer;
+using DC::Spherical_conformal_map;
+using Extended = Spherical_conformal_map::Extended;
+typedef std::array<double, 3> Position;
+
+double distance(const Position& p, const Position& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+Position position(const Mesh& mesh, std::size_t v)
+{
+  const Point& p = mesh.point(Mesh::Vertex_index(Mesh::size_type(v)));
+  return {p.x(), p.y(), p.z()};
+}
+
+Extended precise_distance(const Spherical_conformal_map& map, Vertex_index v, Vertex_index w)
+{
+  const auto p = map.precise_position(v), q = map.precise_position(w);
+  Extended square(0);
+  for(std::size_t c = 0; c < 3; ++c)
+    square += (p[c] - q[c]) * (p[c] - q[c]);
+  return sqrt(square);
+}
+
+// Invariant under Moebius transformations.
+template <typename Distance>
+double cross_ratio(const std::array<unsigned, 4>& v, const Distance& distance)
+{
+  return distance(v[0], v[1]) / distance(v[1], v[2]) * distance(v[2], v[3]) / distance(v[3], v[0]);
+}
+
+// Everything that holds for every map.
+void check_map(const Spherical_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  EXPECT_TRUE(map.certificate().is_convex());
+  EXPECT_EQ(map.bound_violations(), 0u);
+  EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
+  EXPECT_LT(DC::max_cross_ratio_error(map), 1e-9);
+  EXPECT_LE(map.max_inscribed_error(), 4e-16);
+  for(Edge_index e : mesh.edges()) {
+    const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    const double expected =
+      map.ideal().length(e) * std::exp((map.log_scale(v) + map.log_scale(w)) / 2);
+    EXPECT_NEAR(double(precise_distance(map, v, w)) / expected, 1, 1e-9);
+  }
+}
+
+// The center of mass, each vertex with a third of its faces.
+double distance_from_center(const Spherical_conformal_map& map)
+{
+  const Delta_complex& mesh = map.Delaunay().input_mesh();
+  Position sum{0, 0, 0};
+  double total = 0;
+  for(Face_index f : mesh.faces()) {
+    const auto side = IT::internal::sides(f, mesh);
+    const double a = map.Delaunay().input_length(mesh.edge(side[0])),
+                 b = map.Delaunay().input_length(mesh.edge(side[1])),
+                 c = map.Delaunay().input_length(mesh.edge(side[2])), s = (a + b + c) / 2;
+    const double area = std::sqrt((std::max)(0., s * (s - a) * (s - b) * (s - c)));
+    total += area;
+    for(Halfedge_index h : side)
+      for(std::size_t k = 0; k < 3; ++k)
+        sum[k] += area / 3 * map.position(mesh.target(h))[k];
+  }
+  return distance(sum, {0, 0, 0}) / total;
+}
+
+// Whether all vertices are on the inner side of all faces, exactly for the positions in double.
+bool is_hull(const Spherical_conformal_map& map)
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel::Point_3 Exact_point;
+  const Delta_complex& mesh = map.ideal().mesh();
+  std::vector<Exact_point> point;
+  for(Vertex_index v : mesh.vertices())
+    point.emplace_back(map.position(v)[0], map.position(v)[1], map.position(v)[2]);
+  for(Face_index f : mesh.faces()) {
+    const auto side = IT::internal::sides(f, mesh);
+    const Exact_point &p = point[mesh.source(side[0])], &q = point[mesh.source(side[1])],
+                      &r = point[mesh.source(side[2])];
+    for(const Exact_point& x : point)
+      if(CGAL::orientation(p, q, r, x) == CGAL::POSITIVE)
+        return false;
+  }
+  return true;
+}
+
+typedef std::multiset<std::pair<unsigned, unsigned>> Edges;
+
+template <typename AnyMesh>
+Edges edges_of(const AnyMesh& mesh)
+{
+  Edges result;
+  for(auto e : mesh.edges()) {
+    const unsigned v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    result.emplace((std::min)(v, w), (std::max)(v, w));
+  }
+  return result;
+}
+
+// A closed tube with `n` rings of `m` vertices, each `step` from the next, with radius one.
+Mesh tube(std::size_t m, std::size_t n, double step)
+{
+  std::vector<Point> points;
+  Triangles triangles;
+  for(std::size_t k = 0; k < n; ++k)
+    for(std::size_t i = 0; i < m; ++i) {
+      const double angle = 2 * pi * (double(i) + 0.1 * double(k)) / double(m);
+      points.emplace_back(std::cos(angle), std::sin(angle), step * double(k));
+    }
+  points.emplace_back(0, 0, -0.5);
+  points.emplace_back(0, 0, step * double(n - 1) + 0.5);
+  for(std::size_t i = 0; i < m; ++i) {
+    const std::size_t j = (i + 1) % m;
+    triangles.push_back({j, i, m * n});
+    triangles.push_back({m * (n - 1) + i, m * (n - 1) + j, m * n + 1});
+    for(std::size_t k = 0; k + 1 < n; ++k) {
+      triangles.push_back({m * k + i, m * k + j, m * (k + 1) + j});
+      triangles.push_back({m * k + i, m * (k + 1) + j, m * (k + 1) + i});
+    }
+  }
+  return make_mesh(points, triangles);
+}
+
+Mesh without_a_face(const Mesh& mesh) { return punctured(mesh, {0}); }
+
+} // namespace
+
+// Vertices on the sphere, in convex position, are their own image, whatever is done to the intrinsic geometry
+// by scaling and flips.
+TEST(map_to_sphere, brings_inscribed_polyhedra_back)
+{
+  for(unsigned int seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh polyhedron = random_sphere(4 + 12 * seed, seed);
+    const Triangulation t(polyhedron);
+    DC::Penner_surface<double> surface(t.mesh(), t.length_map());
+    CGAL::Random random(seed + 100);
+    std::vector<double> u;
+    for(std::size_t v = 0; v < polyhedron.number_of_vertices(); ++v)
+      u.push_back(random.get_double(-1.5, 1.5));
+    surface.scale(u);
+    EXPECT_GT(surface.number_of_flips(), 0u);
+    const auto length = boost::make_function_property_map<Edge_index>(
+      [&](Edge_index e) { return surface.scaled_length(e); });
+    const Triangulation input(surface.mesh(), IT::parameters::edge_length_map(length));
+    const Spherical_conformal_map map =
+      DC::map_to_sphere(surface.mesh(), IT::parameters::edge_length_map(length));
+    check_map(map);
+    EXPECT_TRUE(is_hull(map));
+    EXPECT_LT(distance_from_center(map), 1e-12);
+    EXPECT_EQ(edges_of(map.ideal().mesh()), edges_of(polyhedron));
+    for(int i = 0; i < 1000; ++i) {
+      std::array<unsigned, 4> v;
+      for(unsigned& x : v)
+        x = unsigned(random.get_int(0, int(u.size())));
+      if(std::set<unsigned>(v.begin(), v.end()).size() < 4)
+        continue;
+      const double result = cross_ratio(v, [&](unsigned a, unsigned b) {
+        return double(precise_distance(map, Vertex_index(a), Vertex_index(b)));
+      });
+      const double expected = cross_ratio(v, [&](unsigned a, unsigned b) {
+        return distance(position(polyhedron, a), position(polyhedron, b));
+      });
+      EXPECT_NEAR(result / expected, 1, 1e-9);
+    }
+  }
+}
+
+TEST(map_to_sphere, platonic_solids_stay)
+{
+  for(const Mesh& m : {tetrahedron(), octahedron(), cube()}) {
+    const Spherical_conformal_map map = DC::map_to_sphere(m);
+    check_map(map);
+    EXPECT_LT(distance_from_center(map), 1e-13);
+    // equal masses, so it is centered already; only the scale is not one
+    const std::size_t n = m.number_of_vertices();
+    if(n == 8)
+      continue; // the corners of a cube do not have the same areas in a triangulation
+    std::vector<double> distances;
+    for(unsigned v = 0; v < n; ++v)
+      for(unsigned w = 0; w < v; ++w)
+        distances.push_back(distance(map.position(Vertex_index(v)), map.position(Vertex_index(w))));
+    const double edge = n == 4 ? std::sqrt(8 / 3.) : std::sqrt(2.);
+    for(double d : distances)
+      EXPECT_LT((std::min)(std::abs(d - edge), std::abs(d - 2)), 1e-13);
+  }
+}
+
+TEST(map_to_sphere, rough_surfaces)
+{
+  for(const Mesh& m : {perturbed(random_sphere(200, 1), 0.2, 2), perturbed(bipyramid(7, 0), 0.2, 2),
+                       bipyramid(30, 0.5), bipyramid(20, 20), tube(8, 30, 0.4)}) {
+    const Spherical_conformal_map map = DC::map_to_sphere(m);
+    check_map(map);
+    EXPECT_LT(distance_from_center(map), 1e-12);
+    EXPECT_EQ(map.lost_in_output() == 0, is_hull(map));
+  }
+}
+
+// The image is unique: the distances of vertices do not depend on the one at infinity.
+TEST(map_to_sphere, does_not_depend_on_the_vertex_at_infinity)
+{
+  const Mesh m = perturbed(random_sphere(60, 3), 0.2, 4);
+  const Triangulation input(m);
+  DC::internal::Doubled_problem problem(input, std::vector<DC::Vertex_condition>(60),
+                                        DC::Flipping::to_Delaunay);
+  const std::vector<double> mass(60, 1.);
+  DC::Default_flattening_visitor visitor;
+  std::vector<std::vector<double>> distances;
+  for(unsigned at_infinity : {0u, 17u, 44u}) {
+    const DC::internal::Unfolded_sphere sphere(problem, mass, Vertex_index(at_infinity), visitor);
+    EXPECT_TRUE(sphere.is_good());
+    std::vector<Position> p;
+    for(unsigned v = 0; v < 60; ++v) {
+      const double x = double(sphere.positions()[v][0]), y = double(sphere.positions()[v][1]);
+      const double s = 1 + x * x + y * y;
+      p.push_back(v == at_infinity ? Position{0, 0, -1}
+                                   : Position{2 * x / s, 2 * y / s, 2 / s - 1});
+    }
+    distances.emplace_back();
+    for(const Position& a : p)
+      for(const Position& b : p)
+        distances.back().push_back(distance(a, b));
+  }
+  for(std::size_t i = 0; i < distances[0].size(); ++i) {
+    EXPECT_NEAR(distances[1][i], distances[0][i], 1e-11);
+    EXPECT_NEAR(distances[2][i], distances[0][i], 1e-11);
+  }
+}
+
+// Rings shrink by exp(-0.8 / 1) each: fifty of them, from the middle, by a factor of 1e17 and more.
+TEST(map_to_sphere, long_limbs_need_more_digits)
+{
+  const Spherical_conformal_map map = DC::map_to_sphere(perturbed(tube(10, 101, 0.8), 0.1, 1));
+  check_map(map);
+  EXPECT_TRUE(map.is_extended());
+  EXPECT_GT(map.lost_in_output(), 0u);
+  double least = 0, greatest = -1000;
+  for(Vertex_index v : map.ideal().mesh().vertices()) {
+    least = (std::min)(least, map.log_scale(v));
+    greatest = (std::max)(greatest, map.log_scale(v));
+  }
+  EXPECT_GT(greatest - least, std::log(1e12));
+}
+
+TEST(map_to_sphere, disks_become_hemispheres)
+{
+  for(const Mesh& m : {without_a_face(random_sphere(60, 5)), without_a_face(bipyramid(9, 1)),
+                       grid(7, 5, [](double x, double y) { return Point(x, y, x * y / 9); }),
+                       planar_mesh(random_points(40, 1000, 5)), without_a_face(tube(8, 12, 0.4))}) {
+    const Spherical_conformal_map map = DC::map_to_sphere(m);
+    EXPECT_TRUE(map.is_disk());
+    check_map(map);
+    EXPECT_LT(distance_from_center(map), 1e-12);
+    for(Mesh::Vertex_index v : m.vertices()) {
+      const double height = map.position(Vertex_index(v.idx()))[2];
+      EXPECT_EQ(height > 0, !m.is_border(v));
+      EXPECT_EQ(height == 0, m.is_border(v));
+      const auto z = Spherical_conformal_map::to_plane(map.position(Vertex_index(v.idx())));
+      EXPECT_LE(std::abs(z), 1 + 1e-15);
+    }
+    // the image keeps its left and right
+    const Mesh::Face_index f = *m.faces().begin();
+    const auto h = m.halfedge(f);
+    const auto at = [&](Mesh::Halfedge_index x) {
+      const Position& p = map.position(Vertex_index(m.target(x).idx()));
+      return Point(p[0], p[1], p[2]);
+    };
+    EXPECT_GT(CGAL::determinant(at(h) - CGAL::ORIGIN, at(m.next(h)) - CGAL::ORIGIN,
+                                at(m.prev(h)) - CGAL::ORIGIN),
+              0);
+  }
+}
+
+// All vertices are on the boundary: the polyhedron is a polygon, seen from both sides.
+TEST(map_to_sphere, flat_polygons)
+{
+  const Mesh triangle = make_mesh({Point(0, 0, 0), Point(3, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}});
+  const Spherical_conformal_map map = DC::map_to_sphere(triangle);
+  check_map(map);
+  for(unsigned v = 0; v < 3; ++v)
+    EXPECT_NEAR(distance(map.position(Vertex_index(v)), map.position(Vertex_index((v + 1) % 3))),
+                std::sqrt(3.), 1e-14);
+  check_map(
+    DC::map_to_sphere(grid(2, 5, [](double x, double y) { return Point(x, y + x * x, 0); })));
+}
+
+TEST(map_to_sphere, is_continuous_on_the_subdivision)
+{
+  const Mesh m = perturbed(random_sphere(60, 8), 0.25, 9);
+  const Spherical_conformal_map map = DC::map_to_sphere(m);
+  const auto& subdivision = map.subdivision();
+  std::vector<Position> image(subdivision.mesh().number_of_vertices(), Position{0, 0, 0});
+  std::vector<char> is_set(image.size(), 0);
+  for(Halfedge_index h : subdivision.mesh().halfedges()) {
+    const Vertex_index v = subdivision.mesh().target(h);
+    const Position p =
+      Spherical_conformal_map::project(map.homogeneous_coordinates(subdivision.place_on_C(h)));
+    if(is_set[v]) {
+      EXPECT_LT(distance(p, image[v]), 1e-12);
+    }
+    image[v] = p;
+    is_set[v] = 1;
+    if(subdivision.is_input_vertex(v)) {
+      EXPECT_LT(distance(p, map.position(v)), 1e-15);
+    }
+    EXPECT_LT(distance(map(subdivision.place_on_A(v)), p), 1e-9);
+  }
+  // faces cover the sphere without folds
+  for(Face_index f : subdivision.mesh().faces()) {
+    const Halfedge_index h = subdivision.mesh().halfedge(f);
+    const auto at = [&](Halfedge_index x) {
+      const Position& p = image[subdivision.mesh().target(x)];
+      return Kernel::Vector_3(p[0], p[1], p[2]);
+    };
+    for(Halfedge_index x = subdivision.mesh().next(h); subdivision.mesh().next(x) != h;
+        x = subdivision.mesh().next(x))
+      EXPECT_GT(CGAL::determinant(at(h), at(x), at(subdivision.mesh().next(x))), -1e-14);
+  }
+}
+
+TEST(map_to_sphere, other_surfaces_are_refused)
+{
+  EXPECT_THROW(DC::map_to_sphere(embedded_torus(5, 4)), IT::Invalid_input);
+  EXPECT_THROW(DC::map_to_sphere(punctured(random_sphere(40, 6), {0, 20})), IT::Invalid_input);
+  Mesh two = tetrahedron();
+  two += octahedron();
+  EXPECT_THROW(DC::map_to_sphere(two), IT::Invalid_input);
+}
+
+TEST(map_to_sphere, same_input_gives_same_bits)
+{
+  const Mesh m = perturbed(random_sphere(60, 8), 0.25, 9);
+  const Spherical_conformal_map one = DC::map_to_sphere(m), other = DC::map_to_sphere(m);
+  for(Vertex_index v : one.ideal().mesh().vertices()) {
+    EXPECT_EQ(one.position(v), other.position(v));
+    EXPECT_EQ(one.log_scale(v), other.log_scale(v));
+  }
+}
+
+// ---- Parts ----
+
+// Points in three clusters, of which the mass is in the smallest: far away in hyperbolic space.
+TEST(Conformal_barycenter, is_in_balance)
+{
+  CGAL::Random random(1);
+  for(const double size : {1., 1e-3, 1e-9, 1e-15}) {
+    std::vector<std::array<Extended, 2>> position;
+    std::vector<double> mass;
+    for(int i = 0; i < 60; ++i) {
+      const double scale = i < 30 ? 1 : size;
+      position.push_back({Extended(i < 30 ? 0. : 3.) + Extended(scale * random.get_double(-1, 1)),
+                          Extended(scale * random.get_double(-1, 1))});
+      mass.push_back(i < 30 ? 0.01 : random.get_double(1, 2));
+    }
+    const DC::internal::Conformal_barycenter<Extended> center(position, mass, 7);
+    Position sum{0, 0, -mass[7]};
+    double total = mass[7];
+    for(std::size_t i = 0; i < 60; ++i) {
+      if(i == 7)
+        continue;
+      const auto p = center.centered(position[i]);
+      const double x = double(p[0]), y = double(p[1]), s = 1 + x * x + y * y;
+      sum = {sum[0] + mass[i] * 2 * x / s, sum[1] + mass[i] * 2 * y / s,
+             sum[2] + mass[i] * (2 / s - 1)};
+      total += mass[i];
+    }
+    EXPECT_LT(distance(sum, {0, 0, 0}) / total, 1e-13) << size;
+  }
+}
+
+TEST(Plane_predicates, are_exact)
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
+  const DC::internal::Plane_predicates<double> predicates;
+  const DC::internal::Plane_predicates<Extended> extended;
+  CGAL::Random random(1);
+  for(int i = 0; i < 20000; ++i) {
+    // a grid of few points a few roundings wide: most are degenerate
+    std::array<std::array<double, 2>, 4> p;
+    std::array<std::array<Extended, 2>, 4> e;
+    std::vector<Exact::Point_2> q;
+    for(std::size_t k = 0; k < 4; ++k) {
+      for(std::size_t c = 0; c < 2; ++c) {
+        p[k][c] = 0.1 + random.get_int(0, 4) * 1.4e-17 * (i % 2 == 0 ? 1 : 1e12);
+        e[k][c] = Extended(p[k][c]);
+      }
+      q.emplace_back(p[k][0], p[k][1]);
+    }
+    const int turn = int(CGAL::orientation(q[0], q[1], q[2]));
+    EXPECT_EQ(predicates.orientation(p[0], p[1], p[2]), turn);
+    EXPECT_EQ(extended.orientation(e[0], e[1], e[2]), turn);
+    if(turn == 0)
+      continue;
+    const int side = int(CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3]));
+    EXPECT_EQ(predicates.in_circle(p[0], p[1], p[2], p[3]), side);
+    EXPECT_EQ(extended.in_circle(e[0], e[1], e[2], e[3]), side);
+  }
+}

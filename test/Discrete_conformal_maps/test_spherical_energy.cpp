@@ -1,0 +1,316 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../Intrinsic_triangulations/known_surfaces.h"
+
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/Peacock_triangulation.h>
+#include <CGAL/Discrete_conformal_maps/internal/Spherical_energy.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/property_map/function_property_map.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+namespace DC = CGAL::Discrete_conformal_maps;
+using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
+                                           boost::multiprecision::et_off>;
+using Numbers = Eigen::VectorXd;
+using Energy = DC::internal::Spherical_energy<Quad>;
+using Peacock = DC::internal::Peacock_triangulation<double>;
+
+// intrinsic Delaunay
+std::vector<Triangulation> spheres()
+{
+  std::vector<Triangulation> result;
+  for(const Mesh& m : {tetrahedron(), octahedron(), cube(), random_sphere(8, 1),
+                       random_sphere(20, 2), perturbed(random_sphere(20, 3), 0.3, 4),
+                       perturbed(bipyramid(7, 0), 0.2, 2), bipyramid(9, 3)}) {
+    result.emplace_back(m);
+    IT::make_Delaunay(result.back());
+  }
+  return result;
+}
+
+Numbers random_numbers(std::size_t n, double bound, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  Numbers result(static_cast<Eigen::Index>(n));
+  for(double& x : result)
+    x = bound * random.get_double(-1, 1);
+  return result;
+}
+
+// Calls f(triangulation, energy, vertex at infinity, point) at points far enough apart for many flips.
+template <typename Function>
+void for_each_point(const Function& f)
+{
+  for(const Triangulation& t : spheres())
+    for(const double bound : {0.5, 3.}) {
+      const Vertex_index v(
+        static_cast<Delta_complex::size_type>(t.mesh().number_of_vertices() / 2));
+      Energy energy(t.mesh(), t.length_map(), v);
+      const Numbers u = random_numbers(t.mesh().number_of_vertices(), bound, 17);
+      energy.evaluate(u);
+      f(t, energy, v, u);
+    }
+}
+
+void move_origin(Energy& energy) { energy.set_origin(std::vector<Quad>(energy.scale_factors())); }
+
+// as functions of u, not of the double nearest to the result
+std::vector<Quad> precise_gradient(const Energy& energy)
+{
+  const Delta_complex& mesh = energy.surface().mesh();
+  const Quad pi = boost::math::constants::pi<Quad>();
+  std::vector<Quad> result(mesh.number_of_vertices(), 2 * pi);
+  for(Halfedge_index h : mesh.halfedges()) {
+    if(energy.surface().is_remaining(mesh.face(h)))
+      result[mesh.source(h)] += pi - energy.angle(h);
+    if(energy.surface().is_remaining(mesh.edge(h)))
+      result[mesh.source(h)] -= pi;
+  }
+  result[energy.surface().vertex_at_infinity()] = 0;
+  return result;
+}
+
+// The shortest lengths from a vertex to all others of geodesics that cross at most `depth` edges, from one
+// triangle to the next.
+class Geodesics
+{
+public:
+  Geodesics(const Triangulation& t, Vertex_index from, int depth)
+    : m_t(t), m_shortest(t.mesh().number_of_vertices(), std::numeric_limits<double>::infinity())
+  {
+    for(Halfedge_index h : t.mesh().halfedges())
+      if(t.mesh().source(h) == from) {
+        note(t.mesh().target(h), length(h));
+        const Halfedge_index across = t.mesh().next(h);
+        extend(across, length(h), length(t.mesh().prev(h)), depth);
+      }
+  }
+
+  double operator[](std::size_t v) const { return m_shortest[v]; }
+
+private:
+  double length(Halfedge_index h) const { return m_t.length(m_t.mesh().edge(h)); }
+  void note(Vertex_index v, double x) { m_shortest[v] = (std::min)(m_shortest[v], x); }
+
+  // The ends of the edge of `h` are at distances `a` and `b`.
+  void extend(Halfedge_index h, double a, double b, int depth)
+  {
+    if(depth == 0)
+      return;
+    const Delta_complex& mesh = m_t.mesh();
+    const Halfedge_index o = mesh.opposite(h), near_a = mesh.next(o), near_b = mesh.prev(o);
+    const double c = (a * length(near_b) + b * length(near_a)) / length(h);
+    note(mesh.target(near_a), c);
+    extend(near_a, a, c, depth - 1);
+    extend(near_b, c, b, depth - 1);
+  }
+
+  const Triangulation& m_t;
+  std::vector<double> m_shortest;
+};
+
+} // namespace
+
+// ---- The peacock triangulation ----
+
+TEST(Peacock_triangulation, joins_all_vertices_to_the_center)
+{
+  for(const Triangulation& t : spheres())
+    for(Vertex_index center : t.mesh().vertices()) {
+      const Peacock peacock(t.mesh(), t.length_map(), center);
+      const Delta_complex& mesh = peacock.mesh();
+      EXPECT_TRUE(IT::is_valid_Delta_complex(mesh));
+      std::vector<int> spokes(mesh.number_of_vertices(), 0);
+      for(Edge_index e : mesh.edges()) {
+        const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+        EXPECT_TRUE(v == center || w == center);
+        ++spokes[v == center ? w : v];
+      }
+      for(Vertex_index v : mesh.vertices())
+        EXPECT_GE(spokes[v], v == center ? 0 : 1);
+    }
+}
+
+TEST(Peacock_triangulation, distances_are_those_of_shortest_geodesics)
+{
+  for(const Triangulation& t : spheres())
+    for(Vertex_index center : t.mesh().vertices()) {
+      if(center.idx() % 3 != 0)
+        continue;
+      const auto distance = Peacock(t.mesh(), t.length_map(), center).distances();
+      const Geodesics expected(t, center, 12);
+      for(Vertex_index v : t.mesh().vertices())
+        if(v != center) {
+          EXPECT_NEAR(distance[v], 2 * std::log(expected[v]), 1e-12);
+        }
+    }
+}
+
+// Limbs are a hundred times as long as wide: some edges would have lengths beyond all numbers if they were
+// flipped in any order.
+TEST(Peacock_triangulation, long_surfaces)
+{
+  const Triangulation t = [] {
+    Triangulation result(bipyramid(12, 300));
+    IT::make_Delaunay(result);
+    return result;
+  }();
+  const auto distance = Peacock(t.mesh(), t.length_map(), Vertex_index(12)).distances();
+  for(Vertex_index v : t.mesh().vertices())
+    EXPECT_EQ(std::isfinite(distance[v]), v != Vertex_index(12));
+}
+
+// ---- The energy ----
+
+TEST(Spherical_energy, gradient_is_the_derivative_of_the_value)
+{
+  for_each_point([](const Triangulation&, Energy energy, Vertex_index, const Numbers& u) {
+    const Numbers gradient = energy.gradient();
+    move_origin(energy);
+    const double step = 1e-9;
+    for(Eigen::Index i = 0; i < u.size(); ++i) {
+      const Numbers x = step * Numbers::Unit(u.size(), i);
+      energy.evaluate(x);
+      const Quad after = energy.value();
+      energy.evaluate(-x);
+      EXPECT_NEAR(double((after - energy.value()) / Quad(2 * step)), gradient[i], 1e-13) << i;
+    }
+  });
+}
+
+TEST(Spherical_energy, Hessian_is_the_derivative_of_the_gradient)
+{
+  for_each_point([](const Triangulation&, Energy energy, Vertex_index, const Numbers& u) {
+    const Eigen::MatrixXd Hessian = energy.Hessian();
+    EXPECT_LT((Hessian - Hessian.transpose()).norm(), 1e-15 * (1 + Hessian.norm()));
+    move_origin(energy);
+    const double step = 1e-14;
+    for(Eigen::Index i = 0; i < u.size(); ++i) {
+      const Numbers x = step * Numbers::Unit(u.size(), i);
+      energy.evaluate(x);
+      const std::vector<Quad> after = precise_gradient(energy);
+      energy.evaluate(-x);
+      const std::vector<Quad> before = precise_gradient(energy);
+      for(std::size_t k = 0; k < after.size(); ++k)
+        EXPECT_NEAR(double((after[k] - before[k]) / Quad(2 * step)), Hessian(int(k), i),
+                    1e-11 * (1 + Hessian(i, i)))
+          << k << ' ' << i;
+    }
+  });
+}
+
+// The remaining surface is a disk: Gauss and Bonnet.
+TEST(Spherical_energy, gradient_sums_to_a_turn)
+{
+  for_each_point([](const Triangulation&, const Energy& energy, Vertex_index v, const Numbers&) {
+    EXPECT_NEAR(energy.gradient().sum(), 2 * pi, 1e-12);
+    EXPECT_EQ(energy.gradient()[int(v)], 0);
+  });
+}
+
+TEST(Spherical_energy, is_convex_and_continuous_along_segments)
+{
+  std::size_t flips = 0;
+  for(const Triangulation& t : spheres()) {
+    DC::internal::Spherical_energy<double> energy(t.mesh(), t.length_map(), Vertex_index(0));
+    const Numbers from = random_numbers(energy.size(), 3, 23),
+                  way = random_numbers(energy.size(), 3, 29) - from;
+    double slope = -std::numeric_limits<double>::infinity(), integral = 0;
+    energy.evaluate(from);
+    const double first = energy.value();
+    const int steps = 6400;
+    for(int i = 0; i <= steps; ++i) {
+      energy.evaluate(from + (double(i) / steps) * way);
+      const double next = energy.gradient().dot(way);
+      EXPECT_GE(next, slope - energy.gradient_error() * way.lpNorm<1>()) << i;
+      slope = next;
+      integral += next * (i == 0 || i == steps ? 0.5 : 1.) / steps;
+    }
+    // The trapezoid rule: slopes like roots, where edges turn to infinity, leave an error of order h^1.5.
+    EXPECT_NEAR(energy.value() - first, integral, 1e-3);
+    flips += energy.surface().flips().size();
+  }
+  EXPECT_GT(flips, 100u);
+}
+
+// The scale factor at infinity is infinite, whatever is said.
+TEST(Spherical_energy, vertex_at_infinity_has_no_influence)
+{
+  for_each_point([](const Triangulation&, Energy energy, Vertex_index v, Numbers u) {
+    const Numbers gradient = energy.gradient();
+    const Quad value = energy.value();
+    u[int(v)] += 5;
+    energy.evaluate(u);
+    EXPECT_EQ(energy.gradient(), gradient);
+    EXPECT_EQ(energy.value(), value);
+  });
+}
+
+TEST(Spherical_energy, does_not_depend_on_the_triangulation)
+{
+  const IT::Ideal_geometry_traits<Quad> traits;
+  for(const Triangulation& t : spheres()) {
+    Delta_complex mesh = t.mesh();
+    std::vector<Quad> length;
+    for(Edge_index e : mesh.edges())
+      length.push_back(Quad(t.length(e)));
+    CGAL::Random random(31);
+    const auto map =
+      boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e]; });
+    for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i) {
+      const Halfedge_index h(
+        static_cast<Delta_complex::size_type>(random.get_int(0, int(mesh.number_of_halfedges()))));
+      if(IT::flip_status(h, mesh) != IT::Operation_status::possible)
+        continue;
+      length[Edge_index(h)] = traits.compute_flipped_length_object()(IT::diamond(map, h, mesh));
+      IT::flip_edge(h, mesh);
+    }
+    const Numbers u = random_numbers(mesh.number_of_vertices(), 2, 37);
+    Energy one(t.mesh(), t.length_map(), Vertex_index(1)), other(mesh, map, Vertex_index(1));
+    one.evaluate(u);
+    other.evaluate(u);
+    EXPECT_LT((one.gradient() - other.gradient()).norm(), 1e-14 * double(u.size()));
+    EXPECT_LT(abs(one.value() - other.value()), 1e-26 * double(u.size()));
+  }
+}
+
+// The limit of finite horocycles: at infinity a scale factor that is great enough.
+TEST(Spherical_energy, triangulation_is_the_limit_of_those_with_a_horocycle)
+{
+  for_each_point(
+    [](const Triangulation& t, const Energy& energy, Vertex_index v, const Numbers& u) {
+      std::vector<Quad> far(energy.scale_factors());
+      far[v] = 60;
+      DC::Penner_surface<Quad> surface(t.mesh(), t.length_map());
+      surface.scale(far);
+      std::vector<double> remaining, expected;
+      for(Edge_index e : surface.mesh().edges())
+        if(surface.mesh().vertex(e, 0) != v && surface.mesh().vertex(e, 1) != v)
+          expected.push_back(double(surface.scaled_length(e)));
+      for(Edge_index e : energy.surface().mesh().edges())
+        if(energy.surface().is_remaining(e))
+          remaining.push_back(double(energy.surface().scaled_length(e)));
+      std::sort(remaining.begin(), remaining.end());
+      std::sort(expected.begin(), expected.end());
+      ASSERT_EQ(remaining.size(), expected.size());
+      for(std::size_t i = 0; i < remaining.size(); ++i)
+        EXPECT_NEAR(remaining[i], expected[i], 1e-14 * expected[i]);
+      EXPECT_EQ(u.size(), Eigen::Index(far.size()));
+    });
+}

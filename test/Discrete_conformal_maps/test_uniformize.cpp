@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flat_maps.h"
+
+#include <CGAL/Discrete_conformal_maps/uniformize.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using DC::Surface_type;
+
+// in the standard fundamental domain of the modular group
+Complex reduced(Complex tau)
+{
+  for(;;) {
+    tau -= std::round(tau.real());
+    if(std::norm(tau) >= 1)
+      return tau;
+    tau = -1. / tau;
+  }
+}
+
+Complex modulus(const Flat_surface& s)
+{
+  const Complex a(double(s.a.x), double(s.a.y)), b(double(s.b.x), double(s.b.y));
+  return reduced(b / a);
+}
+
+DC::Uniformization uniformize(const Delta_complex& mesh, const std::vector<double>& length)
+{
+  return DC::uniformize(mesh, length_parameter(length));
+}
+
+} // namespace
+
+TEST(Surface_type, is_that_of_known_surfaces)
+{
+  EXPECT_EQ(DC::surface_type(tetrahedron()), Surface_type::sphere);
+  EXPECT_EQ(DC::surface_type(punctured(cube(), {0})), Surface_type::disk);
+  EXPECT_EQ(DC::surface_type(punctured(random_sphere(40, 1), {0, 30})), Surface_type::annulus);
+  EXPECT_EQ(DC::surface_type(embedded_torus(5, 4)), Surface_type::torus);
+  EXPECT_EQ(DC::surface_type(punctured(embedded_torus(5, 4), {0})), Surface_type::hyperbolic);
+  EXPECT_EQ(DC::surface_type(plate_with_holes(2)), Surface_type::hyperbolic);
+  Mesh two = tetrahedron();
+  two.add_vertex(Point(0, 0, 0));
+  EXPECT_EQ(DC::surface_type(two), Surface_type::sphere);
+  two += tetrahedron();
+  EXPECT_THROW(DC::surface_type(two), IT::Invalid_input);
+  EXPECT_THROW(DC::surface_type(Mesh()), IT::Invalid_input);
+}
+
+// Other decorations of the same ideal polyhedron.
+TEST(Uniformize, flat_tori_have_their_modulus)
+{
+  for(const auto& [m, n] : {std::pair(4, 3), {7, 2}, {2, 9}}) {
+    const Flat_surface torus = flat_torus(m, n, 5);
+    Triangulation t = triangulation(torus);
+    IT::make_Delaunay(t);
+    for(const double bound : {0., 1.}) {
+      CGAL::Random random(7);
+      DC::Penner_surface<double> surface(t.mesh(), t.length_map());
+      std::vector<double> u(t.mesh().number_of_vertices()), length;
+      for(double& x : u)
+        x = bound * random.get_double(-1, 1);
+      surface.scale(u);
+      for(Edge_index e : surface.mesh().edges())
+        length.push_back(surface.scaled_length(e));
+      const DC::Uniformization result = uniformize(surface.mesh(), length);
+      EXPECT_EQ(result.type, Surface_type::torus);
+      EXPECT_FALSE(result.hyperbolic);
+      EXPECT_LT(std::abs(result.modulus - modulus(torus)), 1e-10) << m << ' ' << n << ' ' << bound;
+    }
+  }
+}
+
+// Small scale factors: all triangles stay acute enough for the triangulation to be Delaunay.
+TEST(Uniformize, cylinders_have_their_modulus)
+{
+  for(const int twists : {0, 3}) {
+    const int n = 6, height = 700;
+    Triangulation t = triangulation(flat_cylinder(n, twists, height));
+    IT::make_Delaunay(t);
+    CGAL::Random random(7);
+    std::vector<double> u(t.mesh().number_of_vertices()), length;
+    for(double& x : u)
+      x = 0.02 * random.get_double(-1, 1);
+    for(Edge_index e : t.mesh().edges())
+      length.push_back(t.length(e) *
+                       std::exp((u[t.mesh().vertex(e, 0)] + u[t.mesh().vertex(e, 1)]) / 2));
+    const DC::Uniformization result = uniformize(t.mesh(), length);
+    EXPECT_EQ(result.type, Surface_type::annulus);
+    EXPECT_EQ(result.modulus.real(), 0);
+    EXPECT_NEAR(result.modulus.imag(), height / (1000. * n), 1e-10);
+  }
+}
+
+// Conformally, a torus with circles of radius 1 around one of radius 3 is flat with a quotient of sides
+// sqrt(3^2 - 1); squares of a mesh of it that is coarse are only nearly so.
+TEST(Uniformize, tori_of_revolution_have_almost_their_modulus)
+{
+  const DC::Uniformization result = DC::uniformize(embedded_torus(120, 60));
+  EXPECT_NEAR(result.modulus.imag(), std::sqrt(8.), 0.01);
+  EXPECT_NEAR(result.modulus.real(), 0, 1e-9);
+}
+
+TEST(Uniformize, others_become_hyperbolic)
+{
+  const DC::Uniformization result = DC::uniformize(plate_with_holes(2));
+  EXPECT_EQ(result.type, Surface_type::hyperbolic);
+  EXPECT_FALSE(result.flat);
+  ASSERT_TRUE(result.hyperbolic);
+  EXPECT_EQ(result.hyperbolic->group(0).genus, 2u);
+  EXPECT_TRUE(DC::uniformize(punctured(embedded_torus(5, 4), {0})).hyperbolic);
+}
+
+TEST(Uniformize, refuses_simply_connected_surfaces)
+{
+  EXPECT_THROW(DC::uniformize(tetrahedron()), IT::Invalid_input);
+  EXPECT_THROW(DC::uniformize(punctured(cube(), {0})), IT::Invalid_input);
+}

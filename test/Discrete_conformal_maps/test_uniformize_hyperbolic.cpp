@@ -1,0 +1,454 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../Intrinsic_triangulations/more_generators.h"
+#include "flat_maps.h"
+
+#include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using DC::Disk_motion;
+using DC::Hyperbolic_conformal_map;
+
+// ---- Surfaces that are hyperbolic ----
+
+struct Polar_point
+{
+  double distance, angle;
+};
+
+// sinh(x/2) for the distance x, by the law of cosines
+double half_sinh(const Polar_point& p, const Polar_point& q)
+{
+  const double radial = std::sinh((p.distance - q.distance) / 2),
+               around = std::sin((p.angle - q.angle) / 2);
+  return std::sqrt(radial * radial +
+                   std::sinh(p.distance) * std::sinh(q.distance) * around * around);
+}
+
+// A triangulation with sinh(x/2) for the hyperbolic lengths x of its edges.
+struct Hyperbolic_surface
+{
+  Delta_complex mesh;
+  std::vector<double> length;
+};
+
+// the angle at the source of `h` by the law of half angles
+double angle_at_source(const Hyperbolic_surface& s, Halfedge_index h)
+{
+  const auto length = [&](Halfedge_index x) { return 2 * std::asinh(s.length[s.mesh.edge(x)]); };
+  const double a = length(s.mesh.next(h)), b = length(h), c = length(s.mesh.prev(h)),
+               half = (a + b + c) / 2;
+  return 2 * std::atan(std::sqrt(std::sinh(half - b) * std::sinh(half - c) /
+                                 (std::sinh(half) * std::sinh(half - a))));
+}
+
+// Flips in the hyperbolic plane; the condition for lengths is the same as that of an ideal polyhedron.
+void make_Delaunay(Hyperbolic_surface& s)
+{
+  const IT::Ideal_geometry_traits<double> traits;
+  const auto length =
+    boost::make_function_property_map<Edge_index>([&](Edge_index e) { return s.length[e]; });
+  for(bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for(Edge_index e : s.mesh.edges()) {
+      const Halfedge_index h = s.mesh.halfedge(e), o = s.mesh.opposite(h);
+      if(traits.is_locally_Delaunay_object()(IT::diamond(length, h, s.mesh)))
+        continue;
+      const double angle = angle_at_source(s, h) + angle_at_source(s, s.mesh.next(o)),
+                   a = s.length[s.mesh.edge(s.mesh.prev(h))],
+                   b = s.length[s.mesh.edge(s.mesh.next(o))];
+      ASSERT_EQ(flip_status(h, s.mesh), IT::Operation_status::possible);
+      flip_edge(h, s.mesh);
+      s.length[e] = half_sinh({2 * std::asinh(a), 0}, {2 * std::asinh(b), angle});
+      is_changed = true;
+    }
+  }
+}
+
+// The regular polygon with 4 g sides and angles pi / 2g, opposite sides glued (the Bolza surface for g = 2).
+// Vertices are the middle, the corners, which are all one, and a point in each sector.
+Hyperbolic_surface regular_surface(int g, unsigned int seed)
+{
+  const int n = 4 * g;
+  const double turn = 2 * pi / n, cot = 1 / std::tan(turn / 2), radius = std::acosh(cot * cot),
+               inner_radius = std::acosh(cot);
+  CGAL::Random random(seed);
+  Sides faces;
+  std::vector<double> length(std::size_t(5 * n + n / 2));
+  // edges: middle to corner k, middle to inner point k, corner k to it, corner k + 1 to it, sides
+  const auto spoke = [&](int k) { return 1 + k % n; };
+  for(int k = 0; k < n; ++k) {
+    const Polar_point middle{0, 0}, corner{radius, turn * k}, next{radius, turn * (k + 1)},
+      inner{inner_radius * random.get_double(0.2, 0.9), turn * (k + random.get_double(0.4, 0.6))};
+    const int to_inner = 1 + n + k, from_corner = 1 + 2 * n + k, from_next = 1 + 3 * n + k,
+              side = k < n / 2 ? 1 + 4 * n + k : -(1 + 4 * n + k - n / 2);
+    faces.push_back({spoke(k), from_corner, -to_inner});
+    faces.push_back({side, from_next, -from_corner});
+    faces.push_back({-spoke(k + 1), to_inner, -from_next});
+    const auto set = [&](int edge, const Polar_point& p, const Polar_point& q) {
+      length[std::size_t(std::abs(edge) - 1)] = half_sinh(p, q);
+    };
+    set(spoke(k), middle, corner);
+    set(to_inner, middle, inner);
+    set(from_corner, corner, inner);
+    set(from_next, next, inner);
+    set(side, corner, next);
+  }
+  length.resize(std::size_t(4 * n + n / 2));
+  Hyperbolic_surface result{glue(faces), length};
+  make_Delaunay(result);
+  return result;
+}
+
+// The ideal polyhedron of a surface with another decoration, in its Delaunay triangulation.
+Hyperbolic_surface scaled(const Hyperbolic_surface& s, const std::vector<double>& u)
+{
+  DC::Penner_surface<double> surface(s.mesh, boost::make_function_property_map<Edge_index>(
+                                               [&](Edge_index e) { return s.length[e]; }));
+  surface.scale(u);
+  Hyperbolic_surface result{surface.mesh(), {}};
+  for(Edge_index e : result.mesh.edges())
+    result.length.push_back(surface.scaled_length(e));
+  return result;
+}
+
+Hyperbolic_conformal_map uniformize(const Hyperbolic_surface& s)
+{
+  return DC::uniformize_hyperbolic(s.mesh, length_parameter(s.length));
+}
+
+Hyperbolic_conformal_map uniformize(const Delta_complex& mesh, const std::vector<double>& length,
+                                    const Conditions& condition)
+{
+  return DC::uniformize_hyperbolic(
+    mesh, DC::parameters::vertex_condition_map(as_map(condition), length_parameter(length)));
+}
+
+// ---- What every map must obey ----
+
+double distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  const double x = p[0] - q[0], y = p[1] - q[1], t = p[2] - q[2];
+  return 2 * std::asinh(std::sqrt((std::max)(x * x + y * y - t * t, 0.)) / 2);
+}
+
+// by the law of cosines
+double angle_at_source(const Hyperbolic_conformal_map& map, Halfedge_index h)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  const double a = map.length(mesh.edge(mesh.next(h))), b = map.length(mesh.edge(h)),
+               c = map.length(mesh.edge(mesh.prev(h)));
+  return std::acos(std::clamp(
+    (std::cosh(b) * std::cosh(c) - std::cosh(a)) / (std::sinh(b) * std::sinh(c)), -1., 1.));
+}
+
+void check_curvatures(const Hyperbolic_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  std::vector<double> sum(mesh.number_of_vertices(), 0);
+  for(Halfedge_index h : mesh.halfedges())
+    sum[mesh.source(h)] += angle_at_source(map, h);
+  for(Vertex_index v : mesh.vertices())
+    if(!mesh.is_isolated(v)) {
+      EXPECT_NEAR(sum[v], 2 * pi, 1e-8)
+        << v; // the formula loses half of the digits for short edges
+    }
+}
+
+// Distances in the plane are lengths; faces are counterclockwise; motions glue them.
+void check_layout(const Hyperbolic_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  // an error of the last digit of a coordinate moves a point by up to exp(radius) units
+  const double tolerance = 1e-13 * std::exp(map.radius());
+  for(Halfedge_index h : mesh.halfedges()) {
+    const Halfedge_index o = mesh.opposite(h);
+    EXPECT_NEAR(distance(map.hyperboloid_position(h), map.hyperboloid_position(mesh.next(h))),
+                map.length(mesh.edge(h)), tolerance)
+      << h;
+    const auto beyond = map.gluing(h);
+    EXPECT_LT(std::abs(beyond(map.position(o)) - map.position(mesh.next(h))), tolerance) << h;
+    EXPECT_LT(std::abs(beyond(map.position(mesh.next(o))) - map.position(h)), tolerance) << h;
+  }
+  for(Face_index f : mesh.faces()) {
+    Eigen::Matrix3d corners;
+    int row = 0;
+    for(Halfedge_index h : IT::internal::sides(f, mesh)) {
+      for(int i = 0; i < 3; ++i)
+        corners(row, i) = map.hyperboloid_position(h)[std::size_t(i)];
+      ++row;
+    }
+    EXPECT_GT(corners.determinant(), 0) << f;
+  }
+}
+
+void check_group(const DC::Fuchsian_group& group, std::size_t genus)
+{
+  EXPECT_EQ(group.genus, genus);
+  EXPECT_NEAR(group.area, 4 * pi * (double(genus) - 1), 1e-9);
+  EXPECT_EQ(group.generators.size(), 2 * genus);
+  EXPECT_LT(group.relation_error, 1e-8);
+  std::vector<int> count(2 * (2 * genus), 0);
+  for(const auto& letter : group.relation)
+    ++count[2 * letter.generator + letter.is_inverse];
+  EXPECT_EQ(count, std::vector<int>(2 * (2 * genus), 1));
+  for(const Disk_motion<>& motion : group.generators)
+    EXPECT_GT(std::abs(motion.a().real()), 1); // hyperbolic: no fixed point inside
+}
+
+// The product of motions that have been rounded.
+double rounded_relation_error(const DC::Fuchsian_group& group)
+{
+  Disk_motion<> product;
+  for(const auto& letter : group.relation) {
+    const Disk_motion<>& motion = group.generators[letter.generator];
+    product = product * (letter.is_inverse ? motion.inverse() : motion);
+  }
+  return product.distance_to_identity();
+}
+
+void check_map(const Hyperbolic_conformal_map& map, std::size_t genus)
+{
+  EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
+  EXPECT_LT(map.max_curvature_error(), 1e-10);
+  EXPECT_LT(map.max_gluing_error(), 1e-8);
+  check_curvatures(map);
+  check_layout(map);
+  ASSERT_EQ(map.number_of_components(), 1u);
+  check_group(map.group(0), genus);
+}
+
+// A point of the disk and its images across the seams are one point of the surface: continuity of the map.
+void check_subdivision(const Hyperbolic_conformal_map& map)
+{
+  const auto& subdivision = map.subdivision();
+  const auto& mesh = subdivision.mesh();
+  const double tolerance = 1e-13 * std::exp(map.radius());
+  const auto image = [&](Halfedge_index h) {
+    return Hyperbolic_conformal_map::to_disk(
+      map.homogeneous_coordinates(subdivision.place_on_C(h)));
+  };
+  for(Edge_index e : mesh.edges()) {
+    const Edge_index c = subdivision.parent_edge(DC::Layer::C, e);
+    if(c.is_valid() && map.is_seam(c))
+      continue;
+    const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
+    EXPECT_LT(std::abs(image(h) - image(mesh.prev(o))), tolerance) << e;
+    EXPECT_LT(std::abs(image(o) - image(mesh.prev(h))), tolerance) << e;
+  }
+}
+
+std::vector<double> random_numbers(std::size_t n, double bound, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  std::vector<double> result(n);
+  for(double& x : result)
+    x = random.get_double(-bound, bound);
+  return result;
+}
+
+} // namespace
+
+// ---- Known surfaces ----
+
+TEST(Uniformize_hyperbolic, regular_surfaces_come_back)
+{
+  for(const int g : {2, 3, 4, 5, 6, 7, 8, 70}) {
+    SCOPED_TRACE(g);
+    const Hyperbolic_surface regular = regular_surface(g, 5);
+    const std::size_t n = regular.mesh.number_of_vertices();
+    EXPECT_EQ(n, std::size_t(2 + 4 * g));
+    const std::vector<double> u = random_numbers(n, 1, 7);
+    const Hyperbolic_conformal_map map = uniformize(scaled(regular, u));
+    for(std::size_t v = 0; v < n; ++v)
+      EXPECT_NEAR(map.log_scale(Vertex_index(unsigned(v))), -u[v], 1e-10) << v;
+    check_map(map, std::size_t(g));
+    check_subdivision(map);
+  }
+}
+
+// cosh(x/2) for a closed geodesic of length x on the Bolza surface is m + n sqrt(2) with integers, m odd and as
+// close to n sqrt(2) as it can be (Aurich, Bogomolny, Steiner 1991).
+TEST(Uniformize_hyperbolic, generators_of_the_Bolza_surface_have_its_lengths)
+{
+  const Hyperbolic_surface regular = regular_surface(2, 5);
+  const auto u = random_numbers(regular.mesh.number_of_vertices(), 1, 11);
+  const Hyperbolic_conformal_map map = uniformize(scaled(regular, u));
+  for(const Disk_motion<>& motion : map.group(0).generators) {
+    const double cosh = std::abs(motion.a().real());
+    bool is_known = false;
+    for(int n = 1; n < 100; ++n) {
+      const double m = 2 * std::floor(n * std::sqrt(2.) / 2) + 1;
+      is_known |= std::abs(cosh - m - n * std::sqrt(2.)) < 1e-8;
+    }
+    EXPECT_TRUE(is_known) << cosh;
+  }
+  EXPECT_LT(rounded_relation_error(map.group(0)), 1e-8);
+}
+
+// Four cones with angles of pi / 2: the faces are regular triangles with angles of pi / 6, in which
+// 2 cosh(x/2) sin(pi/12) = 1.
+TEST(Uniformize_hyperbolic, tetrahedron_with_cones)
+{
+  const Triangulation t(tetrahedron());
+  const Hyperbolic_conformal_map map =
+    uniformize(t.mesh(), lengths_of(t), Conditions(4, Vertex_condition::curvature(1.5 * pi)));
+  EXPECT_LT(map.max_curvature_error(), 1e-10);
+  EXPECT_NEAR(map.area(), 2 * pi, 1e-10);
+  for(Edge_index e : map.ideal().mesh().edges())
+    EXPECT_NEAR(2 * std::cosh(map.length(e) / 2) * std::sin(pi / 12), 1, 1e-12);
+  EXPECT_TRUE(map.group(0).relation.empty());
+  check_layout(map);
+}
+
+// ---- Surfaces in space ----
+
+TEST(Uniformize_hyperbolic, plates_with_holes)
+{
+  for(int g = 2; g <= 8; ++g) {
+    SCOPED_TRACE(g);
+    const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(plate_with_holes(g));
+    check_map(map, std::size_t(g));
+    check_subdivision(map);
+  }
+}
+
+// The same scale at vertices that are mirror images, whatever the diagonals of the squares.
+TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
+{
+  for(int g = 2; g <= 4; ++g) {
+    const Mesh mesh = straight_plate_with_holes(g);
+    const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(mesh);
+    std::map<std::array<double, 3>, double> scale;
+    const std::array<double, 3> size{2. * g + 1, 3, 1};
+    for(Vertex_index v : mesh.vertices()) {
+      const Point& p = mesh.point(v);
+      scale[{p[0], p[1], p[2]}] = map.log_scale(v);
+    }
+    for(const auto& [p, u] : scale)
+      for(std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<double, 3> mirrored = p;
+        mirrored[axis] = size[axis] - p[axis];
+        ASSERT_EQ(scale.count(mirrored), 1u);
+        EXPECT_NEAR(scale[mirrored], u, 1e-12);
+      }
+  }
+}
+
+TEST(Uniformize_hyperbolic, does_not_depend_on_the_triangulation)
+{
+  const Triangulation t(plate_with_holes(3));
+  Triangulation flipped = t;
+  flip_at_random(flipped, 300, 3);
+  const Hyperbolic_conformal_map map = uniformize({t.mesh(), lengths_of(t)}),
+                                 other = uniformize({flipped.mesh(), lengths_of(flipped)});
+  for(Vertex_index v : t.mesh().vertices())
+    EXPECT_NEAR(map.log_scale(v), other.log_scale(v), 1e-9);
+  EXPECT_NE(t.mesh().number_of_edges(), 0u);
+}
+
+// One number for all vertices makes up for the size.
+TEST(Uniformize_hyperbolic, does_not_depend_on_the_size)
+{
+  const Triangulation t(plate_with_holes(2));
+  std::vector<double> length = lengths_of(t);
+  const Hyperbolic_conformal_map map = uniformize({t.mesh(), length});
+  for(const double size : {1e-20, 1e20}) {
+    std::vector<double> other = length;
+    for(double& x : other)
+      x *= size;
+    const Hyperbolic_conformal_map same = uniformize({t.mesh(), other});
+    for(Vertex_index v : t.mesh().vertices())
+      EXPECT_NEAR(same.log_scale(v) + std::log(size), map.log_scale(v), 1e-10);
+  }
+}
+
+TEST(Uniformize_hyperbolic, components_of_their_own)
+{
+  Mesh mesh = plate_with_holes(2);
+  mesh.add_vertex(Point(9, 9, 9));
+  mesh += plate_with_holes(3);
+  const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(mesh);
+  ASSERT_EQ(map.number_of_components(), 2u);
+  check_group(map.group(0), 2);
+  check_group(map.group(1), 3);
+  check_layout(map);
+}
+
+// A plate with two holes without two of its faces: the double has genus five.
+TEST(Uniformize_hyperbolic, boundaries_are_geodesics)
+{
+  const Mesh mesh = punctured(plate_with_holes(2), {3, 40});
+  const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(mesh);
+  check_map(map, 5);
+  for(Vertex_index v : map.ideal().mesh().vertices())
+    EXPECT_NEAR(map.log_scale(v), map.log_scale(map.input_vertex(v)), 1e-10);
+}
+
+// ---- Points ----
+
+// The middle of three corners of a face of the subdivision, found on T^A and then by the map, and by averaging the
+// homogeneous coordinates of the corners.
+TEST(Uniformize_hyperbolic, maps_points_as_the_subdivision_does)
+{
+  const Mesh input = plate_with_holes(2);
+  const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(input);
+  const auto& subdivision = map.subdivision();
+  for(Face_index f : subdivision.mesh().faces()) {
+    Location middle{subdivision.parent_face(DC::Layer::A, f), {0, 0, 0}};
+    std::array<double, 3> sum{0, 0, 0};
+    Halfedge_index h = subdivision.mesh().halfedge(f);
+    for(int i = 0; i < 3; ++i, h = subdivision.mesh().next(h)) {
+      const Location p =
+        on_face(map, middle.first, subdivision.place_on_A(subdivision.mesh().target(h)));
+      const auto z = map.homogeneous_coordinates(subdivision.place_on_C(h));
+      for(std::size_t k = 0; k < 3; ++k) {
+        middle.second[k] += p.second[k] / 3;
+        sum[k] += z[k];
+      }
+    }
+    EXPECT_LT(std::abs(Hyperbolic_conformal_map::to_disk(sum) - map(middle)), 1e-10) << f;
+  }
+}
+
+// ---- Errors ----
+
+TEST(Uniformize_hyperbolic, refuses_what_cannot_be)
+{
+  EXPECT_THROW(DC::uniformize_hyperbolic(tetrahedron()), IT::Invalid_input);
+  EXPECT_THROW(DC::uniformize_hyperbolic(embedded_torus(5, 4)), IT::Invalid_input);
+  const Triangulation t(tetrahedron());
+  EXPECT_THROW(uniformize(t.mesh(), lengths_of(t), Conditions(4, Vertex_condition::curvature(pi))),
+               IT::Invalid_input);
+  EXPECT_THROW(
+    uniformize(t.mesh(), lengths_of(t), Conditions(4, Vertex_condition::curvature(2 * pi))),
+    IT::Invalid_input);
+}
+
+TEST(Uniformize_hyperbolic, gives_the_same_bits_twice)
+{
+  const Mesh mesh = plate_with_holes(3);
+  const Hyperbolic_conformal_map one = DC::uniformize_hyperbolic(mesh),
+                                 other = DC::uniformize_hyperbolic(mesh);
+  for(Halfedge_index h : one.ideal().mesh().halfedges())
+    EXPECT_EQ(one.hyperboloid_position(h), other.hyperboloid_position(h));
+}
+
+TEST(Uniformize_hyperbolic, empty_mesh_gives_an_empty_map)
+{
+  const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(Mesh());
+  EXPECT_EQ(map.number_of_components(), 0u);
+  EXPECT_EQ(map.area(), 0);
+}
