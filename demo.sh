@@ -14,6 +14,7 @@ meshes=(build/cgal_data/meshes/man.off demo/data/slivers.off)
 bad_meshes=(build/cgal_data/meshes/{blade,cheese}.off)
 closed_mesh=build/cgal_data/meshes/elephant.off
 open_mesh=build/cgal_data/meshes/nefertiti.off
+fine_mesh=build/cgal_data/meshes/camel.off
 
 # value FILE KEY: the number under a key of a flat JSON object without spaces.
 value()
@@ -75,6 +76,19 @@ print_flat_row()
   echo "$row  $(value "$(flat "$json")" status | tr -d '"')"
 }
 
+# print_coarse_row MESH
+print_coarse_row()
+{
+  local name json
+  name=$(basename "$1" .off)
+  json=results/$name.json
+  printf '%-16s%10s%10s%12s%12.4f%12.4f%12.4f%10.3f  %s\n' "$name" "$(value "$(flat "$json")" vertices)" \
+    "$(value "$(flat "$json")" coarse_vertices)" "$(value "$(flat "$json")" operations)" \
+    "$(value "$(flat "$json")" area_ratio)" "$(least_angle "$1")" \
+    "$(value "$(flat "$json")" min_angle_degrees)" "$(value "$(inner "$json" seconds)" simplify)" \
+    "$(value "$(flat "$json")" status | tr -d '"')"
+}
+
 scripts/set_up.sh
 cmake -S . -B build -G Ninja >build/configure.log || { cat build/configure.log >&2; false; }
 cmake --build build --target intrinsic
@@ -91,6 +105,7 @@ done
 build/intrinsic flatten "$closed_mesh" -o results/elephant.obj --stats results/elephant.json
 build/intrinsic flatten "$open_mesh" -o results/nefertiti.obj --stats results/nefertiti.json \
   --boundary disk
+build/intrinsic simplify "$fine_mesh" -o results/camel.ply --stats results/camel.json --ratio 0.01
 
 printf '\n%-16s%10s%10s%12s%12s%12s%10s\n' \
   mesh vertices flips 'min angle' crossings 'sub. faces' seconds
@@ -109,5 +124,9 @@ printf '\n%-16s%14s%14s%14s%14s%14s%14s  %s\n' \
 for mesh in "$closed_mesh" "$open_mesh"; do
   print_flat_row "$mesh"
 done
+
+printf '\n%-16s%10s%10s%12s%12s%12s%12s%10s  %s\n' \
+  simplified vertices coarse operations 'area ratio' 'angle was' 'angle is' seconds status
+print_coarse_row "$fine_mesh"
 echo
-echo "Common subdivisions (.ply; .obj with texture coordinates) and statistics (.json) are in $PWD/results"
+echo "Common subdivisions (.ply; .obj with texture coordinates), coarse faces (camel.ply) and statistics (.json) are in $PWD/results"

@@ -21,6 +21,7 @@ constexpr const char* examples = R"(Examples:
   intrinsic flatten bunny.obj -o flat.obj
   intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
   intrinsic sphere bunny.obj -o sphere.ply
+  intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
 
@@ -163,6 +164,25 @@ If the image is not convex, nothing is written.
 
 Example:
   intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
+
+constexpr const char* simplify_notes =
+  R"(Vertices are removed one after the other, the one of least cost first. Nothing moves in space: what is
+left is an intrinsic triangulation, Delaunay, of a surface close to the mesh in its distances. The cost of
+a vertex is a length: how far its curvature, area, or both times their weights, will have been moved, times the
+part of the whole that this is.
+--error ends with the last vertex whose cost is not above. Where vertices cannot be removed any more,
+simplification ends early, with exit code 0 and the status "nothing_removable" in the statistics.
+Vertices without faces stay; --vertices and --ratio do not count them.
+
+The output is the mesh, with the face property "coarse_face": the number of the coarse face in which the centroid
+of the face is. The vertex property "coarse_vertex" is the number among the coarse vertices, or -1. Coarse edges
+are not traced; they run where "coarse_face" changes.
+
+P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its rows are
+barycentric coordinates: not negative, with sum 1.
+
+Example:
+  intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --weight area=0.5 --prolongation P.mtx)";
 
 // Ranges do not exclude it.
 std::string not_a_number(const std::string& text)
@@ -430,6 +450,43 @@ void add_sphere(CLI::App& app, Options& options)
   command.footer(sphere_notes);
 }
 
+void add_target(CLI::App& command, Simplify_options& options)
+{
+  CLI::App& target = *command.add_option_group("Target", "Where to stop");
+  target.add_option("--vertices", options.number_of_vertices, "Number of vertices to be left")
+    ->check(CLI::PositiveNumber);
+  target.add_option("--ratio", options.ratio, "The same as a part of the vertices of the mesh")
+    ->check(CLI::Range(1e-9, 1.))
+    ->check(not_a_number);
+  target.add_option("--error", options.maximum_cost, "Greatest cost of a removal, a length")
+    ->check(CLI::NonNegativeNumber)
+    ->check(not_a_number);
+  target.require_option(1);
+}
+
+void add_simplify(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "simplify", "Remove vertices, intrinsically", options.common.input);
+  Simplify_options& own = options.simplify;
+  command
+    .add_option("-o,--output", own.output,
+                "The mesh with its coarse faces (.ply, .vtp; - for standard output)")
+    ->required();
+  command.add_option("--format", own.format, "Format on standard output: ply or vtp")
+    ->capture_default_str();
+  add_target(command, own);
+  command
+    .add_option("--weight", own.weights,
+                "curvature=W or area=W: the share of this in the cost; curvature=1 and area=0 if "
+                "not given")
+    ->allow_extra_args(false);
+  command.add_option("--prolongation", own.prolongation,
+                     "Matrix Market file: from coarse vertices to those of the mesh");
+  add_common_options(command, options.common);
+  command.footer(simplify_notes);
+}
+
 } // namespace
 
 void define_command_line(CLI::App& app, Options& options)
@@ -449,4 +506,5 @@ void define_command_line(CLI::App& app, Options& options)
   add_hyperbolic(app, options);
   add_uniformize(app, options);
   add_sphere(app, options);
+  add_simplify(app, options);
 }

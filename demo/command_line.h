@@ -21,6 +21,7 @@ struct Options
   Flatten_options flatten;
   Hyperbolic_options hyperbolic;
   Sphere_options sphere;
+  Simplify_options simplify;
 };
 
 // Tells `app` what can stand on the command line; parsing sets `options`, which must live as long.

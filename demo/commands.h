@@ -134,4 +134,21 @@ struct Sphere_options
 // three triangulations there. Returns the exit code.
 int sphere(const Common_options& common, const Sphere_options& options);
 
+struct Simplify_options
+{
+  std::string output;
+  std::string prolongation;
+  std::string format = "ply"; // on standard output
+  // one of these is given
+  std::optional<std::size_t> number_of_vertices;
+  std::optional<double> ratio; // of the number of vertices
+  std::optional<double> maximum_cost;
+  std::vector<std::string> weights; // as "name=value"
+};
+
+// Removes vertices from the intrinsic Delaunay triangulation, and writes the input with the coarse face in which
+// each face is, and the matrix that takes functions from the coarse vertices to those of the input.
+// Returns the exit code.
+int simplify(const Common_options& common, const Simplify_options& options);
+
 #endif // INTRINSIC_COMMANDS_H

@@ -40,6 +40,8 @@ int run_command(const CLI::App& app, const Options& options)
     return uniformize(options.common, options.hyperbolic);
   if(app.got_subcommand("sphere"))
     return sphere(options.common, options.sphere);
+  if(app.got_subcommand("simplify"))
+    return simplify(options.common, options.simplify);
   return operators(options.common, options.operators);
 }
 

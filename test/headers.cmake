@@ -7,7 +7,7 @@ file(GLOB_RECURSE headers CONFIGURE_DEPENDS
   RELATIVE "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/include/*.h")
 if(NOT Eigen_FOUND)
   list(FILTER headers EXCLUDE REGEX
-    "operators|laplacian|poisson|heat|Heat|function_transfer|Factorization|Sparse_assembly|Discrete")
+    "operators|laplacian|poisson|heat|Heat|function_transfer|Factorization|Sparse_assembly|Discrete|prolongation")
 endif()
 if(NOT SuiteSparse_FOUND)
   list(FILTER headers EXCLUDE REGEX "Supernodal")

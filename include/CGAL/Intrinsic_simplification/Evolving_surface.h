@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_EVOLVING_SURFACE_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_EVOLVING_SURFACE_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Flattened_star.h>
+#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/Removal_status.h>
+#include <CGAL/Intrinsic_simplification/Surface_history.h>
+#include <CGAL/Intrinsic_simplification/internal/Flip_geometry.h>
+#include <CGAL/Intrinsic_simplification/internal/Loop_flipper.h>
+#include <CGAL/Intrinsic_simplification/internal/Star_polygon.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a surface from which vertices are removed, with the history that maps points of the surface as it was to
+/// points of the surface as it is.
+///
+/// Elements keep their numbers; removed ones leave gaps. Vertices have the numbers of the input.
+class Evolving_surface
+{
+public:
+  /// the type of the input.
+  typedef Intrinsic_surface::Triangulation Triangulation;
+  /// the type of numbers of elements.
+  typedef Delta_complex::size_type size_type;
+
+  /// starts with the intrinsic triangulation \f$T_2\f$ of `tri`; its constrained edges will stay.
+  /// Complexity: linear.
+  /// \throws Intrinsic_triangulations::Numerical_error if the angles at a vertex are all zero
+  /// \pre no vertex of `tri` has been removed and not been collected
+  explicit Evolving_surface(const Triangulation& tri)
+    : m_surface(tri), m_is_protected(tri.mesh().num_vertices(), 0)
+  {}
+
+  /// starts with a mesh. The parameters and exceptions are those of
+  /// `Intrinsic_triangulations::Intrinsic_triangulation`.
+  template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Evolving_surface(const Graph& g,
+                            const NamedParameters& np = CGAL::parameters::default_values())
+    : Evolving_surface(Triangulation(g, np))
+  {}
+
+  /// the connectivity and the lengths at present.
+  const Intrinsic_surface& surface() const { return m_surface; }
+  /// the connectivity at present.
+  const Delta_complex& mesh() const { return m_surface.mesh(); }
+
+  /// all that has been done.
+  const Surface_history& history() const { return m_history; }
+
+  /// makes `v` a vertex that cannot be removed.
+  void protect(Vertex_index v) { m_is_protected[v] = 1; }
+  /// whether `v` has been protected.
+  bool is_protected(Vertex_index v) const { return m_is_protected[v] != 0; }
+
+  /// the star of `v` as it would be if `v` was removed. Complexity: linear in the degree of `v`.
+  /// \returns whether `v` can be removed, as far as can be told without trying: a vertex with a loop may turn out
+  ///          to be not separable.
+  Removal_status flatten(Vertex_index v, Flattened_star& star) const
+  {
+    return is_protected(v) ? Removal_status::protected_vertex : star.flatten(v, m_surface);
+  }
+
+  /// flips edges until all are Delaunay. Complexity: linear in the edges and flips.
+  /// \throws Intrinsic_triangulations::Flip_limit_exceeded if there are more than a thousand flips for each edge
+  /// \throws Intrinsic_triangulations::Numerical_error if an edge has no positive finite length
+  /// After an exception the surface is valid.
+  void make_Delaunay()
+  {
+    for(Edge_index e : mesh().edges())
+      m_waiting.push_back(e);
+    flip_waiting_edges([](Vertex_index) {});
+  }
+
+  /// removes the center of `star`: changes its scale, flips its edges until three are left, takes it away, and
+  /// makes the edges Delaunay that have changed (Section 5.1). Complexity: linear in the degree of the center and
+  /// the flips, for degrees that are bounded.
+  /// \param star the flattened star
+  /// \param touch is called with the vertices whose stars may have changed, some of them repeatedly
+  /// \returns whether the vertex has been removed. If not, nothing has changed.
+  /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
+  ///         Intrinsic_triangulations::Numerical_error as `make_Delaunay()`; the vertex has been removed then
+  /// \pre `flatten(star.center(), star) == Removal_status::possible`, and nothing has changed since
+  template <typename Touch>
+  Removal_status remove(const Flattened_star& star, const Touch& touch)
+  {
+    if(star.has_loop())
+      return remove_with_loops(star, touch);
+    if(!m_polygon.plan(star))
+      return Removal_status::not_separable;
+    remove_as_planned(star, touch);
+    return Removal_status::possible;
+  }
+
+  /// the same, without telling what may have changed.
+  Removal_status remove(const Flattened_star& star)
+  {
+    return remove(star, [](Vertex_index) {});
+  }
+
+private:
+  // With its loops flipped away, the star is that of a flat vertex.
+  template <typename Touch>
+  Removal_status remove_with_loops(const Flattened_star& star, const Touch& touch)
+  {
+    if(!m_loop_flipper(star, m_surface, m_history) ||
+       m_flat_star.flatten(star.center(), m_surface) != Removal_status::possible ||
+       !m_polygon.plan(m_flat_star)) {
+      m_loop_flipper.undo(star, m_surface, m_history);
+      return Removal_status::not_separable;
+    }
+    for(std::size_t n = 0; n < star.size(); ++n)
+      touch(star[n].neighbor);
+    remove_as_planned(m_flat_star, touch);
+    return Removal_status::possible;
+  }
+
+  template <typename Touch>
+  void remove_as_planned(const Flattened_star& star, const Touch& touch)
+  {
+    for(std::size_t n = 0; n < star.size(); ++n)
+      touch(star[n].neighbor);
+    for(std::size_t n = 0; n < star.number_of_corners(); ++n)
+      m_waiting.push_back(mesh().edge(mesh().next(star[n].halfedge)));
+    apply_scaling(star);
+    cut_ears();
+    if(star.is_border())
+      remove_border_center(star);
+    else
+      remove_interior_center(star.center());
+    flip_waiting_edges(touch);
+  }
+
+  void apply_scaling(const Flattened_star& star)
+  {
+    m_history.add_scaling(star, mesh());
+    for(std::size_t n = 0; n < star.size(); ++n)
+      m_surface.set_length(mesh().edge(star[n].halfedge), star.flat_length(n));
+    for(std::size_t n = 0; n < star.size(); ++n)
+      m_surface.place_between_neighbors(mesh().opposite(star[n].halfedge));
+  }
+
+  void cut_ears()
+  {
+    for(const internal::Spoke_flip& flip : m_polygon.flips()) {
+      m_history.add_flip(flip.halfedge, mesh(), flip.s, flip.t);
+      m_surface.flip(flip.halfedge, flip.length);
+      m_waiting.push_back(mesh().edge(flip.halfedge));
+    }
+  }
+
+  void remove_interior_center(Vertex_index v)
+  {
+    using namespace Intrinsic_triangulations;
+    const Halfedge_index a = first_spoke(v, mesh()), b = next_spoke(a, mesh());
+    m_history.add_removal(a, mesh(), m_polygon.weight(a), m_polygon.weight(b));
+    remove_degree_3_vertex(v, m_surface.mesh());
+  }
+
+  // the first border edge takes the place of both
+  void remove_border_center(const Flattened_star& star)
+  {
+    const Halfedge_index a = star[0].halfedge;
+    m_history.add_border_removal(a, mesh(), m_polygon.weight(a));
+    Intrinsic_triangulations::remove_degree_3_vertex(star.center(), m_surface.mesh());
+    m_surface.set_length(mesh().edge(a), star.flat_length(0) + star.flat_length(star.size() - 1));
+    m_surface.set_direction(a, star[star.size() - 1].direction_back);
+  }
+
+  template <typename Touch>
+  void flip_waiting_edges(const Touch& touch)
+  {
+    for(std::size_t limit = 1000000 + 1000 * m_waiting.size(); !m_waiting.empty();) {
+      const Edge_index e = m_waiting.back();
+      m_waiting.pop_back();
+      if(m_surface.is_Delaunay(e))
+        continue;
+      if(limit-- == 0)
+        stop_flipping<Intrinsic_triangulations::Flip_limit_exceeded>(
+          "not Delaunay after as many flips as are allowed");
+      flip(mesh().halfedge(e), touch);
+    }
+  }
+
+  template <typename Exception>
+  [[noreturn]] void stop_flipping(const char* message)
+  {
+    m_waiting.clear();
+    throw Exception(message);
+  }
+
+  template <typename Touch>
+  void flip(Halfedge_index h, const Touch& touch)
+  {
+    const internal::Flip_geometry flip = internal::flip_geometry(m_surface.diamond(h));
+    if(!Intrinsic_surface::Traits::Is_length()(flip.length))
+      stop_flipping<Intrinsic_triangulations::Numerical_error>(
+        "a flip gives no positive finite length");
+    m_history.add_flip(h, mesh(), flip.s, flip.t);
+    m_surface.flip(h, flip.length);
+    const Halfedge_index o = mesh().opposite(h);
+    for(Halfedge_index side : {mesh().next(h), mesh().prev(h), mesh().next(o), mesh().prev(o)}) {
+      m_waiting.push_back(mesh().edge(side));
+      touch(mesh().target(side));
+    }
+  }
+
+  Intrinsic_surface m_surface;
+  Surface_history m_history;
+  std::vector<char> m_is_protected; // of each vertex
+  internal::Star_polygon m_polygon;
+  internal::Loop_flipper m_loop_flipper;
+  Flattened_star m_flat_star;        // of a vertex whose loops have been flipped away
+  std::vector<Edge_index> m_waiting; // edges that may not be Delaunay
+};
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_EVOLVING_SURFACE_H

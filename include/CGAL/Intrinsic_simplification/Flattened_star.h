@@ -1,0 +1,342 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_FLATTENED_STAR_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_FLATTENED_STAR_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/Removal_status.h>
+#include <CGAL/Intrinsic_simplification/internal/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// an edge that leaves the center of a star. What is said of lengths and directions holds before the center
+/// is flattened.
+struct Star_spoke
+{
+  Halfedge_index halfedge; ///< leaves the center
+  Vertex_index neighbor;   ///< where it ends
+  double length;           ///< the length of the edge
+  double direction;        ///< its direction at the center
+  double direction_back;   ///< the direction of the opposite halfedge at the neighbor
+  /// the change of the angle at the neighbor in the two faces of the spoke, by flattening; the curvature of
+  /// the neighbor changes by its negative
+  double angle_change;
+  /// the share of the change at this spoke in that at all of them (Equation 5.7); equal shares if the center is flat
+  /// already, and none for a loop
+  double weight;
+  /// the number of the first spoke with this neighbor
+  std::size_t first_with_neighbor;
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the faces around a vertex, and the scale of the vertex that makes them flat (Section 5.1.1).
+///
+/// The center gets the scale factor \f$u\f$: the length of an edge is multiplied by \f$e^{u/2}\f$ for each
+/// end at the center. The other edges of the star keep their lengths. The sum of angles at the center
+/// decreases strictly with \f$u\f$, so there is one solution at most. It is \f$2\pi\f$ at an interior
+/// vertex, and \f$\pi\f$ on the boundary, which becomes straight.
+///
+/// An object can be used for one vertex after the other; it keeps its memory.
+class Flattened_star
+{
+public:
+  /// finds the spokes of `v` and its scale factor. Complexity: linear in the degree of `v`, for each step of
+  /// Newton's method.
+  /// \returns whether `v` can be flattened; if it can, the functions below tell the result
+  Removal_status flatten(Vertex_index v, const Intrinsic_surface& surface)
+  {
+    const Removal_status status = collect(v, surface);
+    if(status != Removal_status::possible)
+      return status;
+    if(!solve())
+      return Removal_status::not_flattenable;
+    set_angle_changes();
+    set_weights();
+    return Removal_status::possible;
+  }
+
+  /// the vertex in the middle.
+  Vertex_index center() const { return m_center; }
+
+  /// whether the center is on the boundary.
+  bool is_border() const { return m_is_border; }
+
+  /// whether an edge joins the center with itself.
+  bool has_loop() const { return m_has_loop; }
+
+  /// the number of spokes; a loop counts twice.
+  std::size_t size() const { return m_spokes.size(); }
+
+  /// the number of corners of faces at the center.
+  std::size_t number_of_corners() const { return size() - (m_is_border ? 1 : 0); }
+
+  /// a spoke, in counterclockwise order; at the boundary the first and the last are border edges.
+  const Star_spoke& operator[](std::size_t n) const { return m_spokes[n]; }
+
+  /// the spoke after `n` in counterclockwise order.
+  std::size_t next(std::size_t n) const { return n + 1 == size() ? 0 : n + 1; }
+
+  /// the scale factor \f$u\f$; exactly zero if the center is flat to within rounding.
+  double scale_factor() const { return m_u; }
+
+  /// the length of a spoke after flattening.
+  double flat_length(std::size_t n) const { return m_spokes[n].length * m_power[ends(n)]; }
+
+  /// the length of the edge across from the center, between the spokes `n` and `next(n)`, after flattening.
+  double flat_opposite_length(std::size_t n) const
+  {
+    return m_opposite[n] * m_power[opposite_ends(n)];
+  }
+
+private:
+  // the sides of the corner between two spokes
+  struct Corner
+  {
+    double p, q, opposite;
+  };
+
+  // how the angles at the center add up for some scale factor
+  struct Excess
+  {
+    double value;      // over the angle of a flat vertex
+    double derivative; // with respect to the scale factor
+    bool is_valid;     // whether there are triangles with these sides
+  };
+
+  typedef std::complex<double> Complex;
+
+  double flat_angle() const { return m_is_border ? internal::pi : 2 * internal::pi; }
+
+  // the number of ends of a spoke at the center
+  std::size_t ends(std::size_t n) const { return m_spokes[n].neighbor == m_center ? 2 : 1; }
+
+  std::size_t opposite_ends(std::size_t n) const { return ends(n) + ends(next(n)) - 2; }
+
+  Corner corner(std::size_t n) const
+  {
+    return {flat_length(n), flat_length(next(n)), flat_opposite_length(n)};
+  }
+
+  Corner original_corner(std::size_t n) const
+  {
+    return {m_spokes[n].length, m_spokes[next(n)].length, m_opposite[n]};
+  }
+
+  void set_scale(double u)
+  {
+    m_u = u;
+    m_power[1] = std::exp(u / 2);
+    m_power[2] = m_power[1] * m_power[1];
+  }
+
+  Removal_status collect(Vertex_index v, const Intrinsic_surface& surface)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    m_center = v;
+    m_spokes.clear();
+    m_opposite.clear();
+    m_has_loop = false;
+    set_scale(0);
+    if(mesh.is_isolated(v))
+      return Removal_status::isolated;
+    bool is_protected = false;
+    Intrinsic_triangulations::internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      is_protected = is_protected || surface.is_constrained(mesh.edge(h));
+      add_spoke(h, surface);
+    });
+    m_is_border = mesh.is_border(m_spokes.back().halfedge);
+    if(is_protected)
+      return Removal_status::protected_vertex;
+    return m_has_loop ? status_with_loops() : degree_status();
+  }
+
+  void add_spoke(Halfedge_index h, const Intrinsic_surface& surface)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    const Vertex_index j = mesh.target(h);
+    m_has_loop = m_has_loop || j == m_center;
+    m_spokes.push_back({h, j, surface.length(h), surface.direction(h),
+                        surface.direction(mesh.opposite(h)), 0, 0, m_spokes.size()});
+    m_opposite.push_back(mesh.is_border(h) ? 0 : surface.length(mesh.next(h)));
+  }
+
+  Removal_status degree_status() const
+  {
+    return size() < 3 ? Removal_status::low_degree : Removal_status::possible;
+  }
+
+  Removal_status status_with_loops() const
+  {
+    if(m_is_border && (ends(0) == 2 || ends(size() - 1) == 2))
+      return Removal_status::border_loop;
+    for(std::size_t n = 0; n < number_of_corners(); ++n)
+      if(opposite_ends(n) == 2)
+        return Removal_status::self_face;
+    return degree_status();
+  }
+
+  Excess excess() const
+  {
+    namespace IT = Intrinsic_triangulations;
+    internal::Angle_sum sum;
+    Excess result{0, 0, true};
+    for(std::size_t n = 0; n < number_of_corners(); ++n) {
+      const Corner c = corner(n);
+      const double product = IT::doubled_corner_product(c.opposite, c.p, c.q);
+      const double area = IT::quadrupled_area(c.opposite, c.p, c.q);
+      const double scale = 1 / (2 * c.p * c.q);
+      sum.add(product * scale, area * scale);
+      if(area > IT::rounding_unit<double>() * (c.p * c.q))
+        result.derivative += angle_derivative(n, c, product) / area;
+      else
+        result.is_valid = false;
+    }
+    result.value = sum.minus(flat_angle());
+    return result;
+  }
+
+  // the derivative of the angle by the scale factor, times four times the area
+  double angle_derivative(std::size_t n, const Corner& c, double product) const
+  {
+    if(!m_has_loop)
+      return -c.opposite * c.opposite;
+    const double p = static_cast<double>(ends(n)), q = static_cast<double>(ends(next(n)));
+    return (p + q - 2) * c.opposite * c.opposite - p * c.p * c.p - q * c.q * c.q +
+           (p + q) * product / 2;
+  }
+
+  // Newton's method, kept in the interval where the excess changes its sign. Beyond the triangle
+  // inequality an angle counts as 0 or pi, so that the excess is continuous and decreases everywhere.
+  bool solve()
+  {
+    const double tolerance = Intrinsic_triangulations::rounding_unit<double>() * 2 * internal::pi *
+                             static_cast<double>(size());
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    for(int step = 0; step < 100; ++step) {
+      const Excess e = excess();
+      if(std::abs(e.value) <= tolerance)
+        return e.is_valid;
+      (e.value > 0 ? low : high) = m_u;
+      set_scale(next_scale(e, low, high));
+    }
+    return false;
+  }
+
+  double next_scale(const Excess& e, double low, double high) const
+  {
+    const double newton = m_u - e.value / e.derivative;
+    if(newton > low && newton < high && std::abs(newton - m_u) < 4)
+      return newton;
+    if(std::isfinite(low) && std::isfinite(high))
+      return low + (high - low) / 2;
+    return e.value > 0 ? m_u + 1 : m_u - 1;
+  }
+
+  void set_angle_changes()
+  {
+    m_change.assign(2 * size(), Complex(1));
+    if(m_u != 0)
+      for(std::size_t n = 0; n < number_of_corners(); ++n) {
+        const Corner before = original_corner(n), after = corner(n);
+        const double old_area = quadrupled_area(before), new_area = quadrupled_area(after);
+        m_change[2 * n] = turn(before.p, before.opposite, before.q, old_area, //
+                               after.p, after.opposite, after.q, new_area);
+        m_change[2 * next(n) + 1] = turn(before.q, before.opposite, before.p, old_area, //
+                                         after.q, after.opposite, after.p, new_area);
+      }
+    for(std::size_t n = 0; n < size(); ++n)
+      m_spokes[n].angle_change = angle_change(n);
+  }
+
+  double angle_change(std::size_t n) const
+  {
+    const Complex &after = m_change[2 * n], &before = m_change[2 * n + 1];
+    if(m_has_loop || !(after.real() > 0) || !(before.real() > 0))
+      return share(n) * std::arg(after) + share(previous(n)) * std::arg(before);
+    return std::arg(after * before);
+  }
+
+  // of an angle opposite to a corner: a face with a loop has two corners at the center
+  double share(std::size_t n) const
+  {
+    return n < number_of_corners() && opposite_ends(n) > 0 ? 0.5 : 1;
+  }
+
+  std::size_t previous(std::size_t n) const { return n == 0 ? size() - 1 : n - 1; }
+
+  static double quadrupled_area(const Corner& c)
+  {
+    return Intrinsic_triangulations::quadrupled_area(c.opposite, c.p, c.q);
+  }
+
+  // the unit vector of the change of the angle between the sides a and b
+  static Complex turn(double a, double b, double c, double area, double new_a, double new_b,
+                      double new_c, double new_area)
+  {
+    using Intrinsic_triangulations::doubled_corner_product;
+    const double x = doubled_corner_product(c, a, b), scale = 1 / (4 * a * b * new_a * new_b);
+    const double new_x = doubled_corner_product(new_c, new_a, new_b);
+    return {(x * new_x + area * new_area) * scale, (new_area * x - new_x * area) * scale};
+  }
+
+  void set_weights()
+  {
+    double sum = 0;
+    std::size_t others = 0;
+    for(std::size_t n = 0; n < size(); ++n)
+      if(ends(n) == 1) {
+        sum += std::abs(m_spokes[n].angle_change);
+        ++others;
+      }
+    for(std::size_t n = 0; n < size(); ++n) {
+      Star_spoke& spoke = m_spokes[n];
+      spoke.weight = ends(n) == 2 ? 0
+                     : sum > 0    ? std::abs(spoke.angle_change) / sum
+                                  : 1 / static_cast<double>(others);
+    }
+    find_repeated_neighbors();
+  }
+
+  void find_repeated_neighbors()
+  {
+    for(std::size_t n = 0; n < size(); ++n) {
+      const std::size_t j = m_spokes[n].neighbor;
+      if(j >= m_first.size())
+        m_first.resize(j + 1, 0);
+      if(m_first[j] == 0)
+        m_first[j] = static_cast<std::uint32_t>(n) + 1;
+      m_spokes[n].first_with_neighbor = m_first[j] - 1;
+    }
+    for(const Star_spoke& spoke : m_spokes)
+      m_first[spoke.neighbor] = 0;
+  }
+
+  Vertex_index m_center;
+  bool m_is_border = false, m_has_loop = false;
+  double m_u = 0;
+  std::array<double, 3> m_power{1, 1, 1}; // by the number of ends at the center
+  std::vector<Star_spoke> m_spokes;
+  std::vector<double> m_opposite;     // of each corner
+  std::vector<Complex> m_change;      // of the angles after and before each spoke
+  std::vector<std::uint32_t> m_first; // of each vertex: zero, but for work on repeated neighbors
+};
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_FLATTENED_STAR_H

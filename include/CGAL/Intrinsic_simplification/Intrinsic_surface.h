@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTRINSIC_SURFACE_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTRINSIC_SURFACE_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+using Intrinsic_triangulations::Delta_complex;
+using Intrinsic_triangulations::Edge_index;
+using Intrinsic_triangulations::Face_index;
+using Intrinsic_triangulations::Halfedge_index;
+using Intrinsic_triangulations::Vertex_index;
+
+namespace internal {
+
+constexpr double pi = 3.14159265358979323846;
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a Delta-complex with edge lengths, and with a direction for every halfedge in the tangent space of
+/// its source. Unlike those of `Intrinsic_triangulations::Intrinsic_triangulation`, its lengths can be
+/// changed.
+///
+/// Directions are angles. At first they are those of `Intrinsic_triangulations::Tangent_frames`. When
+/// an edge takes the place of another, or lengths change, a halfedge goes between its two neighbors in the
+/// proportion of the two corners: the frame of a vertex stays what it is.
+///
+/// Memory: a number for each edge and halfedge besides the connectivity.
+class Intrinsic_surface
+{
+public:
+  /// the geometry of the faces.
+  typedef Intrinsic_triangulations::Euclidean_geometry_traits<double> Traits;
+  /// the type of the input.
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<Traits> Triangulation;
+  /// a readable property map from edges to their lengths.
+  typedef boost::iterator_property_map<
+    const double*, boost::typed_identity_property_map<Edge_index>, double, const double&>
+    Length_map;
+
+  /// copies the triangulation \f$T_2\f$ of `tri`, with its numbers, lengths and constraints.
+  /// Complexity: linear.
+  /// \throws Intrinsic_triangulations::Numerical_error if the angles at a vertex are all zero
+  /// \pre no vertex of `tri` has been removed and not been collected
+  explicit Intrinsic_surface(const Triangulation& tri)
+  {
+    namespace IT = Intrinsic_triangulations;
+    CGAL_precondition(!tri.mesh().has_garbage());
+    m_mesh.resize(tri.mesh().number_of_vertices(), tri.mesh().number_of_edges(),
+                  tri.mesh().number_of_faces());
+    IT::internal::copy_connectivity(tri.mesh(), IT::internal::Surface_mesh_numbering(), m_mesh);
+    for(Edge_index e : m_mesh.edges()) {
+      m_length.push_back(tri.length(e));
+      if(tri.is_constrained(e)) {
+        m_is_constrained.resize(m_mesh.num_edges(), 0);
+        m_is_constrained[e] = 1;
+      }
+    }
+    const IT::Tangent_frames<double> frames(m_mesh, length_map());
+    for(Halfedge_index h : m_mesh.halfedges())
+      m_direction.push_back(frames.angle(h));
+  }
+
+  /// \name Access
+  /// @{
+
+  /// the connectivity; removed elements leave gaps in the numbers.
+  const Delta_complex& mesh() const { return m_mesh; }
+
+  /// the length of `e`.
+  double length(Edge_index e) const { return m_length[e]; }
+  /// the length of the edge of `h`.
+  double length(Halfedge_index h) const { return m_length[m_mesh.edge(h)]; }
+  /// the lengths of all edges.
+  Length_map length_map() const { return Length_map(m_length.data()); }
+
+  /// the angle of the direction in which `h` leaves its source.
+  double direction(Halfedge_index h) const { return m_direction[h]; }
+
+  /// whether `e` must stay.
+  bool is_constrained(Edge_index e) const
+  {
+    return !m_is_constrained.empty() && m_is_constrained[e] != 0;
+  }
+
+  /// the angle at the source of `h` in its face.
+  double corner_angle(Halfedge_index h) const
+  {
+    namespace IT = Intrinsic_triangulations;
+    const double a = length(m_mesh.next(h)), b = length(m_mesh.prev(h)), c = length(h);
+    return std::atan2(IT::quadrupled_area(a, b, c), IT::doubled_corner_product(a, b, c));
+  }
+
+  /// whether the edge of `h` can be flipped as far as connectivity and constraints are concerned.
+  bool can_be_turned(Halfedge_index h) const
+  {
+    namespace IT = Intrinsic_triangulations;
+    return IT::flip_status(h, m_mesh) == IT::Operation_status::possible &&
+           !is_constrained(m_mesh.edge(h));
+  }
+
+  /// whether the edge of `h` can be turned, and its diamond is strictly convex.
+  bool is_flippable(Halfedge_index h) const
+  {
+    return can_be_turned(h) && Traits::Is_convex()(diamond(h));
+  }
+
+  /// whether `e` is Delaunay (Equation 2.6), or cannot be turned.
+  bool is_Delaunay(Edge_index e) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(e);
+    return Traits::Is_locally_Delaunay()(diamond(h)) || !can_be_turned(h);
+  }
+
+  /// the lengths around the edge of `h`.
+  Intrinsic_triangulations::Diamond<double> diamond(Halfedge_index h) const
+  {
+    return Intrinsic_triangulations::diamond(length_map(), h, m_mesh);
+  }
+
+  /// @}
+  /// \name Changes
+  /// @{
+
+  /// turns the edge of `h` into the other diagonal (see `Intrinsic_triangulations::flip_edge()`).
+  /// Complexity: constant.
+  /// \pre `can_be_turned(h)`
+  void flip(Halfedge_index h, double new_length)
+  {
+    Intrinsic_triangulations::flip_edge(h, m_mesh);
+    m_length[m_mesh.edge(h)] = new_length;
+    place_between_neighbors(h);
+    place_between_neighbors(m_mesh.opposite(h));
+  }
+
+  /// changes the length of `e`; the direction of neither halfedge changes.
+  void set_length(Edge_index e, double new_length) { m_length[e] = new_length; }
+
+  /// changes the direction of `h`.
+  void set_direction(Halfedge_index h, double angle) { m_direction[h] = angle; }
+
+  /// directs `h` between its neighbors at its source in the proportion of the two corners. That of a border
+  /// edge stays. Complexity: constant.
+  void place_between_neighbors(Halfedge_index h)
+  {
+    const Halfedge_index o = m_mesh.opposite(h);
+    if(m_mesh.is_border(h) || m_mesh.is_border(o))
+      return;
+    const Halfedge_index before = m_mesh.next(o), after = m_mesh.opposite(m_mesh.prev(h));
+    const double right = corner_angle(before), left = corner_angle(h);
+    const double start = m_direction[before];
+    const double gap = turn_to_positive(m_direction[after] - start);
+    if(right + left > 0) // degenerate corners give no proportion
+      m_direction[h] = std::fmod(start + gap * (right / (right + left)), 2 * internal::pi);
+  }
+
+  /// the connectivity, for operations that keep lengths and directions themselves.
+  Delta_complex& mesh() { return m_mesh; }
+
+  /// @}
+
+private:
+  // the same angle between 0 and a full turn, which stands for zero
+  static double turn_to_positive(double angle)
+  {
+    return angle > 0 ? angle : angle + 2 * internal::pi;
+  }
+
+  Delta_complex m_mesh;
+  std::vector<double> m_length;
+  std::vector<double> m_direction;    // of each halfedge
+  std::vector<char> m_is_constrained; // of each edge; empty if none is
+};
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTRINSIC_SURFACE_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_LEVEL_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_LEVEL_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Evolving_surface.h>
+#include <CGAL/Intrinsic_simplification/Surface_history.h>
+#include <CGAL/Intrinsic_triangulations/internal/copy_input.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a copy of an evolving surface as it is at one time, with elements numbered without gaps, in the same order.
+/// Several make a hierarchy.
+class Surface_level
+{
+public:
+  /// the type of the map of edge lengths.
+  typedef Intrinsic_surface::Length_map Length_map;
+
+  /// copies the present state. Complexity: linear in the numbers that have been used for elements.
+  explicit Surface_level(const Evolving_surface& surface) : m_time(surface.history().size())
+  {
+    namespace IT = Intrinsic_triangulations;
+    const Delta_complex& mesh = surface.mesh();
+    m_mesh.resize(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
+    IT::internal::with_numbering(mesh, [&](const auto& numbering) {
+      IT::internal::copy_connectivity(mesh, numbering, m_mesh);
+    });
+    m_surface_vertex.assign(mesh.vertices().begin(), mesh.vertices().end());
+    m_surface_face.assign(mesh.faces().begin(), mesh.faces().end());
+    for(Edge_index e : mesh.edges())
+      m_length.push_back(surface.surface().length(e));
+  }
+
+  /// how many operations had been done.
+  Surface_history::Time time() const { return m_time; }
+
+  /// the connectivity.
+  const Delta_complex& mesh() const { return m_mesh; }
+
+  /// the lengths of the edges.
+  Length_map length_map() const { return Length_map(m_length.data()); }
+
+  /// an intrinsic triangulation with \f$T_1 = T_2\f$. Complexity: linear.
+  Evolving_surface::Triangulation triangulation() const
+  {
+    return Evolving_surface::Triangulation(
+      m_mesh, Intrinsic_triangulations::parameters::edge_length_map(length_map()));
+  }
+
+  /// the number that the vertex `v` of this level has in the evolving surface, and in the input.
+  Vertex_index surface_vertex(Vertex_index v) const { return m_surface_vertex[v]; }
+
+  /// the number that the face `f` of this level has in the evolving surface.
+  Face_index surface_face(Face_index f) const { return m_surface_face[f]; }
+
+  /// the number that the vertex `v` of the evolving surface has in this level; null if it has been removed before.
+  /// Complexity: logarithmic.
+  Vertex_index level_vertex(Vertex_index v) const { return find(m_surface_vertex, v); }
+
+  /// the number that the face `f` of the evolving surface has in this level; null if it has been removed before.
+  /// Complexity: logarithmic.
+  Face_index level_face(Face_index f) const { return find(m_surface_face, f); }
+
+private:
+  template <typename Index>
+  static Index find(const std::vector<Index>& numbers, Index i)
+  {
+    const auto place = std::lower_bound(numbers.begin(), numbers.end(), i);
+    return place != numbers.end() && *place == i
+             ? Index(static_cast<typename Index::size_type>(place - numbers.begin()))
+             : Index();
+  }
+
+  Surface_history::Time m_time;
+  Delta_complex m_mesh;
+  std::vector<double> m_length;
+  std::vector<Vertex_index> m_surface_vertex; // ascending
+  std::vector<Face_index> m_surface_face;     // ascending
+};
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_LEVEL_H

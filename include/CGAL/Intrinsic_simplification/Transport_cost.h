@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_TRANSPORT_COST_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_TRANSPORT_COST_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Evolving_surface.h>
+#include <CGAL/Intrinsic_simplification/Flattened_star.h>
+#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the cost of removing a vertex: how far curvature, area, or other data on the vertices would have been
+/// moved then (Section 5.3).
+///
+/// Each signed quantity is split into two positive masses. A vertex carries its mass and, as a tangent vector,
+/// the sum of all mass times the way back to where it came from. A vertex that is removed leaves both to its neighbors, in
+/// the shares of Equation 5.7. Its cost is the sum of the lengths of the vectors that its neighbors would have
+/// (Equation 5.5), which approximates the optimal transport of the masses to their present places.
+///
+/// All masses are divided by their sum over the surface, so that costs are lengths whatever the unit of the data.
+///
+/// Memory: for each vertex three numbers for each mass.
+///
+/// \cgalModels `RemovalCost`
+class Transport_cost
+{
+public:
+  /// makes a cost without masses, which is zero.
+  explicit Transport_cost(const Evolving_surface& surface)
+    : m_number_of_vertices(surface.mesh().num_vertices())
+  {}
+
+  /// adds the curvature of the vertices (Section 5.3.2): what the angles lack of \f$2\pi\f$, or \f$\pi\f$ on the
+  /// boundary. Complexity: linear.
+  /// \param surface the surface
+  /// \param weight the factor of this part of the cost
+  void add_curvature(const Evolving_surface& surface, double weight = 1)
+  {
+    std::vector<double> defect(m_number_of_vertices, 0);
+    const Delta_complex& mesh = surface.mesh();
+    for(Vertex_index v : mesh.vertices())
+      if(!mesh.is_isolated(v))
+        defect[v] = angle_defect(v, surface.surface());
+    add_quantity(defect, weight);
+  }
+
+  /// adds the area of the surface, a third of each face at each corner. Complexity: linear.
+  /// \param surface the surface
+  /// \param weight the factor of this part of the cost
+  void add_area(const Evolving_surface& surface, double weight = 1)
+  {
+    std::vector<double> area(m_number_of_vertices, 0);
+    const Delta_complex& mesh = surface.mesh();
+    for(Halfedge_index h : mesh.halfedges())
+      if(!mesh.is_border(h))
+        area[mesh.target(h)] += quadrupled_area(h, surface.surface());
+    add_quantity(area, weight);
+  }
+
+  /// adds a signed quantity on the vertices. For a color call it once for each component.
+  /// Complexity: linear.
+  /// \param value a range of numbers, one for each vertex
+  /// \param weight the factor of this part of the cost
+  /// \pre nothing has been removed yet
+  template <typename Range>
+  void add_quantity(const Range& value, double weight = 1)
+  {
+    double positive = 0, negative = 0;
+    for(const double x : value)
+      (x > 0 ? positive : negative) += std::abs(x);
+    if(positive > 0)
+      add_mass(value, weight / (positive + negative));
+    if(negative > 0)
+      add_mass(value, -weight / (positive + negative));
+  }
+
+  /// the cost of removing the center of `star`. Complexity: linear in its degree, for each mass.
+  double operator()(const Flattened_star& star)
+  {
+    find_moments(star);
+    double cost = 0;
+    for(std::size_t n = 0; n < star.size(); ++n)
+      if(star[n].first_with_neighbor == n && star[n].weight > 0)
+        for(std::size_t c = 0; c < m_channels; ++c)
+          cost += std::abs(m_moment[n * m_channels + c]);
+    return cost;
+  }
+
+  /// moves the masses of the center of `star` to its neighbors. Complexity: as for the cost.
+  void after_removal(const Flattened_star& star)
+  {
+    find_moments(star);
+    for(std::size_t n = 0; n < star.size(); ++n)
+      for(std::size_t c = 0; c < m_channels; ++c) {
+        State& target = state(star[n].neighbor, c);
+        if(star[n].first_with_neighbor == n && star[n].weight > 0)
+          target.moment = m_moment[n * m_channels + c];
+        target.mass += star[n].weight * state(star.center(), c).mass;
+      }
+    for(std::size_t c = 0; c < m_channels; ++c)
+      state(star.center(), c) = {0, 0};
+  }
+
+  /// the number of masses.
+  std::size_t number_of_masses() const { return m_channels; }
+
+  /// the mass number `c` of a vertex.
+  double mass(Vertex_index v, std::size_t c) const { return m_state[v * m_channels + c].mass; }
+
+  /// the mass number `c` of a vertex times the vector to the center of where it came from, in the frame of the
+  /// vertex.
+  std::complex<double> moment(Vertex_index v, std::size_t c) const
+  {
+    return m_state[v * m_channels + c].moment;
+  }
+
+  /// the sum over all vertices and masses of the lengths of the vectors: roughly the mean distance over which the
+  /// masses have been moved, for weights that sum up to one. Complexity: linear.
+  double total() const
+  {
+    double sum = 0;
+    for(const State& s : m_state)
+      sum += std::abs(s.moment);
+    return sum;
+  }
+
+private:
+  typedef std::complex<double> Complex;
+
+  struct State
+  {
+    double mass;
+    Complex moment;
+  };
+
+  State& state(Vertex_index v, std::size_t c) { return m_state[v * m_channels + c]; }
+
+  // A defect that rounding can have caused counts as none.
+  static double angle_defect(Vertex_index v, const Intrinsic_surface& surface)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    double sum = 0, corners = 0;
+    bool is_border = false;
+    Intrinsic_triangulations::internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      if(mesh.is_border(h))
+        is_border = true;
+      else
+        sum += surface.corner_angle(h);
+      ++corners;
+    });
+    const double defect = (is_border ? 1 : 2) * internal::pi - sum;
+    const double rounding =
+      Intrinsic_triangulations::rounding_unit<double>() * 2 * internal::pi * corners;
+    return std::abs(defect) > rounding ? defect : 0;
+  }
+
+  static double quadrupled_area(Halfedge_index h, const Intrinsic_surface& surface)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    return Intrinsic_triangulations::quadrupled_area(
+      surface.length(h), surface.length(mesh.next(h)), surface.length(mesh.prev(h)));
+  }
+
+  // adds the positive part of `factor * value` as one more mass of each vertex
+  template <typename Range>
+  void add_mass(const Range& value, double factor)
+  {
+    std::vector<State> states(m_number_of_vertices * (m_channels + 1), State{0, 0});
+    auto x = value.begin();
+    for(std::size_t v = 0; v < m_number_of_vertices; ++v, ++x) {
+      for(std::size_t c = 0; c < m_channels; ++c)
+        states[v * (m_channels + 1) + c] = m_state[v * m_channels + c];
+      states[v * (m_channels + 1) + m_channels].mass = (std::max)(factor * *x, 0.);
+    }
+    m_state.swap(states);
+    ++m_channels;
+  }
+
+  // The moments that the neighbors would have (Equations 5.6 and 5.8, times the mass): each at its first spoke.
+  void find_moments(const Flattened_star& star)
+  {
+    m_moment.resize(star.size() * m_channels);
+    for(std::size_t n = 0; n < star.size(); ++n)
+      if(star[n].first_with_neighbor == n)
+        for(std::size_t c = 0; c < m_channels; ++c)
+          m_moment[n * m_channels + c] = state(star[n].neighbor, c).moment;
+    for(std::size_t n = 0; n < star.size(); ++n)
+      if(star[n].weight > 0)
+        add_share(star, n);
+  }
+
+  void add_share(const Flattened_star& star, std::size_t n)
+  {
+    const Star_spoke& spoke = star[n];
+    const Complex back = std::polar(1., spoke.direction_back);
+    const Complex transport = -back * std::polar(1., -spoke.direction);
+    for(std::size_t c = 0; c < m_channels; ++c) {
+      const State& s = state(star.center(), c);
+      m_moment[spoke.first_with_neighbor * m_channels + c] +=
+        spoke.weight * (transport * s.moment + s.mass * spoke.length * back);
+    }
+  }
+
+  std::size_t m_number_of_vertices, m_channels = 0;
+  std::vector<State> m_state;    // of each vertex, all masses together
+  std::vector<Complex> m_moment; // of the spokes of the star at hand
+};
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_TRANSPORT_COST_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_PROLONGATION_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_PROLONGATION_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the place of a vertex of the fine level on the coarse surface.
+/// \pre `v` is not isolated
+inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& map)
+{
+  namespace IT = Intrinsic_triangulations;
+  const Delta_complex& mesh = map.fine().mesh();
+  const Halfedge_index h = IT::first_spoke(v, mesh);
+  std::array<double, 3> corner{};
+  corner[IT::internal::side_number(h, mesh)] = 1;
+  return map.to_coarse({mesh.face(h), corner});
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the matrix \f$P\f$ that takes values of a function at the vertices of the coarse level to values at the vertices of the
+/// fine level (Section 5.2.3). A row holds the barycentric coordinates of a fine vertex on the coarse
+/// surface: no entry is negative, and the sum is one. The rows of vertices that both levels have are those of the
+/// identity. Complexity: linear in the vertices and the operations that move them.
+///
+/// Its transpose takes integrals against hat functions of the fine level to those of the coarse level.
+inline Eigen::SparseMatrix<double> prolongation_matrix(const Surface_map& map)
+{
+  const Delta_complex &fine = map.fine().mesh(), &coarse = map.coarse().mesh();
+  Intrinsic_triangulations::internal::Sparse_assembly<double> assembly(std::size_t(3) *
+                                                                       fine.num_vertices());
+  for(Vertex_index v : fine.vertices()) {
+    if(fine.is_isolated(v)) {
+      assembly.add(v, map.coarse().level_vertex(map.fine().surface_vertex(v)), 1);
+      continue;
+    }
+    const auto [f, coordinates] = image_of_vertex(v, map);
+    const auto sides = Intrinsic_triangulations::internal::sides(f, coarse);
+    for(std::size_t s = 0; s < 3; ++s)
+      if(coordinates[s] != 0)
+        assembly.add(v, coarse.source(sides[s]), coordinates[s]);
+  }
+  return assembly.matrix(fine.num_vertices(), coarse.num_vertices());
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the matrix that takes values of a function at the vertices of the fine level to values at the vertices of the coarse
+/// level: means, weighted with the area of a fine vertex and its share in a coarse one. No entry is negative, and
+/// the sum of a row is one. With lumped masses, \f$R = M_c^{-1} P^T M\f$ with \f$M_c\f$ the diagonal matrix of
+/// the sums of the rows of \f$P^T M\f$: the integral of a function is kept. A coarse vertex with no area around it keeps its
+/// value.
+/// Complexity: linear.
+/// \param prolongation the matrix \f$P\f$
+/// \param map the map from which it was made
+inline Eigen::SparseMatrix<double>
+restriction_matrix(const Eigen::SparseMatrix<double>& prolongation, const Surface_map& map)
+{
+  const Surface_level &fine = map.fine(), &coarse = map.coarse();
+  const Eigen::SparseMatrix<double> mass =
+    Intrinsic_triangulations::lumped_mass_matrix(fine.mesh(), fine.length_map());
+  Eigen::SparseMatrix<double, Eigen::RowMajor> result = prolongation.transpose() * mass;
+  for(Vertex_index v : coarse.mesh().vertices()) {
+    const int row = static_cast<int>(v.idx());
+    const double sum = result.row(row).sum();
+    if(sum > 0)
+      result.row(row) /= sum;
+    else
+      result.coeffRef(row, static_cast<int>(fine.level_vertex(coarse.surface_vertex(v)))) = 1;
+  }
+  return result;
+}
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_PROLONGATION_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFY_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFY_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Evolving_surface.h>
+#include <CGAL/Intrinsic_simplification/Flattened_star.h>
+#include <CGAL/Intrinsic_simplification/Removal_status.h>
+#include <CGAL/Intrinsic_simplification/Transport_cost.h>
+#include <CGAL/Intrinsic_simplification/internal/Vertex_heap.h>
+#include <CGAL/Intrinsic_simplification/named_parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
+///
+/// \cgalModels `SimplificationVisitor`
+struct Default_simplification_visitor
+{
+  /// is called before a vertex is removed, with its flattened star and its cost.
+  void before_removal(const Flattened_star& /* star */, double /* cost */) {}
+  /// is called after the vertex `v` has been removed and the triangulation has become Delaunay again.
+  void after_removal(Vertex_index /* v */) {}
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// what a simplification has done.
+struct Simplification_result
+{
+  std::size_t removed = 0;  ///< the number of vertices that have been removed
+  double greatest_cost = 0; ///< the greatest cost of a removal
+  /// how many vertices could not be removed in the end, for each reason. Vertices that have not been looked at since
+  /// their star changed, because the simplification stopped before, are not counted.
+  std::array<std::size_t, number_of_removal_statuses> skipped{};
+};
+
+namespace internal {
+
+// The greedy loop (Algorithm 6).
+template <typename Cost, typename Visitor>
+class Simplifier
+{
+public:
+  Simplifier(Evolving_surface& surface, Cost& cost, Visitor& visitor)
+    : m_surface(surface),
+      m_cost(cost),
+      m_visitor(visitor),
+      m_heap(surface.mesh().num_vertices()),
+      m_status(surface.mesh().num_vertices(), Removal_status::possible)
+  {}
+
+  Simplification_result operator()(std::size_t number_of_vertices, double maximum_cost)
+  {
+    m_surface.make_Delaunay();
+    for(Vertex_index v : m_surface.mesh().vertices())
+      evaluate(v);
+    while(m_surface.mesh().number_of_vertices() > number_of_vertices && !m_heap.empty() &&
+          m_heap.key(m_heap.top()) <= maximum_cost)
+      remove_top();
+    for(Vertex_index v : m_surface.mesh().vertices())
+      ++m_result.skipped[static_cast<std::size_t>(m_status[v])];
+    m_result.skipped[0] = 0;
+    return m_result;
+  }
+
+private:
+  // finds the cost of removing `v`, and leaves its star in m_star
+  void evaluate(Vertex_index v)
+  {
+    m_status[v] = m_surface.flatten(v, m_star);
+    if(m_status[v] == Removal_status::possible)
+      m_heap.set(v, m_cost(m_star));
+    else if(m_heap.contains(v))
+      m_heap.remove(v);
+  }
+
+  // Costs in the heap may be old. Most have only grown since, so that it is enough to look again at what comes out
+  // on top.
+  void remove_top()
+  {
+    const Vertex_index v = m_heap.top();
+    evaluate(v);
+    if(!m_heap.contains(v) || m_heap.top() != v)
+      return;
+    const double cost = m_heap.key(v);
+    m_visitor.before_removal(m_star, cost);
+    m_touched.clear();
+    m_status[v] = m_surface.remove(m_star, [&](Vertex_index u) { m_touched.push_back(u); });
+    m_heap.remove(v);
+    if(m_status[v] == Removal_status::possible)
+      finish_removal(v, cost);
+  }
+
+  void finish_removal(Vertex_index v, double cost)
+  {
+    m_cost.after_removal(m_star);
+    ++m_result.removed;
+    m_result.greatest_cost = (std::max)(m_result.greatest_cost, cost);
+    for(Vertex_index u : m_touched)
+      if(u != v && m_status[u] != Removal_status::possible)
+        evaluate(u);
+    m_visitor.after_removal(v);
+  }
+
+  Evolving_surface& m_surface;
+  Cost& m_cost;
+  Visitor& m_visitor;
+  Vertex_heap m_heap;
+  std::vector<Removal_status> m_status; // of each vertex
+  Flattened_star m_star;
+  std::vector<Vertex_index> m_touched; // by the last removal
+  Simplification_result m_result;
+};
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// makes a surface Delaunay and removes vertices from it, the cheapest first (Algorithm 6).
+///
+/// It can be called again, to go on with the same cost or another.
+///
+/// \tparam Cost a model of `RemovalCost`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param surface the surface
+/// \param cost the cost, which is told what is removed
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{number_of_vertices}
+///     \cgalParamDescription{the number of vertices at which to stop}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0: goes on while there is a vertex that can be removed}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_cost}
+///     \cgalParamDescription{the greatest cost of a removal that is allowed}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{no bound}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told every removal; an exception that it throws stops the simplification and leaves
+///                           `surface` valid}
+///     \cgalParamType{a model of `SimplificationVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamDefault{`Default_simplification_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \returns what has been done
+///
+/// Complexity: for bounded degrees and numbers of flips, linear in the removed vertices times the logarithm of all,
+/// plus linear in the size of the surface. Memory besides the history: 21 bytes for each vertex.
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded and
+///         Intrinsic_triangulations::Numerical_error as `Evolving_surface::remove()`; `surface` is valid then, but
+///         may not be Delaunay.
+template <typename Cost, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Simplification_result simplify(Evolving_surface& surface, Cost& cost,
+                               const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  const std::size_t number_of_vertices =
+    choose_parameter(get_parameter(np, internal_np::number_of_vertices), std::size_t(0));
+  const double maximum_cost = choose_parameter(get_parameter(np, internal_np::maximum_cost),
+                                               std::numeric_limits<double>::infinity());
+  Default_simplification_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  return internal::Simplifier(surface, cost, visitor)(number_of_vertices, maximum_cost);
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the same, with the intrinsic curvature error (Section 5.3.2) as cost.
+template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Simplification_result simplify(Evolving_surface& surface,
+                               const NamedParameters& np = CGAL::parameters::default_values())
+{
+  Transport_cost cost(surface);
+  cost.add_curvature(surface);
+  return simplify(surface, cost, np);
+}
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFY_H

@@ -1,0 +1,274 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Flattening and removal of single vertices.
+
+#include "evolving_surfaces.h"
+
+namespace {
+
+using namespace Test_surfaces;
+
+// Lengths of a surface, with those of the flattened star.
+std::vector<double> flattened_lengths(const Evolving_surface& s, const Flattened_star& star)
+{
+  std::vector<double> result(s.mesh().num_edges());
+  for(Edge_index e : s.mesh().edges())
+    result[e] = s.surface().length(e);
+  for(std::size_t n = 0; n < star.size(); ++n)
+    result[s.mesh().edge(star[n].halfedge)] = star.flat_length(n);
+  return result;
+}
+
+template <typename Check>
+void for_each_flattened_star(const Check& check)
+{
+  for(const Named_complex& c : complexes())
+    for(unsigned int seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+      const Evolving_surface s = evolving(c.mesh, seed);
+      Flattened_star star;
+      for(Vertex_index v : s.mesh().vertices())
+        if(s.flatten(v, star) == Removal_status::possible) {
+          const std::vector<double> lengths = flattened_lengths(s, star);
+          check(s, star, [&](Edge_index e) { return lengths[e]; });
+        }
+    }
+}
+
+TEST(Flattening, TheCenterBecomesFlat)
+{
+  for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto length) {
+    const double flat = is_on_border(star.center(), s.mesh()) ? pi : 2 * pi;
+    EXPECT_NEAR(angle_sums(s.mesh(), length)[star.center()], flat, angle_tolerance);
+    const double factor = std::exp(star.scale_factor() / 2);
+    for(std::size_t n = 0; n < star.size(); ++n) {
+      const bool is_loop = star[n].neighbor == star.center();
+      EXPECT_NEAR(star.flat_length(n), star[n].length * (is_loop ? factor * factor : factor),
+                  1e-12);
+      EXPECT_EQ(star[n].length, s.surface().length(star[n].halfedge));
+    }
+  });
+}
+
+TEST(Flattening, AngleChangesAreThoseOfTheNeighbors)
+{
+  for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto length) {
+    std::vector<double> change = angle_sums(s.mesh(), length);
+    const std::vector<double> before = angle_sums(s.mesh(), lengths_of(s));
+    for(Vertex_index v : s.mesh().vertices())
+      change[v] -= before[v];
+    double weights = 0;
+    for(std::size_t n = 0; n < star.size(); ++n) {
+      change[star[n].neighbor] -= star[n].angle_change;
+      weights += star[n].weight;
+    }
+    EXPECT_NEAR(weights, 1, 1e-12);
+    for(Vertex_index v : s.mesh().vertices())
+      EXPECT_NEAR(v == star.center() ? 0 : change[v], 0, angle_tolerance);
+  });
+}
+
+TEST(Flattening, SpokesAreInOrder)
+{
+  for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto) {
+    for(std::size_t n = 0; n < star.number_of_corners(); ++n)
+      EXPECT_EQ(IT::next_spoke(star[n].halfedge, s.mesh()), star[star.next(n)].halfedge);
+    EXPECT_EQ(star.is_border(), is_on_border(star.center(), s.mesh()));
+  });
+}
+
+// three triangles around a vertex
+Delta_complex tripod() { return glue({{1, 4, -2}, {2, 5, -3}, {3, 6, -1}}); }
+
+Removal_status status_of(const Evolving_surface& s, Vertex_index v)
+{
+  Flattened_star star;
+  return s.flatten(v, star);
+}
+
+Vertex_index inner_vertex(const Delta_complex& mesh)
+{
+  for(Vertex_index v : mesh.vertices())
+    if(!is_on_border(v, mesh))
+      return v;
+  return {};
+}
+
+// With equal spokes the center would have to be that of the circumcircle of the other three edges.
+TEST(Flattening, AStarAroundAnObtuseTriangleCannotBecomeFlat)
+{
+  const Delta_complex mesh = tripod();
+  const Vertex_index v = inner_vertex(mesh);
+  const auto status = [&](double side) {
+    return status_of(Evolving_surface(triangulation(mesh, {3, 3, 3, 1, 1, side})), v);
+  };
+  EXPECT_EQ(status(1.41), Removal_status::possible);
+  EXPECT_EQ(status(1.42), Removal_status::not_flattenable);
+}
+
+TEST(Flattening, ScaleOfTheTipOfARegularTetrahedron)
+{
+  // the center of the unit triangle is at a distance of 1 / sqrt(3)
+  const Evolving_surface s(tetrahedron());
+  Flattened_star star;
+  ASSERT_EQ(s.flatten(Vertex_index(0), star), Removal_status::possible);
+  EXPECT_NEAR(star.scale_factor(), -std::log(3.), 1e-13);
+  for(std::size_t n = 0; n < 3; ++n) {
+    EXPECT_NEAR(star[n].weight, 1 / 3., 1e-13);
+    EXPECT_NEAR(star[n].angle_change, -pi / 3, 1e-13);
+  }
+}
+
+TEST(Flattening, WhatCannotBeFlattened)
+{
+  const Delta_complex tip = cone(false);
+  for(Vertex_index v : tip.vertices())
+    EXPECT_EQ(status_of(evolving(tip, 1), v),
+              is_on_border(v, tip) ? Removal_status::border_loop : Removal_status::low_degree);
+  EXPECT_EQ(status_of(evolving(flat_torus(1, 1, 0).mesh, 1), Vertex_index(0)),
+            Removal_status::self_face);
+  Mesh mesh = octahedron();
+  const Vertex_index alone = mesh.add_vertex({5, 5, 5});
+  Evolving_surface s(mesh);
+  EXPECT_EQ(status_of(s, alone), Removal_status::isolated);
+  s.protect(Vertex_index(2));
+  EXPECT_EQ(status_of(s, Vertex_index(2)), Removal_status::protected_vertex);
+  EXPECT_EQ(status_of(s, Vertex_index(1)), Removal_status::possible);
+}
+
+TEST(Flattening, EveryStatusHasItsText)
+{
+  std::vector<std::string> texts;
+  for(int n = 0; n < IS::number_of_removal_statuses; ++n)
+    texts.emplace_back(to_string(static_cast<Removal_status>(n)));
+  std::sort(texts.begin(), texts.end());
+  EXPECT_EQ(std::unique(texts.begin(), texts.end()), texts.end());
+  EXPECT_EQ(std::count(texts.begin(), texts.end(), "unknown"), 0);
+}
+
+// Removes vertices while one can be removed; the number of vertices removed.
+std::size_t remove_all(Evolving_surface& s)
+{
+  const int characteristic = euler_characteristic(s.mesh());
+  Flattened_star star;
+  std::size_t removed = 0;
+  for(bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for(std::size_t n = 0; n < s.mesh().num_vertices(); ++n) {
+      const Vertex_index v(static_cast<Delta_complex::size_type>(n));
+      if(s.mesh().is_removed(v))
+        continue;
+      const auto before = state_of(s);
+      if(s.flatten(v, star) == Removal_status::possible &&
+         s.remove(star) == Removal_status::possible) {
+        has_changed = true;
+        ++removed;
+        EXPECT_TRUE(s.mesh().is_removed(v));
+        expect_valid(s, characteristic);
+      } else
+        EXPECT_TRUE(state_of(s) == before) << "trace of " << v;
+    }
+  }
+  return removed;
+}
+
+TEST(Removal, KeepsTheSurfaceValid)
+{
+  std::size_t removed = 0;
+  for(const Named_complex& c : complexes())
+    for(unsigned int seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+      Evolving_surface s = evolving(c.mesh, seed);
+      s.make_Delaunay();
+      removed += remove_all(s);
+    }
+  EXPECT_GT(removed, 500u);
+}
+
+// There are no fewer; some spheres end with a few more that cannot be flattened.
+TEST(Removal, MostSpheresEndWithThreeVertices)
+{
+  int least = 0;
+  for(unsigned int seed = 0; seed < 20; ++seed) {
+    Evolving_surface s(random_sphere(30, seed));
+    s.make_Delaunay();
+    remove_all(s);
+    least += s.mesh().number_of_vertices() == 3 ? 1 : 0;
+  }
+  EXPECT_GT(least, 10);
+}
+
+// Loops have to be flipped away.
+TEST(Removal, TheLastVertexOfATorusIsOne)
+{
+  for(unsigned int seed = 0; seed < 20; ++seed) {
+    Evolving_surface s(triangulation(flat_torus(3, 2, seed)));
+    s.make_Delaunay();
+    remove_all(s);
+    EXPECT_EQ(s.mesh().number_of_vertices(), 1u) << "seed " << seed;
+    EXPECT_NEAR(area_of(s), 3 * 2 * (1000. * 900 + 130. * 270), 1e-6);
+  }
+}
+
+TEST(Removal, InAFlatPolygonNothingMoves)
+{
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Mesh mesh = planar_mesh(random_points(40, 1000, seed));
+    Evolving_surface s(mesh);
+    s.make_Delaunay();
+    Flattened_star star;
+    for(Vertex_index v : mesh.vertices())
+      if(!mesh.is_border(v)) {
+        ASSERT_EQ(s.flatten(v, star), Removal_status::possible);
+        EXPECT_NEAR(star.scale_factor(), 0, 1e-12);
+        ASSERT_EQ(s.remove(star), Removal_status::possible);
+      }
+    for(Edge_index e : s.mesh().edges())
+      EXPECT_NEAR(s.surface().length(e),
+                  std::sqrt(CGAL::squared_distance(mesh.point(s.mesh().vertex(e, 0)),
+                                                   mesh.point(s.mesh().vertex(e, 1)))),
+                  1e-9);
+  }
+}
+
+// A vertex in the middle of a square: its last flip has it on the new edge.
+TEST(Removal, AVertexOnADiagonal)
+{
+  Evolving_surface s(grid(2, 2, [](double x, double y) { return Point(x, y, 0); }));
+  Flattened_star star;
+  ASSERT_EQ(s.flatten(Vertex_index(4), star), Removal_status::possible);
+  ASSERT_EQ(s.remove(star), Removal_status::possible);
+  EXPECT_NEAR(area_of(s), 4, 1e-12);
+  // and the middles of the sides, which are straight
+  for(std::size_t v : {1, 3, 5, 7}) {
+    ASSERT_EQ(s.flatten(Vertex_index(static_cast<unsigned int>(v)), star),
+              Removal_status::possible);
+    ASSERT_EQ(s.remove(star), Removal_status::possible);
+  }
+  EXPECT_EQ(s.mesh().number_of_faces(), 2u);
+  EXPECT_NEAR(area_of(s), 4, 1e-12);
+}
+
+TEST(Removal, ConstrainedEdgesStay)
+{
+  const Mesh mesh = random_sphere(60, 3);
+  const auto is_chosen = [&](Edge_index e) { return e.idx() % 17 == 0; };
+  const auto constrained = boost::make_function_property_map<Edge_index>(is_chosen);
+  Evolving_surface s(mesh, CGAL::parameters::edge_is_constrained_map(constrained));
+  s.make_Delaunay();
+  std::vector<double> before;
+  for(Edge_index e : mesh.edges())
+    before.push_back(s.surface().length(e));
+  EXPECT_GT(remove_all(s), 5u);
+  for(Edge_index e : mesh.edges())
+    if(is_chosen(e)) {
+      ASSERT_FALSE(s.mesh().is_removed(e));
+      EXPECT_EQ(s.mesh().vertex(e, 0), mesh.vertex(e, 0));
+      EXPECT_EQ(s.surface().length(e), before[e]);
+    }
+}
+
+} // namespace

@@ -1,0 +1,282 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The greedy simplification.
+
+#include "evolving_surfaces.h"
+
+#include <CGAL/Intrinsic_simplification/simplify.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+
+#include <functional>
+#include <set>
+
+namespace {
+
+using namespace Test_surfaces;
+using IS::Simplification_result;
+using IS::Transport_cost;
+using IS::simplify;
+using IS::parameters::maximum_cost;
+using IS::parameters::number_of_vertices;
+
+std::set<std::size_t> vertices_of(const Evolving_surface& s)
+{
+  std::set<std::size_t> result;
+  for(Vertex_index v : s.mesh().vertices())
+    result.insert(v);
+  return result;
+}
+
+std::set<std::size_t> first(std::size_t n)
+{
+  std::set<std::size_t> result;
+  for(std::size_t v = 0; v < n; ++v)
+    result.insert(v);
+  return result;
+}
+
+// ---- Developable surfaces ----
+
+// Removes what costs nothing, which must leave the vertices 0, ..., corners - 1.
+void expect_only_corners_left(const Mesh& mesh, std::size_t corners, double rounding)
+{
+  Evolving_surface s(mesh);
+  const double area = area_of(s);
+  const Simplification_result result = simplify(s, maximum_cost(rounding));
+  EXPECT_EQ(vertices_of(s), first(corners));
+  EXPECT_LE(result.greatest_cost, rounding);
+  EXPECT_EQ(result.removed + corners, mesh.number_of_vertices());
+  EXPECT_NEAR(area_of(s) / area, 1, 1e-10);
+}
+
+TEST(Simplification, PolyhedraToTheirCorners)
+{
+  for(int times = 1; times <= 3; ++times) {
+    expect_only_corners_left(subdivided(cube(), times), 8, 1e-12);
+    expect_only_corners_left(subdivided(tetrahedron(), times), 4, 1e-12);
+    expect_only_corners_left(subdivided(octahedron(), times), 6, 1e-12);
+  }
+}
+
+// positions are rounded, and with them the curvatures
+TEST(Simplification, RotatedPolyhedraToTheirCorners)
+{
+  Mesh mesh = subdivided(cube(), 3);
+  for(Vertex_index v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    mesh.point(v) = Point(0.6 * p.x() - 0.8 * p.y() + p.z() / 3, 0.8 * p.x() + 0.6 * p.y() + 0.1,
+                          p.z() + p.x() / 7);
+  }
+  expect_only_corners_left(mesh, 8, 1e-10);
+}
+
+TEST(Simplification, SquareToItsCorners)
+{
+  expect_only_corners_left(
+    subdivided(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}), 4), 4,
+    1e-12);
+}
+
+// The walls of a box without lid and bottom: an annulus whose boundary is straight everywhere.
+TEST(Simplification, TubeToItsEnds)
+{
+  Evolving_surface s(subdivided(punctured(cube(), {0, 1, 2, 3}), 3));
+  simplify(s, maximum_cost(1e-12));
+  EXPECT_LE(s.mesh().number_of_vertices(), 6u);
+  EXPECT_NEAR(area_of(s), 4, 1e-10);
+  EXPECT_EQ(euler_characteristic(s.mesh()), 0);
+}
+
+// A piece of a cone: of a regular pyramid, the sides.
+TEST(Simplification, PyramidToItsCorners)
+{
+  std::vector<Point> points{{0, 0, 1}};
+  Triangles triangles;
+  for(std::size_t i = 0; i < 5; ++i) {
+    const double angle = 2 * pi * static_cast<double>(i) / 5;
+    points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    triangles.push_back({0, i + 1, (i + 1) % 5 + 1});
+  }
+  expect_only_corners_left(subdivided(make_mesh(points, triangles), 3), 6, 1e-10);
+}
+
+// ---- Stopping ----
+
+TEST(Simplification, StopsAtTheNumberOfVertices)
+{
+  for(const std::size_t n : {200, 150, 40, 10}) {
+    Evolving_surface s(random_sphere(200, 1));
+    const Simplification_result result = simplify(s, number_of_vertices(n));
+    EXPECT_EQ(s.mesh().number_of_vertices(), n);
+    EXPECT_EQ(result.removed, 200 - n);
+    expect_valid(s, 2);
+  }
+}
+
+TEST(Simplification, GoesOn)
+{
+  Evolving_surface s(random_sphere(200, 1));
+  Transport_cost cost(s);
+  cost.add_curvature(s);
+  double last = 0;
+  for(const std::size_t n : {180, 120, 60, 20}) {
+    simplify(s, cost, number_of_vertices(n));
+    EXPECT_EQ(s.mesh().number_of_vertices(), n);
+    EXPECT_GT(cost.total(), last);
+    last = cost.total();
+    expect_valid(s, 2);
+  }
+}
+
+// of the vertices that are left none can be removed, each for a reason
+TEST(Simplification, EndsWhereNothingCanBeRemoved)
+{
+  for(const Named_complex& c : complexes())
+    for(unsigned int seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+      Evolving_surface s = evolving(c.mesh, seed);
+      const int characteristic = euler_characteristic(c.mesh);
+      const Simplification_result result = simplify(s);
+      expect_valid(s, characteristic);
+      std::array<std::size_t, IS::number_of_removal_statuses> skipped{};
+      Flattened_star star;
+      for(Vertex_index v : s.mesh().vertices()) {
+        Removal_status status = s.flatten(v, star);
+        if(status == Removal_status::possible)
+          status = s.remove(star);
+        ASSERT_NE(status, Removal_status::possible);
+        ++skipped[static_cast<std::size_t>(status)];
+      }
+      EXPECT_EQ(result.skipped, skipped);
+    }
+}
+
+TEST(Simplification, ProtectedVerticesStay)
+{
+  Evolving_surface s(random_sphere(100, 2));
+  for(unsigned int v = 0; v < 100; v += 10)
+    s.protect(Vertex_index(v));
+  const Simplification_result result = simplify(s);
+  for(unsigned int v = 0; v < 100; v += 10)
+    EXPECT_FALSE(s.mesh().is_removed(Vertex_index(v)));
+  EXPECT_EQ(s.mesh().number_of_vertices(), 10u);
+  EXPECT_EQ(result.skipped[static_cast<std::size_t>(Removal_status::protected_vertex)], 10u);
+}
+
+// ---- Order ----
+
+// sees that the surface is valid all the time
+struct Checking_visitor
+{
+  const Evolving_surface& surface;
+  std::vector<Vertex_index> order = {};
+  double cost = -1;
+
+  void before_removal(const Flattened_star& star, double cost_of_star)
+  {
+    order.push_back(star.center());
+    cost = cost_of_star;
+  }
+  void after_removal(Vertex_index v)
+  {
+    EXPECT_EQ(order.back(), v);
+    EXPECT_TRUE(surface.mesh().is_removed(v));
+    expect_valid(surface, 2);
+  }
+};
+
+TEST(Simplification, KeepsTheSurfaceValid)
+{
+  Evolving_surface s(random_sphere(150, 4));
+  Checking_visitor visitor{s};
+  simplify(s, number_of_vertices(std::size_t(5)).visitor(std::ref(visitor)));
+  EXPECT_EQ(visitor.order.size(), 145u);
+}
+
+// a user's cost: the number of the vertex
+struct Last_number_first
+{
+  double operator()(const Flattened_star& star) const { return -double(star.center().idx()); }
+  void after_removal(const Flattened_star&) {}
+};
+
+TEST(Simplification, TakesTheCheapestFirst)
+{
+  Evolving_surface s(subdivided(octahedron(), 2));
+  Last_number_first cost;
+  Checking_visitor visitor{s};
+  simplify(s, cost, number_of_vertices(std::size_t(10)).visitor(std::ref(visitor)));
+  EXPECT_TRUE(std::is_sorted(visitor.order.rbegin(), visitor.order.rend()));
+}
+
+TEST(Simplification, IsReproducible)
+{
+  const Mesh mesh = random_sphere(300, 5);
+  const auto state = [&] {
+    Evolving_surface s(mesh);
+    simplify(s, number_of_vertices(std::size_t(20)));
+    return state_of(s);
+  };
+  EXPECT_TRUE(state() == state());
+}
+
+struct Impatient_visitor : IS::Default_simplification_visitor
+{
+  int left = 50;
+  void after_removal(Vertex_index)
+  {
+    if(--left == 0)
+      throw std::runtime_error("enough");
+  }
+};
+
+TEST(Simplification, CanBeStoppedByAnException)
+{
+  Evolving_surface s(random_sphere(100, 6));
+  Impatient_visitor visitor;
+  EXPECT_THROW(simplify(s, CGAL::parameters::visitor(std::ref(visitor))), std::runtime_error);
+  EXPECT_EQ(s.mesh().number_of_vertices(), 50u);
+  expect_valid(s, 2);
+  simplify(s, number_of_vertices(std::size_t(20)));
+  EXPECT_EQ(s.mesh().number_of_vertices(), 20u);
+}
+
+// A vertex of high degree
+TEST(Simplification, Bipyramid)
+{
+  Evolving_surface s(bipyramid(2000, 0.5));
+  simplify(s);
+  expect_valid(s, 2);
+  EXPECT_LE(s.mesh().number_of_vertices(), 6u);
+}
+
+// ---- Real meshes ----
+
+TEST(Simplification, OfDataMeshesToTheLastVertex)
+{
+  std::size_t meshes = 0;
+  for(const std::string& file : data_meshes(400000)) {
+    SCOPED_TRACE(file);
+    Mesh mesh;
+    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) ||
+       !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0)
+      continue;
+    try {
+      Evolving_surface s(mesh);
+      const int characteristic = euler_characteristic(s.mesh());
+      simplify(s, number_of_vertices(mesh.number_of_vertices() / 100));
+      expect_valid(s, characteristic);
+      simplify(s);
+      expect_valid(s, characteristic);
+      ++meshes;
+    } catch(const IT::Invalid_input& e) {
+      std::cout << file << ": " << e.what() << '\n';
+    }
+  }
+  std::cout << meshes << " meshes\n";
+}
+
+} // namespace

@@ -1,0 +1,163 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Targets, files, statistics and exit codes of the command simplify.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+# number KEY FILE: the number under a key of a JSON file, the first one of that name.
+number()
+{
+  sed -n "s/^ *\"$1\": \([^,]*\),*/\1/p" "$2" | head -n 1
+}
+
+# is_prolongation MTX ROWS COLUMNS: of this size, no entry is negative, and each row has the sum 1.
+is_prolongation()
+{
+  awk -v rows="$2" -v columns="$3" '
+    /^%/ { next }
+    !size { size = 1; bad = $1 != rows || $2 != columns; next }
+    { bad += $3 < 0; sum[$1] += $3 }
+    END {
+      for(i = 1; i <= rows; ++i)
+        bad += sum[i] < 1 - 1e-12 || sum[i] > 1 + 1e-12
+      exit bad > 0
+    }' "$1" || fail "$1 is no prolongation from $3 to $2 vertices"
+}
+
+# reproduces MTX PLY: a function on the plane that is linear is the prolongation of itself.
+reproduces()
+{
+  awk '
+    NR == FNR && /^element vertex/ { n = $3 }
+    NR == FNR && /^end_header/ { body = 1; next }
+    NR == FNR && body && v < n { f[v] = 2 * $1 - 3 * $2; if($4 >= 0) coarse[$4] = f[v]; ++v }
+    NR == FNR || /^%/ { next }
+    !size { size = 1; next }
+    { sum[$1 - 1] += $3 * coarse[$2 - 1] }
+    END {
+      for(i = 0; i < n; ++i)
+        if((sum[i] - f[i]) ^ 2 > 1e-18)
+          exit 1
+    }' "$2" "$1" || fail "$1 does not reproduce a linear function"
+}
+
+# coarse_faces FILE: the coarse faces in a PLY file without edges, one a line.
+coarse_faces()
+{
+  awk '
+    /^element/ { n[$2] = $3 }
+    /^end_header/ { body = 1; next }
+    !body { next }
+    n["vertex"]-- > 0 { next }
+    n["face"]-- > 0 { print $NF }' "$1"
+}
+
+# A square: flat, but for its corners, which alone cannot be removed without cost.
+grid square 8 0
+expect 0 simplify square.mesh.off -o a.ply --error 1e-12 --stats a.json --prolongation a.mtx
+[ ! -s out ] || fail 'standard output is not empty'
+says '81 -> 4 vertices (reached)'
+expect_files a.json a.mtx a.ply
+is_prolongation a.mtx 81 4
+reproduces a.mtx a.ply
+[ "$(number coarse_vertices a.json) $(number coarse_faces a.json)" = '4 2' ] || fail 'not two triangles'
+[ "$(number removed a.json)" = 77 ] || fail 'not all removed'
+awk -v r="$(number area_ratio a.json)" 'BEGIN { exit !(r > 1 - 1e-12 && r < 1 + 1e-12) }' ||
+  fail 'the area has changed'
+awk -v a="$(number min_angle_degrees a.json)" 'BEGIN { exit !(a > 45 - 1e-9 && a < 45 + 1e-9) }' ||
+  fail 'not half a square'
+# The corners keep their places, and both triangles have as many small faces.
+[ "$(vertices a.ply | awk '$4 >= 0 { print $1, $2, $4 }' | tr '\n' ,)" = '0 0 0,1 0 1,0 1 2,1 1 3,' ] ||
+  fail 'not the corners'
+[ "$(coarse_faces a.ply | sort | uniq -c | awk '{ print $1, $2 }' | tr '\n' ,)" = '64 0,64 1,' ] ||
+  fail 'coarse faces'
+
+expected='command input vertices edges faces euler_characteristic boundary_loops components '
+expected+='coarse_vertices coarse_faces removed status greatest_cost skipped isolated protected border_loop '
+expected+='self_face low_degree not_flattenable not_separable operations area_ratio min_angle_degrees '
+expected+='seconds read build simplify map write peak_memory_bytes '
+[ "$(keys a.json)" = "$expected" ] || fail "keys: $(keys a.json)"
+
+# The same bytes once more, and in every format.
+expect 0 simplify square.mesh.off -o b.ply --error 1e-12 --prolongation b.mtx --quiet
+[ ! -s err ] || fail "not quiet: $(cat err)"
+cmp a.ply b.ply
+cmp a.mtx b.mtx
+for format in ply vtp; do
+  expect 0 simplify square.mesh.off -o "a.$format" --vertices 20
+  expect 0 simplify square.mesh.off -o - --vertices 20 --format "$format"
+  cmp "a.$format" out
+done
+rm a.* b.*
+
+# Targets: a number, a part, and more than there are.
+cp "$shipped" slivers.mesh.off
+expect 0 simplify slivers.mesh.off -o a.ply --vertices 100 --stats a.json --prolongation a.mtx
+[ "$(number coarse_vertices a.json)" = 100 ] || fail 'not 100 vertices'
+[ "$(number removed a.json)" = 1220 ] || fail 'not 1220 removed'
+is_prolongation a.mtx 1320 100
+[ "$(vertices a.ply | awk '$4 >= 0' | wc -l)" = 100 ] || fail 'not 100 numbers'
+cmp <(vertices a.ply | awk '$4 >= 0 { print $4 }') <(seq 0 99) || fail 'numbers out of order'
+expect 0 simplify slivers.mesh.off -o a.ply --ratio 0.1 --stats a.json --weight area=1 --weight curvature=0
+[ "$(number coarse_vertices a.json)" = 132 ] || fail 'not a tenth'
+expect 0 simplify slivers.mesh.off -o a.ply --ratio 1 --stats a.json
+[ "$(number removed a.json)" = 0 ] || fail 'something removed'
+awk -v r="$(number area_ratio a.json)" 'BEGIN { exit !(r > 1 - 1e-12 && r < 1 + 1e-12) }' ||
+  fail 'the area has changed'
+expect 0 simplify slivers.mesh.off -o a.ply --vertices 5000 --stats a.json
+[ "$(number removed a.json)" = 0 ] || fail 'something removed'
+rm a.*
+
+# Nothing left to remove is no failure, but told.
+expect 0 simplify good.mesh.off -o a.ply --vertices 1 --stats a.json
+says '(nothing_removable)'
+grep -q '"status": "nothing_removable"' a.json
+[ "$(number removed a.json)" = 0 ] || grep -q '"coarse_faces": [1-9]' a.json || fail 'no faces left'
+
+# Handled, not refused.
+expect 0 simplify isolated.mesh.off -o a.ply --vertices 4 --prolongation a.mtx --stats a.json
+[ "$(number removed a.json) $(number isolated a.json)" = '0 1' ] || fail 'the isolated vertex was counted'
+is_prolongation a.mtx 5 5
+expect 0 simplify two_components.mesh.off -o - --vertices 5
+expect 0 simplify cap.mesh.off -o - --vertices 3
+expect 0 simplify needle.mesh.off -o - --vertices 1
+expect 0 simplify zero_length.mesh.off -o - --vertices 3 --mollify 1e-6
+rm a.*
+
+# Wrong calls.
+expect 2 simplify slivers.mesh.off -o a.ply
+expect 2 simplify slivers.mesh.off --vertices 10
+expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --ratio 0.5
+expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --error 0.5
+expect 0 simplify square.mesh.off -o square.mesh.ply --ratio 1
+expect 2 simplify square.mesh.ply -o square.mesh.ply --vertices 10
+says 'never overwritten'
+expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --prolongation a.ply
+expect 2 simplify slivers.mesh.off -o a.off --vertices 10
+says 'cannot carry coarse faces'
+expect 2 simplify bow_tie.mesh.off -o a.ply --vertices 10
+for n in 0 -1 many 1.5; do
+  expect 2 simplify slivers.mesh.off -o a.ply --vertices=$n
+done
+for ratio in 0 -0.1 1.1 nan many; do
+  expect 2 simplify slivers.mesh.off -o a.ply --ratio=$ratio
+done
+for error in -1 nan many; do
+  expect 2 simplify slivers.mesh.off -o a.ply --error=$error
+done
+for weight in curvature color=1 =1 area= area=-1 area=nan area=inf area=1x curvature=0; do
+  expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --weight $weight
+  says '--weight'
+done
+expect_files
+
+if [ -n "$data" ]; then
+  for mesh in elephant.off sphere.stl bones.off star.off; do
+    expect 0 simplify "$data/meshes/$mesh" -o mesh.ply --ratio 0.1 --prolongation mesh.mtx --stats mesh.json
+    is_prolongation mesh.mtx "$(number vertices mesh.json)" "$(number coarse_vertices mesh.json)"
+    [ "$(coarse_faces mesh.ply | sort -n | tail -n 1)" -lt "$(number coarse_faces mesh.json)" ] ||
+      fail "coarse faces of $mesh"
+  done
+fi
