@@ -17,8 +17,8 @@ namespace {
 
 using namespace Test_surfaces;
 using IS::Simplification_result;
-using IS::Transport_cost;
 using IS::simplify;
+using IS::Transport_cost;
 using IS::parameters::maximum_cost;
 using IS::parameters::number_of_vertices;
 
@@ -76,8 +76,8 @@ TEST(Simplification, RotatedPolyhedraToTheirCorners)
 TEST(Simplification, SquareToItsCorners)
 {
   expect_only_corners_left(
-    subdivided(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}), 4), 4,
-    1e-12);
+    subdivided(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}), 4),
+    4, 1e-12);
 }
 
 // The walls of a box without lid and bottom: an annulus whose boundary is straight everywhere.

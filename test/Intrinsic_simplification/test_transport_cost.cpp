@@ -88,7 +88,8 @@ TEST(Transport_cost, FirstRemovalIsATransportOfCurvature)
       if(cost.number_of_masses() == 2)
         for(const auto& [j, share] : expected.share)
           for(const int sign : {1, -1}) {
-            const double mass = positive(sign * curvature[j]) + share * positive(sign * curvature[v]);
+            const double mass =
+              positive(sign * curvature[j]) + share * positive(sign * curvature[v]);
             EXPECT_NEAR(cost.mass(j, sign < 0 ? 1 : 0), mass / sum, angle_tolerance);
           }
       ++checked;
@@ -161,10 +162,7 @@ TEST(Transport_cost, OfAFlatSurfaceWithoutDataIsZero)
 
 using Complex = std::complex<double>;
 
-Complex to_complex(const Vector& v)
-{
-  return {static_cast<double>(v.x), static_cast<double>(v.y)};
-}
+Complex to_complex(const Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
 class Flat_transport
 {

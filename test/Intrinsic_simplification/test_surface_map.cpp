@@ -1,0 +1,356 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The map between levels, and the matrices that are made from it.
+
+#include "evolving_surfaces.h"
+
+#include <CGAL/Intrinsic_simplification/prolongation.h>
+#include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+
+#include <functional>
+
+namespace {
+
+using namespace Test_surfaces;
+using IS::Surface_level;
+using IS::Surface_map;
+using IS::parameters::number_of_vertices;
+using Location = Surface_map::Location;
+using Coordinates = std::array<double, 3>;
+
+// a surface, before and after its simplification
+struct Simplified
+{
+  Evolving_surface surface;
+  Surface_level fine;
+  Surface_level coarse;
+
+  Simplified(Evolving_surface s, std::size_t n)
+    : surface(std::move(s)),
+      fine(surface),
+      coarse((simplify(surface, number_of_vertices(n)), surface))
+  {}
+};
+
+template <typename Check>
+void for_each_surface(const Check& check)
+{
+  for(const Named_complex& c : complexes())
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+      const Simplified s(evolving(c.mesh, seed), c.mesh.number_of_vertices() / (seed + 2));
+      check(s, Surface_map(s.surface, s.fine, s.coarse));
+    }
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    const Simplified s(Evolving_surface(m.mesh), 0);
+    check(s, Surface_map(s.surface, s.fine, s.coarse));
+  }
+}
+
+Location random_location(const Delta_complex& mesh, CGAL::Random& random)
+{
+  Location p{Face_index(static_cast<unsigned int>(
+               random.get_int(0, static_cast<int>(mesh.number_of_faces())))),
+             {random.get_double(), random.get_double(), random.get_double()}};
+  IS::internal::normalize(p.second);
+  return p;
+}
+
+void expect_near(const Location& p, const Location& q, double tolerance)
+{
+  ASSERT_EQ(p.first, q.first);
+  for(std::size_t s = 0; s < 3; ++s)
+    EXPECT_NEAR(p.second[s], q.second[s], tolerance);
+}
+
+void expect_inside(const Location& p)
+{
+  ASSERT_TRUE(p.first.is_valid());
+  for(double x : p.second)
+    EXPECT_GE(x, 0);
+  EXPECT_NEAR(p.second[0] + p.second[1] + p.second[2], 1, 1e-15);
+}
+
+TEST(Surface_map, ThereAndBack)
+{
+  for_each_surface([](const Simplified& s, const Surface_map& map) {
+    CGAL::Random random(1);
+    for(int n = 0; n < 100; ++n) {
+      const Location p = random_location(s.fine.mesh(), random);
+      expect_inside(map.to_coarse(p));
+      expect_near(map.to_fine(map.to_coarse(p)), p, 1e-9);
+      const Location q = random_location(s.coarse.mesh(), random);
+      expect_inside(map.to_fine(q));
+      expect_near(map.to_coarse(map.to_fine(q)), q, 1e-9);
+    }
+  });
+}
+
+// Vertices that are left stay where they are; a coordinate of zero stays exactly zero.
+TEST(Surface_map, OfVertices)
+{
+  for_each_surface([](const Simplified& s, const Surface_map& map) {
+    for(Halfedge_index h : s.fine.mesh().halfedges()) {
+      const Vertex_index v = s.coarse.level_vertex(s.fine.surface_vertex(s.fine.mesh().source(h)));
+      if(s.fine.mesh().is_border(h) || !v.is_valid())
+        continue;
+      Coordinates corner{};
+      corner[IT::internal::side_number(h, s.fine.mesh())] = 1;
+      const auto [f, b] = map.to_coarse({s.fine.mesh().face(h), corner});
+      const auto sides = IT::internal::sides(f, s.coarse.mesh());
+      for(std::size_t t = 0; t < 3; ++t)
+        EXPECT_TRUE(b[t] == 0 || (b[t] == 1 && s.coarse.mesh().source(sides[t]) == v));
+    }
+  });
+}
+
+Location location(Halfedge_index h, double t, const Delta_complex& mesh)
+{
+  return IT::internal::face_location(IT::Edge_point<double>{h, t}, mesh);
+}
+
+bool are_near(const Location& p, const Location& q)
+{
+  double distance = 0;
+  for(std::size_t s = 0; s < 3; ++s)
+    distance = (std::max)(distance, std::abs(p.second[s] - q.second[s]));
+  return p.first == q.first && distance < 1e-9;
+}
+
+// Whether p and q are the same point of an edge, seen from its two sides.
+bool meet_at_edge(const Location& p, const Location& q, const Delta_complex& mesh)
+{
+  for(Halfedge_index h : IT::internal::sides(p.first, mesh)) {
+    const Coordinates b = IT::internal::coordinates_from(h, p, mesh);
+    if(mesh.face(mesh.opposite(h)) == q.first && b[2] < 1e-9 &&
+       are_near(location(mesh.opposite(h), b[0], mesh), q))
+      return true;
+  }
+  return false;
+}
+
+void expect_same_place(const Location& p, const Location& q, const Delta_complex& mesh)
+{
+  const double most = *std::max_element(p.second.begin(), p.second.end());
+  EXPECT_TRUE(are_near(p, q) || meet_at_edge(p, q, mesh) ||
+              most > 1 - 1e-9); // more faces meet at a vertex
+}
+
+TEST(Surface_map, IsContinuousAcrossEdges)
+{
+  for_each_surface([](const Simplified& s, const Surface_map& map) {
+    for(Edge_index e : s.fine.mesh().edges()) {
+      const Halfedge_index h = s.fine.mesh().halfedge(e), o = s.fine.mesh().opposite(h);
+      if(s.fine.mesh().is_border(h) || s.fine.mesh().is_border(o))
+        continue;
+      for(const double t : {0.1, 0.4, 0.75})
+        expect_same_place(map.to_coarse(location(h, t, s.fine.mesh())),
+                          map.to_coarse(location(o, 1 - t, s.fine.mesh())), s.coarse.mesh());
+    }
+  });
+}
+
+TEST(Surface_map, KeepsTheBoundary)
+{
+  for_each_surface([](const Simplified& s, const Surface_map& map) {
+    for(Halfedge_index h : s.fine.mesh().halfedges())
+      if(s.fine.mesh().is_border(s.fine.mesh().opposite(h))) {
+        const Location p = map.to_coarse(location(h, 0.3, s.fine.mesh()));
+        bool is_on_border = false;
+        for(Halfedge_index side : IT::internal::sides(p.first, s.coarse.mesh()))
+          is_on_border =
+            is_on_border || (s.coarse.mesh().is_border(s.coarse.mesh().opposite(side)) &&
+                             IT::internal::coordinates_from(side, p, s.coarse.mesh())[2] == 0);
+        EXPECT_TRUE(is_on_border) << "halfedge " << h;
+      }
+  });
+}
+
+double determinant(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+{
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+// The images of small triangles are small triangles of the same orientation.
+TEST(Surface_map, KeepsTheOrientation)
+{
+  int checked = 0;
+  for_each_surface([&](const Simplified& s, const Surface_map& map) {
+    CGAL::Random random(2);
+    for(int n = 0; n < 100; ++n) {
+      const Location p = random_location(s.coarse.mesh(), random);
+      const double step = 1e-6 * *std::min_element(p.second.begin(), p.second.end());
+      const auto image = [&](double x, double y) {
+        return map.to_fine({p.first, {p.second[0] - x - y, p.second[1] + x, p.second[2] + y}});
+      };
+      const Location a = image(0, 0), b = image(step, 0), c = image(0, step);
+      if(a.first != b.first || a.first != c.first)
+        continue;
+      EXPECT_GT(determinant(a.second, b.second, c.second), 0);
+      ++checked;
+    }
+  });
+  EXPECT_GT(checked, 5000);
+}
+
+Point place(const Location& p, const Surface_level& level, const Mesh& mesh)
+{
+  Kernel::Vector_3 sum(0, 0, 0);
+  const auto sides = IT::internal::sides(p.first, level.mesh());
+  for(std::size_t s = 0; s < 3; ++s)
+    sum = sum + p.second[s] *
+                  (mesh.point(level.surface_vertex(level.mesh().source(sides[s]))) - CGAL::ORIGIN);
+  return CGAL::ORIGIN + sum;
+}
+
+// a polygon in the plane whose corners cannot be removed for less than the rest
+Mesh flat_mesh(unsigned int seed) { return planar_mesh(random_points(60, 1000, seed)); }
+
+Simplified simplified_inside(const Mesh& mesh)
+{
+  Evolving_surface s(mesh);
+  for(Vertex_index v : mesh.vertices())
+    if(mesh.is_border(v))
+      s.protect(v);
+  return Simplified(std::move(s), 0);
+}
+
+TEST(Surface_map, OfAFlatPolygonIsTheIdentity)
+{
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Mesh mesh = flat_mesh(seed);
+    const Simplified s = simplified_inside(mesh);
+    const Surface_map map(s.surface, s.fine, s.coarse);
+    CGAL::Random random(3);
+    for(int n = 0; n < 300; ++n) {
+      const Location p = random_location(s.fine.mesh(), random);
+      const Point before = place(p, s.fine, mesh), after = place(map.to_coarse(p), s.coarse, mesh);
+      EXPECT_LT(std::sqrt(CGAL::squared_distance(before, after)), 1e-8);
+    }
+  }
+}
+
+// A map over two levels is the two maps one after the other.
+TEST(Surface_map, LevelsOfAHierarchy)
+{
+  Evolving_surface surface(random_sphere(300, 7));
+  const Surface_level fine(surface);
+  simplify(surface, number_of_vertices(std::size_t(100)));
+  const Surface_level middle(surface);
+  simplify(surface, number_of_vertices(std::size_t(20)));
+  const Surface_level coarse(surface);
+  const Surface_map first(surface, fine, middle), second(surface, middle, coarse);
+  const Surface_map both(surface, fine, coarse);
+  CGAL::Random random(4);
+  for(int n = 0; n < 1000; ++n) {
+    const Location p = random_location(fine.mesh(), random);
+    expect_near(both.to_coarse(p), second.to_coarse(first.to_coarse(p)), 1e-12);
+    const Location q = random_location(coarse.mesh(), random);
+    expect_near(both.to_fine(q), first.to_fine(second.to_fine(q)), 1e-12);
+  }
+  const Eigen::SparseMatrix<double> product =
+    IS::prolongation_matrix(first) * IS::prolongation_matrix(second);
+  EXPECT_EQ(product.rows(), 300);
+  EXPECT_EQ(product.cols(), 20);
+  EXPECT_EQ(middle.triangulation().mesh().number_of_vertices(), 100u);
+  EXPECT_TRUE(IT::is_Delaunay(middle.triangulation()));
+}
+
+// The squared lengths at the tip become a third, so its coordinate is multiplied by three: circumcircles, where
+// the sum of l_ij^2 b_i b_j is zero, become circumcircles.
+TEST(Surface_map, ChangesOfScaleKeepCircumcircles)
+{
+  Evolving_surface s(tetrahedron());
+  const Surface_level fine(s);
+  Flattened_star star;
+  ASSERT_EQ(s.flatten(Vertex_index(0), star), Removal_status::possible);
+  ASSERT_EQ(s.remove(star), Removal_status::possible);
+  const Surface_level coarse(s);
+  const Surface_map map(s, fine, coarse);
+  for(Halfedge_index h : fine.mesh().halfedges()) {
+    if(fine.mesh().source(h) != Vertex_index(0))
+      continue;
+    const Location q = map.to_coarse({fine.mesh().face(h), {1 / 3., 1 / 3., 1 / 3.}});
+    // the tip, in the middle of the new face, has three fifths, and two corners have one fifth each
+    const Coordinates expected{1 / 5., 2 / 5., 2 / 5.};
+    Coordinates sorted = q.second;
+    std::sort(sorted.begin(), sorted.end());
+    for(std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(sorted[c], expected[c], 1e-14);
+  }
+}
+
+// ---- Matrices ----
+
+TEST(Prolongation, RowsAreBarycentricCoordinates)
+{
+  for_each_surface([](const Simplified& s, const Surface_map& map) {
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> p = IS::prolongation_matrix(map);
+    for(Vertex_index v : s.fine.mesh().vertices()) {
+      double sum = 0;
+      for(decltype(p)::InnerIterator entry(p, static_cast<int>(v)); entry; ++entry) {
+        EXPECT_GT(entry.value(), 0);
+        sum += entry.value();
+      }
+      EXPECT_NEAR(sum, 1, 1e-15);
+      const Vertex_index coarse = s.coarse.level_vertex(s.fine.surface_vertex(v));
+      EXPECT_TRUE(!coarse.is_valid() ||
+                  p.coeff(static_cast<int>(v), static_cast<int>(coarse)) == 1);
+    }
+  });
+}
+
+TEST(Prolongation, OfLinearFunctionsOnAFlatPolygonIsExact)
+{
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    const Mesh mesh = flat_mesh(seed);
+    const Simplified s = simplified_inside(mesh);
+    const Surface_map map(s.surface, s.fine, s.coarse);
+    Eigen::VectorXd fine(mesh.number_of_vertices()), coarse(s.coarse.mesh().number_of_vertices());
+    const auto value = [&](Vertex_index v) {
+      return mesh.point(v).x() - 2 * mesh.point(v).y() + 3;
+    };
+    for(Vertex_index v : mesh.vertices())
+      fine[v.idx()] = value(v);
+    for(Vertex_index v : s.coarse.mesh().vertices())
+      coarse[v.idx()] = value(s.coarse.surface_vertex(v));
+    EXPECT_LT((IS::prolongation_matrix(map) * coarse - fine).cwiseAbs().maxCoeff(), 1e-7);
+  }
+}
+
+TEST(Prolongation, RestrictionIsAMeanThatKeepsIntegrals)
+{
+  const Simplified s(Evolving_surface(random_sphere(200, 3)), 20);
+  const Surface_map map(s.surface, s.fine, s.coarse);
+  const Eigen::SparseMatrix<double> p = IS::prolongation_matrix(map);
+  const Eigen::SparseMatrix<double> r = IS::restriction_matrix(p, map);
+  EXPECT_LT((r * Eigen::VectorXd::Ones(200) - Eigen::VectorXd::Ones(20)).cwiseAbs().maxCoeff(),
+            1e-14);
+  const Eigen::SparseMatrix<double> mass =
+    IT::lumped_mass_matrix(s.fine.mesh(), s.fine.length_map());
+  const Eigen::VectorXd fine_mass = mass.diagonal(), coarse_mass = p.transpose() * fine_mass;
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(200, -1, 3);
+  EXPECT_NEAR(coarse_mass.dot(r * x), fine_mass.dot(x), 1e-12);
+}
+
+TEST(Prolongation, IsolatedVerticesKeepTheirValues)
+{
+  Mesh mesh = random_sphere(50, 8);
+  const Vertex_index alone = mesh.add_vertex({3, 3, 3});
+  const Simplified s(Evolving_surface(mesh), 10);
+  const Surface_map map(s.surface, s.fine, s.coarse);
+  const Eigen::SparseMatrix<double> p = IS::prolongation_matrix(map);
+  const Eigen::SparseMatrix<double> r = IS::restriction_matrix(p, map);
+  const Vertex_index coarse = s.coarse.level_vertex(alone);
+  ASSERT_TRUE(coarse.is_valid());
+  EXPECT_EQ(p.coeff(static_cast<int>(alone), static_cast<int>(coarse)), 1);
+  EXPECT_EQ(r.coeff(static_cast<int>(coarse), static_cast<int>(alone)), 1);
+}
+
+} // namespace
