@@ -54,7 +54,7 @@ public:
   bool add_cone_if_beyond(double bound)
   {
     Eigen::Index v = 0;
-    if(values().size() == 0 || values().cwiseAbs().maxCoeff(&v) <= bound ||
+    if(values().size() == 0 || extents().maxCoeff(&v) <= bound ||
        m_problem.is_fixed()[std::size_t(v)])
       return false;
     add_cone(std::size_t(v));
@@ -63,6 +63,25 @@ public:
 
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  // How far scale factors are from zero. Where none are prescribed, zero may come to be anywhere between the
+  // least and the greatest: then the distance from the farther of both.
+  Vector extents() const
+  {
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    std::vector<double> least(fixed.size(), 0), greatest(fixed.size(), 0);
+    const auto component = [&](Eigen::Index v) { return m_problem.components()[std::size_t(v)]; };
+    for(Eigen::Index v = 0; v < values().size(); ++v)
+      if(const std::size_t c = component(v); fixed[c] == 0) {
+        least[c] = (std::min)(least[c], values()[v]);
+        greatest[c] = (std::max)(greatest[c], values()[v]);
+      }
+    Vector result(values().size());
+    for(Eigen::Index v = 0; v < result.size(); ++v)
+      result[v] =
+        (std::max)(values()[v] - least[component(v)], greatest[component(v)] - values()[v]);
+    return result;
+  }
 
   // The Laplacian does not see constants on a component without prescribed scale factors: one vertex is held.
   std::vector<char> with_pins() const
@@ -129,7 +148,7 @@ private:
       }
     const double below = sum / count - estimate[Eigen::Index(least)],
                  above = estimate[Eigen::Index(greatest)] - sum / count;
-    if(Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound)
+    if(Doubled_problem::needed_cones(excess) > 0 || below + above > bound)
       add_cone(above > below ? greatest : least);
   }
 
