@@ -7,6 +7,7 @@
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
 #include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
 
+#include <Eigen/Cholesky>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
