@@ -247,8 +247,8 @@ TEST(Removal, AVertexOnADiagonal)
   ASSERT_EQ(s.remove(star), Removal_status::possible);
   EXPECT_NEAR(area_of(s), 4, 1e-12);
   // and the middles of the sides, which are straight
-  for(std::size_t v : {1, 3, 5, 7}) {
-    ASSERT_EQ(s.flatten(Vertex_index(static_cast<unsigned int>(v)), star),
+  for(const unsigned int v : {1u, 3u, 5u, 7u}) {
+    ASSERT_EQ(s.flatten(Vertex_index(v), star),
               Removal_status::possible);
     ASSERT_EQ(s.remove(star), Removal_status::possible);
   }

@@ -107,7 +107,7 @@ TEST(Simplification, PyramidToItsCorners)
 
 TEST(Simplification, StopsAtTheNumberOfVertices)
 {
-  for(const std::size_t n : {200, 150, 40, 10}) {
+  for(const std::size_t n : {200u, 150u, 40u, 10u}) {
     Evolving_surface s(random_sphere(200, 1));
     const Simplification_result result = simplify(s, number_of_vertices(n));
     EXPECT_EQ(s.mesh().number_of_vertices(), n);
@@ -122,7 +122,7 @@ TEST(Simplification, GoesOn)
   Transport_cost cost(s);
   cost.add_curvature(s);
   double last = 0;
-  for(const std::size_t n : {180, 120, 60, 20}) {
+  for(const std::size_t n : {180u, 120u, 60u, 20u}) {
     simplify(s, cost, number_of_vertices(n));
     EXPECT_EQ(s.mesh().number_of_vertices(), n);
     EXPECT_GT(cost.total(), last);
