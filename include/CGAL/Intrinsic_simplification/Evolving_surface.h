@@ -26,7 +26,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationSurface
 /// a surface from which vertices are removed, with the history that maps points of the surface as it was to
 /// points of the surface as it is.
 ///

@@ -23,7 +23,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationSurface
 /// an edge that leaves the center of a star. What is said of lengths and directions holds before the center
 /// is flattened.
 struct Star_spoke
@@ -43,7 +43,7 @@ struct Star_spoke
   std::size_t first_with_neighbor;
 };
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationSurface
 /// the faces around a vertex, and the scale of the vertex that makes them flat (Section 5.1.1).
 ///
 /// The center gets the scale factor \f$u\f$: the length of an edge is multiplied by \f$e^{u/2}\f$ for each

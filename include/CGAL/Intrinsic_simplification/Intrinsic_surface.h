@@ -39,7 +39,7 @@ constexpr double pi = 3.14159265358979323846;
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationSurface
 /// a Delta-complex with edge lengths, and with a direction for every halfedge in the tangent space of
 /// its source. Unlike those of `Intrinsic_triangulations::Intrinsic_triangulation`, its lengths can be
 /// changed.

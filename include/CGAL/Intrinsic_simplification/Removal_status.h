@@ -10,7 +10,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationSurface
 /// says whether a vertex can be removed, and if not, why.
 enum class Removal_status
 {
@@ -24,11 +24,11 @@ enum class Removal_status
   not_separable     ///< flips do not bring the flat vertex to degree three
 };
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationSurface
 /// the number of values of `Removal_status`.
 constexpr int number_of_removal_statuses = 8;
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationSurface
 /// returns a short sentence for `status`.
 inline const char* to_string(Removal_status status)
 {

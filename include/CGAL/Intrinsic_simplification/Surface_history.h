@@ -22,7 +22,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationCorrespondence
 /// a change of a surface, with all that is needed to carry points through it, in 32 bytes.
 struct Surface_operation
 {
@@ -48,7 +48,7 @@ struct Surface_operation
   std::array<double, 2> x;
 };
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationCorrespondence
 /// the operations that have changed a surface, in their order (Section 5.2).
 ///
 /// They say of each point where it is afterwards, and before. Memory: 32 bytes for each operation, and 4 for each

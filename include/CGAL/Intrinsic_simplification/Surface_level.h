@@ -20,7 +20,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationCorrespondence
 /// a copy of an evolving surface as it is at one time, with elements numbered without gaps, in the same order.
 /// Several make a hierarchy.
 class Surface_level

@@ -24,7 +24,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationCorrespondence
 /// the bijective map between two levels of an evolving surface (Section 5.2.1).
 ///
 /// A point is carried through the operations between the levels that involve the face in which it is, and through no

@@ -20,7 +20,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// the cost of removing a vertex: how far curvature, area, or other data on the vertices would have been
 /// moved then (Section 5.3).
 ///

@@ -26,7 +26,7 @@ enum maximum_cost_t
 
 namespace parameters {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// names the number of vertices that shall be left.
 template <typename Number>
 auto number_of_vertices(const Number& value)
@@ -34,7 +34,7 @@ auto number_of_vertices(const Number& value)
   return CGAL::Named_function_parameters<Number, internal_np::number_of_vertices_t>(value);
 }
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// the same, after the parameters `np`.
 template <typename Number, typename NamedParameters>
 auto number_of_vertices(const Number& value, const NamedParameters& np)
@@ -43,7 +43,7 @@ auto number_of_vertices(const Number& value, const NamedParameters& np)
                                          NamedParameters>(value, np);
 }
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// names the greatest cost of a removal that is allowed.
 template <typename Number>
 auto maximum_cost(const Number& value)
@@ -51,7 +51,7 @@ auto maximum_cost(const Number& value)
   return CGAL::Named_function_parameters<Number, internal_np::maximum_cost_t>(value);
 }
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// the same, after the parameters `np`.
 template <typename Number, typename NamedParameters>
 auto maximum_cost(const Number& value, const NamedParameters& np)

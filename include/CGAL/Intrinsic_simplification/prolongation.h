@@ -21,7 +21,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationCorrespondence
 /// the place of a vertex of the fine level on the coarse surface.
 /// \pre `v` is not isolated
 inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& map)
@@ -34,7 +34,7 @@ inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& 
   return map.to_coarse({mesh.face(h), corner});
 }
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationCorrespondence
 /// the matrix \f$P\f$ that takes values of a function at the vertices of the coarse level to values at the vertices of the
 /// fine level (Section 5.2.3). A row holds the barycentric coordinates of a fine vertex on the coarse
 /// surface: no entry is negative, and the sum is one. The rows of vertices that both levels have are those of the
@@ -60,7 +60,7 @@ inline Eigen::SparseMatrix<double> prolongation_matrix(const Surface_map& map)
   return assembly.matrix(fine.num_vertices(), coarse.num_vertices());
 }
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationCorrespondence
 /// the matrix that takes values of a function at the vertices of the fine level to values at the vertices of the coarse
 /// level: means, weighted with the area of a fine vertex and its share in a coarse one. No entry is negative, and
 /// the sum of a row is one. With lumped masses, \f$R = M_c^{-1} P^T M\f$ with \f$M_c\f$ the diagonal matrix of

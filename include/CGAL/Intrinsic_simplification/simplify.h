@@ -25,7 +25,7 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
 ///
 /// \cgalModels `SimplificationVisitor`
@@ -37,7 +37,7 @@ struct Default_simplification_visitor
   void after_removal(Vertex_index /* v */) {}
 };
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// what a simplification has done.
 struct Simplification_result
 {
@@ -128,7 +128,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// makes a surface Delaunay and removes vertices from it, the cheapest first (Algorithm 6).
 ///
 /// It can be called again, to go on with the same cost or another.
@@ -180,7 +180,7 @@ Simplification_result simplify(Evolving_surface& surface, Cost& cost,
   return internal::Simplifier(surface, cost, visitor)(number_of_vertices, maximum_cost);
 }
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationGreedy
 /// the same, with the intrinsic curvature error (Section 5.3.2) as cost.
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Simplification_result simplify(Evolving_surface& surface,
