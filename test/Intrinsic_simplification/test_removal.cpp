@@ -248,8 +248,7 @@ TEST(Removal, AVertexOnADiagonal)
   EXPECT_NEAR(area_of(s), 4, 1e-12);
   // and the middles of the sides, which are straight
   for(const unsigned int v : {1u, 3u, 5u, 7u}) {
-    ASSERT_EQ(s.flatten(Vertex_index(v), star),
-              Removal_status::possible);
+    ASSERT_EQ(s.flatten(Vertex_index(v), star), Removal_status::possible);
     ASSERT_EQ(s.remove(star), Removal_status::possible);
   }
   EXPECT_EQ(s.mesh().number_of_faces(), 2u);
