@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <string>
 #include <tuple>
@@ -130,7 +131,7 @@ inline void expect_valid(const Evolving_surface& s, int characteristic)
 // all that can be seen of a surface
 inline auto state_of(const Evolving_surface& s)
 {
-  std::vector<std::tuple<Halfedge_index, Face_index, Vertex_index, double>> halfedges;
+  std::vector<std::tuple<Halfedge_index, Face_index, Vertex_index, std::complex<double>>> halfedges;
   std::vector<double> lengths;
   std::vector<Halfedge_index> bases;
   for(Halfedge_index h : s.mesh().halfedges())

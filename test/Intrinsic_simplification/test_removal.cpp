@@ -42,6 +42,9 @@ TEST(Flattening, TheCenterBecomesFlat)
   for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto length) {
     const double flat = is_on_border(star.center(), s.mesh()) ? pi : 2 * pi;
     EXPECT_NEAR(angle_sums(s.mesh(), length)[star.center()], flat, angle_tolerance);
+    Flattened_star sharpened = star;
+    EXPECT_TRUE(sharpened.sharpen());
+    EXPECT_NEAR(star.scale_factor(), sharpened.scale_factor(), 1e-6);
     const double factor = std::exp(star.scale_factor() / 2);
     for(std::size_t n = 0; n < star.size(); ++n) {
       const bool is_loop = star[n].neighbor == star.center();
@@ -114,6 +117,7 @@ TEST(Flattening, ScaleOfTheTipOfARegularTetrahedron)
   const Evolving_surface s(tetrahedron());
   Flattened_star star;
   ASSERT_EQ(s.flatten(Vertex_index(0), star), Removal_status::possible);
+  ASSERT_TRUE(star.sharpen());
   EXPECT_NEAR(star.scale_factor(), -std::log(3.), 1e-13);
   for(std::size_t n = 0; n < 3; ++n) {
     EXPECT_NEAR(star[n].weight, 1 / 3., 1e-13);
@@ -243,9 +247,8 @@ TEST(Removal, AVertexOnADiagonal)
   ASSERT_EQ(s.remove(star), Removal_status::possible);
   EXPECT_NEAR(area_of(s), 4, 1e-12);
   // and the middles of the sides, which are straight
-  for(std::size_t v : {1, 3, 5, 7}) {
-    ASSERT_EQ(s.flatten(Vertex_index(static_cast<unsigned int>(v)), star),
-              Removal_status::possible);
+  for(const unsigned int v : {1u, 3u, 5u, 7u}) {
+    ASSERT_EQ(s.flatten(Vertex_index(v), star), Removal_status::possible);
     ASSERT_EQ(s.remove(star), Removal_status::possible);
   }
   EXPECT_EQ(s.mesh().number_of_faces(), 2u);

@@ -90,15 +90,17 @@ public:
   /// removes the center of `star`: changes its scale, flips its edges until three are left, takes it away, and
   /// makes the edges Delaunay that have changed (Section 5.1). Complexity: linear in the degree of the center and
   /// the flips, for degrees that are bounded.
-  /// \param star the flattened star
+  /// \param star the flattened star, whose scale factor is made more exact
   /// \param touch is called with the vertices whose stars may have changed, some of them repeatedly
   /// \returns whether the vertex has been removed. If not, nothing has changed.
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
   ///         Intrinsic_triangulations::Numerical_error as `make_Delaunay()`; the vertex has been removed then
   /// \pre `flatten(star.center(), star) == Removal_status::possible`, and nothing has changed since
   template <typename Touch>
-  Removal_status remove(const Flattened_star& star, const Touch& touch)
+  Removal_status remove(Flattened_star& star, const Touch& touch)
   {
+    if(!star.sharpen())
+      return Removal_status::not_flattenable;
     if(star.has_loop())
       return remove_with_loops(star, touch);
     if(!m_polygon.plan(star))
@@ -108,7 +110,7 @@ public:
   }
 
   /// the same, without telling what may have changed.
-  Removal_status remove(const Flattened_star& star)
+  Removal_status remove(Flattened_star& star)
   {
     return remove(star, [](Vertex_index) {});
   }

@@ -28,11 +28,11 @@ namespace Intrinsic_simplification {
 /// is flattened.
 struct Star_spoke
 {
-  Halfedge_index halfedge; ///< leaves the center
-  Vertex_index neighbor;   ///< where it ends
-  double length;           ///< the length of the edge
-  double direction;        ///< its direction at the center
-  double direction_back;   ///< the direction of the opposite halfedge at the neighbor
+  Halfedge_index halfedge;             ///< leaves the center
+  Vertex_index neighbor;               ///< where it ends
+  double length;                       ///< the length of the edge
+  std::complex<double> direction;      ///< its direction at the center, of length one
+  std::complex<double> direction_back; ///< that of the opposite halfedge at the neighbor
   /// the change of the angle at the neighbor in the two faces of the spoke, by flattening; the curvature of
   /// the neighbor changes by its negative
   double angle_change;
@@ -55,20 +55,24 @@ struct Star_spoke
 class Flattened_star
 {
 public:
-  /// finds the spokes of `v` and its scale factor. Complexity: linear in the degree of `v`, for each step of
-  /// Newton's method.
+  /// finds the spokes of `v` and its scale factor, to about half of its digits if they have to be searched for:
+  /// enough for a cost. Complexity: linear in the degree of `v`, for each step of Newton's method.
   /// \returns whether `v` can be flattened; if it can, the functions below tell the result
   Removal_status flatten(Vertex_index v, const Intrinsic_surface& surface)
   {
     const Removal_status status = collect(v, surface);
     if(status != Removal_status::possible)
       return status;
-    if(!solve())
+    if(!solve(std::sqrt(rounding())))
       return Removal_status::not_flattenable;
     set_angle_changes();
     set_weights();
     return Removal_status::possible;
   }
+
+  /// finds the scale factor to within rounding. Angle changes and weights stay. Complexity: as `flatten()`.
+  /// \returns whether the center can be flattened after all
+  bool sharpen() { return solve(rounding()); }
 
   /// the vertex in the middle.
   Vertex_index center() const { return m_center; }
@@ -220,21 +224,35 @@ private:
            (p + q) * product / 2;
   }
 
-  // Newton's method, kept in the interval where the excess changes its sign. Beyond the triangle
-  // inequality an angle counts as 0 or pi, so that the excess is continuous and decreases everywhere.
-  bool solve()
+  // by which the sum of angles of a flat vertex may differ from that of the plane
+  double rounding() const
   {
-    const double tolerance = Intrinsic_triangulations::rounding_unit<double>() * 2 * internal::pi *
-                             static_cast<double>(size());
+    return Intrinsic_triangulations::rounding_unit<double>() * 2 * internal::pi *
+           static_cast<double>(size());
+  }
+
+  // Newton's method, kept in the interval where the excess changes its sign; with a last step that squares an
+  // excess of `tolerance`. Beyond the triangle inequality an angle counts as 0 or pi, so that the excess is
+  // continuous and decreases everywhere.
+  bool solve(double tolerance)
+  {
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     for(int step = 0; step < 100; ++step) {
       const Excess e = excess();
-      if(std::abs(e.value) <= tolerance)
-        return e.is_valid;
+      if(std::abs(e.value) <= rounding())
+        return is_solution(e);
       (e.value > 0 ? low : high) = m_u;
       set_scale(next_scale(e, low, high));
+      if(std::abs(e.value) <= tolerance)
+        return is_solution(e);
     }
     return false;
+  }
+
+  // A small excess that hardly changes any more is no solution: it vanishes in the limit of length zero.
+  static bool is_solution(const Excess& e)
+  {
+    return e.is_valid && std::abs(e.value) <= 0.1 * std::abs(e.derivative);
   }
 
   double next_scale(const Excess& e, double low, double high) const
@@ -284,14 +302,14 @@ private:
     return Intrinsic_triangulations::quadrupled_area(c.opposite, c.p, c.q);
   }
 
-  // the unit vector of the change of the angle between the sides a and b
+  // a complex number whose argument is the change of the angle between the sides a and b
   static Complex turn(double a, double b, double c, double area, double new_a, double new_b,
                       double new_c, double new_area)
   {
     using Intrinsic_triangulations::doubled_corner_product;
-    const double x = doubled_corner_product(c, a, b), scale = 1 / (4 * a * b * new_a * new_b);
+    const double x = doubled_corner_product(c, a, b);
     const double new_x = doubled_corner_product(new_c, new_a, new_b);
-    return {(x * new_x + area * new_area) * scale, (new_area * x - new_x * area) * scale};
+    return {x * new_x + area * new_area, new_area * x - new_x * area};
   }
 
   void set_weights()

@@ -20,6 +20,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -43,11 +44,11 @@ constexpr double pi = 3.14159265358979323846;
 /// its source. Unlike those of `Intrinsic_triangulations::Intrinsic_triangulation`, its lengths can be
 /// changed.
 ///
-/// Directions are angles. At first they are those of `Intrinsic_triangulations::Tangent_frames`. When
+/// Directions are complex numbers. At first they are those of `Intrinsic_triangulations::Tangent_frames`. When
 /// an edge takes the place of another, or lengths change, a halfedge goes between its two neighbors in the
 /// proportion of the two corners: the frame of a vertex stays what it is.
 ///
-/// Memory: a number for each edge and halfedge besides the connectivity.
+/// Memory besides the connectivity: 8 bytes for each edge and 16 for each halfedge.
 class Intrinsic_surface
 {
 public:
@@ -80,7 +81,7 @@ public:
     }
     const IT::Tangent_frames<double> frames(m_mesh, length_map());
     for(Halfedge_index h : m_mesh.halfedges())
-      m_direction.push_back(frames.angle(h));
+      m_direction.push_back(std::polar(1., frames.angle(h)));
   }
 
   /// \name Access
@@ -96,8 +97,8 @@ public:
   /// the lengths of all edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
 
-  /// the angle of the direction in which `h` leaves its source.
-  double direction(Halfedge_index h) const { return m_direction[h]; }
+  /// the direction in which `h` leaves its source, a number of absolute value one.
+  const std::complex<double>& direction(Halfedge_index h) const { return m_direction[h]; }
 
   /// whether `e` must stay.
   bool is_constrained(Edge_index e) const
@@ -159,7 +160,7 @@ public:
   void set_length(Edge_index e, double new_length) { m_length[e] = new_length; }
 
   /// changes the direction of `h`.
-  void set_direction(Halfedge_index h, double angle) { m_direction[h] = angle; }
+  void set_direction(Halfedge_index h, const std::complex<double>& z) { m_direction[h] = z; }
 
   /// directs `h` between its neighbors at its source in the proportion of the two corners. That of a border
   /// edge stays. Complexity: constant.
@@ -170,10 +171,9 @@ public:
       return;
     const Halfedge_index before = m_mesh.next(o), after = m_mesh.opposite(m_mesh.prev(h));
     const double right = corner_angle(before), left = corner_angle(h);
-    const double start = m_direction[before];
-    const double gap = turn_to_positive(m_direction[after] - start);
+    const double gap = positive(std::arg(m_direction[after] * std::conj(m_direction[before])));
     if(right + left > 0) // degenerate corners give no proportion
-      m_direction[h] = std::fmod(start + gap * (right / (right + left)), 2 * internal::pi);
+      m_direction[h] = m_direction[before] * std::polar(1., gap * (right / (right + left)));
   }
 
   /// the connectivity, for operations that keep lengths and directions themselves.
@@ -183,15 +183,12 @@ public:
 
 private:
   // the same angle between 0 and a full turn, which stands for zero
-  static double turn_to_positive(double angle)
-  {
-    return angle > 0 ? angle : angle + 2 * internal::pi;
-  }
+  static double positive(double angle) { return angle > 0 ? angle : angle + 2 * internal::pi; }
 
   Delta_complex m_mesh;
   std::vector<double> m_length;
-  std::vector<double> m_direction;    // of each halfedge
-  std::vector<char> m_is_constrained; // of each edge; empty if none is
+  std::vector<std::complex<double>> m_direction; // of each halfedge
+  std::vector<char> m_is_constrained;            // of each edge; empty if none is
 };
 
 } // namespace Intrinsic_simplification

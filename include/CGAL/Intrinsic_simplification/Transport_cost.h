@@ -94,7 +94,8 @@ public:
     for(std::size_t n = 0; n < star.size(); ++n)
       if(star[n].first_with_neighbor == n && star[n].weight > 0)
         for(std::size_t c = 0; c < m_channels; ++c)
-          cost += std::abs(m_moment[n * m_channels + c]);
+          cost +=
+            std::sqrt(std::norm(m_moment[n * m_channels + c])); // far from over- and underflow
     return cost;
   }
 
@@ -204,8 +205,8 @@ private:
   void add_share(const Flattened_star& star, std::size_t n)
   {
     const Star_spoke& spoke = star[n];
-    const Complex back = std::polar(1., spoke.direction_back);
-    const Complex transport = -back * std::polar(1., -spoke.direction);
+    const Complex& back = spoke.direction_back;
+    const Complex transport = -back * std::conj(spoke.direction);
     for(std::size_t c = 0; c < m_channels; ++c) {
       const State& s = state(star.center(), c);
       m_moment[spoke.first_with_neighbor * m_channels + c] +=

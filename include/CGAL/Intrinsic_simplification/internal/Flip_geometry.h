@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <CGAL/double.h>
+
 #include <algorithm>
 
 namespace CGAL {

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -65,7 +66,7 @@ private:
   {
     Halfedge_index halfedge;
     double length;
-    std::array<double, 2> direction;
+    std::array<std::complex<double>, 2> direction;
     std::array<Halfedge_index, 2> of_face, of_vertex;
   };
 
