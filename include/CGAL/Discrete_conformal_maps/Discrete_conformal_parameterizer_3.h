@@ -131,7 +131,8 @@ public:
   ///     `Flipping::to_Delaunay` an edge had to be flipped; with `Flipping::none` there are no scale factors;
   ///   - `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_TOPOLOGICAL_DISC` as their names say;
   ///   - `ERROR_WRONG_PARAMETER` if `flatten()` refuses the input, because an edge has no length, for example;
-  ///   - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if numbers had not enough digits.
+  ///   - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if numbers had not enough digits;
+  ///   - `ERROR_NO_1_TO_1_MAPPING` if faces are smaller in the plane than rounding.
   template <typename VertexUVMap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
                           VertexIndexMap /* vimap */, VertexParameterizedMap /* vpmap */)
@@ -178,6 +179,8 @@ private:
         const Vertex_index v = component.mesh().target(h);
         put(uvmap, component.vertices()[v.idx()], Point_2(z[0] / z[2], z[1] / z[2]));
       });
+    if(map.status() == Flattening_status::layout_collapsed)
+      return Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING;
     return Surface_mesh_parameterization::OK;
   }
 
