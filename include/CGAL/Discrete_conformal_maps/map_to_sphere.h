@@ -44,7 +44,6 @@ public:
 
   Spherical_conformal_map run()
   {
-    m_visitor.start(Flattening_stage::optimize);
     take(unfold());
     m_visitor.start(Flattening_stage::trace);
     m_data->correspondence_ab =

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/Partially_decorated_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/Sphere_layout.h>
@@ -34,18 +35,22 @@ public:
                   Vertex_index at_infinity, Visitor& visitor)
     : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity)
   {
+    visitor.start(Flattening_stage::optimize);
     const Delta_complex& mesh = problem.triangulation().mesh();
     Spherical_scale_factors<double> rounded(mesh, problem.triangulation().length_map(),
                                             at_infinity);
     rounded.minimize(1e-13, visitor);
+    visitor.start(Flattening_stage::layout);
     take(rounded);
     if(is_good())
       return;
+    visitor.start(Flattening_stage::optimize);
     Spherical_scale_factors<Extended> precise(mesh, problem.triangulation().length_map(),
                                               at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
     precise.minimize(1e-22, visitor);
+    visitor.start(Flattening_stage::layout);
     take(precise);
   }
 
