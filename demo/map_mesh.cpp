@@ -10,7 +10,7 @@
 
 using CGAL::Discrete_conformal_maps::Layer;
 
-Map_mesh_builder::Map_mesh_builder(const Map& map, const Mesh& input)
+Map_mesh_builder::Map_mesh_builder(const Any_map& map, const Mesh& input)
   : m_map(map), m_input(input), m_number(mesh().number_of_vertices(), none)
 {
   choose_elements();

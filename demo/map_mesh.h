@@ -18,7 +18,7 @@
 class Map_mesh_builder
 {
 protected:
-  typedef CGAL::Discrete_conformal_maps::Discrete_conformal_map Map;
+  typedef CGAL::Discrete_conformal_maps::Discrete_conformal_map Any_map;
   typedef CGAL::Discrete_conformal_maps::Edge_index Edge_index;
   typedef CGAL::Discrete_conformal_maps::Face_index Face_index;
   typedef CGAL::Discrete_conformal_maps::Halfedge_index Halfedge_index;
@@ -26,10 +26,10 @@ protected:
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  Map_mesh_builder(const Map& map, const Mesh& input);
+  Map_mesh_builder(const Any_map& map, const Mesh& input);
 
-  const Map::Subdivision& subdivision() const { return m_map.subdivision(); }
-  const Map::Subdivision::Mesh& mesh() const { return m_map.subdivision().mesh(); }
+  const Any_map::Subdivision& subdivision() const { return m_map.subdivision(); }
+  const Any_map::Subdivision::Mesh& mesh() const { return m_map.subdivision().mesh(); }
   const Mesh& input() const { return m_input; }
 
   // ---- The part that belongs to the input ----
@@ -75,7 +75,7 @@ protected:
 private:
   void choose_elements();
 
-  const Map& m_map;
+  const Any_map& m_map;
   const Mesh& m_input;
   std::vector<std::size_t> m_number; // in the result, of each vertex
   std::vector<Vertex_index> m_vertices;
