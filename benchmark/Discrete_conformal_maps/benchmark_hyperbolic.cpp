@@ -54,7 +54,7 @@ int main(int argc, char** argv)
 {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   if(arguments.empty())
-    arguments = {CGAL::data_file_path("meshes/double-torus-example.off"), "200000"};
+    arguments = {"200000"};
   print_head();
   for(const std::string& argument : arguments)
     if(const int largest = std::atoi(argument.c_str()); largest > 0)
