@@ -414,7 +414,7 @@ TEST(Uniformize_hyperbolic, does_not_depend_on_the_triangulation)
   for(int g = 2; g <= 4; ++g) {
     const Triangulation t(plate_with_holes(g));
     const Hyperbolic_conformal_map map = uniformize({t.mesh(), lengths_of(t)});
-    for(const std::size_t flips : {1, 30, 300, 3000}) {
+    for(const std::size_t flips : {1u, 30u, 300u, 3000u}) {
       SCOPED_TRACE(std::to_string(g) + ' ' + std::to_string(flips));
       Triangulation flipped = t;
       flip_at_random(flipped, flips, 3);
