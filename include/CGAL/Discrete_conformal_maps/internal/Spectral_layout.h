@@ -222,6 +222,8 @@ private:
       wanted += FT(1) / (4 * f.weight);
       area += (conj(image(f, 0, z)) * image(f, 1, z)).y;
     }
+    if(!(area > 0)) // it has collapsed
+      return;
     const FT factor = sqrt(wanted / area);
     for(Vector& p : z)
       p = factor * p;
