@@ -6,47 +6,19 @@
 // bumps of growing size. Time linear in the removed vertices shows as a column that stays the same.
 
 #include "../Intrinsic_triangulations/measure.h"
+#include "surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 namespace IS = CGAL::Intrinsic_simplification;
-
-typedef CGAL::Simple_cartesian<double>::Point_3 Point;
-typedef CGAL::Surface_mesh<Point> Mesh;
-typedef Mesh::Vertex_index Vertex;
-
-// A torus with bumps as `n` by `3 n` quadrangles, each of them cut in two.
-Mesh bumpy_torus(unsigned n)
-{
-  const unsigned m = 3 * n;
-  Mesh mesh;
-  for(unsigned j = 0; j < m; ++j)
-    for(unsigned i = 0; i < n; ++i) {
-      const double a = 2 * CGAL_PI * i / n, b = 2 * CGAL_PI * j / m;
-      const double tube = 1 + 0.1 * std::sin(5 * a) * std::sin(15 * b);
-      const double radius = 3 + tube * std::cos(a);
-      mesh.add_vertex(Point(radius * std::cos(b), radius * std::sin(b), tube * std::sin(a)));
-    }
-  for(unsigned j = 0; j < m; ++j)
-    for(unsigned i = 0; i < n; ++i) {
-      const unsigned right = (i + 1) % n, above = (j + 1) % m * n;
-      mesh.add_face(Vertex(n * j + i), Vertex(above + i), Vertex(above + right));
-      mesh.add_face(Vertex(n * j + i), Vertex(above + right), Vertex(n * j + right));
-    }
-  return mesh;
-}
 
 void benchmark(const std::string& name, const Mesh& mesh)
 {
@@ -69,11 +41,11 @@ void benchmark(const std::string& name, const Mesh& mesh)
 
 void benchmark_file(const std::string& path)
 {
-  Mesh mesh;
-  if(CGAL::IO::read_polygon_mesh(path, mesh))
-    benchmark(path.substr(path.rfind('/') + 1), mesh);
+  const Mesh mesh = read_surface(path);
+  if(mesh.number_of_vertices() == 0)
+    std::printf("%s: no triangle mesh\n", path.c_str());
   else
-    std::printf("%s: no mesh\n", path.c_str());
+    benchmark(name_of(path), mesh);
 }
 
 int main(int argc, char* argv[])
