@@ -104,14 +104,13 @@ public:
                          std::size_t maximum_number_of_iterations = 200) const
   {
     make_compatible(b);
-    const double scale = std::sqrt(b.dot(m_cycle(b)));
+    const double scale = std::sqrt(b.dot(preconditioned(b)));
     Multigrid_result result;
     result.solution = Vector::Zero(b.size());
     if(scale == 0)
       result.status = Multigrid_status::converged;
     else
       iterate(b, scale, tolerance, maximum_number_of_iterations, result);
-    remove_means(result.solution);
     return result;
   }
 
@@ -129,7 +128,7 @@ private:
     double last = std::numeric_limits<double>::infinity();
     for(;;) {
       Vector r = m_cycle.finest().residual(b, result.solution);
-      Vector z = m_cycle(r);
+      Vector z = preconditioned(r);
       result.error = std::sqrt((std::max)(r.dot(z), 0.)) / scale;
       if(result.error <= tolerance)
         result.status = Multigrid_status::converged;
@@ -139,8 +138,8 @@ private:
         result.status = Multigrid_status::no_progress;
       else {
         last = result.error;
-        // what is carried along beyond that is rounding
-        const double least = std::numeric_limits<double>::epsilon() * last;
+        // what is carried along beyond a thousand units of rounding may not be what is left
+        const double least = 1000 * std::numeric_limits<double>::epsilon() * last;
         conjugate_gradients(r, z, scale * (std::max)(tolerance, least), limit, result);
         continue;
       }
@@ -158,12 +157,21 @@ private:
       const double step = rz / p.dot(ap);
       result.solution += step * p;
       r -= step * ap;
-      z = m_cycle(r);
+      z = preconditioned(r);
       const double next = r.dot(z);
       p = z + (next / rz) * p;
       rz = next;
       ++result.iterations;
     }
+  }
+
+  // Symmetric too. Without the projections constants would grow out of rounding.
+  Vector preconditioned(Vector r) const
+  {
+    make_compatible(r);
+    Vector z = m_cycle(r);
+    remove_means(z);
+    return z;
   }
 
   std::size_t component(Eigen::Index v) const { return m_components[static_cast<std::size_t>(v)]; }
