@@ -7,11 +7,14 @@
 // or of some of CGAL's and generated ones.
 
 #include "Poisson_comparison.h"
+#include "quadric_simplification.h"
 #include "surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <vector>
