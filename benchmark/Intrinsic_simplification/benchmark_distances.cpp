@@ -4,7 +4,7 @@
 
 // Geodesic distances on coarse surfaces, prolonged: error against speed-up, beside the heat method on the fine surface
 // and exact distances after edge collapses with quadrics (Figures 5.8 and 5.9); and all pairs (Figure 5.10).
-// Of the meshes on the command line, or of some of CGAL's. Errors are means over five sources, relative to the
+// Of connected meshes on the command line, or of some of CGAL's. Errors are means over five sources, relative to the
 // mean distance; truth are exact distances on the fine surface. Times are for one source, without simplification.
 
 #include "../Intrinsic_triangulations/measure.h"
@@ -175,6 +175,6 @@ int main(int argc, char* argv[])
     for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
       benchmark_file(path);
   else
-    for(const char* name : {"bull", "armadillo", "refined_elephant"})
+    for(const char* name : {"fandisk", "bull", "armadillo", "refined_elephant"})
       benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
 }
