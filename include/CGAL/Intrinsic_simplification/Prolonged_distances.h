@@ -26,8 +26,9 @@ namespace internal {
 template <typename Source>
 Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& level)
 {
-  Intrinsic_triangulations::internal::Shortest_paths<Surface_level::Length_map> paths(
-    level.mesh(), level.length_map());
+  const Surface_level::Length_map length = level.length_map();
+  Intrinsic_triangulations::internal::Shortest_paths<Surface_level::Length_map> paths(level.mesh(),
+                                                                                      length);
   paths.start_at(source);
   paths.run();
   Eigen::VectorXd result(static_cast<Eigen::Index>(level.mesh().num_vertices()));

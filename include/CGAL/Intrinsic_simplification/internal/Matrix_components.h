@@ -51,7 +51,7 @@ private:
 
   static std::size_t index(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
-  // A sum of all entries that rounding of each of them can have caused counts as zero.
+  // A sum of all entries that rounding can have caused counts as zero; each of them is a sum of some ten numbers itself.
   void explore(int start, const Matrix& matrix)
   {
     double sum = 0, size = 0;
@@ -69,7 +69,8 @@ private:
         }
       }
     }
-    m_is_floating.push_back(std::abs(sum) <= std::numeric_limits<double>::epsilon() * size ? 1 : 0);
+    const double rounding = 10 * std::numeric_limits<double>::epsilon() * size;
+    m_is_floating.push_back(std::abs(sum) <= rounding ? 1 : 0);
   }
 
   std::vector<std::size_t> m_label; // of each unknown
