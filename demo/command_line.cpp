@@ -478,7 +478,7 @@ void add_simplify(CLI::App& app, Options& options)
   add_target(command, own);
   command
     .add_option("--weight", own.weights,
-                "curvature=W or area=W: the share of this in the cost; curvature=1 and area=0 if "
+                "curvature=W or area=W: the share of this in the cost; curvature=1 and area=2 if "
                 "not given")
     ->allow_extra_args(false);
   command.add_option("--prolongation", own.prolongation,

@@ -43,7 +43,7 @@ Mesh_format format_with_faces(const std::string& path, const std::string& format
 struct Weights
 {
   double curvature = 1;
-  double area = 0;
+  double area = IS::default_area_weight;
 };
 
 // The number after the equals sign.

@@ -75,16 +75,19 @@ inline std::vector<double> curvatures(const Evolving_surface& s)
   return result;
 }
 
-inline double area_of(const Evolving_surface& s)
+template <typename Length>
+double area_of(const Delta_complex& mesh, const Length& length)
 {
   double sum = 0;
-  for(Face_index f : s.mesh().faces()) {
-    const Halfedge_index h = s.mesh().halfedge(f);
-    sum += s.surface().length(h) * s.surface().length(s.mesh().prev(h)) *
-           std::sin(angle_at(h, s.mesh(), lengths_of(s))) / 2;
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    sum += length(mesh.edge(h)) * length(mesh.edge(mesh.prev(h))) *
+           std::sin(angle_at(h, mesh, length)) / 2;
   }
   return sum;
 }
+
+inline double area_of(const Evolving_surface& s) { return area_of(s.mesh(), lengths_of(s)); }
 
 // ---- Checking ----
 

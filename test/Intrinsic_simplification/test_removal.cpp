@@ -73,6 +73,14 @@ TEST(Flattening, AngleChangesAreThoseOfTheNeighbors)
   });
 }
 
+// to half of the digits of the scale factor, and of a sine near the angle pi
+TEST(Flattening, AreaChange)
+{
+  for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto length) {
+    EXPECT_NEAR(star.area_change(), area_of(s.mesh(), length) - area_of(s), 1e-6);
+  });
+}
+
 TEST(Flattening, SpokesAreInOrder)
 {
   for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto) {

@@ -98,6 +98,9 @@ public:
   /// the scale factor \f$u\f$; exactly zero if the center is flat to within rounding.
   double scale_factor() const { return m_u; }
 
+  /// by how much flattening makes the area of the star larger, to about half of the digits.
+  double area_change() const { return m_area_change; }
+
   /// the length of a spoke after flattening.
   double flat_length(std::size_t n) const { return m_spokes[n].length * m_power[ends(n)]; }
 
@@ -268,10 +271,12 @@ private:
   void set_angle_changes()
   {
     m_change.assign(2 * size(), Complex(1));
+    m_area_change = 0;
     if(m_u != 0)
       for(std::size_t n = 0; n < number_of_corners(); ++n) {
         const Corner before = original_corner(n), after = corner(n);
         const double old_area = quadrupled_area(before), new_area = quadrupled_area(after);
+        m_area_change += share(n) * (new_area - old_area) / 4;
         m_change[2 * n] = turn(before.p, before.opposite, before.q, old_area, //
                                after.p, after.opposite, after.q, new_area);
         m_change[2 * next(n) + 1] = turn(before.q, before.opposite, before.p, old_area, //
@@ -289,7 +294,7 @@ private:
     return std::arg(after * before);
   }
 
-  // of an angle opposite to a corner: a face with a loop has two corners at the center
+  // of a corner in its face: one with a loop has two corners at the center
   double share(std::size_t n) const
   {
     return n < number_of_corners() && opposite_ends(n) > 0 ? 0.5 : 1;
@@ -347,6 +352,7 @@ private:
   Vertex_index m_center;
   bool m_is_border = false, m_has_loop = false;
   double m_u = 0;
+  double m_area_change = 0;
   std::array<double, 3> m_power{1, 1, 1}; // by the number of ends at the center
   std::vector<Star_spoke> m_spokes;
   std::vector<double> m_opposite;     // of each corner

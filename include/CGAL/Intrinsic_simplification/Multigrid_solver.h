@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_MULTIGRID_SOLVER_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_MULTIGRID_SOLVER_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/internal/Matrix_components.h>
+#include <CGAL/Intrinsic_simplification/internal/Multigrid_cycle.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// says how an iteration has ended.
+enum class Multigrid_status
+{
+  converged,       ///< the error is below the tolerance
+  iteration_limit, ///< it is not after as many iterations as were allowed
+  no_progress ///< it does not become smaller any more: by rounding, or because a number is not finite
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// returns a short sentence for `status`.
+inline const char* to_string(Multigrid_status status)
+{
+  switch(status) {
+    case Multigrid_status::converged: return "converged";
+    case Multigrid_status::iteration_limit:
+      return "not converged after as many iterations as are allowed";
+    case Multigrid_status::no_progress: return "the error does not become smaller any more";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a solution, and how good it is.
+struct Multigrid_result
+{
+  Eigen::VectorXd solution;   ///< the last iterate
+  std::size_t iterations = 0; ///< how many iterations have been made
+  /// the estimated error of the solution, relative, in the energy norm \f$\sqrt{x^T A x}\f$: from the residual of the
+  /// solution and the preconditioner
+  double error = 0;
+  Multigrid_status status = Multigrid_status::no_progress; ///< how the iteration has ended
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// solves equations \f$A x = b\f$ of Laplace and Poisson problems with many unknowns, by the conjugate gradient method
+/// with one V-cycle on a hierarchy of surfaces as preconditioner: a sweep of the method of Gauss and Seidel on each level on
+/// the way down, one in reverse on the way up, a Cholesky factorization on the coarsest. Matrices of coarse levels
+/// are \f$P^T A P\f$. The number of iterations hardly depends on the number of unknowns.
+///
+/// The matrix is that of a Dirichlet energy plus any diagonal that is not negative, as \f$L + \alpha M\f$ or \f$L\f$ alone:
+/// on each of its connected components it is positive definite, or maps the constants, and no others, to zero, to within
+/// rounding. On components of the latter kind there is a solution only if the sum of \f$b\f$ vanishes, and it
+/// can be shifted: \f$b\f$ is replaced by \f$b - m \sum b / \sum m\f$ there with the masses \f$m\f$, and the mean of the
+/// solution, weighted with the masses, is zero. `Intrinsic_triangulations::Poisson_solver` does the same.
+///
+/// Memory: 12 bytes for each entry of the matrices and prolongations, see `number_of_entries()`.
+class Multigrid_solver
+{
+public:
+  /// the type of matrices.
+  typedef Eigen::SparseMatrix<double> Matrix;
+  /// the type of functions: a value for each unknown.
+  typedef Eigen::VectorXd Vector;
+
+  /// multiplies matrices and factorizes that of the coarsest level.
+  /// Complexity: for hierarchies of surfaces in which each level is smaller by a factor, linear, plus a Cholesky
+  /// factorization on the coarsest.
+  /// \param matrix the symmetric matrix \f$A\f$
+  /// \param masses a number for each unknown, not negative and not all zero on a component; those of
+  ///        `Intrinsic_triangulations::lumped_mass_matrix()`, for example
+  /// \param prolongations from each level to the next finer one, the finest first, as of `prolongation_hierarchy()`; may be
+  ///        empty
+  /// \throws Intrinsic_triangulations::Numerical_error if rounding leaves the coarsest matrix without a factorization
+  Multigrid_solver(const Matrix& matrix, const Vector& masses,
+                   const std::vector<Matrix>& prolongations)
+    : m_components(matrix), m_masses(masses), m_cycle(matrix, m_components, prolongations)
+  {
+    CGAL_precondition(matrix.rows() == matrix.cols() && masses.size() == matrix.cols());
+    CGAL_precondition(prolongations.empty() || prolongations[0].rows() == matrix.cols());
+  }
+
+  /// solves for one right-hand side. Complexity: linear for each iteration.
+  /// \param b the right-hand side
+  /// \param tolerance the error at which to stop
+  /// \param maximum_number_of_iterations so many V-cycles may be done
+  Multigrid_result solve(Vector b, double tolerance = 1e-10,
+                         std::size_t maximum_number_of_iterations = 200) const
+  {
+    make_compatible(b);
+    const double scale = std::sqrt(b.dot(preconditioned(b)));
+    Multigrid_result result;
+    result.solution = Vector::Zero(b.size());
+    if(scale == 0)
+      result.status = Multigrid_status::converged;
+    else
+      iterate(b, scale, tolerance, maximum_number_of_iterations, result);
+    return result;
+  }
+
+  /// the number of entries of all matrices and prolongations.
+  std::size_t number_of_entries() const { return m_cycle.number_of_entries(); }
+
+private:
+  typedef std::vector<double> Component_sums;
+
+  // The conjugate gradient method, started again with the true residual where that is larger than the one which is
+  // carried along.
+  void iterate(const Vector& b, double scale, double tolerance, std::size_t limit,
+               Multigrid_result& result) const
+  {
+    double last = std::numeric_limits<double>::infinity();
+    for(;;) {
+      Vector r = m_cycle.finest().residual(b, result.solution);
+      Vector z = preconditioned(r);
+      result.error = std::sqrt((std::max)(r.dot(z), 0.)) / scale;
+      if(result.error <= tolerance)
+        result.status = Multigrid_status::converged;
+      else if(result.iterations >= limit)
+        result.status = Multigrid_status::iteration_limit;
+      else if(!(result.error < last / 2))
+        result.status = Multigrid_status::no_progress;
+      else {
+        last = result.error;
+        // what is carried along beyond a thousand units of rounding may not be what is left
+        const double least = 1000 * std::numeric_limits<double>::epsilon() * last;
+        conjugate_gradients(r, z, scale * (std::max)(tolerance, least), limit, result);
+        continue;
+      }
+      return;
+    }
+  }
+
+  // `z` is the preconditioned residual `r` of the solution so far
+  void conjugate_gradients(Vector& r, Vector& z, double tolerance, std::size_t limit,
+                           Multigrid_result& result) const
+  {
+    Vector p = z;
+    for(double rz = r.dot(z); rz > tolerance * tolerance && result.iterations < limit;) {
+      const Vector ap = m_cycle.finest().matrix().transpose() * p;
+      const double step = rz / p.dot(ap);
+      result.solution += step * p;
+      r -= step * ap;
+      z = preconditioned(r);
+      const double next = r.dot(z);
+      p = z + (next / rz) * p;
+      rz = next;
+      ++result.iterations;
+    }
+  }
+
+  // Symmetric too. Without the projections constants would grow out of rounding.
+  Vector preconditioned(Vector r) const
+  {
+    make_compatible(r);
+    Vector z = m_cycle(r);
+    remove_means(z);
+    return z;
+  }
+
+  std::size_t component(Eigen::Index v) const { return m_components[static_cast<std::size_t>(v)]; }
+
+  Component_sums sums(const Vector& values) const
+  {
+    Component_sums result(m_components.size(), 0);
+    for(Eigen::Index v = 0; v < values.size(); ++v)
+      result[component(v)] += values[v];
+    return result;
+  }
+
+  // For each unknown the first sum over the second; zero on components where the matrix is positive definite.
+  Vector quotients(const Component_sums& numerator) const
+  {
+    const Component_sums denominator = sums(m_masses);
+    Vector result = Vector::Zero(m_masses.size());
+    for(Eigen::Index v = 0; v < result.size(); ++v)
+      if(const std::size_t c = component(v); m_components.is_floating(c) && denominator[c] > 0)
+        result[v] = numerator[c] / denominator[c];
+    return result;
+  }
+
+  void make_compatible(Vector& b) const { b -= m_masses.cwiseProduct(quotients(sums(b))); }
+  void remove_means(Vector& x) const { x -= quotients(sums(m_masses.cwiseProduct(x))); }
+
+  internal::Matrix_components m_components;
+  Vector m_masses;
+  internal::Multigrid_cycle m_cycle;
+};
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_MULTIGRID_SOLVER_H

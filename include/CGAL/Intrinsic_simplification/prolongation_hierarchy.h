@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_PROLONGATION_HIERARCHY_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_PROLONGATION_HIERARCHY_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Evolving_surface.h>
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/Transport_cost.h>
+#include <CGAL/Intrinsic_simplification/prolongation.h>
+#include <CGAL/Intrinsic_simplification/simplify.h>
+
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// simplifies a surface step by step, each time to a fourth of the vertices, and returns the prolongation from each level
+/// to the one before; the first leads to the surface as it was. The cost is that of
+/// `simplify()`, and carried on from level to level.
+///
+/// Complexity: as `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides the result.
+/// \param surface the surface, which is as coarse as the last level afterwards
+/// \param number_of_vertices the levels end at so many vertices or less, or when no vertex can be removed any more
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded,
+///         Intrinsic_triangulations::Numerical_error and
+///         Intrinsic_triangulations::Overflow_error as `simplify()` and `Surface_map`
+inline std::vector<Eigen::SparseMatrix<double>>
+prolongation_hierarchy(Evolving_surface& surface, std::size_t number_of_vertices = 500)
+{
+  std::vector<Eigen::SparseMatrix<double>> result;
+  Transport_cost cost(surface);
+  cost.add_curvature(surface);
+  cost.add_area(surface, default_area_weight);
+  Surface_level fine(surface);
+  while(fine.mesh().number_of_vertices() > number_of_vertices) {
+    const std::size_t target = fine.mesh().number_of_vertices() / 4;
+    if(simplify(surface, cost, parameters::number_of_vertices(target)).removed == 0)
+      break;
+    Surface_level coarse(surface);
+    result.push_back(prolongation_matrix(Surface_map(surface, fine, coarse)));
+    fine = std::move(coarse);
+  }
+  return result;
+}
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_PROLONGATION_HIERARCHY_H
