@@ -70,12 +70,9 @@ public:
   Location to_coarse(Location p) const
   {
     p.first = m_fine.surface_face(p.first);
-    const auto* time = next(p.first, m_fine.time());
-    while(time != end(p.first)) {
-      const Surface_history::Time t = *time;
+    auto t = next_operation(p.first, m_fine.time());
+    for(; t != m_coarse.time(); t = next_operation(p.first, t + 1))
       internal::carry_forward(m_history, t, p);
-      time = next(p.first, t + 1);
-    }
     p.first = m_coarse.level_face(p.first);
     internal::normalize(p.second);
     return p;
@@ -85,15 +82,31 @@ public:
   Location to_fine(Location p) const
   {
     p.first = m_coarse.surface_face(p.first);
-    const auto* time = next(p.first, m_coarse.time());
-    while(time != begin(p.first)) {
-      const Surface_history::Time t = *(time - 1);
-      internal::carry_backward(m_history, t, p);
-      time = next(p.first, t);
-    }
+    auto end = end_of_operation(p.first, m_coarse.time());
+    for(; end != m_fine.time(); end = end_of_operation(p.first, end - 1))
+      internal::carry_backward(m_history, end - 1, p);
     p.first = m_fine.level_face(p.first);
     internal::normalize(p.second);
     return p;
+  }
+
+  /// the operations.
+  const Surface_history& history() const { return m_history; }
+
+  /// the first operation between the levels on the face `f` of the evolving surface that is not before `t`; if there is
+  /// none, the time of the coarse level. Complexity: logarithmic in the operations on the face.
+  Surface_history::Time next_operation(Face_index f, Surface_history::Time t) const
+  {
+    const auto* next = first_not_before(f, t);
+    return next == end(f) ? m_coarse.time() : *next;
+  }
+
+  /// one more than the last operation between the levels on the face `f` of the evolving surface that is before `t`; if
+  /// there is none, the time of the fine level. Complexity: as `next_operation()`.
+  Surface_history::Time end_of_operation(Face_index f, Surface_history::Time t) const
+  {
+    const auto* next = first_not_before(f, t);
+    return next == begin(f) ? m_fine.time() : Surface_history::Time(*(next - 1)) + 1;
   }
 
 private:
@@ -111,8 +124,7 @@ private:
   }
   const std::uint32_t* end(Face_index f) const { return m_times.data() + m_end[f]; }
 
-  // the first operation on `f` that is not before `t`
-  const std::uint32_t* next(Face_index f, Surface_history::Time t) const
+  const std::uint32_t* first_not_before(Face_index f, Surface_history::Time t) const
   {
     return std::lower_bound(begin(f), end(f), t);
   }
