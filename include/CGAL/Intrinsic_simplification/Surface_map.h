@@ -16,6 +16,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -134,6 +135,19 @@ private:
   std::vector<std::uint32_t> m_times; // of the operations on each face, in their order
   std::vector<std::size_t> m_end;     // of the list of each face
 };
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the place of a vertex of the fine level on the coarse surface.
+/// \pre `v` is not isolated
+inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& map)
+{
+  namespace IT = Intrinsic_triangulations;
+  const Delta_complex& mesh = map.fine().mesh();
+  const Halfedge_index h = IT::first_spoke(v, mesh);
+  std::array<double, 3> corner{};
+  corner[IT::internal::side_number(h, mesh)] = 1;
+  return map.to_coarse({mesh.face(h), corner});
+}
 
 } // namespace Intrinsic_simplification
 } // namespace CGAL
