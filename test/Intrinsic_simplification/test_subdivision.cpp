@@ -199,7 +199,7 @@ TEST(Subdivision, OfAFlatPolygon)
 // Coarse edges run through vertices and along edges, but for rounding.
 TEST(Subdivision, OfACube)
 {
-  for(const std::size_t n : {100, 30, 8}) {
+  for(const unsigned int n : {100u, 30u, 8u}) {
     const Simplified s(Evolving_surface(subdivided(cube(), 3)), n);
     const Surface_map map(s.surface, s.fine, s.coarse);
     const Subdivision subdivision(map, Bends::of_all_edges);
