@@ -75,7 +75,7 @@ TEST(Tangent_prolongation, OfAConstantFieldOnAFlatTorusIsExact)
     const Flat_surface flat = flat_torus(9, 8, seed);
     Evolving_surface surface(triangulation(flat));
     const Surface_level fine(surface);
-    simplify(surface, number_of_vertices(6));
+    simplify(surface, number_of_vertices(std::size_t(6)));
     const Surface_level coarse(surface);
     ASSERT_EQ(coarse.mesh().number_of_vertices(), 6u);
     const Surface_map map(surface, fine, coarse);
@@ -113,7 +113,7 @@ TEST(Tangent_prolongation, OfARotationFieldOnASphere)
   };
   Evolving_surface surface(sphere);
   const Surface_level fine(surface);
-  simplify(surface, number_of_vertices(300));
+  simplify(surface, number_of_vertices(std::size_t(300)));
   const Surface_level coarse(surface);
   const Surface_map map(surface, fine, coarse);
   // at coarse vertices, in the frame of the coarse level: that of the fine one turned by the matrix

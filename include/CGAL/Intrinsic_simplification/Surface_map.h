@@ -32,23 +32,23 @@ namespace Intrinsic_simplification {
 /// others: they are found by a list for each face. The map is continuous, and projective on pieces.
 /// A vertex that both levels have is mapped to itself, exactly, and a point of a boundary to a point of the boundary.
 ///
-/// The object refers to the evolving surface and to both levels. Memory: 4 bytes for each face and operation on it.
+/// The object refers to the history and to both levels. Memory: 4 bytes for each face and operation on it.
 class Surface_map
 {
 public:
   /// a face and barycentric coordinates that sum up to one.
   typedef Intrinsic_triangulations::Face_location<double> Location;
 
-  /// prepares the map. Complexity: linear in the faces of the surface and the operations.
+  /// prepares the map. Complexity: linear in the faces of the fine level and the operations.
   /// \throws Intrinsic_triangulations::Overflow_error if there are more operations than can be numbered
-  /// \pre both levels are of `surface`, and `coarse` is not earlier than `fine`
-  Surface_map(const Evolving_surface& surface, const Surface_level& fine,
+  /// \pre both levels are of the surface with this history, and `coarse` is not earlier than `fine`
+  Surface_map(const Surface_history& history, const Surface_level& fine,
               const Surface_level& coarse)
-    : m_history(surface.history()), m_fine(fine), m_coarse(coarse)
+    : m_history(history), m_fine(fine), m_coarse(coarse)
   {
     CGAL_precondition(fine.time() <= coarse.time());
     const auto add_next = [&](Face_index f, Surface_history::Time) { ++m_end[f + 1]; };
-    m_end.assign(surface.mesh().num_faces() + 1, 0);
+    m_end.assign(fine.number_of_surface_faces() + std::size_t(1), 0);
     for_each_event(add_next);
     for(std::size_t f = 1; f < m_end.size(); ++f)
       m_end[f] += m_end[f - 1];
@@ -60,6 +60,12 @@ public:
     });
     m_end.pop_back(); // the end of each list is the start of the next now
   }
+
+  /// the same for an evolving surface, of which it refers to the history.
+  Surface_map(const Evolving_surface& surface, const Surface_level& fine,
+              const Surface_level& coarse)
+    : Surface_map(surface.history(), fine, coarse)
+  {}
 
   /// the level on whose surface the map starts.
   const Surface_level& fine() const { return m_fine; }
