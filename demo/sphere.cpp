@@ -78,7 +78,7 @@ private:
     statistics["iterations"] = map.minimization().iterations;
     statistics["status"] = CM::to_string(map.minimization().status);
     statistics["extended_precision"] = map.is_extended();
-    statistics["max_curvature_error"] = map.minimization().gradient_norm;
+    statistics["max_curvature_error"] = map.max_curvature_error();
     statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
     statistics["convex"] = map.certificate().is_convex();
     statistics["concave_edges"] = map.certificate().concave_edges;

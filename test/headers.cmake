@@ -2,15 +2,13 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Every header compiles on its own: one object per header that includes nothing else.
+# Every header that users include compiles on its own: one object per header that includes nothing else.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS
   RELATIVE "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/include/*.h")
+list(FILTER headers EXCLUDE REGEX "/internal/")
 if(NOT Eigen_FOUND)
   list(FILTER headers EXCLUDE REGEX
     "operators|laplacian|poisson|heat|Heat|function_transfer|Factorization|Sparse_assembly|Discrete|prolongation")
-endif()
-if(NOT SuiteSparse_FOUND)
-  list(FILTER headers EXCLUDE REGEX "Supernodal")
 endif()
 if(NOT Ceres_FOUND)
   list(FILTER headers EXCLUDE REGEX "Ceres")

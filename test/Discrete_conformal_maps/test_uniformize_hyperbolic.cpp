@@ -6,6 +6,7 @@
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -102,10 +102,10 @@ TEST(Surface_map, KeepsTheBoundary)
   });
 }
 
-double determinant(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+// twice the area of a triangle in units of the face; differences first, for it may be tiny
+double signed_area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
 {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-         a[2] * (b[0] * c[1] - b[1] * c[0]);
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
 // The images of small triangles are small triangles of the same orientation.
@@ -123,7 +123,7 @@ TEST(Surface_map, KeepsTheOrientation)
       const Location a = image(0, 0), b = image(step, 0), c = image(0, step);
       if(a.first != b.first || a.first != c.first)
         continue;
-      EXPECT_GT(determinant(a.second, b.second, c.second), 0);
+      EXPECT_GT(signed_area(a.second, b.second, c.second), 0);
       ++checked;
     }
   });

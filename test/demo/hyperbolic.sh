@@ -139,7 +139,8 @@ grep -q '"surface_type": "disk"' plate.json
 expect 0 uniformize plate2.mesh.off -o plate.obj --svg plate.svg --stats plate.json
 grep -q '"surface_type": "hyperbolic"' plate.json
 grep -q '"generators": \[' plate.json
-expect 2 uniformize regular.mesh.off -o plate.obj
+expect 0 uniformize regular.mesh.off -o plate.obj --stats plate.json
+grep -q '"surface_type": "sphere"' plate.json
 expect 2 uniformize torus.mesh.off -o plate.obj --svg plate.svg
 says 'hyperbolic surfaces'
 expect_files first.obj plate.json plate.obj plate.svg

@@ -8,20 +8,14 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
-#include <CGAL/Discrete_conformal_maps/Minimization.h>
-#include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
+#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/Scale_factors.h>
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/point_across.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -51,86 +45,57 @@ class Sphere_mapping;
 /// differences of positions: `lost_in_output()` says how many triangles suffer. The map itself knows positions
 /// in 34 digits, relative to the image of infinity even those of differences. Logarithmic scale factors do
 /// not lose anything.
-class Spherical_conformal_map
+class Spherical_conformal_map : public Discrete_conformal_map
 {
 public:
-  /// the type of \f$T^A\f$ and \f$T^B\f$.
-  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Euclidean_triangulation;
-  /// the geometry of \f$T^B\f$ and \f$T^C\f$ as one ideal polyhedron.
-  typedef Intrinsic_triangulations::Ideal_geometry_traits<> Ideal_traits;
-  /// the type of \f$T^B\f$ and \f$T^C\f$.
-  typedef Intrinsic_triangulations::Intrinsic_triangulation<Ideal_traits> Ideal_triangulation;
-  /// the common subdivision of all three.
-  typedef Triple_subdivision<double> Subdivision;
-  /// a point of the input.
-  typedef Intrinsic_triangulations::Face_location<double> Face_location;
   /// a point in space.
   typedef std::array<double, 3> Point;
   /// a floating point number of 113 binary digits.
   typedef internal::Extended Extended;
 
-  /// \f$T^A\f$ (as `input_mesh()`) and \f$T^B\f$.
-  const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
-  /// \f$T^B\f$ (as `input_mesh()`) and \f$T^C\f$, both with the lengths that belong to scale factors of zero.
-  const Ideal_triangulation& ideal() const { return m_data->bc; }
-  /// the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
-  const Subdivision& subdivision() const { return *m_data->subdivision; }
-
   /// whether the input is a disk.
-  bool is_disk() const
-  {
-    return m_data->number_of_front_faces < m_data->ab.input_mesh().number_of_faces();
-  }
-  /// whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
-  bool is_front(Face_index f) const { return f.idx() < m_data->number_of_front_faces; }
-  /// the vertex of the input that `v` is, or of which it is the second copy.
-  Vertex_index input_vertex(Vertex_index v) const { return m_data->input_vertex[v.idx()]; }
-  /// the vertex from which the sphere was unfolded into the plane.
-  Vertex_index vertex_at_infinity() const { return m_data->at_infinity; }
+  bool is_disk() const { return !is_front(Face_index(Delaunay().input_mesh().num_faces() - 1)); }
 
-  /// the logarithmic scale factor at `v`.
-  double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
+  /// the vertex from which the sphere was unfolded into the plane.
+  Vertex_index vertex_at_infinity() const { return m_at_infinity; }
 
   /// the position of `v` on the unit sphere, the nearest that `double` has.
-  const Point& position(Vertex_index v) const { return m_data->position[v.idx()]; }
+  const Point& position(Vertex_index v) const { return m_position[v.idx()]; }
 
   /// the position of `v` on the unit sphere, in more digits.
-  std::array<Extended, 3> precise_position(Vertex_index v) const { return m_data->on_sphere(v); }
+  std::array<Extended, 3> precise_position(Vertex_index v) const
+  {
+    if(v == m_at_infinity)
+      return turned({Extended(0), Extended(0), Extended(-1)});
+    const auto& [x, y] = m_in_plane[v.idx()];
+    const Extended square = x * x + y * y, scale = 1 / (1 + square);
+    return turned({2 * x * scale, 2 * y * scale, (1 - square) * scale});
+  }
 
   /// the position of `v` in the plane: the stereographic projection, from the vertex at infinity, of its
   /// position on the sphere. That of the vertex at infinity has no meaning.
   const std::array<Extended, 2>& stereographic_position(Vertex_index v) const
   {
-    return m_data->in_plane[v.idx()];
+    return m_in_plane[v.idx()];
   }
 
   /// what exact predicates say about the polyhedron, with positions in the plane as above.
-  const Convexity_certificate& certificate() const { return m_data->certificate; }
+  const Convexity_certificate& certificate() const { return m_certificate; }
 
   /// the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped as seen from the
   /// center, if they have their vertices at `position()`: exact for these numbers, whose rounding is to
   /// blame. Edges between faces that are parts of one flat face can have any side, and count.
-  std::size_t lost_in_output() const { return m_data->lost_in_output; }
+  std::size_t lost_in_output() const { return m_lost_in_output; }
 
   /// the greatest distance of a `position()` from the sphere.
   double max_inscribed_error() const;
 
   /// the number of vertices that break a bound of Section 4.4.3: their scale factors are too small, or they
   /// are neighbors of the vertex at infinity and their scale factors are greater than they may be.
-  std::size_t bound_violations() const { return m_data->bound_violations; }
-
-  /// how the minimization of the energy has ended.
-  const Minimization_result& minimization() const { return m_data->minimization; }
+  std::size_t bound_violations() const { return m_bound_violations; }
 
   /// whether more digits than those of `double` were needed.
-  bool is_extended() const { return m_data->is_extended; }
-
-  /// the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of \f$T^A\f$, or
-  /// \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
-  std::size_t number_of_flips(Layer layer) const
-  {
-    return m_data->number_of_flips[static_cast<std::size_t>(layer)];
-  }
+  bool is_extended() const { return m_is_extended; }
 
   /// the homogeneous coordinates of a point of the polyhedron, as a vector `(x w, y w, z w, w)`. They are
   /// linear on the faces of the common subdivision (Section 4.4.6).
@@ -166,64 +131,34 @@ public:
   }
 
   /// the image on the sphere of a point of the input, by piecewise projective interpolation.
-  /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
+  /// Complexity: that of `place_on_C()`.
   Point operator()(const Face_location& p) const
   {
-    using Intrinsic_triangulations::Side;
-    const Face_location on_B = point_across(Side::input, p, *m_data->correspondence_ab);
-    return project(
-      homogeneous_coordinates(point_across(Side::input, on_B, *m_data->correspondence_bc)));
+    return project(homogeneous_coordinates(place_on_C(p)));
   }
 
 private:
   template <typename Visitor>
   friend class internal::Sphere_mapping;
 
-  // does not move, since the correspondences refer to the triangulations
-  struct Data
+  // Of a disk, the mirror plane is turned into that of the equator.
+  std::array<Extended, 3> turned(const std::array<Extended, 3>& p) const
   {
-    // Of a disk, the mirror plane is turned into that of the equator.
-    std::array<Extended, 3> on_sphere(Vertex_index v) const
-    {
-      if(v == at_infinity)
-        return turned({Extended(0), Extended(0), Extended(-1)});
-      const auto& [x, y] = in_plane[v.idx()];
-      const Extended square = x * x + y * y, scale = 1 / (1 + square);
-      return turned({2 * x * scale, 2 * y * scale, (1 - square) * scale});
-    }
+    return is_disk() ? std::array<Extended, 3>{p[2], p[0], p[1]} : p;
+  }
 
-    std::array<Extended, 3> turned(const std::array<Extended, 3>& p) const
-    {
-      if(number_of_front_faces == ab.input_mesh().number_of_faces())
-        return p;
-      return {p[2], p[0], p[1]};
-    }
-
-    Euclidean_triangulation ab;
-    Ideal_triangulation bc;
-    std::unique_ptr<Intrinsic_triangulations::Correspondence<>> correspondence_ab;
-    std::unique_ptr<Intrinsic_triangulations::Correspondence<Ideal_traits>> correspondence_bc;
-    std::unique_ptr<Subdivision> subdivision;
-    std::size_t number_of_front_faces = 0;
-    std::vector<Vertex_index> input_vertex;
-    Vertex_index at_infinity;
-    std::vector<double> log_scale;
-    std::vector<std::array<Extended, 2>> in_plane;
-    std::vector<Point> position;
-    Convexity_certificate certificate;
-    std::size_t lost_in_output = 0, bound_violations = 0;
-    Minimization_result minimization;
-    bool is_extended = false;
-    std::array<std::size_t, 3> number_of_flips{0, 0, 0};
-  };
-
-  std::unique_ptr<Data> m_data = std::make_unique<Data>();
+  Vertex_index m_at_infinity;
+  std::vector<std::array<Extended, 2>> m_in_plane;
+  std::vector<Point> m_position;
+  Convexity_certificate m_certificate;
+  std::size_t m_lost_in_output = 0, m_bound_violations = 0;
+  bool m_is_extended = false;
 };
 
 inline double Spherical_conformal_map::max_inscribed_error() const
 {
   double result = 0;
-  for(const Point& p : m_data->position)
+  for(const Point& p : m_position)
     result = (std::max)(result, std::abs(std::hypot(p[0], p[1], p[2]) - 1));
   return result;
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/Unfolded_sphere.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -35,25 +35,24 @@ class Sphere_mapping
 {
 public:
   Sphere_mapping(Doubled_problem& problem, std::size_t number_of_front_faces, Visitor& visitor)
-    : m_problem(problem), m_visitor(visitor), m_mass(vertex_areas())
+    : m_problem(problem),
+      m_visitor(visitor),
+      m_mass(vertex_areas()),
+      m_builder(problem, number_of_front_faces, m_map)
   {
     check();
-    m_data = m_map.m_data.get();
-    m_data->number_of_front_faces = number_of_front_faces;
   }
 
   Spherical_conformal_map run()
   {
     m_visitor.start(Flattening_stage::optimize);
-    take(unfold());
+    const Unfolded_sphere sphere = unfold();
     m_visitor.start(Flattening_stage::trace);
-    m_data->correspondence_ab =
-      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data->ab);
-    m_data->correspondence_bc = std::make_unique<
-      Intrinsic_triangulations::Correspondence<Spherical_conformal_map::Ideal_traits>>(m_data->bc);
+    m_builder.set_scale_factors(sphere);
+    m_builder.trace(sphere.flips());
+    set_positions(sphere);
     m_visitor.start(Flattening_stage::subdivide);
-    m_data->subdivision = std::make_unique<Spherical_conformal_map::Subdivision>(
-      *m_data->correspondence_ab, *m_data->correspondence_bc);
+    m_builder.subdivide();
     return std::move(m_map);
   }
 
@@ -132,47 +131,31 @@ private:
     if(!best->is_laid_out())
       throw Intrinsic_triangulations::Numerical_error(
         std::string("the scale factors of the sphere have not been found: ") +
-        to_string(best->minimization().status));
+        to_string(best->result().status));
     return std::move(*best);
   }
 
-  void take(const Unfolded_sphere& sphere)
+  void set_positions(const Unfolded_sphere& sphere)
   {
-    m_data->at_infinity = sphere.vertex_at_infinity();
-    m_data->log_scale = sphere.log_scales();
-    m_data->in_plane = sphere.positions();
-    m_data->certificate = sphere.certificate();
-    m_data->bound_violations = sphere.bound_violations();
-    m_data->minimization = sphere.minimization();
-    m_data->is_extended = sphere.is_extended();
-    take_triangulations(sphere.flips());
-    for(Vertex_index v : m_data->ab.mesh().vertices()) {
-      m_data->input_vertex.push_back(m_problem.front(v));
-      const auto p = m_data->on_sphere(v);
-      m_data->position.push_back(
+    m_map.m_at_infinity = sphere.vertex_at_infinity();
+    m_map.m_in_plane = sphere.positions();
+    m_map.m_certificate = sphere.certificate();
+    m_map.m_bound_violations = sphere.bound_violations();
+    m_map.m_is_extended = sphere.is_extended();
+    for(Vertex_index v : m_map.ideal().mesh().vertices()) {
+      const auto p = m_map.precise_position(v);
+      m_map.m_position.push_back(
         {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     }
-    m_data->lost_in_output = lost_in_output();
-  }
-
-  void take_triangulations(const std::vector<Halfedge_index>& flips)
-  {
-    m_data->ab = std::move(m_problem.triangulation());
-    m_data->number_of_flips[1] = m_problem.number_of_flips();
-    m_data->bc = Spherical_conformal_map::Ideal_triangulation(
-      m_data->ab.mesh(),
-      Intrinsic_triangulations::parameters::edge_length_map(m_data->ab.length_map()));
-    for(Halfedge_index h : flips)
-      m_data->bc.flip(h);
-    m_data->number_of_flips[2] = flips.size();
+    m_map.m_lost_in_output = lost_in_output();
   }
 
   std::size_t lost_in_output() const
   {
     typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-    const Delta_complex& mesh = m_data->bc.mesh();
+    const Delta_complex& mesh = m_map.ideal().mesh();
     const auto at = [&](Vertex_index v) {
-      const auto& p = m_data->position[v.idx()];
+      const auto& p = m_map.position(v);
       return Point(p[0], p[1], p[2]);
     };
     const Point center(0, 0, 0);
@@ -195,7 +178,7 @@ private:
   Visitor& m_visitor;
   std::vector<double> m_mass;
   Spherical_conformal_map m_map;
-  Spherical_conformal_map::Data* m_data;
+  Map_builder m_builder;
 };
 
 } // namespace internal

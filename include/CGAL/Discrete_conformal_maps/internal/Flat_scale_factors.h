@@ -148,7 +148,7 @@ private:
       }
     const double below = sum / count - estimate[Eigen::Index(least)],
                  above = estimate[Eigen::Index(greatest)] - sum / count;
-    if(Doubled_problem::needed_cones(excess) > 0 || below + above > bound)
+    if(Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound)
       add_cone(above > below ? greatest : least);
   }
 

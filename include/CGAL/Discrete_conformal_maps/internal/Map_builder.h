@@ -50,23 +50,22 @@ public:
       m_data.log_scale[v] += correction[v];
   }
 
-  // Takes the triangulation of the problem.
+  // Takes the triangulation of the problem, and flips it to ideal Delaunay with the scale factors.
   void trace()
   {
-    for(Vertex_index v : m_problem.triangulation().mesh().vertices())
-      m_data.input_vertex.push_back(m_problem.front(v));
-    m_data.ab = std::move(m_problem.triangulation());
-    m_data.number_of_flips[1] = m_problem.number_of_flips();
-    m_data.bc = Discrete_conformal_map::Ideal_triangulation(
-      m_data.ab.mesh(),
-      Intrinsic_triangulations::parameters::edge_length_map(m_data.ab.length_map()));
+    take_triangulation();
     if(m_problem.flipping() == Flipping::to_Delaunay)
       flip_to_Delaunay();
-    m_data.number_of_flips[2] = m_flips.size();
-    m_data.correspondence_ab =
-      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab);
-    m_data.correspondence_bc = std::make_unique<
-      Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(m_data.bc);
+    correspond();
+  }
+
+  // the same with flips that are known
+  void trace(const std::vector<Halfedge_index>& flips)
+  {
+    take_triangulation();
+    for(Halfedge_index h : flips)
+      flip(h);
+    correspond();
   }
 
   void subdivide()
@@ -110,6 +109,32 @@ public:
   }
 
 private:
+  void take_triangulation()
+  {
+    for(Vertex_index v : m_problem.triangulation().mesh().vertices())
+      m_data.input_vertex.push_back(m_problem.front(v));
+    m_data.ab = std::move(m_problem.triangulation());
+    m_data.number_of_flips[1] = m_problem.number_of_flips();
+    m_data.bc = Discrete_conformal_map::Ideal_triangulation(
+      m_data.ab.mesh(),
+      Intrinsic_triangulations::parameters::edge_length_map(m_data.ab.length_map()));
+  }
+
+  void correspond()
+  {
+    m_data.number_of_flips[2] = m_flips.size();
+    m_data.correspondence_ab =
+      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab);
+    m_data.correspondence_bc = std::make_unique<
+      Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(m_data.bc);
+  }
+
+  void flip(Halfedge_index h)
+  {
+    m_data.bc.flip(h);
+    m_flips.push_back(h);
+  }
+
   bool is_Delaunay(Halfedge_index h) const
   {
     const Halfedge_index o = mesh().opposite(h);
@@ -131,8 +156,7 @@ private:
         continue;
       for(Halfedge_index x : {mesh().next(h), mesh().prev(h), mesh().next(o), mesh().prev(o)})
         stack.push(mesh().edge(x));
-      m_data.bc.flip(h);
-      m_flips.push_back(h);
+      flip(h);
     }
   }
 

@@ -54,12 +54,14 @@ public:
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
   // in the plane, after centering
   const std::vector<std::array<Extended, 2>>& positions() const { return m_position; }
-  // of the polyhedron
-  const std::vector<double>& log_scales() const { return m_log_scale; }
+  // the logarithmic scale factors of the polyhedron
+  const std::vector<double>& values() const { return m_log_scale; }
   // from T^B to T^C
   const std::vector<Halfedge_index>& flips() const { return m_flips; }
   const Convexity_certificate& certificate() const { return m_certificate; }
-  const Minimization_result& minimization() const { return m_minimization; }
+  const Minimization_result& result() const { return m_minimization; }
+  // in the plane, where all vertices are flat
+  double max_curvature_error() const { return m_minimization.gradient_norm; }
   std::size_t bound_violations() const { return m_bound_violations; }
   bool is_extended() const { return m_is_extended; }
 
