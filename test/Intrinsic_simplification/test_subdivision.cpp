@@ -7,7 +7,10 @@
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
-#include <CGAL/Intrinsic_simplification/trace.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+
+#include <iostream>
 
 namespace {
 
@@ -226,6 +229,47 @@ TEST(Subdivision, KeepsIsolatedVertices)
   EXPECT_TRUE(subdivision.mesh().is_isolated(alone));
   EXPECT_TRUE(subdivision.is_coarse_vertex(alone));
   expect_mapped(subdivision, map);
+}
+
+// ---- Real meshes ----
+
+// Polygons without area are where edges coincide.
+void expect_no_negative_areas(const Subdivision& subdivision, Level side)
+{
+  const double total = total_area(subdivision.level(side));
+  double sum = 0;
+  for(Face_index f : subdivision.mesh().faces()) {
+    const double part = subdivision.signed_area(side, f);
+    EXPECT_GT(part, -1e-14 * total);
+    sum += part;
+  }
+  EXPECT_NEAR(sum, total, 1e-8 * total);
+}
+
+TEST(Subdivision, OfDataMeshes)
+{
+  std::size_t meshes = 0;
+  for(const std::string& file : data_meshes(100000)) {
+    SCOPED_TRACE(file);
+    Mesh mesh;
+    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) ||
+       !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0)
+      continue;
+    try {
+      for(const unsigned int n : {mesh.number_of_vertices() / 5, 0u}) {
+        const Simplified s(Evolving_surface(mesh), n);
+        const Surface_map map(s.surface, s.fine, s.coarse);
+        const Subdivision subdivision(map, Bends::of_all_edges);
+        expect_parents(subdivision);
+        expect_no_negative_areas(subdivision, Level::fine);
+        expect_no_negative_areas(subdivision, Level::coarse);
+      }
+      ++meshes;
+    } catch(const IT::Invalid_input& e) {
+      std::cout << file << ": " << e.what() << '\n';
+    }
+  }
+  std::cout << meshes << " meshes\n";
 }
 
 } // namespace
