@@ -46,9 +46,10 @@ enum class Level
 /// that are smaller in general, one for each sequence of faces through which points have gone; where nothing has been
 /// scaled it is an isometry.
 ///
-/// The connectivity is that of a subdivision of both levels, always. Places are rounded, and in order along every edge. Where an
-/// edge of one level passes through a vertex of the other, or along its edge, polygons can have no area, or one as small as rounding
-/// of either sign, and may have two sides only: `signed_area()` tells.
+/// The connectivity is that of a subdivision of both levels, always. Places are rounded, and in order along every edge. An edge of
+/// the coarse level that comes to a vertex within rounding runs through it, and along an edge of the fine level if it comes to both ends. Where
+/// edges nearly coincide otherwise, polygons can have an area as small as rounding, of either sign, and may have two sides only:
+/// `signed_area()` tells.
 ///
 /// \tparam Point the point type of the mesh
 template <typename Point = Intrinsic_triangulations::No_point>

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -52,6 +53,10 @@ public:
         m_result.push_back(s.segment);
       else
         carry(s.segment, m_is_forward ? s.time : s.time - 1);
+    }
+    for(Curve_segment& s : m_result) {
+      move_to_near_corner(s.from);
+      move_to_near_corner(s.to);
     }
     join_straight_pieces();
     return m_result;
@@ -214,6 +219,21 @@ private:
     add_part(sectors[n], last, to.point);
   }
 
+  // A point between the ends that is at a corner, within rounding, is a vertex: the curve runs through it.
+  static void move_to_near_corner(Face_point& p)
+  {
+    if(p.node < 2)
+      return;
+    const auto most = std::max_element(p.weight.begin(), p.weight.end());
+    for(auto w = p.weight.begin(); w != p.weight.end(); ++w)
+      if(w != most && *w > rounding() * *most)
+        return;
+    p.corners = bit(static_cast<std::size_t>(most - p.weight.begin()));
+    for(auto w = p.weight.begin(); w != p.weight.end(); ++w)
+      if(w != most)
+        *w = 0;
+  }
+
   // Joins what is straight: a point inside a face where the curve does not bend was on an edge once. A piece that leads
   // from a side back to the same side, or from a corner to itself, is there by rounding only.
   void join_straight_pieces()
@@ -233,6 +253,11 @@ private:
       }
     }
     m_result.resize(size);
+    // pieces that have been left out at a vertex were as long as rounding
+    m_result.front().from.along = {1, 0};
+    m_result.back().to.along = {0, 1};
+    for(std::size_t n = 1; n < size; ++n)
+      m_result[n].from.along = m_result[n - 1].to.along;
   }
 
   // the ends of the curve have the nodes 0 and 1
