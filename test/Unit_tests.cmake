@@ -22,6 +22,8 @@ function(add_unit_tests name)
   target_compile_options(${name} PRIVATE -UNDEBUG $<$<CONFIG:Release>:-O1>)
   precompile_dependencies(${name})
   target_precompile_headers(${name} PRIVATE <gtest/gtest.h>)
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/test/Intrinsic_triangulations/counted_new.cpp"
+    PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
 endfunction()
