@@ -101,10 +101,18 @@ void add_ply_texture(Text& text, const Texture& texture, std::size_t i)
     add_coordinates(text, texture, c);
 }
 
+// Viewers know colors by their names and this type.
+const char* ply_type(const Attribute& a)
+{
+  if(a.name == "red" || a.name == "green" || a.name == "blue")
+    return "uchar";
+  return a.has_integers() ? "int" : "double";
+}
+
 void add_ply_properties(Text& text, const std::vector<Attribute>& data)
 {
   for(const Attribute& a : data)
-    text << (a.has_integers() ? "property int " : "property double ") << a.name << '\n';
+    text << "property " << ply_type(a) << ' ' << a.name << '\n';
 }
 
 void add_ply_header(Text& text, const Output_mesh& mesh)

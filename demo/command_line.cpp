@@ -174,12 +174,15 @@ part of the whole that this is.
 simplification ends early, with exit code 0 and the status "nothing_removable" in the statistics.
 Vertices without faces stay; --vertices and --ratio do not count them.
 
-The output is the mesh, with the face property "coarse_face": the number of the coarse face in which the centroid
-of the face is. The vertex property "coarse_vertex" is the number among the coarse vertices, or -1. Coarse edges
-are not traced; they run where "coarse_face" changes.
+The output is the common subdivision of the mesh and the coarse triangulation: faces have the properties
+"coarse_face" and "fine_face", and a color by which adjacent coarse faces differ; edges in .ply have "coarse_edge"
+and "fine_edge", or -1. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input vertex, 1 crossing of
+a coarse and a fine edge, 2 vertex inserted by --refine, 3 bend of a coarse edge inside a fine face. With
+--refine the fine edges are those of the refined intrinsic triangulation, and lead straight through space here.
 
 P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its rows are
-barycentric coordinates: not negative, with sum 1.
+barycentric coordinates: not negative, with sum 1. With L levels there are L matrices, P_1.mtx to P_L.mtx, each from
+one level to the one before; the vertices of the levels are those of the mesh that are left, in their order.
 
 Example:
   intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --weight area=0.5 --prolongation P.mtx)";
@@ -470,8 +473,9 @@ void add_simplify(CLI::App& app, Options& options)
     add_command(app, "simplify", "Remove vertices, intrinsically", options.common.input);
   Simplify_options& own = options.simplify;
   command
-    .add_option("-o,--output", own.output,
-                "The mesh with its coarse faces (.ply, .vtp; - for standard output)")
+    .add_option(
+      "-o,--output", own.output,
+      "Common subdivision with the coarse triangulation (.ply, .vtp; - for standard output)")
     ->required();
   command.add_option("--format", own.format, "Format on standard output: ply or vtp")
     ->capture_default_str();
@@ -483,6 +487,18 @@ void add_simplify(CLI::App& app, Options& options)
     ->allow_extra_args(false);
   command.add_option("--prolongation", own.prolongation,
                      "Matrix Market file: from coarse vertices to those of the mesh");
+  command
+    .add_option("--levels", own.number_of_levels,
+                "Number of levels, each smaller by the same factor; the last is the coarse one")
+    ->check(CLI::Range(std::size_t(1), std::size_t(100)))
+    ->capture_default_str();
+  command
+    .add_option("--refine", own.minimum_angle,
+                "Refine to this angle in degrees before, so that there are vertices to choose from")
+    ->check(CLI::Range(0., 30.))
+    ->check(not_a_number);
+  command.add_option("--save", options.common.save,
+                     "File for the levels and the operations between them");
   add_common_options(command, options.common);
   command.footer(simplify_notes);
 }

@@ -7,23 +7,30 @@
 #include "Command_run.h"
 #include "Mesh_writer.h"
 #include "Program_error.h"
+#include "coarse_mesh.h"
 #include "matrix_market.h"
 #include "triangulation_stages.h"
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_simplification/Transport_cost.h>
+#include <CGAL/Intrinsic_simplification/io.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -99,6 +106,31 @@ double area(const IS::Surface_level& level)
   return sum / 4;
 }
 
+// One for each level: the path itself if there is one only.
+std::vector<std::string> matrix_paths(const Simplify_options& options)
+{
+  const std::filesystem::path path = options.prolongation;
+  if(path.empty() || options.number_of_levels == 1)
+    return {path};
+  std::vector<std::string> result;
+  for(std::size_t n = 1; n <= options.number_of_levels; ++n) {
+    std::filesystem::path numbered = path;
+    numbered.replace_filename(path.stem().string() + '_' + std::to_string(n) +
+                              path.extension().string());
+    result.push_back(numbered);
+  }
+  return result;
+}
+
+std::vector<std::string> outputs_of(const Simplify_options& options)
+{
+  if(options.maximum_cost && options.number_of_levels > 1)
+    throw Program_error("--levels needs --vertices or --ratio");
+  std::vector<std::string> result = matrix_paths(options);
+  result.push_back(options.output);
+  return result;
+}
+
 // Shows the removals while they are made.
 struct Removal_counter : IS::Default_simplification_visitor
 {
@@ -116,54 +148,99 @@ public:
     : m_options(options),
       m_weights(parsed_weights(options.weights)),
       m_format(format_with_faces(options.output, options.format)),
-      m_run("simplify", common, {options.output, options.prolongation}, 4)
+      m_run("simplify", common, outputs_of(options), options.minimum_angle > 0 ? 6 : 4)
   {}
 
   void run()
   {
+    if(m_options.minimum_angle > 0)
+      refine();
     IS::Evolving_surface surface = m_run.timed("build", [&] { return built(); });
-    const IS::Surface_level fine(surface);
-    const IS::Simplification_result result =
-      m_run.timed("simplify", [&] { return simplified(surface); });
-    const IS::Surface_level coarse(surface);
-    describe_removals(result, surface);
-    describe_level(fine, coarse);
-    write(IS::Surface_map(surface, fine, coarse));
+    m_levels.emplace_back(surface);
+    m_run.timed("simplify", [&] { simplify(surface); });
+    describe_levels();
+    const auto [mesh, matrices] = m_run.timed("map", [&] {
+      return std::pair(common_mesh(surface.history()), prolongations(surface.history()));
+    });
+    m_run.timed("write", [&, &mesh = mesh, &matrices = matrices] {
+      m_run.add_output(m_options.output, text_of(mesh, m_format));
+      for(std::size_t n = 0; n < matrices.size(); ++n)
+        m_run.add_output(matrix_paths(m_options)[n], matrices[n]);
+      save(surface.history());
+    });
     m_run.finish(summary());
   }
 
 private:
+  // How that went has keys of its own in the statistics.
+  void refine()
+  {
+    m_triangulation = make_delaunay_triangulation(m_run);
+    refine_if_wanted(m_run, *m_triangulation, m_options.minimum_angle);
+    m_triangulation->collect_garbage();
+    m_run.statistics()["refinement_status"] = m_run.statistics()["status"];
+  }
+
   IS::Evolving_surface built()
   {
+    if(m_triangulation)
+      return IS::Evolving_surface(*m_triangulation);
     return IS::Evolving_surface(m_run.input().mesh,
                                 IT::parameters::edge_length_map(edge_lengths(m_run)));
   }
 
-  // How many vertices are to be left, those without faces included; zero if something else is the target.
-  std::size_t target()
+  std::size_t number_of_isolated_vertices()
+  {
+    const Mesh& mesh = m_run.input().mesh;
+    return static_cast<std::size_t>(
+      std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
+                    [&](Mesh::Vertex_index v) { return mesh.is_isolated(v); }));
+  }
+
+  // How many vertices are to be left on a level, those without faces included; zero if something else is the target.
+  std::size_t target(std::size_t level)
   {
     if(m_options.maximum_cost)
       return 0;
-    const Mesh& mesh = m_run.input().mesh;
-    const auto isolated = static_cast<std::size_t>(
-      std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
-                    [&](Mesh::Vertex_index v) { return mesh.is_isolated(v); }));
-    const double others = double(mesh.number_of_vertices() - isolated);
-    return isolated + (m_options.ratio
-                         ? static_cast<std::size_t>(std::ceil(*m_options.ratio * others))
-                         : *m_options.number_of_vertices);
+    const std::size_t isolated = number_of_isolated_vertices();
+    const double all = double(m_run.input().mesh.number_of_vertices() - isolated);
+    const double last =
+      m_options.ratio ? std::ceil(*m_options.ratio * all) : double(*m_options.number_of_vertices);
+    if(level == m_options.number_of_levels)
+      return isolated + static_cast<std::size_t>(last);
+    const double first = double(m_levels[0].mesh().number_of_vertices() - isolated);
+    const double part = double(level) / double(m_options.number_of_levels);
+    return isolated + static_cast<std::size_t>(
+                        std::ceil(first * std::pow((std::min)(last / first, 1.), part)));
   }
 
-  IS::Simplification_result simplified(IS::Evolving_surface& surface)
+  void simplify(IS::Evolving_surface& surface)
   {
     IS::Transport_cost cost(surface);
     if(m_weights.curvature > 0)
       cost.add_curvature(surface, m_weights.curvature);
     if(m_weights.area > 0)
       cost.add_area(surface, m_weights.area);
+    IS::Simplification_result result;
+    std::size_t removed = 0;
+    double greatest_cost = 0;
+    for(std::size_t level = 1; level <= m_options.number_of_levels; ++level) {
+      result = simplified(surface, cost, target(level));
+      removed += result.removed;
+      greatest_cost = (std::max)(greatest_cost, result.greatest_cost);
+      m_levels.emplace_back(surface);
+    }
+    result.removed = removed;
+    result.greatest_cost = greatest_cost;
+    describe_removals(result, surface);
+  }
+
+  IS::Simplification_result simplified(IS::Evolving_surface& surface, IS::Transport_cost& cost,
+                                       std::size_t number_of_vertices)
+  {
     Removal_counter counter(m_run.progress());
-    const auto np =
-      IS::parameters::number_of_vertices(target(), CGAL::parameters::visitor(std::ref(counter)));
+    const auto np = IS::parameters::number_of_vertices(
+      number_of_vertices, CGAL::parameters::visitor(std::ref(counter)));
     if(m_options.maximum_cost)
       return IS::simplify(surface, cost, IS::parameters::maximum_cost(*m_options.maximum_cost, np));
     return IS::simplify(surface, cost, np);
@@ -173,8 +250,8 @@ private:
                          const IS::Evolving_surface& surface)
   {
     Statistics& statistics = m_run.statistics();
-    const bool is_reached =
-      m_options.maximum_cost || surface.mesh().number_of_vertices() <= target();
+    const bool is_reached = m_options.maximum_cost || surface.mesh().number_of_vertices() <=
+                                                        target(m_options.number_of_levels);
     statistics["coarse_vertices"] = surface.mesh().number_of_vertices();
     statistics["coarse_faces"] = surface.mesh().number_of_faces();
     statistics["removed"] = result.removed;
@@ -185,44 +262,82 @@ private:
     statistics["operations"] = surface.history().size();
   }
 
-  void describe_level(const IS::Surface_level& fine, const IS::Surface_level& coarse)
+  void describe_levels()
   {
+    Statistics& statistics = m_run.statistics();
+    const IS::Surface_level& coarse = m_levels.back();
     const auto lengths = IT::parameters::edge_length_map(coarse.length_map());
-    m_run.statistics()["area_ratio"] = area(coarse) / area(fine);
-    m_run.statistics()["min_angle_degrees"] =
-      IT::diagnose(coarse.mesh(), lengths).statistics().min_angle;
+    statistics["area_ratio"] = area(coarse) / area(m_levels[0]);
+    statistics["min_angle_degrees"] = IT::diagnose(coarse.mesh(), lengths).statistics().min_angle;
+    for(std::size_t n = 1; n < m_levels.size() && m_levels.size() > 2; ++n)
+      statistics["level_vertices"].push_back(m_levels[n].mesh().number_of_vertices());
   }
 
-  void write(const IS::Surface_map& map)
+  Output_mesh common_mesh(const IS::Surface_history& history)
   {
-    const auto [mesh, prolongation] = m_run.timed(
-      "map", [&] { return std::pair(coarse_faces_on_input(map), prolongation_text(map)); });
-    m_run.timed("write", [&, &mesh = mesh, &prolongation = prolongation] {
-      m_run.add_output(m_options.output, text_of(mesh, m_format));
-      m_run.add_output(m_options.prolongation, prolongation);
-    });
+    const IS::Surface_map map(history, m_levels[0], m_levels.back());
+    Coarse_subdivision subdivision(map);
+    set_points(subdivision);
+    const Mesh& mesh = subdivision.mesh();
+    m_run.statistics()["subdivision"] = {{"vertices", mesh.number_of_vertices()},
+                                         {"edges", mesh.number_of_edges()},
+                                         {"faces", mesh.number_of_faces()}};
+    return coarse_mesh(subdivision, m_run.input().mesh.number_of_vertices());
   }
 
-  Output_mesh coarse_faces_on_input(const IS::Surface_map& map)
+  // where the vertices of the subdivision are in space
+  void set_points(Coarse_subdivision& subdivision)
+  {
+    const Mesh& input = m_run.input().mesh;
+    std::optional<IT::Correspondence<>> correspondence;
+    if(m_triangulation)
+      correspondence.emplace(*m_triangulation);
+    for(const Mesh::Vertex_index v : subdivision.mesh().vertices()) {
+      if(v.idx() < input.number_of_vertices()) {
+        subdivision.mesh().point(v) = input.point(v);
+        continue;
+      }
+      auto p = subdivision.place(IS::Level::fine, v).location;
+      if(correspondence)
+        p = IT::point_across(IT::Side::intrinsic, p, *correspondence);
+      subdivision.mesh().point(v) = point_of_input(p);
+    }
+  }
+
+  Point point_of_input(const IT::Face_location<double>& p)
   {
     const Mesh& mesh = m_run.input().mesh;
-    Output_mesh result = output_mesh(mesh);
-    result.point_data = {attribute("coarse_vertex", mesh.vertices(), [&](Mesh::Vertex_index v) {
-      return number_of(map.coarse().level_vertex(IS::Vertex_index(v.idx())));
-    })};
-    result.polygon_data = {attribute("coarse_face", mesh.faces(), [&](Mesh::Face_index f) {
-      constexpr std::array<double, 3> centroid{1. / 3, 1. / 3, 1. / 3};
-      return number_of(map.to_coarse({IS::Face_index(f.idx()), centroid}).first);
-    })};
+    const Mesh::Halfedge_index h = mesh.halfedge(p.first);
+    return CGAL::barycenter(mesh.point(mesh.source(h)), p.second[0], mesh.point(mesh.target(h)),
+                            p.second[1], mesh.point(mesh.target(mesh.next(h))), p.second[2]);
+  }
+
+  // None if they are not wanted.
+  std::vector<std::string> prolongations(const IS::Surface_history& history)
+  {
+    std::vector<std::string> result;
+    for(std::size_t n = 1; n < m_levels.size() && !m_options.prolongation.empty(); ++n) {
+      const IS::Surface_map map(history, m_levels[n - 1], m_levels[n]);
+      Eigen::SparseMatrix<double, Eigen::RowMajor> matrix = IS::prolongation_matrix(map);
+      if(n == 1) // without vertices that have been inserted
+        matrix.conservativeResize(
+          static_cast<Eigen::Index>(m_run.input().mesh.number_of_vertices()), matrix.cols());
+      result.push_back(
+        matrix_market(Eigen::SparseMatrix<double>(matrix), Matrix_symmetry::GENERAL));
+    }
     return result;
   }
 
-  // Empty if it is not wanted.
-  std::string prolongation_text(const IS::Surface_map& map) const
+  void save(const IS::Surface_history& history)
   {
-    if(m_options.prolongation.empty())
-      return "";
-    return matrix_market(IS::prolongation_matrix(map), Matrix_symmetry::GENERAL);
+    if(m_run.options().save.empty())
+      return;
+    std::vector<const IS::Surface_level*> levels;
+    for(const IS::Surface_level& level : m_levels)
+      levels.push_back(&level);
+    std::ostringstream text;
+    IS::write_surface_hierarchy(text, history, levels);
+    m_run.add_output(m_run.options().save, text.str());
   }
 
   std::string summary()
@@ -240,6 +355,8 @@ private:
   Weights m_weights;
   Mesh_format m_format;
   Command_run m_run;
+  std::optional<Triangulation> m_triangulation; // the refined one
+  std::vector<IS::Surface_level> m_levels;      // from the fine one to the coarse one
 };
 
 } // namespace

@@ -32,26 +32,81 @@ reproduces()
   awk '
     NR == FNR && /^element vertex/ { n = $3 }
     NR == FNR && /^end_header/ { body = 1; next }
-    NR == FNR && body && v < n { f[v] = 2 * $1 - 3 * $2; if($4 >= 0) coarse[$4] = f[v]; ++v }
+    NR == FNR && body && n-- > 0 && $5 == 0 { f[v] = 2 * $1 - 3 * $2; if($4 >= 0) coarse[$4] = f[v]; ++v }
     NR == FNR || /^%/ { next }
     !size { size = 1; next }
     { sum[$1 - 1] += $3 * coarse[$2 - 1] }
     END {
-      for(i = 0; i < n; ++i)
+      for(i = 0; i < v; ++i)
         if((sum[i] - f[i]) ^ 2 > 1e-18)
           exit 1
     }' "$2" "$1" || fail "$1 does not reproduce a linear function"
 }
 
-# coarse_faces FILE: the coarse faces in a PLY file without edges, one a line.
-coarse_faces()
+# coarse_areas FILE: of each coarse face in a plane, from the faces in a PLY file.
+coarse_areas()
 {
   awk '
     /^element/ { n[$2] = $3 }
     /^end_header/ { body = 1; next }
     !body { next }
-    n["vertex"]-- > 0 { next }
-    n["face"]-- > 0 { print $NF }' "$1"
+    n["vertex"] > 0 { --n["vertex"]; x[v] = $1; y[v++] = $2; next }
+    n["face"] > 0 {
+      --n["face"]
+      sum = 0
+      for(i = 2; i < $1 + 2; ++i) {
+        j = i < $1 + 1 ? i + 1 : 2
+        sum += x[$i] * y[$j] - y[$i] * x[$j]
+      }
+      area[$(NF - 3)] += sum / 2
+    }
+    END { for(f in area) printf "%d %.9f\n", f, area[f] }' "$1" | sort -n
+}
+
+# coarse_edges FILE: the number of coarse edges in a PLY file, and their length together.
+coarse_edges()
+{
+  awk '
+    /^element/ { n[$2] = $3 }
+    /^end_header/ { body = 1; next }
+    !body { next }
+    n["vertex"] > 0 { --n["vertex"]; x[v] = $1; y[v] = $2; z[v++] = $3; next }
+    n["face"] > 0 { --n["face"]; next }
+    n["edge"] > 0 && $4 >= 0 {
+      is_edge[$4] = 1
+      sum += sqrt((x[$1] - x[$2]) ^ 2 + (y[$1] - y[$2]) ^ 2 + (z[$1] - z[$2]) ^ 2)
+    }
+    END {
+      for(e in is_edge)
+        ++edges
+      printf "%d %.9f\n", edges, sum
+    }' "$1"
+}
+
+# is_colored FILE: the faces of a PLY file have one color for each coarse face, and another on the other side of its edges.
+is_colored()
+{
+  awk '
+    /^element/ { n[$2] = $3 }
+    /^end_header/ { body = 1; next }
+    !body { next }
+    n["vertex"] > 0 { --n["vertex"]; next }
+    n["face"] > 0 {
+      --n["face"]
+      f = $(NF - 3)
+      c = $(NF - 2) " " $(NF - 1) " " $NF
+      bad += (f in color) && color[f] != c
+      color[f] = c
+      for(i = 2; i < $1 + 2; ++i) {
+        j = i < $1 + 1 ? i + 1 : 2
+        if(($j, $i) in face) {
+          g = face[$j, $i]
+          bad += f != g && color[g] == c
+        }
+        face[$i, $j] = f
+      }
+    }
+    END { exit bad > 0 }' "$1" || fail "$1 is not colored properly"
 }
 
 # A square: flat, but for its corners, which alone cannot be removed without cost.
@@ -68,16 +123,18 @@ awk -v r="$(number area_ratio a.json)" 'BEGIN { exit !(r > 1 - 1e-12 && r < 1 + 
   fail 'the area has changed'
 awk -v a="$(number min_angle_degrees a.json)" 'BEGIN { exit !(a > 45 - 1e-9 && a < 45 + 1e-9) }' ||
   fail 'not half a square'
-# The corners keep their places, and both triangles have as many small faces.
+# The corners keep their places, and the two triangles are half of the square each.
 [ "$(vertices a.ply | awk '$4 >= 0 { print $1, $2, $4 }' | tr '\n' ,)" = '0 0 0,1 0 1,0 1 2,1 1 3,' ] ||
   fail 'not the corners'
-[ "$(coarse_faces a.ply | sort | uniq -c | awk '{ print $1, $2 }' | tr '\n' ,)" = '64 0,64 1,' ] ||
-  fail 'coarse faces'
+[ "$(coarse_areas a.ply | tr '\n' ,)" = '0 0.500000000,1 0.500000000,' ] || fail 'coarse faces'
+[ "$(coarse_edges a.ply)" = '5 5.414213562' ] || fail 'coarse edges are not straight'
+is_colored a.ply
+grep -q '^property uchar red' a.ply
 
 expected='command input vertices edges faces euler_characteristic boundary_loops components '
 expected+='coarse_vertices coarse_faces removed status greatest_cost skipped isolated protected border_loop '
 expected+='self_face low_degree not_flattenable not_separable operations area_ratio min_angle_degrees '
-expected+='seconds read build simplify map write peak_memory_bytes '
+expected+='subdivision vertices edges faces seconds read build simplify map write peak_memory_bytes '
 [ "$(keys a.json)" = "$expected" ] || fail "keys: $(keys a.json)"
 
 # The same bytes once more, and in every format.
@@ -91,6 +148,14 @@ for format in ply vtp; do
   cmp "a.$format" out
 done
 rm a.* b.*
+
+# A parallelogram, in six decimals: coarse edges cross fine ones, and are its sides and the shorter diagonal.
+grid sheared 7 0.3
+expect 0 simplify sheared.mesh.off -o a.ply --vertices 4
+[ "$(coarse_areas a.ply | awk '{ printf "%d %.5f,", $1, $2 }')" = '0 0.50000,1 0.50000,' ] ||
+  fail 'halves of the parallelogram'
+[ "$(coarse_edges a.ply | awk '{ printf "%d %.5f", $1, $2 }')" = '5 5.30872' ] || fail 'edges of the parallelogram'
+is_colored a.ply
 
 # Targets: a number, a part, and more than there are.
 cp "$shipped" slivers.mesh.off
@@ -108,6 +173,32 @@ awk -v r="$(number area_ratio a.json)" 'BEGIN { exit !(r > 1 - 1e-12 && r < 1 + 
   fail 'the area has changed'
 expect 0 simplify slivers.mesh.off -o a.ply --vertices 5000 --stats a.json
 [ "$(number removed a.json)" = 0 ] || fail 'something removed'
+rm a.*
+
+# Levels: matrices from each to the one before, and the saved form.
+expect 0 simplify slivers.mesh.off -o a.ply --vertices 100 --levels 3 --prolongation a.mtx --stats a.json --save a.txt
+expect_files a.json a.ply a.txt a_1.mtx a_2.mtx a_3.mtx
+[ "$(grep -A 4 level_vertices a.json | tr -dc '0-9 ' | tr -s ' ')" = ' 559 237 100 ' ] ||
+  fail "levels: $(grep -A 4 level_vertices a.json)"
+is_prolongation a_1.mtx 1320 559
+is_prolongation a_2.mtx 559 237
+is_prolongation a_3.mtx 237 100
+is_colored a.ply
+[ "$(head -n 2 a.txt | tr '\n' ,)" = 'intrinsic_simplification 1,1320 3960 2640,' ] || fail "saved: $(head -n 2 a.txt)"
+expect 0 simplify slivers.mesh.off -o b.ply --vertices 100 --levels 3 --save b.txt
+cmp a.txt b.txt
+expect 2 simplify slivers.mesh.off -o a.ply --error 1 --levels 3
+says '--levels'
+rm a* b.*
+
+# Refinement before: the vertices of the mesh keep their numbers, and its rows are those of the prolongation.
+expect 0 simplify slivers.mesh.off -o a.ply --refine 25 --vertices 200 --prolongation a.mtx --stats a.json
+is_prolongation a.mtx 1320 200
+[ "$(number inserted_vertices a.json)" -gt 0 ] || fail 'nothing inserted'
+[ "$(number refinement_status a.json)" != '' ] || fail 'no status of the refinement'
+[ "$(vertices a.ply | awk '$5 == 0' | wc -l)" = 1320 ] || fail 'not the vertices of the mesh'
+[ "$(vertices a.ply | awk '$5 == 2' | wc -l)" = "$(number inserted_vertices a.json)" ] || fail 'kinds'
+is_colored a.ply
 rm a.*
 
 # Nothing left to remove is no failure, but told.
@@ -159,7 +250,7 @@ if [ -n "$data" ]; then
   for mesh in elephant.off sphere.stl bones.off star.off; do
     expect 0 simplify "$data/meshes/$mesh" -o mesh.ply --ratio 0.1 --prolongation mesh.mtx --stats mesh.json
     is_prolongation mesh.mtx "$(number vertices mesh.json)" "$(number coarse_vertices mesh.json)"
-    [ "$(coarse_faces mesh.ply | sort -n | tail -n 1)" -lt "$(number coarse_faces mesh.json)" ] ||
-      fail "coarse faces of $mesh"
+    [ "$(coarse_areas mesh.ply | wc -l)" = "$(number coarse_faces mesh.json)" ] || fail "coarse faces of $mesh"
+    is_colored mesh.ply
   done
 fi

@@ -78,18 +78,31 @@ public:
     return {Face_index(code / 4), code % 4};
   }
 
-  /// appends the scaling of the center of `star`, unless the factor is one.
+  /// appends the scaling of the center of `star`, without corners if the center is flat.
   /// \throws Intrinsic_triangulations::Overflow_error if there are more corners than can be numbered
   void add_scaling(const Flattened_star& star, const Delta_complex& mesh)
   {
+    add_scaling(star.center(), std::exp(-star.scale_factor()), star.scale_factor() != 0, mesh);
+  }
+
+  /// appends a scaling.
+  /// \param v the vertex
+  /// \param factor the factor of the barycentric coordinate
+  /// \param has_corners whether the scaling shall tell the corners; it has no effect otherwise
+  /// \param mesh the mesh
+  /// \throws Intrinsic_triangulations::Overflow_error if there are more corners than can be numbered
+  void add_scaling(Vertex_index v, double factor, bool has_corners, const Delta_complex& mesh)
+  {
     const std::size_t first = m_corners.size();
-    if(star.scale_factor() != 0)
-      for(std::size_t n = 0; n < star.number_of_corners(); ++n)
-        add_corner(star[n].halfedge, mesh);
+    if(has_corners)
+      Intrinsic_triangulations::internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+        if(!mesh.is_border(h))
+          add_corner(h, mesh);
+      });
     m_operations.push_back({Surface_operation::Kind::scaling,
                             {},
-                            {star.center(), number(first), number(m_corners.size() - first)},
-                            {std::exp(-star.scale_factor()), 0}});
+                            {v, number(first), number(m_corners.size() - first)},
+                            {factor, 0}});
   }
 
   /// appends the flip of the edge of `h`, which is about to happen.

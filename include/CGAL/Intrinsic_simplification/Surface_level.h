@@ -30,10 +30,20 @@ public:
   typedef Intrinsic_surface::Length_map Length_map;
 
   /// copies the present state. Complexity: linear in the numbers that have been used for elements.
-  explicit Surface_level(const Evolving_surface& surface) : m_time(surface.history().size())
+  explicit Surface_level(const Evolving_surface& surface)
+    : Surface_level(surface.history().size(), surface.mesh(), surface.surface().length_map())
+  {}
+
+  /// copies a surface of which connectivity and lengths are known.
+  /// \param time the number of operations that have led to it
+  /// \param mesh the connectivity; removed elements leave gaps in the numbers
+  /// \param length a readable property map from edges to their lengths
+  /// Complexity: linear in the numbers that have been used for elements.
+  template <typename EdgeLengthMap>
+  Surface_level(Surface_history::Time time, const Delta_complex& mesh, const EdgeLengthMap& length)
+    : m_time(time)
   {
     namespace IT = Intrinsic_triangulations;
-    const Delta_complex& mesh = surface.mesh();
     m_mesh.resize(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
     IT::internal::with_numbering(mesh, [&](const auto& numbering) {
       IT::internal::copy_connectivity(mesh, numbering, m_mesh);
@@ -41,7 +51,7 @@ public:
     m_surface_vertex.assign(mesh.vertices().begin(), mesh.vertices().end());
     m_surface_face.assign(mesh.faces().begin(), mesh.faces().end());
     for(Edge_index e : mesh.edges())
-      m_length.push_back(surface.surface().length(e));
+      m_length.push_back(get(length, e));
   }
 
   /// how many operations had been done.
@@ -65,6 +75,12 @@ public:
 
   /// the number that the face `f` of this level has in the evolving surface.
   Face_index surface_face(Face_index f) const { return m_surface_face[f]; }
+
+  /// one more than the greatest number of a face in the evolving surface at this time and later.
+  Delta_complex::size_type number_of_surface_faces() const
+  {
+    return m_surface_face.empty() ? 0 : m_surface_face.back().idx() + 1;
+  }
 
   /// the number that the vertex `v` of the evolving surface has in this level; null if it has been removed before.
   /// Complexity: logarithmic.

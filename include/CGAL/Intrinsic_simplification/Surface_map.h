@@ -16,6 +16,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -31,23 +32,23 @@ namespace Intrinsic_simplification {
 /// others: they are found by a list for each face. The map is continuous, and projective on pieces.
 /// A vertex that both levels have is mapped to itself, exactly, and a point of a boundary to a point of the boundary.
 ///
-/// The object refers to the evolving surface and to both levels. Memory: 4 bytes for each face and operation on it.
+/// The object refers to the history and to both levels. Memory: 4 bytes for each face and operation on it.
 class Surface_map
 {
 public:
   /// a face and barycentric coordinates that sum up to one.
   typedef Intrinsic_triangulations::Face_location<double> Location;
 
-  /// prepares the map. Complexity: linear in the faces of the surface and the operations.
+  /// prepares the map. Complexity: linear in the faces of the fine level and the operations.
   /// \throws Intrinsic_triangulations::Overflow_error if there are more operations than can be numbered
-  /// \pre both levels are of `surface`, and `coarse` is not earlier than `fine`
-  Surface_map(const Evolving_surface& surface, const Surface_level& fine,
+  /// \pre both levels are of the surface with this history, and `coarse` is not earlier than `fine`
+  Surface_map(const Surface_history& history, const Surface_level& fine,
               const Surface_level& coarse)
-    : m_history(surface.history()), m_fine(fine), m_coarse(coarse)
+    : m_history(history), m_fine(fine), m_coarse(coarse)
   {
     CGAL_precondition(fine.time() <= coarse.time());
     const auto add_next = [&](Face_index f, Surface_history::Time) { ++m_end[f + 1]; };
-    m_end.assign(surface.mesh().num_faces() + 1, 0);
+    m_end.assign(fine.number_of_surface_faces() + std::size_t(1), 0);
     for_each_event(add_next);
     for(std::size_t f = 1; f < m_end.size(); ++f)
       m_end[f] += m_end[f - 1];
@@ -60,6 +61,12 @@ public:
     m_end.pop_back(); // the end of each list is the start of the next now
   }
 
+  /// the same for an evolving surface, of which it refers to the history.
+  Surface_map(const Evolving_surface& surface, const Surface_level& fine,
+              const Surface_level& coarse)
+    : Surface_map(surface.history(), fine, coarse)
+  {}
+
   /// the level on whose surface the map starts.
   const Surface_level& fine() const { return m_fine; }
   /// the level on whose surface the map ends.
@@ -70,12 +77,9 @@ public:
   Location to_coarse(Location p) const
   {
     p.first = m_fine.surface_face(p.first);
-    const auto* time = next(p.first, m_fine.time());
-    while(time != end(p.first)) {
-      const Surface_history::Time t = *time;
+    auto t = next_operation(p.first, m_fine.time());
+    for(; t != m_coarse.time(); t = next_operation(p.first, t + 1))
       internal::carry_forward(m_history, t, p);
-      time = next(p.first, t + 1);
-    }
     p.first = m_coarse.level_face(p.first);
     internal::normalize(p.second);
     return p;
@@ -85,15 +89,31 @@ public:
   Location to_fine(Location p) const
   {
     p.first = m_coarse.surface_face(p.first);
-    const auto* time = next(p.first, m_coarse.time());
-    while(time != begin(p.first)) {
-      const Surface_history::Time t = *(time - 1);
-      internal::carry_backward(m_history, t, p);
-      time = next(p.first, t);
-    }
+    auto end = end_of_operation(p.first, m_coarse.time());
+    for(; end != m_fine.time(); end = end_of_operation(p.first, end - 1))
+      internal::carry_backward(m_history, end - 1, p);
     p.first = m_fine.level_face(p.first);
     internal::normalize(p.second);
     return p;
+  }
+
+  /// the operations.
+  const Surface_history& history() const { return m_history; }
+
+  /// the first operation between the levels on the face `f` of the evolving surface that is not before `t`; if there is
+  /// none, the time of the coarse level. Complexity: logarithmic in the operations on the face.
+  Surface_history::Time next_operation(Face_index f, Surface_history::Time t) const
+  {
+    const auto* next = first_not_before(f, t);
+    return next == end(f) ? m_coarse.time() : *next;
+  }
+
+  /// one more than the last operation between the levels on the face `f` of the evolving surface that is before `t`; if
+  /// there is none, the time of the fine level. Complexity: as `next_operation()`.
+  Surface_history::Time end_of_operation(Face_index f, Surface_history::Time t) const
+  {
+    const auto* next = first_not_before(f, t);
+    return next == begin(f) ? m_fine.time() : Surface_history::Time(*(next - 1)) + 1;
   }
 
 private:
@@ -111,8 +131,7 @@ private:
   }
   const std::uint32_t* end(Face_index f) const { return m_times.data() + m_end[f]; }
 
-  // the first operation on `f` that is not before `t`
-  const std::uint32_t* next(Face_index f, Surface_history::Time t) const
+  const std::uint32_t* first_not_before(Face_index f, Surface_history::Time t) const
   {
     return std::lower_bound(begin(f), end(f), t);
   }
@@ -122,6 +141,19 @@ private:
   std::vector<std::uint32_t> m_times; // of the operations on each face, in their order
   std::vector<std::size_t> m_end;     // of the list of each face
 };
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the place of a vertex of the fine level on the coarse surface.
+/// \pre `v` is not isolated
+inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& map)
+{
+  namespace IT = Intrinsic_triangulations;
+  const Delta_complex& mesh = map.fine().mesh();
+  const Halfedge_index h = IT::first_spoke(v, mesh);
+  std::array<double, 3> corner{};
+  corner[IT::internal::side_number(h, mesh)] = 1;
+  return map.to_coarse({mesh.face(h), corner});
+}
 
 } // namespace Intrinsic_simplification
 } // namespace CGAL

@@ -9,30 +9,15 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL {
 namespace Intrinsic_simplification {
-
-/// \ingroup PkgIntrinsicSimplificationRef
-/// the place of a vertex of the fine level on the coarse surface.
-/// \pre `v` is not isolated
-inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& map)
-{
-  namespace IT = Intrinsic_triangulations;
-  const Delta_complex& mesh = map.fine().mesh();
-  const Halfedge_index h = IT::first_spoke(v, mesh);
-  std::array<double, 3> corner{};
-  corner[IT::internal::side_number(h, mesh)] = 1;
-  return map.to_coarse({mesh.face(h), corner});
-}
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the matrix \f$P\f$ that takes values of a function at the vertices of the coarse level to values at the vertices of the

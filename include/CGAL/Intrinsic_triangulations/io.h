@@ -85,11 +85,14 @@ class Complex_reader
 public:
   explicit Complex_reader(std::istream& is) : m_lines(is) {}
 
-  void read_header()
+  void read_header(const char* header = file_header)
   {
     m_lines.next_line();
-    m_lines.expect(file_header);
+    m_lines.expect(header);
   }
+
+  // the rest of the file, line by line
+  Line_reader& lines() { return m_lines; }
 
   Delta_complex read_input()
   {

@@ -107,16 +107,24 @@ inline void carry_through_removal(const Surface_operation& removal, Location& p)
   set_from(place_of_first(removal), at_target[0], at_target[1], at_target[2], p.second);
 }
 
+// Of which corner a point has the least, compared with a vertex: the point and this corner are on opposite sides of the vertex.
+inline std::size_t corner_used_up(const Coordinates& vertex, const Coordinates& b)
+{
+  const Coordinates& w = vertex;
+  auto used_up = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
+  for(std::size_t m = 0; m < 3; ++m)
+    if(w[m] > 0 && b[m] * w[used_up] < b[used_up] * w[m])
+      used_up = m;
+  return used_up;
+}
+
 // Takes out as much of the vertex as the point has: the face is the one opposite to the corner that is used up.
 inline void carry_back_through_removal(const Surface_operation& removal, Location& p)
 {
   const Coordinates w = removed_vertex(removal);
   const std::size_t first = place_of_first(removal);
   Coordinates b{p.second[first], p.second[(first + 1) % 3], p.second[(first + 2) % 3]};
-  auto used_up = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
-  for(std::size_t m = 0; m < 3; ++m)
-    if(w[m] > 0 && b[m] * w[used_up] < b[used_up] * w[m])
-      used_up = m;
+  const std::size_t used_up = corner_used_up(w, b);
   const double at_vertex = b[used_up] / w[used_up];
   for(std::size_t m = 0; m < 3; ++m)
     b[m] = m == used_up ? 0 : (std::max)(b[m] - at_vertex * w[m], 0.);
@@ -132,7 +140,8 @@ inline void normalize(Coordinates& b)
     x /= sum;
 }
 
-// A change of scale is projective on each face (Equation 5.1).
+// A change of scale is projective on each face (Equation 5.1): linear, as long as coordinates need not sum up to
+// one.
 inline void carry_through_scaling(const Surface_history& history, const Surface_operation& scaling,
                                   double factor, Location& p)
 {
@@ -141,11 +150,10 @@ inline void carry_through_scaling(const Surface_history& history, const Surface_
     if(corner.face == p.first)
       p.second[corner.corner] *= factor;
   }
-  normalize(p.second);
 }
 
 // moves a point of the surface before operation `t` to the surface after it; the operation has to involve
-// its face
+// its face. Coordinates are homogeneous.
 inline void carry_forward(const Surface_history& history, Surface_history::Time t, Location& p)
 {
   const Surface_operation& operation = history[t];

@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "coarse_mesh.h"
+
+#include <array>
+#include <vector>
+
+namespace IS = CGAL::Intrinsic_simplification;
+
+namespace {
+
+constexpr std::int64_t input_vertex_kind = 0;
+constexpr std::int64_t crossing_kind = 1;
+constexpr std::int64_t inserted_vertex_kind = 2;
+constexpr std::int64_t bend_kind = 3;
+
+constexpr std::size_t number_of_colors = 4; // a face has three neighbors at most
+constexpr std::array<std::array<std::int64_t, 3>, number_of_colors> palette{
+  {{141, 180, 226}, {250, 205, 130}, {160, 215, 150}, {235, 150, 140}}};
+
+// Each face takes the first color that no neighbor has.
+std::vector<std::size_t> colors(const IS::Delta_complex& mesh)
+{
+  std::vector<std::size_t> result(mesh.number_of_faces(), number_of_colors);
+  for(const IS::Face_index f : mesh.faces()) {
+    std::array<bool, number_of_colors> is_taken{};
+    for(const IS::Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
+      const IS::Face_index g = mesh.face(mesh.opposite(h));
+      if(g.is_valid() && result[g] < number_of_colors)
+        is_taken[result[g]] = true;
+    }
+    result[f] = 0;
+    while(is_taken[result[f]])
+      ++result[f];
+  }
+  return result;
+}
+
+// The faces that have an area.
+std::vector<Mesh::Face_index> polygons(const Mesh& mesh)
+{
+  std::vector<Mesh::Face_index> result;
+  for(const Mesh::Face_index f : mesh.faces())
+    if(mesh.degree(f) > 2)
+      result.push_back(f);
+  return result;
+}
+
+std::int64_t kind(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices,
+                  IS::Vertex_index v)
+{
+  if(subdivision.is_fine_vertex(v))
+    return v.idx() < number_of_input_vertices ? input_vertex_kind : inserted_vertex_kind;
+  return subdivision.place(IS::Level::fine, v).along.is_valid() ? crossing_kind : bend_kind;
+}
+
+Attribute parent_edges(const Coarse_subdivision& subdivision, const char* name, IS::Level side)
+{
+  const Mesh& mesh = subdivision.mesh();
+  return attribute(name, mesh.edges(), [&](Mesh::Edge_index e) {
+    return number_of(IS::Edge_index(subdivision.parent_halfedge(side, mesh.halfedge(e))));
+  });
+}
+
+std::vector<Attribute> polygon_data(const Coarse_subdivision& subdivision,
+                                    const std::vector<Mesh::Face_index>& faces)
+{
+  const auto parent = [&](IS::Level side) {
+    return [&subdivision, side](Mesh::Face_index f) {
+      return number_of(subdivision.parent_face(side, f));
+    };
+  };
+  const std::vector<std::size_t> color = colors(subdivision.level(IS::Level::coarse).mesh());
+  const auto channel = [&](std::size_t c) {
+    return [&, c](Mesh::Face_index f) {
+      return palette[color[subdivision.parent_face(IS::Level::coarse, f)]][c];
+    };
+  };
+  return {attribute("fine_face", faces, parent(IS::Level::fine)),
+          attribute("coarse_face", faces, parent(IS::Level::coarse)),
+          attribute("red", faces, channel(0)), attribute("green", faces, channel(1)),
+          attribute("blue", faces, channel(2))};
+}
+
+} // namespace
+
+Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices)
+{
+  const Mesh& mesh = subdivision.mesh();
+  const std::vector<Mesh::Face_index> faces = polygons(mesh);
+  Output_mesh result;
+  result.points.assign(mesh.points().begin(), mesh.points().end());
+  for(const Mesh::Face_index f : faces) {
+    result.polygons.emplace_back();
+    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      result.polygons.back().push_back(v);
+  }
+  for(const Mesh::Edge_index e : mesh.edges())
+    result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  result.point_data = {
+    attribute("coarse_vertex", mesh.vertices(),
+              [&](Mesh::Vertex_index v) { return number_of(subdivision.coarse_vertex(v)); }),
+    attribute("kind", mesh.vertices(), [&](Mesh::Vertex_index v) {
+      return kind(subdivision, number_of_input_vertices, v);
+    })};
+  result.edge_data = {parent_edges(subdivision, "fine_edge", IS::Level::fine),
+                      parent_edges(subdivision, "coarse_edge", IS::Level::coarse)};
+  result.polygon_data = polygon_data(subdivision, faces);
+  return result;
+}

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_COARSE_MESH_H
+#define INTRINSIC_COARSE_MESH_H
+
+#include "Output_mesh.h"
+
+#include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
+
+#include <cstddef>
+
+using Coarse_subdivision = CGAL::Intrinsic_simplification::Surface_subdivision<Point>;
+
+// A subdivision whose mesh has its points, with the origin of its elements, where -1 stands for none:
+// - of a vertex: its kind (0 for one of the `number_of_input_vertices` vertices of the input, 1 for a crossing, 2 for an
+//   inserted vertex, 3 for a bend of a coarse edge), and the number of the coarse vertex;
+// - of an edge: the edges of both levels of which it is a part;
+// - of a face: the faces of both levels of which it is a part, and a color by which adjacent coarse faces differ.
+// Faces with two sides, which have no area, are left out.
+Output_mesh coarse_mesh(const Coarse_subdivision& subdivision,
+                        std::size_t number_of_input_vertices);
+
+#endif // INTRINSIC_COARSE_MESH_H

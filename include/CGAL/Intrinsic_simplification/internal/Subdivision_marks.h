@@ -1,0 +1,501 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_SUBDIVISION_MARKS_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_SUBDIVISION_MARKS_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Subdivision_place.h>
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/Curve_tracer.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// The vertices and edges of a subdivision: the edges of the fine level with marks on them, and those of the coarse level as
+// chains of pieces. Halfedges are those of the subdivision where nothing else is said: an edge of the fine level
+// with n marks becomes n + 1 edges; a piece of the coarse level is another, unless it runs along an edge of the
+// fine level.
+class Subdivision_marks
+{
+public:
+  typedef Delta_complex::size_type size_type;
+
+  explicit Subdivision_marks(const Surface_map& map)
+    : m_map(map),
+      m_fine(map.fine().mesh()),
+      m_coarse(map.coarse().mesh()),
+      m_number_of_vertices(m_fine.number_of_vertices()),
+      m_piece_before(m_number_of_vertices, none),
+      m_is_along(m_fine.number_of_edges(), 0)
+  {}
+
+  void trace_coarse_edges()
+  {
+    Curve_tracer tracer(m_map, false);
+    for(Edge_index e : m_coarse.edges()) {
+      m_first_piece.push_back(number(m_pieces.size()));
+      const Halfedge_index h = m_coarse.halfedge(e, 0);
+      Vertex_index v = m_map.fine().level_vertex(m_map.coarse().surface_vertex(m_coarse.source(h)));
+      for(const Curve_segment& s : tracer.trace(h))
+        v = add_piece(s, v, e);
+    }
+    m_first_piece.push_back(number(m_pieces.size()));
+    m_piece_before.resize(m_number_of_vertices, none);
+    for(size_type p = 0; p + 1 < m_pieces.size(); ++p)
+      if(m_pieces[p].edge == m_pieces[p + 1].edge)
+        m_piece_before[m_pieces[p].target] = p;
+  }
+
+  // To be called after the others have been traced.
+  void trace_fine_edges()
+  {
+    m_first_fine_bend = m_number_of_vertices;
+    Curve_tracer tracer(m_map, true);
+    for(Edge_index e : m_fine.edges())
+      if(!m_is_along[e]) {
+        const auto& segments = tracer.trace(m_fine.halfedge(e, 0));
+        for(std::size_t n = 0; n + 1 < segments.size(); ++n)
+          if(segments[n].to.corners == 7)
+            add_fine_bend(e, segments[n]);
+      }
+  }
+
+  void sort()
+  {
+    std::stable_sort(m_marks.begin(), m_marks.end(), [](const Mark& x, const Mark& y) {
+      return std::pair(x.edge, x.ratio) < std::pair(y.edge, y.ratio);
+    });
+    m_first_mark.assign(m_fine.number_of_edges() + 1, 0);
+    m_mark_of_vertex.resize(m_number_of_vertices, none);
+    m_piece_before.resize(m_number_of_vertices, none); // none before bends of fine edges
+    for(size_type n = 0; n < m_marks.size(); ++n) {
+      ++m_first_mark[m_marks[n].edge + 1];
+      m_mark_of_vertex[m_marks[n].vertex] = n;
+    }
+    for(std::size_t e = 1; e < m_first_mark.size(); ++e)
+      m_first_mark[e] += m_first_mark[e - 1];
+    number_pieces();
+    collect_chords();
+  }
+
+  size_type number_of_vertices() const { return m_number_of_vertices; }
+  size_type number_of_edges() const
+  {
+    return number_of_fine_pieces() + number(m_piece_of_chord.size());
+  }
+
+  // A piece that bounds a face together with a piece of a fine edge runs along that, whatever rounding says. Returns
+  // whether there were any; `mesh` does not hold any more then.
+  template <typename Mesh>
+  bool merge_bigons(const Mesh& mesh)
+  {
+    std::vector<size_type> rest;
+    for(size_type p : m_piece_of_chord)
+      if(!merge_with_fine_piece(m_pieces[p].halfedge, mesh))
+        rest.push_back(p);
+    if(rest.size() == m_piece_of_chord.size())
+      return false;
+    m_piece_of_chord.swap(rest);
+    for(size_type c = 0; c < m_piece_of_chord.size(); ++c)
+      m_pieces[m_piece_of_chord[c]].halfedge = chord(c);
+    collect_chords();
+    return true;
+  }
+
+  // on an edge of the fine level
+  size_type number_of_marks(Edge_index e) const { return m_first_mark[e + 1] - m_first_mark[e]; }
+
+  // piece number `p` of the halfedge `h` of the fine level, counted from its source
+  Halfedge_index fine_piece(Halfedge_index h, size_type p) const
+  {
+    const Edge_index e(h);
+    const size_type first = m_first_mark[e] + e.idx();
+    if(h.idx() % 2 == 0)
+      return Halfedge_index(2 * (first + p));
+    return Halfedge_index(2 * (first + number_of_marks(e) - p) + 1);
+  }
+
+  // the numbers of the pieces of an edge of the coarse level
+  size_type first_piece(Edge_index e) const { return m_first_piece[e.idx()]; }
+  size_type end_of_pieces(Edge_index e) const { return m_first_piece[e.idx() + 1]; }
+
+  // in the direction of the first halfedge of its edge
+  Halfedge_index coarse_piece(size_type p) const { return m_pieces[p].halfedge; }
+
+  // the face of the fine level beside `h`, which is part of its halfedge `parent`, or inside the face
+  Face_index fine_face(Halfedge_index h, Halfedge_index parent) const
+  {
+    return parent.is_valid()
+             ? m_fine.face(parent)
+             : m_pieces[m_piece_of_chord[h.idx() / 2 - number_of_fine_pieces()]].segment.face;
+  }
+
+  // the halfedges that leave `v`, in counterclockwise order
+  void collect_spokes(Vertex_index v, std::vector<Halfedge_index>& out) const
+  {
+    out.clear();
+    if(is_fine_vertex(v))
+      return collect_spokes_of_fine_vertex(v, out);
+    const size_type mark = m_mark_of_vertex[v], piece = m_piece_before[v];
+    if(mark != none)
+      out = {after_mark(mark), twin(before_mark(mark))};
+    if(piece == none)
+      return;
+    const Halfedge_index ahead = coarse_piece(piece + 1), back = twin(coarse_piece(piece));
+    if(mark == none)
+      out = {ahead, back};
+    else if(comes_from_left(m_pieces[piece].segment))
+      out = {out[0], back, out[1], ahead};
+    else
+      out = {out[0], ahead, out[1], back};
+    remove_repeated(out);
+  }
+
+  Subdivision_place fine_place(Vertex_index v) const
+  {
+    if(is_fine_vertex(v))
+      return vertex_place(v, m_fine);
+    const size_type mark = m_mark_of_vertex[v];
+    if(mark == none)
+      return {Halfedge_index(), location(m_pieces[m_piece_before[v]].segment)};
+    const double r = m_marks[mark].ratio;
+    return edge_place(m_fine.halfedge(m_marks[mark].edge, 0), std::isinf(r) ? 1 : r / (1 + r),
+                      m_fine);
+  }
+
+  Subdivision_place coarse_place(Vertex_index v) const
+  {
+    if(!is_fine_vertex(v) && v.idx() >= m_first_fine_bend)
+      return {Halfedge_index(), m_fine_bends[v.idx() - m_first_fine_bend]};
+    if(m_piece_before[v] != none) {
+      const Piece& piece = m_pieces[m_piece_before[v]];
+      const auto& [x, y] = piece.segment.to.along;
+      return edge_place(m_coarse.halfedge(piece.edge, 0), y / (x + y), m_coarse);
+    }
+    const Vertex_index coarse = m_map.coarse().level_vertex(m_map.fine().surface_vertex(v));
+    return coarse.is_valid() ? vertex_place(coarse, m_coarse)
+                             : Subdivision_place{Halfedge_index(), image_of_vertex(v, m_map)};
+  }
+
+private:
+  static constexpr size_type none = (std::numeric_limits<size_type>::max)();
+
+  // a piece along another is the same
+  static void remove_repeated(std::vector<Halfedge_index>& cycle)
+  {
+    cycle.erase(std::unique(cycle.begin(), cycle.end()), cycle.end());
+    if(cycle.size() > 1 && cycle.front() == cycle.back())
+      cycle.pop_back();
+  }
+
+  // a straight part of an edge of the coarse level, in a face of the fine level
+  struct Piece
+  {
+    Curve_segment segment;
+    Edge_index edge;
+    Vertex_index source, target;
+    Halfedge_index halfedge;
+  };
+
+  // a vertex on an edge of the fine level; between nothing and infinity from the source to the target
+  struct Mark
+  {
+    Edge_index edge;
+    double ratio;
+    Vertex_index vertex;
+  };
+
+  // A piece that leaves a vertex of the fine level into a corner of a face, and where the face, counterclockwise from
+  // this corner, is met again.
+  struct Chord_end
+  {
+    std::size_t corner;
+    std::pair<std::size_t, size_type> order;
+    Halfedge_index out;
+
+    friend bool operator<(const Chord_end& a, const Chord_end& b)
+    {
+      return std::tie(a.corner, a.order) < std::tie(b.corner, b.order);
+    }
+  };
+
+  static size_type number(std::size_t n)
+  {
+    if(n >= none / 4)
+      throw Intrinsic_triangulations::Overflow_error("too many pieces for a subdivision");
+    return static_cast<size_type>(n);
+  }
+
+  static Halfedge_index twin(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
+
+  bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
+
+  size_type number_of_fine_pieces() const
+  {
+    return number(m_marks.size()) + m_fine.number_of_edges();
+  }
+
+  static std::size_t corner_number(const Face_point& p)
+  {
+    return p.corners == bit(0) ? 0 : p.corners == bit(1) ? 1 : 2;
+  }
+
+  static std::size_t side_number(const Face_point& p)
+  {
+    return (p.corners & bit(2)) == 0 ? 0 : (p.corners & bit(0)) == 0 ? 1 : 2;
+  }
+
+  Halfedge_index side(const Curve_segment& s, std::size_t n) const
+  {
+    return Intrinsic_triangulations::internal::sides(s.face, m_fine)[n];
+  }
+
+  Vertex_index add_piece(Curve_segment s, Vertex_index source, Edge_index e)
+  {
+    s.face = m_map.fine().level_face(s.face);
+    Vertex_index target(m_number_of_vertices);
+    if(is_single(s.to.corners))
+      target = m_fine.source(side(s, corner_number(s.to)));
+    else {
+      m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
+      if(is_pair(s.to.corners))
+        add_crossing(s, target);
+    }
+    m_pieces.push_back({s, e, source, target, Halfedge_index()});
+    if(is_along_edge(s))
+      m_is_along[Edge_index(edge_along(s))] = 1;
+    return target;
+  }
+
+  void add_crossing(const Curve_segment& s, Vertex_index v)
+  {
+    const std::size_t n = side_number(s.to);
+    const Halfedge_index h = side(s, n);
+    const double from = s.to.weight[n], to = s.to.weight[(n + 1) % 3];
+    m_marks.push_back({m_fine.edge(h), h.idx() % 2 == 0 ? to / from : from / to, v});
+  }
+
+  void add_fine_bend(Edge_index e, const Curve_segment& s)
+  {
+    m_marks.push_back({e, s.to.along[1] / s.to.along[0], Vertex_index(m_number_of_vertices)});
+    m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
+    Surface_map::Location p = location(s);
+    p.first = m_map.coarse().level_face(p.first);
+    m_fine_bends.push_back(p);
+  }
+
+  static Surface_map::Location location(const Curve_segment& s)
+  {
+    Surface_map::Location p{s.face, s.to.weight};
+    normalize(p.second);
+    return p;
+  }
+
+  static bool is_along_edge(const Curve_segment& s)
+  {
+    return is_single(s.from.corners) && is_single(s.to.corners);
+  }
+
+  // the halfedge of the fine level along which it runs
+  Halfedge_index edge_along(const Curve_segment& s) const
+  {
+    const std::size_t from = corner_number(s.from), to = corner_number(s.to);
+    return to == (from + 1) % 3 ? side(s, from) : twin(side(s, to));
+  }
+
+  void number_pieces()
+  {
+    m_is_taken.assign(number_of_fine_pieces(), 0);
+    for(size_type p = 0; p < m_pieces.size(); ++p) {
+      const Halfedge_index h =
+        is_along_edge(m_pieces[p].segment) ? edge_along(m_pieces[p].segment) : Halfedge_index();
+      if(h.is_valid() && number_of_marks(Edge_index(h)) == 0 && take(fine_piece(h, 0))) {
+        m_pieces[p].halfedge = fine_piece(h, 0);
+      } else {
+        m_pieces[p].halfedge = chord(m_piece_of_chord.size());
+        m_piece_of_chord.push_back(p);
+      }
+    }
+  }
+
+  // whether no other piece runs along a piece of a fine edge
+  bool take(Halfedge_index fine_piece)
+  {
+    return std::exchange(m_is_taken[fine_piece.idx() / 2], 1) == 0;
+  }
+
+  // the first halfedge of a chord
+  Halfedge_index chord(std::size_t n) const
+  {
+    return Halfedge_index(number(2 * (number_of_fine_pieces() + n)));
+  }
+
+  template <typename Mesh>
+  bool merge_with_fine_piece(Halfedge_index& h, const Mesh& mesh)
+  {
+    for(Halfedge_index side : {h, twin(h)}) {
+      const Halfedge_index other = mesh.next(side);
+      if(mesh.next(other) == side && other.idx() / 2 < number_of_fine_pieces() && take(other)) {
+        h = side == h ? twin(other) : other;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void collect_chords()
+  {
+    m_chord_ends.clear();
+    for(size_type p : m_piece_of_chord) {
+      const Curve_segment& s = m_pieces[p].segment;
+      if(is_single(s.from.corners)) {
+        size_type end = p;
+        while(m_pieces[end].segment.to.corners == 7)
+          ++end;
+        add_chord_end(s.face, s.from, m_pieces[end].segment.to, m_pieces[end].target,
+                      m_pieces[p].halfedge);
+      }
+      if(is_single(s.to.corners)) {
+        size_type start = p;
+        while(m_pieces[start].segment.from.corners == 7)
+          --start;
+        add_chord_end(s.face, s.to, m_pieces[start].segment.from, m_pieces[start].source,
+                      twin(m_pieces[p].halfedge));
+      }
+    }
+    std::sort(m_chord_ends.begin(), m_chord_ends.end());
+  }
+
+  void add_chord_end(Face_index f, const Face_point& at_corner, const Face_point& other,
+                     Vertex_index other_vertex, Halfedge_index out)
+  {
+    const std::size_t c = corner_number(at_corner);
+    const bool is_corner = is_single(other.corners);
+    const std::size_t n = is_corner ? corner_number(other) : side_number(other);
+    const size_type mark =
+      is_corner ? 0
+                : 1 + mark_along(Intrinsic_triangulations::internal::sides(f, m_fine)[n],
+                                 m_mark_of_vertex[other_vertex]);
+    m_chord_ends.push_back({corner_index(f, c), {(n + 3 - c) % 3, mark}, out});
+  }
+
+  static std::size_t corner_index(Face_index f, std::size_t c) { return 3 * std::size_t(f) + c; }
+
+  // the number of a mark on the halfedge `h` of the fine level, counted from its source
+  size_type mark_along(Halfedge_index h, size_type mark) const
+  {
+    const Edge_index e(h);
+    return h.idx() % 2 == 0 ? mark - m_first_mark[e] : m_first_mark[e + 1] - 1 - mark;
+  }
+
+  // the pieces on the two sides of a mark, in the direction of the first halfedge
+  Halfedge_index before_mark(size_type mark) const
+  {
+    return Halfedge_index(2 * (mark + m_marks[mark].edge.idx()));
+  }
+  Halfedge_index after_mark(size_type mark) const
+  {
+    return Halfedge_index(2 * (mark + m_marks[mark].edge.idx() + 1));
+  }
+
+  // whether a piece comes to an edge of the fine level from the left of its first halfedge
+  bool comes_from_left(const Curve_segment& s) const
+  {
+    return side(s, side_number(s.to)).idx() % 2 == 0;
+  }
+
+  void collect_spokes_of_fine_vertex(Vertex_index v, std::vector<Halfedge_index>& out) const
+  {
+    if(m_fine.is_isolated(v))
+      return;
+    Intrinsic_triangulations::internal::for_each_spoke(v, m_fine, [&](Halfedge_index h) {
+      out.push_back(fine_piece(h, 0));
+      if(m_fine.is_border(h))
+        return;
+      const std::size_t corner =
+        corner_index(m_fine.face(h), Intrinsic_triangulations::internal::side_number(h, m_fine));
+      auto end = std::lower_bound(m_chord_ends.begin(), m_chord_ends.end(),
+                                  Chord_end{corner, {0, 0}, Halfedge_index()});
+      for(; end != m_chord_ends.end() && end->corner == corner; ++end)
+        out.push_back(end->out);
+    });
+  }
+
+  static Subdivision_place vertex_place(Vertex_index v, const Delta_complex& mesh)
+  {
+    if(mesh.is_isolated(v))
+      return {Halfedge_index(), {}};
+    return edge_place(Intrinsic_triangulations::first_spoke(v, mesh), 0, mesh);
+  }
+
+  static Subdivision_place edge_place(Halfedge_index h, double t, const Delta_complex& mesh)
+  {
+    namespace IT = Intrinsic_triangulations;
+    IT::Edge_point<double> p{h, t};
+    if(mesh.is_border(h))
+      p = IT::reversed(p, mesh);
+    return {p.halfedge, IT::internal::face_location(p, mesh)};
+  }
+
+  const Surface_map& m_map;
+  const Delta_complex &m_fine, &m_coarse;
+  size_type m_number_of_vertices;
+  std::vector<Piece> m_pieces;
+  std::vector<size_type> m_first_piece;  // of each edge of the coarse level
+  std::vector<size_type> m_piece_before; // of each vertex inside an edge of the coarse level
+  std::vector<char>
+    m_is_along; // whether an edge of the coarse level runs along one of the fine level
+  std::vector<char> m_is_taken; // whether one runs along a piece of an edge of the fine level
+  std::vector<Mark> m_marks;    // in the order of edges and along them
+  std::vector<size_type> m_first_mark; // of each edge of the fine level
+  std::vector<size_type> m_mark_of_vertex;
+  std::vector<size_type>
+    m_piece_of_chord;                  // of each edge that is no part of an edge of the fine level
+  std::vector<Chord_end> m_chord_ends; // in the order of corners and counterclockwise around them
+  size_type m_first_fine_bend = none;
+  std::vector<Surface_map::Location> m_fine_bends;
+};
+
+// A point as the point of the face `f` that is nearest across an edge; no face if `f` is not next to it.
+inline Surface_map::Location moved_across(const Surface_map::Location& p, Face_index f,
+                                          const Delta_complex& mesh)
+{
+  namespace IT = Intrinsic_triangulations;
+  Halfedge_index best;
+  double least = 2;
+  for(Halfedge_index h : IT::internal::sides(p.first, mesh)) {
+    const double opposite = IT::internal::coordinates_from(h, p, mesh)[2];
+    if(mesh.face(mesh.opposite(h)) == f && opposite < least) {
+      best = h;
+      least = opposite;
+    }
+  }
+  if(!best.is_valid())
+    return {Face_index(), {}};
+  const Coordinates b = IT::internal::coordinates_from(best, p, mesh);
+  return IT::internal::face_location(
+    IT::Edge_point<double>{mesh.opposite(best), b[0] / (b[0] + b[1])}, mesh);
+}
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_SUBDIVISION_MARKS_H

@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_IO_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_IO_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_history.h>
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// levels of an evolving surface, and what has been done between them: all that maps need.
+struct Surface_hierarchy
+{
+  Surface_history history; ///< the operations
+  std::vector<Surface_level>
+    levels; ///< the levels, from the first one, before all operations, to the coarsest
+};
+
+namespace internal {
+
+constexpr const char* hierarchy_header = "intrinsic_simplification 1";
+
+// The kind of an operation is its number in the enumeration.
+inline void write_operation(std::ostream& os, const Surface_operation& o)
+{
+  using Intrinsic_triangulations::internal::hexadecimal_text;
+  using Intrinsic_triangulations::internal::write_line;
+  const int kind = static_cast<int>(o.kind);
+  const std::string x = hexadecimal_text(o.x[0]), y = hexadecimal_text(o.x[1]);
+  switch(o.kind) {
+    case Surface_operation::Kind::scaling:
+      return write_line(os, kind, o.id[0], o.id[2] > 0 ? 1 : 0, x);
+    case Surface_operation::Kind::flip: return write_line(os, kind, o.id[0], x, y);
+    case Surface_operation::Kind::removal:
+    case Surface_operation::Kind::border_removal:
+      return write_line(os, kind, o.id[0], static_cast<int>(o.corner[0]), x, y);
+  }
+}
+
+// Reads a hierarchy and does the operations once more, as far as connectivity is concerned.
+class Hierarchy_reader
+{
+  typedef Delta_complex::size_type size_type;
+  typedef Surface_operation::Kind Kind;
+
+public:
+  explicit Hierarchy_reader(std::istream& is) : m_reader(is), m_lines(m_reader.lines()) {}
+
+  Surface_hierarchy read()
+  {
+    m_reader.read_header(hierarchy_header);
+    m_mesh = m_reader.read_input();
+    const auto length =
+      m_mesh.add_property_map<Edge_index, double>("e:length", 0.).first; // exists already
+    if(!Intrinsic_triangulations::is_valid_Delta_complex(m_mesh))
+      throw Intrinsic_triangulations::Invalid_input("the first level is no triangulated surface");
+    for(Edge_index e : m_mesh.edges())
+      check(is_length(length[e]), "a length is not positive and finite");
+    m_result.levels.emplace_back(Surface_history::Time(0), m_mesh, length);
+    const std::size_t levels = count();
+    for(std::size_t n = 0; n < levels; ++n)
+      read_level();
+    return std::move(m_result);
+  }
+
+private:
+  static bool is_length(double x) { return x > 0 && std::isfinite(x); }
+
+  void check(bool condition, const char* message) const
+  {
+    if(!condition)
+      m_lines.fail(message);
+  }
+
+  // a line with a number
+  std::size_t count()
+  {
+    m_lines.next_line();
+    const auto result =
+      m_lines.integer<std::int64_t>(0, (std::numeric_limits<std::int64_t>::max)());
+    m_lines.end_line();
+    return static_cast<std::size_t>(result);
+  }
+
+  // the operations since the level before, and the lengths
+  void read_level()
+  {
+    const std::size_t operations = count();
+    for(std::size_t n = 0; n < operations; ++n) {
+      m_lines.next_line();
+      read_operation();
+      m_lines.end_line();
+    }
+    std::vector<double> length(m_mesh.num_edges(), 0);
+    for(Edge_index e : m_mesh.edges()) {
+      m_lines.next_line();
+      length[e] = m_lines.hexadecimal<double>();
+      check(is_length(length[e]), "a length is not positive and finite");
+      m_lines.end_line();
+    }
+    m_result.levels.emplace_back(m_result.history.size(), m_mesh,
+                                 Surface_level::Length_map(length.data()));
+  }
+
+  void read_operation()
+  {
+    const auto kind = static_cast<Kind>(m_lines.integer<int>(0, 3));
+    switch(kind) {
+      case Kind::scaling: return read_scaling();
+      case Kind::flip: return read_flip();
+      case Kind::removal:
+      case Kind::border_removal: return read_removal(kind);
+    }
+  }
+
+  size_type index(size_type end)
+  {
+    check(end > 0, "there is no element to refer to");
+    return m_lines.integer<size_type>(0, end - 1);
+  }
+
+  double part()
+  {
+    const double x = m_lines.hexadecimal<double>();
+    check(x >= 0 && x <= 1, "a number between 0 and 1 expected");
+    return x;
+  }
+
+  void read_scaling()
+  {
+    const Vertex_index v(index(m_mesh.num_vertices()));
+    check(!m_mesh.is_removed(v) && !m_mesh.is_isolated(v), "there is no such vertex");
+    const bool has_corners = m_lines.integer<int>(0, 1) == 1;
+    const double factor = m_lines.hexadecimal<double>();
+    check(is_length(factor), "a factor is not positive and finite");
+    m_result.history.add_scaling(v, factor, has_corners, m_mesh);
+  }
+
+  void read_flip()
+  {
+    namespace IT = Intrinsic_triangulations;
+    const Halfedge_index h(index(m_mesh.num_halfedges()));
+    check(!m_mesh.is_removed(h) && IT::flip_status(h, m_mesh) == IT::Operation_status::possible,
+          "the edge cannot be flipped");
+    const double s = part(), t = part();
+    m_result.history.add_flip(h, m_mesh, s, t);
+    IT::flip_edge(h, m_mesh);
+  }
+
+  void read_removal(Kind kind)
+  {
+    namespace IT = Intrinsic_triangulations;
+    const Face_index f(index(m_mesh.num_faces()));
+    check(!m_mesh.is_removed(f), "there is no such face");
+    const Halfedge_index a = IT::internal::sides(f, m_mesh)[m_lines.integer<std::size_t>(0, 2)];
+    const double w_a = part(), w_b = part();
+    const Vertex_index v = m_mesh.source(a);
+    const bool is_border = kind == Kind::border_removal;
+    check(IT::removal_status(v, m_mesh) == IT::Operation_status::possible &&
+            m_mesh.is_border(v) == is_border &&
+            (!is_border || m_mesh.is_border(m_mesh.opposite(a))),
+          "the vertex cannot be removed");
+    if(is_border)
+      m_result.history.add_border_removal(a, m_mesh, w_a);
+    else
+      m_result.history.add_removal(a, m_mesh, w_a, w_b);
+    IT::remove_degree_3_vertex(v, m_mesh);
+  }
+
+  Intrinsic_triangulations::internal::Complex_reader<double, std::int64_t> m_reader;
+  Intrinsic_triangulations::internal::Line_reader& m_lines;
+  Delta_complex m_mesh;
+  Surface_hierarchy m_result;
+};
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// writes levels of an evolving surface and the operations between them, exactly: what `read_surface_hierarchy()` makes of
+/// it has the same elements with the same numbers, and the same lengths and maps to the bit. The format is described in the
+/// user manual (\ref Intrinsic_simplification_file_format). Complexity: linear.
+/// \param os the stream
+/// \param history the history of the surface
+/// \param levels its levels, in their order
+/// \pre the first level is the surface before all operations
+/// \returns whether the stream is good after that
+inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& history,
+                                    const std::vector<const Surface_level*>& levels)
+{
+  using namespace Intrinsic_triangulations::internal;
+  CGAL_precondition(!levels.empty() && levels.front()->time() == 0);
+  os << internal::hierarchy_header << '\n';
+  const Surface_level& first = *levels.front();
+  write_complex(os, first.mesh(), first.length_map(), [](Edge_index) { return std::string(); });
+  write_line(os, levels.size() - 1);
+  for(std::size_t n = 1; n < levels.size(); ++n) {
+    const Surface_history::Time start = levels[n - 1]->time(), end = levels[n]->time();
+    CGAL_precondition(start <= end && end <= history.size());
+    write_line(os, end - start);
+    for(Surface_history::Time t = start; t < end; ++t)
+      internal::write_operation(os, history[t]);
+    for(Edge_index e : levels[n]->mesh().edges())
+      write_line(os, hexadecimal_text(levels[n]->length_map()[e]));
+  }
+  return os.good();
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// reads what `write_surface_hierarchy()` has written, and checks it: the operations are done once more.
+/// Complexity: linear in the operations, and in the first level for each level.
+/// \throws Intrinsic_triangulations::File_format_error if the text does not follow the format, or an operation is not possible;
+///         the line is named
+/// \throws Intrinsic_triangulations::Invalid_input if the first level is no triangulation of a surface
+inline Surface_hierarchy read_surface_hierarchy(std::istream& is)
+{
+  return internal::Hierarchy_reader(is).read();
+}
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_IO_H

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_TRACE_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_TRACE_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/Curve_tracer.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// says where a point of a traced edge is on the other surface.
+enum class Trace_place
+{
+  vertex, ///< at a vertex: one coordinate is one, the others are exactly zero
+  edge,   ///< inside an edge: the coordinate that does not belong to it is exactly zero
+  face    ///< inside a face, where the curve bends or ends
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// an end of a piece of a traced edge.
+struct Trace_end
+{
+  std::array<double, 3> coordinates; ///< in the face of the piece
+  Trace_place place;                 ///< where that is
+  double t; ///< the place on the traced edge: 0 at its source, 1 at its target
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a straight piece of a traced edge, inside one face of the other surface or along one of its edges.
+struct Trace_piece
+{
+  Face_index face;               ///< the face
+  std::array<Trace_end, 2> ends; ///< from where and where to
+};
+
+namespace internal {
+
+inline Trace_end trace_end(const Face_point& p)
+{
+  Coordinates b = p.weight;
+  normalize(b);
+  const Trace_place place = is_single(p.corners) ? Trace_place::vertex
+                            : is_pair(p.corners) ? Trace_place::edge
+                                                 : Trace_place::face;
+  return {b, place, p.along[1] / (p.along[0] + p.along[1])};
+}
+
+// The result of a tracer with numbers of `level`.
+inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& segments,
+                                             const Surface_level& level)
+{
+  std::vector<Trace_piece> result;
+  result.reserve(segments.size());
+  double last = 0; // rounding shall not lead back
+  for(const Curve_segment& s : segments) {
+    result.push_back({level.level_face(s.face), {trace_end(s.from), trace_end(s.to)}});
+    for(Trace_end& end : result.back().ends)
+      last = end.t = (std::max)(end.t, last);
+  }
+  return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// traces an edge of the coarse level over the fine level (Section 5.2.2).
+///
+/// The curve is straight on the coarse surface. On the fine one it is a sequence of pieces, each of them straight, that
+/// starts and ends at vertices. It runs through other vertices where it comes to them within rounding. It may bend on edges, and inside faces: changes of scale bend a curve on the
+/// edges that it crosses at that time. Where nothing is scaled, it is a geodesic, and all its pieces end on
+/// edges.
+/// \param h a halfedge of the coarse level
+/// \param map the map
+/// \returns the pieces from the source of `h` to its target. One begins where the other ends; if that is on an edge,
+///   they are in the faces on its two sides. What is a vertex, on which edges the curve is and in which order is consistent,
+///   whatever the rounding, and the places on `h` never decrease.
+/// Complexity: linear in the points where the curve crosses an edge at any time, times the operations that move
+/// such a point and the logarithm of the number of operations on a face.
+inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surface_map& map)
+{
+  return internal::trace_pieces(internal::Curve_tracer(map, false).trace(h), map.fine());
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// traces an edge of the fine level over the coarse level; otherwise as `trace_coarse_edge()`. An end is inside a
+/// face, or on a boundary edge, if it is a vertex that has been removed.
+/// \param h a halfedge of the fine level
+/// \param map the map
+inline std::vector<Trace_piece> trace_fine_edge(Halfedge_index h, const Surface_map& map)
+{
+  return internal::trace_pieces(internal::Curve_tracer(map, true).trace(h), map.coarse());
+}
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_TRACE_H

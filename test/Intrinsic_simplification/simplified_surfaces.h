@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Surfaces before and after simplification, and points on them.
+
+#ifndef INTRINSIC_SIMPLIFICATION_TEST_SIMPLIFIED_SURFACES_H
+#define INTRINSIC_SIMPLIFICATION_TEST_SIMPLIFIED_SURFACES_H
+
+#include "evolving_surfaces.h"
+
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/simplify.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace Test_surfaces {
+
+using IS::Surface_level;
+using IS::Surface_map;
+using IS::parameters::number_of_vertices;
+using Location = Surface_map::Location;
+using Coordinates = std::array<double, 3>;
+
+// a surface, before and after its simplification
+struct Simplified
+{
+  Evolving_surface surface;
+  Surface_level fine;
+  Surface_level coarse;
+
+  Simplified(Evolving_surface s, std::size_t n)
+    : surface(std::move(s)),
+      fine(surface),
+      coarse((simplify(surface, number_of_vertices(n)), surface))
+  {}
+};
+
+template <typename Check>
+void for_each_random_surface(const Check& check)
+{
+  for(const Named_complex& c : complexes())
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+      const Simplified s(evolving(c.mesh, seed), c.mesh.number_of_vertices() / (seed + 2));
+      check(s, Surface_map(s.surface, s.fine, s.coarse));
+    }
+}
+
+template <typename Check>
+void for_each_surface(const Check& check)
+{
+  for_each_random_surface(check);
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    const Simplified s(Evolving_surface(m.mesh), 0);
+    check(s, Surface_map(s.surface, s.fine, s.coarse));
+  }
+}
+
+inline Location location(Halfedge_index h, double t, const Delta_complex& mesh)
+{
+  return IT::internal::face_location(IT::Edge_point<double>{h, t}, mesh);
+}
+
+inline bool are_near(const Location& p, const Location& q)
+{
+  double distance = 0;
+  for(std::size_t s = 0; s < 3; ++s)
+    distance = (std::max)(distance, std::abs(p.second[s] - q.second[s]));
+  return p.first == q.first && distance < 1e-9;
+}
+
+// Whether p and q are the same point of an edge, seen from its two sides.
+inline bool meet_at_edge(const Location& p, const Location& q, const Delta_complex& mesh)
+{
+  for(Halfedge_index h : IT::internal::sides(p.first, mesh)) {
+    const Coordinates b = IT::internal::coordinates_from(h, p, mesh);
+    if(mesh.face(mesh.opposite(h)) == q.first && b[2] < 1e-9 &&
+       are_near(location(mesh.opposite(h), b[0], mesh), q))
+      return true;
+  }
+  return false;
+}
+
+inline void expect_same_place(const Location& p, const Location& q, const Delta_complex& mesh)
+{
+  const double most = *std::max_element(p.second.begin(), p.second.end());
+  EXPECT_TRUE(are_near(p, q) || meet_at_edge(p, q, mesh) ||
+              most > 1 - 1e-9); // more faces meet at a vertex
+}
+
+inline Point place(const Location& p, const Surface_level& level, const Mesh& mesh)
+{
+  Kernel::Vector_3 sum(0, 0, 0);
+  const auto sides = IT::internal::sides(p.first, level.mesh());
+  for(std::size_t s = 0; s < 3; ++s)
+    sum = sum + p.second[s] *
+                  (mesh.point(level.surface_vertex(level.mesh().source(sides[s]))) - CGAL::ORIGIN);
+  return CGAL::ORIGIN + sum;
+}
+
+// a polygon in the plane whose corners cannot be removed for less than the rest
+inline Mesh flat_mesh(unsigned int seed) { return planar_mesh(random_points(60, 1000, seed)); }
+
+inline Simplified simplified_inside(const Mesh& mesh)
+{
+  Evolving_surface s(mesh);
+  for(Vertex_index v : mesh.vertices())
+    if(mesh.is_border(v))
+      s.protect(v);
+  return Simplified(std::move(s), 0);
+}
+
+} // namespace Test_surfaces
+
+#endif // INTRINSIC_SIMPLIFICATION_TEST_SIMPLIFIED_SURFACES_H

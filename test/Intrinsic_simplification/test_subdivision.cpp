@@ -1,0 +1,275 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The common subdivision of two levels.
+
+#include "simplified_surfaces.h"
+
+#include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+
+#include <iostream>
+
+namespace {
+
+using namespace Test_surfaces;
+using IS::Level;
+using Subdivision = IS::Surface_subdivision<>;
+using Bends = Subdivision::Bends;
+
+double area(Face_index f, const Surface_level& level)
+{
+  const Delta_complex& mesh = level.mesh();
+  const Halfedge_index h = mesh.halfedge(f);
+  const auto length = [&](Edge_index e) { return level.length_map()[e]; };
+  return length(mesh.edge(h)) * length(mesh.edge(mesh.prev(h))) *
+         std::sin(angle_at(h, mesh, length)) / 2;
+}
+
+double total_area(const Surface_level& level)
+{
+  double sum = 0;
+  for(Face_index f : level.mesh().faces())
+    sum += area(f, level);
+  return sum;
+}
+
+// The parts of each face have its area together.
+void expect_areas(const Subdivision& subdivision, Level side, const Surface_level& level)
+{
+  std::vector<double> sum(level.mesh().number_of_faces(), 0);
+  for(Face_index f : subdivision.mesh().faces())
+    sum[subdivision.parent_face(side, f)] += subdivision.signed_area(side, f);
+  const double total = total_area(level);
+  for(Face_index f : level.mesh().faces())
+    EXPECT_NEAR(sum[f], area(f, level), 1e-7 * area(f, level) + 1e-12 * total);
+}
+
+// Faces are polygons, and their corners lie in the parents.
+void expect_polygons(const Subdivision& subdivision)
+{
+  const auto& mesh = subdivision.mesh();
+  ASSERT_TRUE(mesh.is_valid());
+  for(Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      for(const Level side : {Level::fine, Level::coarse}) {
+        const Coordinates b = subdivision.coordinates(side, h);
+        EXPECT_NEAR(b[0] + b[1] + b[2], 1, 1e-14);
+        for(double x : b)
+          EXPECT_GE(x, 0);
+      }
+}
+
+// the place of the target of h in the parent of its face
+Location location(const Subdivision& subdivision, Level side, Halfedge_index h)
+{
+  return {subdivision.parent_face(side, subdivision.mesh().face(h)),
+          subdivision.coordinates(side, h)};
+}
+
+// Seen from every face the places on both sides belong together.
+void expect_mapped(const Subdivision& subdivision, const Surface_map& map)
+{
+  const auto& mesh = subdivision.mesh();
+  for(Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      expect_same_place(map.to_coarse(location(subdivision, Level::fine, h)),
+                        location(subdivision, Level::coarse, h), map.coarse().mesh());
+}
+
+void expect_parents(const Subdivision& subdivision)
+{
+  const auto& mesh = subdivision.mesh();
+  for(Halfedge_index h : mesh.halfedges()) {
+    bool has_parent = false;
+    for(const Level side : {Level::fine, Level::coarse}) {
+      const Halfedge_index parent = subdivision.parent_halfedge(side, h);
+      const Delta_complex& level = subdivision.level(side).mesh();
+      has_parent = has_parent || parent.is_valid();
+      if(parent.is_valid()) {
+        EXPECT_EQ(subdivision.parent_halfedge(side, mesh.opposite(h)), level.opposite(parent));
+        EXPECT_EQ(mesh.is_border(h), level.is_border(parent));
+        EXPECT_TRUE(mesh.is_border(h) ||
+                    subdivision.parent_face(side, mesh.face(h)) == level.face(parent));
+      } else {
+        EXPECT_EQ(subdivision.parent_face(side, mesh.face(h)),
+                  subdivision.parent_face(side, mesh.face(mesh.opposite(h))));
+      }
+    }
+    EXPECT_TRUE(has_parent);
+  }
+}
+
+void expect_subdivision(const Simplified& s, const Surface_map& map, Bends bends)
+{
+  const Subdivision subdivision(map, bends);
+  expect_polygons(subdivision);
+  expect_parents(subdivision);
+  expect_areas(subdivision, Level::fine, s.fine);
+  expect_areas(subdivision, Level::coarse, s.coarse);
+  expect_mapped(subdivision, map);
+}
+
+TEST(Subdivision, OfAllSurfaces)
+{
+  for_each_surface([](const Simplified& s, const Surface_map& map) {
+    expect_subdivision(s, map, Bends::of_coarse_edges);
+    expect_subdivision(s, map, Bends::of_all_edges);
+  });
+}
+
+// No edge passes through a vertex.
+TEST(Subdivision, HasPositivePolygons)
+{
+  std::size_t faces = 0;
+  for_each_random_surface([&](const Simplified& s, const Surface_map& map) {
+    const Subdivision subdivision(map, Bends::of_all_edges);
+    for(Face_index f : subdivision.mesh().faces()) {
+      EXPECT_GT(subdivision.signed_area(Level::fine, f), -1e-13 * total_area(s.fine));
+      EXPECT_GT(subdivision.signed_area(Level::coarse, f), -1e-13 * total_area(s.coarse));
+      ++faces;
+    }
+  });
+  EXPECT_GT(faces, 1000u);
+}
+
+TEST(Subdivision, OfLevelsOfAHierarchy)
+{
+  Evolving_surface surface(random_sphere(300, 7));
+  simplify(surface, number_of_vertices(std::size_t(100)));
+  const Surface_level fine(surface);
+  simplify(surface, number_of_vertices(std::size_t(20)));
+  const Surface_level coarse(surface);
+  const Surface_map map(surface, fine, coarse);
+  const Subdivision subdivision(map, Bends::of_all_edges);
+  expect_polygons(subdivision);
+  expect_areas(subdivision, Level::fine, fine);
+  expect_areas(subdivision, Level::coarse, coarse);
+  expect_mapped(subdivision, map);
+}
+
+// A level and itself: nothing but the mesh.
+TEST(Subdivision, OfOneLevel)
+{
+  const Evolving_surface surface(embedded_torus(5, 4));
+  const Surface_level level(surface), same(surface);
+  const Surface_map map(surface, level, same);
+  const Subdivision subdivision(map, Bends::of_all_edges);
+  EXPECT_EQ(subdivision.mesh().number_of_vertices(), 20u);
+  EXPECT_EQ(subdivision.mesh().number_of_edges(), 60u);
+  EXPECT_EQ(subdivision.mesh().number_of_faces(), 40u);
+  expect_parents(subdivision);
+}
+
+bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const auto side = [](const Point& p, const Point& q, const Point& r) {
+    return CGAL::orientation(Kernel::Point_2(p.x(), p.y()), Kernel::Point_2(q.x(), q.y()),
+                             Kernel::Point_2(r.x(), r.y()));
+  };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+// In the plane every vertex is at the same place on both levels, and brute force counts the crossings.
+TEST(Subdivision, OfAFlatPolygon)
+{
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Mesh mesh = flat_mesh(seed);
+    const Simplified s = simplified_inside(mesh);
+    const Surface_map map(s.surface, s.fine, s.coarse);
+    const Subdivision subdivision(map);
+    std::size_t expected = 0, found = 0;
+    for(Edge_index e : s.coarse.mesh().edges())
+      for(Edge_index f : mesh.edges())
+        expected += cross(mesh.point(s.coarse.surface_vertex(s.coarse.mesh().vertex(e, 0))),
+                          mesh.point(s.coarse.surface_vertex(s.coarse.mesh().vertex(e, 1))),
+                          mesh.point(mesh.vertex(f, 0)), mesh.point(mesh.vertex(f, 1)));
+    for(Vertex_index v : subdivision.mesh().vertices()) {
+      const auto &fine = subdivision.place(Level::fine, v),
+                 &coarse = subdivision.place(Level::coarse, v);
+      found += !subdivision.is_fine_vertex(v) && fine.along.is_valid() && coarse.along.is_valid();
+      EXPECT_LT(std::sqrt(CGAL::squared_distance(place(fine.location, s.fine, mesh),
+                                                 place(coarse.location, s.coarse, mesh))),
+                1e-8);
+    }
+    EXPECT_EQ(found, expected);
+  }
+}
+
+// Coarse edges run through vertices and along edges, but for rounding.
+TEST(Subdivision, OfACube)
+{
+  for(const unsigned int n : {100u, 30u, 8u}) {
+    const Simplified s(Evolving_surface(subdivided(cube(), 3)), n);
+    const Surface_map map(s.surface, s.fine, s.coarse);
+    const Subdivision subdivision(map, Bends::of_all_edges);
+    expect_polygons(subdivision);
+    expect_parents(subdivision);
+    expect_areas(subdivision, Level::fine, s.fine);
+    expect_areas(subdivision, Level::coarse, s.coarse);
+    for(Face_index f : subdivision.mesh().faces()) {
+      EXPECT_TRUE(subdivision.mesh().degree(f) > 2 ||
+                  std::abs(subdivision.signed_area(Level::fine, f)) < 1e-12);
+      EXPECT_GT(subdivision.signed_area(Level::fine, f), -1e-12);
+      EXPECT_GT(subdivision.signed_area(Level::coarse, f), -1e-12);
+    }
+  }
+}
+
+TEST(Subdivision, KeepsIsolatedVertices)
+{
+  Mesh mesh = random_sphere(50, 8);
+  const Vertex_index alone = mesh.add_vertex({3, 3, 3});
+  const Simplified s(Evolving_surface(mesh), 10);
+  const Surface_map map(s.surface, s.fine, s.coarse);
+  const Subdivision subdivision(map);
+  EXPECT_TRUE(subdivision.mesh().is_isolated(alone));
+  EXPECT_TRUE(subdivision.is_coarse_vertex(alone));
+  expect_mapped(subdivision, map);
+}
+
+// ---- Real meshes ----
+
+// Polygons without area are where edges coincide.
+void expect_no_negative_areas(const Subdivision& subdivision, Level side)
+{
+  const double total = total_area(subdivision.level(side));
+  double sum = 0;
+  for(Face_index f : subdivision.mesh().faces()) {
+    const double part = subdivision.signed_area(side, f);
+    EXPECT_GT(part, -1e-14 * total);
+    sum += part;
+  }
+  EXPECT_NEAR(sum, total, 1e-8 * total);
+}
+
+TEST(Subdivision, OfDataMeshes)
+{
+  std::size_t meshes = 0;
+  for(const std::string& file : data_meshes(100000)) {
+    SCOPED_TRACE(file);
+    Mesh mesh;
+    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) ||
+       !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0)
+      continue;
+    try {
+      for(const unsigned int n : {mesh.number_of_vertices() / 5, 0u}) {
+        const Simplified s(Evolving_surface(mesh), n);
+        const Surface_map map(s.surface, s.fine, s.coarse);
+        const Subdivision subdivision(map, Bends::of_all_edges);
+        expect_parents(subdivision);
+        expect_no_negative_areas(subdivision, Level::fine);
+        expect_no_negative_areas(subdivision, Level::coarse);
+      }
+      ++meshes;
+    } catch(const IT::Invalid_input& e) {
+      std::cout << file << ": " << e.what() << '\n';
+    }
+  }
+  std::cout << meshes << " meshes\n";
+}
+
+} // namespace
