@@ -19,4 +19,5 @@ install(EXPORT targets NAMESPACE ${PROJECT_NAME}::
 install(FILES
   "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake"
   "${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake"
+  cmake/CHOLMOD.cmake
   DESTINATION "${package_dir}")

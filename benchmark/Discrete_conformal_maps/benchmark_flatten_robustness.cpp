@@ -28,7 +28,7 @@ using Conditions = std::vector<CM::Vertex_condition>;
 struct Score
 {
   std::size_t refused = 0;
-  std::array<std::size_t, 4> ended{}; // by status
+  std::array<std::size_t, 5> ended{}; // by status
   double milliseconds = 0;            // of all
 
   std::size_t ended_with(CM::Flattening_status status) const

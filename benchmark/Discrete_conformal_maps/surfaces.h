@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 typedef CGAL::Simple_cartesian<double>::Point_3 Point;
@@ -109,6 +110,65 @@ private:
 
   unsigned m_size;
   std::vector<Mesh::Vertex_index> m_number;
+  Mesh m_mesh;
+};
+
+// A surface of genus two: a plate with two square holes, made of small cubes, out of shape.
+class Plate
+{
+public:
+  // 50 n^2 squares for sides of n cubes
+  explicit Plate(unsigned vertices) : m_size(static_cast<int>(std::sqrt(vertices / 50.)))
+  {
+    const int n = m_size;
+    for(int x = 0; x < 5 * n; ++x)
+      for(int y = 0; y < 3 * n; ++y)
+        for(int z = 0; z < n; ++z)
+          if(is_full({x, y, z}))
+            for(unsigned axis = 0; axis < 3; ++axis)
+              for(int side : {0, 1})
+                add_side({x, y, z}, axis, side);
+  }
+
+  const Mesh& mesh() const { return m_mesh; }
+
+private:
+  typedef std::array<int, 3> Place;
+
+  bool is_full(const Place& p) const
+  {
+    const int x = p[0], y = p[1], z = p[2], n = m_size;
+    return x >= 0 && x < 5 * n && y >= 0 && y < 3 * n && z >= 0 && z < n &&
+           !(x / n % 2 == 1 && y / n == 1);
+  }
+
+  Mesh::Vertex_index vertex(const Place& p)
+  {
+    const auto [entry, is_new] = m_vertex.emplace(p, Mesh::null_vertex());
+    if(is_new) {
+      const double x = double(p[0]) / m_size, y = double(p[1]) / m_size, z = double(p[2]) / m_size;
+      entry->second = m_mesh.add_vertex(Point(x + 0.1 * std::sin(3 * y), y + 0.1 * std::sin(4 * x),
+                                              z + 0.1 * std::sin(5 * x) * std::cos(4 * y)));
+    }
+    return entry->second;
+  }
+
+  void add_side(const Place& cube, unsigned axis, int side)
+  {
+    Place beyond = cube, a = cube;
+    beyond[axis] += 2 * side - 1;
+    if(is_full(beyond))
+      return;
+    a[axis] += side;
+    Place b = a, c = a, d = a;
+    const unsigned s = (axis + 2 - unsigned(side)) % 3, t = (axis + 1 + unsigned(side)) % 3;
+    ++b[s], ++c[s], ++c[t], ++d[t];
+    m_mesh.add_face(vertex(a), vertex(b), vertex(c));
+    m_mesh.add_face(vertex(a), vertex(c), vertex(d));
+  }
+
+  int m_size;
+  std::map<Place, Mesh::Vertex_index> m_vertex;
   Mesh m_mesh;
 };
 

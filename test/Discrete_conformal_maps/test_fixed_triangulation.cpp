@@ -300,8 +300,9 @@ TEST(Flattening_status, names)
   std::set<std::string> names;
   for(const Flattening_status status :
       {Flattening_status::success, Flattening_status::not_converged,
-       Flattening_status::triangle_inequality, Flattening_status::no_minimum})
+       Flattening_status::triangle_inequality, Flattening_status::no_minimum,
+       Flattening_status::layout_collapsed})
     names.insert(DC::to_string(status));
-  EXPECT_EQ(names.size(), 4u);
+  EXPECT_EQ(names.size(), 5u);
   EXPECT_EQ(names.count("unknown"), 0u);
 }

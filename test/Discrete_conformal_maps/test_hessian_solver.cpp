@@ -6,7 +6,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/Hessian_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/Simplicial_Cholesky.h>
-#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+#ifdef TEST_SUPERNODAL_CHOLESKY
 #include <CGAL/Discrete_conformal_maps/internal/Supernodal_Cholesky.h>
 #endif
 
@@ -60,7 +60,7 @@ protected:
   }
 };
 
-#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+#ifdef TEST_SUPERNODAL_CHOLESKY
 typedef testing::Types<internal::Simplicial_Cholesky, internal::Supernodal_Cholesky> Factorizations;
 #else
 typedef testing::Types<internal::Simplicial_Cholesky> Factorizations;

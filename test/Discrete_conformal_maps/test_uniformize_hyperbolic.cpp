@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -251,6 +252,64 @@ void check_subdivision(const Hyperbolic_conformal_map& map)
   }
 }
 
+std::vector<double> sorted_lengths(const Hyperbolic_conformal_map& map)
+{
+  std::vector<double> result;
+  for(Edge_index e : map.ideal().mesh().edges())
+    result.push_back(map.length(e));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// ---- Covers ----
+
+// Four vertices of the plate with two holes, around one of the bars beside the first hole.
+std::vector<Vertex_index> loop_around_bar()
+{
+  const Mesh plate = straight_plate_with_holes(2);
+  std::vector<Vertex_index> result;
+  for(const Point& p : {Point(1, 0, 0), Point(1, 0, 1), Point(1, 1, 1), Point(1, 1, 0)})
+    for(Vertex_index v : plate.vertices())
+      if(plate.point(v) == p)
+        result.push_back(v);
+  return result;
+}
+
+// the halfedge of the base below a halfedge of a cover
+Halfedge_index below(Halfedge_index h, unsigned int sheets)
+{
+  return Halfedge_index(2 * (h.idx() / 2 / sheets) + h.idx() % 2);
+}
+
+// The surface is cut along the loop. Across the cut, each copy meets the next one.
+Hyperbolic_surface cyclic_cover(const Triangulation& base, const std::vector<Vertex_index>& loop,
+                                unsigned int sheets)
+{
+  const Delta_complex& mesh = base.mesh();
+  const auto follows_loop = [&](Halfedge_index h) {
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      if(mesh.source(h) == loop[i] && mesh.target(h) == loop[(i + 1) % loop.size()])
+        return true;
+    return false;
+  };
+  Sides faces;
+  std::vector<double> length;
+  for(Edge_index e : mesh.edges())
+    length.insert(length.end(), sheets, base.length(e));
+  for(Face_index f : mesh.faces())
+    for(unsigned int sheet = 0; sheet < sheets; ++sheet) {
+      faces.emplace_back();
+      std::size_t side = 0;
+      for(Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
+        const unsigned int copy =
+          follows_loop(mesh.opposite(h)) ? (sheet + sheets - 1) % sheets : sheet;
+        const int label = int(h.idx() / 2 * sheets + copy) + 1;
+        faces.back()[side++] = h.idx() % 2 == 0 ? label : -label;
+      }
+    }
+  return {glue(faces), length};
+}
+
 std::vector<double> random_numbers(std::size_t n, double bound, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -348,16 +407,43 @@ TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
   }
 }
 
+// Any triangulation of the same surface with the same vertices, from few flips to a thorough mix. The edges of the
+// result are those of the hyperbolic Delaunay triangulation, in any order.
 TEST(Uniformize_hyperbolic, does_not_depend_on_the_triangulation)
 {
-  const Triangulation t(plate_with_holes(3));
-  Triangulation flipped = t;
-  flip_at_random(flipped, 300, 3);
-  const Hyperbolic_conformal_map map = uniformize({t.mesh(), lengths_of(t)}),
-                                 other = uniformize({flipped.mesh(), lengths_of(flipped)});
-  for(Vertex_index v : t.mesh().vertices())
-    EXPECT_NEAR(map.log_scale(v), other.log_scale(v), 1e-9);
-  EXPECT_NE(t.mesh().number_of_edges(), 0u);
+  for(int g = 2; g <= 4; ++g) {
+    const Triangulation t(plate_with_holes(g));
+    const Hyperbolic_conformal_map map = uniformize({t.mesh(), lengths_of(t)});
+    for(const std::size_t flips : {1u, 30u, 300u, 3000u}) {
+      SCOPED_TRACE(std::to_string(g) + ' ' + std::to_string(flips));
+      Triangulation flipped = t;
+      flip_at_random(flipped, flips, 3);
+      const Hyperbolic_conformal_map other = uniformize({flipped.mesh(), lengths_of(flipped)});
+      for(Vertex_index v : t.mesh().vertices())
+        EXPECT_NEAR(map.log_scale(v), other.log_scale(v), 1e-9);
+      const std::vector<double> one = sorted_lengths(map), two = sorted_lengths(other);
+      ASSERT_EQ(one.size(), two.size());
+      for(std::size_t i = 0; i < one.size(); ++i)
+        EXPECT_NEAR(one[i], two[i], 1e-9);
+    }
+  }
+}
+
+// The metric of a surface, lifted to a covering surface, is discretely conformal there, and there is only one.
+TEST(Uniformize_hyperbolic, covers_get_the_lifted_metric)
+{
+  const Triangulation base(plate_with_holes(2));
+  const Hyperbolic_conformal_map map = uniformize({base.mesh(), lengths_of(base)});
+  for(const unsigned int sheets : {2u, 3u}) {
+    SCOPED_TRACE(sheets);
+    const Hyperbolic_surface cover = cyclic_cover(base, loop_around_bar(), sheets);
+    ASSERT_EQ(cover.mesh.number_of_vertices(), sheets * base.mesh().number_of_vertices());
+    const Hyperbolic_conformal_map lifted = uniformize(cover);
+    check_map(lifted, sheets + 1); // the Euler characteristic is -2 per sheet
+    for(Halfedge_index h : cover.mesh.halfedges())
+      EXPECT_NEAR(lifted.log_scale(cover.mesh.source(h)),
+                  map.log_scale(base.mesh().source(below(h, sheets))), 1e-9);
+  }
 }
 
 // One number for all vertices makes up for the size.

@@ -129,6 +129,7 @@ public:
   ///   - `OK`;
   ///   - `ERROR_NO_1_TO_1_MAPPING` if no map is one-to-one and projective on the faces of `mesh`: with
   ///     `Flipping::to_Delaunay` an edge had to be flipped; with `Flipping::none` there are no scale factors;
+  ///     or faces in the plane are smaller than rounding;
   ///   - `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_TOPOLOGICAL_DISC` as their names say;
   ///   - `ERROR_WRONG_PARAMETER` if `flatten()` refuses the input, because an edge has no length, for example;
   ///   - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if numbers had not enough digits.
@@ -173,6 +174,8 @@ private:
     typedef typename boost::property_traits<VertexUVMap>::value_type Point_2;
     if(map.status() == Flattening_status::not_converged)
       return Surface_mesh_parameterization::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    if(map.status() == Flattening_status::layout_collapsed)
+      return Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING;
     internal::for_each_corner(
       map, component.mesh(), [&](Halfedge_index h, const std::array<double, 3>& z) {
         const Vertex_index v = component.mesh().target(h);

@@ -11,15 +11,17 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// how `flatten()` has ended. The last two occur in fixed triangulations only.
+/// how `flatten()` has ended. `triangle_inequality` and `no_minimum` occur in fixed triangulations only.
 enum class Flattening_status
 {
   success,       ///< the map has what is prescribed
   not_converged, ///< the minimization has not converged: its own status says why
   triangle_inequality, ///< in some faces the scaled lengths do not obey the triangle inequality, so nothing is
                        ///< laid out
-  no_minimum ///< no scale factors give this triangulation the prescribed angles: some vertices together
-             ///< need more than the faces around them have, or less than the faces between them
+  no_minimum, ///< no scale factors give this triangulation the prescribed angles: some vertices together
+              ///< need more than the faces around them have, or less than the faces between them
+  layout_collapsed ///< the scale factors are as prescribed, but in the plane some faces are turned over or have no
+                   ///< area: they are smaller than rounding there
 };
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -31,6 +33,7 @@ inline const char* to_string(Flattening_status status)
     case Flattening_status::not_converged: return "not_converged";
     case Flattening_status::triangle_inequality: return "triangle_inequality";
     case Flattening_status::no_minimum: return "no_minimum";
+    case Flattening_status::layout_collapsed: return "layout_collapsed";
   }
   return "unknown";
 }

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// a part of the work of `flatten()` or `uniformize_hyperbolic()`.
+/// a part of the work of `flatten()`, `uniformize_hyperbolic()` or `map_to_sphere()`.
 enum class Flattening_stage
 {
   cones,     ///< cones are placed, for a map to the plane

@@ -8,15 +8,19 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Layout.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/Flat_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/Plane_predicates.h>
 #include <CGAL/Discrete_conformal_maps/internal/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
+#include <algorithm>
+#include <complex>
 #include <limits>
 #include <memory>
 #include <type_traits>
@@ -61,8 +65,9 @@ public:
     m_builder.set_scale_factors(m_scale);
   }
 
-  Planar_conformal_map finish()
+  Planar_conformal_map finish(Layout layout)
   {
+    m_layout = layout;
     m_visitor.start(Flattening_stage::trace);
     m_builder.trace();
     m_visitor.start(Flattening_stage::subdivide);
@@ -144,6 +149,23 @@ private:
     else
       lay_out(m_builder.log_scale(), correction);
     arrange_charts();
+    if(m_map.status() == Flattening_status::success && has_collapsed_face())
+      m_map.m_status = Flattening_status::layout_collapsed;
+  }
+
+  bool has_collapsed_face() const
+  {
+    const auto point = [&](Halfedge_index h) {
+      const std::complex<double> z = m_map.position(h);
+      return Plane_predicates<double>::Point{z.real(), z.imag()};
+    };
+    const auto has_collapsed = [&](Face_index f) {
+      const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+      return m_map.is_laid_out(f) && Plane_predicates<double>().orientation(
+                                       point(side[0]), point(side[1]), point(side[2])) <= 0;
+    };
+    const auto faces = mesh().faces();
+    return std::any_of(faces.begin(), faces.end(), has_collapsed);
   }
 
   void leave_out()
@@ -164,7 +186,7 @@ private:
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
     const Cut_graph cut(mesh(), length, m_is_wall, m_map.m_is_laid_out, terminals());
     const std::vector<FT> exact = m_builder.scaled_lengths(u);
-    const Flat_layout<FT> layout(mesh(), exact, cut);
+    const Flat_layout<FT> layout(mesh(), exact, cut, m_layout);
     for(Halfedge_index h : mesh().halfedges())
       m_map.m_position.push_back(layout.position(h));
     for(Edge_index e : mesh().edges())
@@ -196,6 +218,7 @@ private:
   Planar_conformal_map m_map;
   Map_builder m_builder;
   std::vector<char> m_is_wall; // edges of T^C that are not passed
+  Layout m_layout = Layout::least_squares;
 };
 
 // those to start from
@@ -259,6 +282,11 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
 ///     \cgalParamType{`Flipping`}
 ///     \cgalParamDefault{`Flipping::to_Delaunay`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{layout}
+///     \cgalParamDescription{how flat faces are laid out}
+///     \cgalParamType{`Layout`}
+///     \cgalParamDefault{`Layout::least_squares`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
 ///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a state}
@@ -296,7 +324,8 @@ Planar_conformal_map flatten(const Graph& g,
   flattening.start_from(internal::initial_log_scales(g, np));
   flattening.find_scale_factors(
     choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()), bound);
-  return flattening.finish();
+  return flattening.finish(
+    choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares));
 }
 
 } // namespace Discrete_conformal_maps

@@ -45,7 +45,6 @@ public:
 
   Spherical_conformal_map run()
   {
-    m_visitor.start(Flattening_stage::optimize);
     const Unfolded_sphere sphere = unfold();
     m_visitor.start(Flattening_stage::trace);
     m_builder.set_scale_factors(sphere);

@@ -33,6 +33,10 @@ enum initial_log_scale_map_t
 {
   initial_log_scale_map
 };
+enum layout_t
+{
+  layout
+};
 } // namespace internal_np
 
 namespace parameters {
@@ -120,6 +124,22 @@ auto initial_log_scale_map(const Map& map, const NamedParameters& np)
 {
   return CGAL::Named_function_parameters<Map, internal_np::initial_log_scale_map_t,
                                          NamedParameters>(map, np);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// names a `Layout`: how flat faces are laid out in the plane.
+template <typename Layout>
+auto layout(const Layout& value)
+{
+  return CGAL::Named_function_parameters<Layout, internal_np::layout_t>(value);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// the same, after the parameters `np`.
+template <typename Layout, typename NamedParameters>
+auto layout(const Layout& value, const NamedParameters& np)
+{
+  return CGAL::Named_function_parameters<Layout, internal_np::layout_t, NamedParameters>(value, np);
 }
 
 } // namespace parameters

@@ -41,13 +41,13 @@ public:
   void set_fixed_to_zero(Vector& v) const { m_fixed.set_fixed_to_zero(v); }
   double remove_means(Vector&) const { return 0; }
 
-  // Variables a few roundings from their bounds, or below them, are put there.
+  // Variables some roundings from their bounds, or below them, are put there: functions may not tell them apart.
   Vector feasible(const Vector& point) const
   {
     Vector result = point;
     for(const Eigen::Index i : indices()) {
       const double l = m_lower_bound[i];
-      const double margin = 4 * std::numeric_limits<double>::epsilon() * std::abs(l);
+      const double margin = 64 * std::numeric_limits<double>::epsilon() * std::abs(l);
       if(std::isfinite(l) && result[i] <= l + margin)
         result[i] = l;
     }

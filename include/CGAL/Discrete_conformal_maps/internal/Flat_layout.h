@@ -7,10 +7,14 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/Cut_graph.h>
 #include <CGAL/Discrete_conformal_maps/internal/Least_squares_shift.h>
+#include <CGAL/Discrete_conformal_maps/internal/Plane_vector.h>
+#include <CGAL/Discrete_conformal_maps/internal/Spectral_layout.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -29,22 +33,12 @@ namespace internal {
 template <typename FT>
 class Flat_layout
 {
-  struct Vector
-  {
-    FT x, y;
-
-    friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
-    friend Vector operator-(const Vector& v, const Vector& w) { return {v.x - w.x, v.y - w.y}; }
-    friend Vector operator*(const FT& s, const Vector& v) { return {s * v.x, s * v.y}; }
-    friend Vector turned(const Vector& v, const Vector& by)
-    {
-      return {v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x};
-    }
-  };
+  typedef Plane_vector<FT> Vector;
 
 public:
   // `length` has the lengths of all edges
-  Flat_layout(const Delta_complex& mesh, const std::vector<FT>& length, const Cut_graph& cut)
+  Flat_layout(const Delta_complex& mesh, const std::vector<FT>& length, const Cut_graph& cut,
+              Layout layout = Layout::least_squares)
     : m_mesh(mesh),
       m_length(length),
       m_position(mesh.num_halfedges(), Vector{FT(0), FT(0)}),
@@ -59,6 +53,10 @@ public:
     for(Vertex_index v : mesh.vertices())
       if(!mesh.is_isolated(v))
         unite_corners(v, cut);
+    if(layout == Layout::spectral)
+      improve_charts(cut);
+    if(layout != Layout::least_squares)
+      return;
     distribute_errors(cut);
     // with more digits than shifts have, what the first has left
     if(!std::is_same<FT, double>::value)
@@ -87,8 +85,8 @@ private:
   {
     const Halfedge_index n = m_mesh.next(h), p = m_mesh.prev(h);
     m_position[n.idx()] = m_position[h.idx()] + length(h) * m_direction[h.idx()];
-    m_direction[n.idx()] = turned(m_direction[h.idx()], turn(n));
-    m_direction[p.idx()] = turned(m_direction[n.idx()], turn(p));
+    m_direction[n.idx()] = m_direction[h.idx()] * turn(n);
+    m_direction[p.idx()] = m_direction[n.idx()] * turn(p);
     // along the shorter way
     m_position[p.idx()] = length(n) < length(p)
                             ? m_position[n.idx()] + length(n) * m_direction[n.idx()]
@@ -131,8 +129,7 @@ private:
     Least_squares_shift shift(m_united.size());
     for(const Cut_graph::Step& step : cut.steps())
       for(Halfedge_index h : Intrinsic_triangulations::internal::sides(step.face, m_mesh)) {
-        const Vector misfit =
-          length(h) * m_direction[h.idx()] - (united(m_mesh.next(h)) - united(h));
+        const Vector misfit = side(h) - (united(m_mesh.next(h)) - united(h));
         const double weight = static_cast<double>(1 / (length(h) * length(h)));
         shift.add(point(h), point(m_mesh.next(h)), weight, to_complex(misfit));
       }
@@ -144,21 +141,69 @@ private:
       m_united[i] = m_united[i] + Vector{FT(shift(i).real()), FT(shift(i).imag())};
   }
 
-  const Vector& united(Halfedge_index h) const { return m_united[std::size_t(point(h))]; }
-
-  static std::complex<double> to_complex(const Vector& v)
+  void improve_charts(const Cut_graph& cut)
   {
-    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+    m_number.assign(m_united.size(), none);
+    const auto& steps = cut.steps();
+    for(auto root = steps.begin(); root != steps.end();) {
+      const auto end = std::find_if(
+        root + 1, steps.end(), [](const Cut_graph::Step& step) { return !step.entry.is_valid(); });
+      improve_chart(root, end, cut);
+      root = end;
+    }
   }
+
+  template <typename Iterator>
+  void improve_chart(Iterator begin, Iterator end, const Cut_graph& cut)
+  {
+    Spectral_layout<FT> spectral;
+    std::vector<std::size_t> points;
+    for(Iterator step = begin; step != end; ++step) {
+      const auto sides = Intrinsic_triangulations::internal::sides(step->face, m_mesh);
+      for(Halfedge_index h : sides)
+        number(h, points);
+      spectral.add_face(
+        {number(sides[0], points), number(sides[1], points), number(sides[2], points)},
+        {side(sides[0]), side(sides[1]), side(sides[2])});
+      for(Halfedge_index h : sides)
+        if(cut.is_seam(Edge_index(h)))
+          spectral.add_boundary_edge(number(h, points), number(m_mesh.next(h), points),
+                                     static_cast<double>(length(h)));
+    }
+    std::vector<Vector> position;
+    for(std::size_t i : points)
+      position.push_back(m_united[i]);
+    spectral.improve(position);
+    for(std::size_t k = 0; k < points.size(); ++k)
+      m_united[points[k]] = position[k];
+  }
+
+  // the number in its chart of the point at the source of `h`, the next if it has none
+  std::size_t number(Halfedge_index h, std::vector<std::size_t>& points)
+  {
+    const std::size_t i = static_cast<std::size_t>(point(h));
+    if(m_number[i] == none) {
+      m_number[i] = points.size();
+      points.push_back(i);
+    }
+    return m_number[i];
+  }
+
+  Vector side(Halfedge_index h) const { return length(h) * m_direction[h.idx()]; }
+
+  const Vector& united(Halfedge_index h) const { return m_united[std::size_t(point(h))]; }
 
   int point(Halfedge_index h) const { return m_point[h.idx()]; }
 
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;
-  std::vector<Vector> m_position;  // of the source of each halfedge
-  std::vector<Vector> m_direction; // of each halfedge
-  std::vector<int> m_point;        // the number of the point at the source of each halfedge
-  std::vector<Vector> m_united;    // the points
+  std::vector<Vector> m_position;    // of the source of each halfedge
+  std::vector<Vector> m_direction;   // of each halfedge
+  std::vector<int> m_point;          // the number of the point at the source of each halfedge
+  std::vector<Vector> m_united;      // the points
+  std::vector<std::size_t> m_number; // of each point in its chart
 };
 
 } // namespace internal

@@ -76,9 +76,20 @@ private:
     const double noise = rounding_error(hessian).dot(m_direction.direction().cwiseAbs());
     const std::optional<Status> end =
       -m_base_slope > noise ? search_line() : step_within_rounding();
-    if(!end)
-      m_visitor.after_iteration(++m_iterations, m_descent.norm(), m_step * m_direction.length());
-    return end;
+    if(end)
+      return end;
+    m_visitor.after_iteration(++m_iterations, m_descent.norm(), m_step * m_direction.length());
+    return leads_nowhere() ? std::optional(Status::rounding_limit) : std::nullopt;
+  }
+
+  // whether some steps in a row were no more than rounding of each variable, although none was damped
+  bool leads_nowhere()
+  {
+    const double unit = 64 * std::numeric_limits<double>::epsilon();
+    const bool is_short =
+      ((m_descent.point() - m_base).array().abs() <= unit * m_base.array().abs()).all();
+    m_short_steps = is_short && !m_direction.is_damped() ? m_short_steps + 1 : 0;
+    return m_short_steps == 3;
   }
 
   double slope() const { return m_descent.gradient().dot(m_direction.direction()); }
@@ -166,7 +177,8 @@ private:
   double m_base_slope = 0;
   double m_step = 0;
   double m_largest_error = 0; // rounding error of the gradient
-  int m_failures = 0;         // steps within rounding, in a row, that were not good
+  int m_short_steps = 0;
+  int m_failures = 0; // steps within rounding, in a row, that were not good
 };
 
 } // namespace internal

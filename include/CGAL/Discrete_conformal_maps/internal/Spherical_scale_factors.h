@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -51,6 +52,21 @@ public:
   const std::vector<FT>& bounds() const { return m_bound; }
   const Minimization_result& result() const { return m_result; }
 
+  // The greatest error of an angle that must be full: at vertices that are not at their bounds. At the others, the slope
+  // of the energy is like a root. There may be no number for where it vanishes, and the bound leaves as much as the
+  // root of a rounding unit in the gradient, before which all else in it is lost; but the sum of angles need not be full
+  // there.
+  double angle_error() const
+  {
+    double result = 0;
+    for(std::size_t v = 0; v < m_u.size(); ++v)
+      if(m_u[v] != m_bound[v]) {
+        const double error = std::abs(m_energy.gradient()[Eigen::Index(v)]);
+        result = error <= result ? result : error; // keeps what is no number
+      }
+    return result;
+  }
+
   // Starts from scale factors of another precision instead of a guess.
   template <typename Other>
   void set_start(const Spherical_scale_factors<Other>& other)
@@ -59,31 +75,41 @@ public:
       m_u[v] = other.values()[v] == other.bounds()[v] ? m_bound[v] : FT(other.values()[v]);
   }
 
-  // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to `double` limits only how far a step can change the
-  // scale factors: where they have more digits, a second run finds these.
+  // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to `double` limits only how
+  // far a step can change the scale factors: where they have more digits, a second run finds these. Where they have
+  // not, a second run leaves vertices at their bounds: see `angle_error()`.
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
   {
-    constexpr int runs = std::is_same<FT, double>::value ? 1 : 2;
-    for(int run = 0; run < runs; ++run) {
-      Vector lower(Eigen::Index(m_u.size())), x = Vector::Zero(lower.size());
-      for(std::size_t v = 0; v < m_u.size(); ++v)
-        lower[Eigen::Index(v)] = static_cast<double>(m_bound[v] - m_u[v]);
-      m_energy.set_origin(m_u);
-      Minimization_domain domain;
-      domain.is_fixed.assign(m_u.size(), 0);
-      domain.is_fixed[m_at_infinity.idx()] = 1;
-      const Minimization_result last =
-        Bounded_Newton_minimizer(tolerance, iteration_limit)(m_energy, x, lower, domain, visitor);
-      add_result(last);
-      take(x, lower);
-    }
+    run(tolerance, false, visitor);
+    if(!is_rounded || m_result.status != Minimization_status::converged)
+      run(tolerance, is_rounded, visitor);
   }
 
 private:
   // Ten or twenty are usual. Where bounds are active without effect, it may be better to take more digits.
   static constexpr std::size_t iteration_limit = 100;
   static constexpr double sufficient = 1e-13; // radians
+  static constexpr bool is_rounded = std::is_same<FT, double>::value;
+
+  template <typename Visitor>
+  void run(double tolerance, bool stays_at_bounds, Visitor& visitor)
+  {
+    Vector lower(Eigen::Index(m_u.size())), x(lower.size());
+    const std::vector<FT> origin = is_rounded ? std::vector<FT>(m_u.size(), FT(0)) : m_u;
+    Minimization_domain domain;
+    for(std::size_t v = 0; v < m_u.size(); ++v) {
+      lower[Eigen::Index(v)] = static_cast<double>(m_bound[v] - origin[v]);
+      x[Eigen::Index(v)] = static_cast<double>(m_u[v] - origin[v]);
+      domain.is_fixed.push_back(v == m_at_infinity.idx() ||
+                                (stays_at_bounds && m_u[v] == m_bound[v]));
+    }
+    m_energy.set_origin(origin);
+    const Minimization_result last =
+      Bounded_Newton_minimizer(tolerance, iteration_limit)(m_energy, x, lower, domain, visitor);
+    take(x, lower);
+    add_result(last);
+  }
 
   void add_result(const Minimization_result& last)
   {

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/Partially_decorated_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/Sphere_layout.h>
@@ -34,18 +35,22 @@ public:
                   Vertex_index at_infinity, Visitor& visitor)
     : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity)
   {
+    visitor.start(Flattening_stage::optimize);
     const Delta_complex& mesh = problem.triangulation().mesh();
     Spherical_scale_factors<double> rounded(mesh, problem.triangulation().length_map(),
                                             at_infinity);
     rounded.minimize(1e-13, visitor);
+    visitor.start(Flattening_stage::layout);
     take(rounded);
     if(is_good())
       return;
+    visitor.start(Flattening_stage::optimize);
     Spherical_scale_factors<Extended> precise(mesh, problem.triangulation().length_map(),
                                               at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
     precise.minimize(1e-22, visitor);
+    visitor.start(Flattening_stage::layout);
     take(precise);
   }
 
@@ -61,7 +66,7 @@ public:
   const Convexity_certificate& certificate() const { return m_certificate; }
   const Minimization_result& result() const { return m_minimization; }
   // in the plane, where all vertices are flat
-  double max_curvature_error() const { return m_minimization.gradient_norm; }
+  double max_curvature_error() const { return m_angle_error; }
   std::size_t bound_violations() const { return m_bound_violations; }
   bool is_extended() const { return m_is_extended; }
 
@@ -86,7 +91,8 @@ private:
   {
     m_minimization = scale.result();
     // angles that are off by more than this do not lay out
-    if(!(m_minimization.gradient_norm <= 1e-9 && m_minimization.gradient_error <= 1e-9))
+    m_angle_error = scale.angle_error();
+    if(!(m_angle_error <= 1e-9 && m_minimization.gradient_error <= 1e-9))
       return;
     Partially_decorated_surface<FT> surface(m_problem.triangulation().mesh(),
                                             m_problem.triangulation().length_map(), m_at_infinity);
@@ -166,6 +172,7 @@ private:
   std::vector<Halfedge_index> m_flips;
   Convexity_certificate m_certificate;
   Minimization_result m_minimization;
+  double m_angle_error = std::numeric_limits<double>::infinity();
   double m_cross_ratio_error = std::numeric_limits<double>::infinity();
   std::size_t m_bound_violations = 0;
   bool m_is_extended = false;

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What each way to lay flat faces out costs, in seconds of CPU time, and what it leaves: the greatest error of length
+// cross ratios, and triangles of T^C that are turned over or have no area. Arguments are names of meshes.
+
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <complex>
+#include <cstddef>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CM = CGAL::Discrete_conformal_maps;
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+
+// The time of the last stage, which is the layout.
+struct Layout_clock : CM::Default_flattening_visitor
+{
+  std::clock_t since = 0;
+
+  void start(CM::Flattening_stage) { since = std::clock(); }
+};
+
+std::size_t collapsed(const CM::Planar_conformal_map& map)
+{
+  const auto& mesh = map.ideal().mesh();
+  std::size_t result = 0;
+  for(const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f);
+    const std::complex<double> p = map.position(h), q = map.position(mesh.next(h)),
+                               r = map.position(mesh.prev(h));
+    result += map.is_laid_out(f) && (std::conj(q - p) * (r - p)).imag() <= 0;
+  }
+  return result;
+}
+
+void benchmark(const std::string& file)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh)) {
+    std::printf("%s: cannot be read\n", file.c_str());
+    return;
+  }
+  std::printf("%-20s%9u", file.substr(file.find_last_of('/') + 1).c_str(),
+              mesh.number_of_vertices());
+  for(const CM::Layout layout :
+      {CM::Layout::least_squares, CM::Layout::spectral, CM::Layout::incremental}) {
+    Layout_clock clock;
+    const auto map =
+      CM::flatten(mesh, CM::parameters::layout(layout, CGAL::parameters::visitor(std::ref(clock))));
+    std::printf("%10.3f%10.1e%8zu", double(std::clock() - clock.since) / CLOCKS_PER_SEC,
+                CM::max_cross_ratio_error(map), collapsed(map));
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+int main(int argc, char** argv)
+{
+  std::vector<std::string> files(argv + 1, argv + argc);
+  if(files.empty())
+    for(const char* name : {"cow", "camel", "nefertiti", "fandisk", "bunny00", "armadillo"})
+      files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+  std::printf("%29s%28s%28s%28s\n%-20s%9s", "", "least squares", "spectral", "incremental", "mesh",
+              "vertices");
+  for(int i = 0; i < 3; ++i)
+    std::printf("%10s%10s%8s", "seconds", "ratios", "bad");
+  std::printf("\n");
+  for(const std::string& file : files)
+    benchmark(file);
+}

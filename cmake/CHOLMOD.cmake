@@ -1,0 +1,22 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Adds the target CGAL_intrinsic_triangulations::CHOLMOD if SuiteSparse is found: the package with CHOLMOD's
+# factorizations. Used by the build, and by the installed package when an application asks for it.
+
+find_path(SuiteSparse_INCLUDE_DIR suitesparse/cholmod.h)
+find_library(CHOLMOD_LIBRARY cholmod)
+mark_as_advanced(SuiteSparse_INCLUDE_DIR CHOLMOD_LIBRARY)
+if(SuiteSparse_INCLUDE_DIR AND CHOLMOD_LIBRARY)
+  set(SuiteSparse_FOUND TRUE)
+  if(NOT TARGET CGAL_intrinsic_triangulations::CHOLMOD)
+    add_library(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE
+      CGAL_intrinsic_triangulations::Intrinsic_triangulations ${CHOLMOD_LIBRARY})
+    target_include_directories(CGAL_intrinsic_triangulations::CHOLMOD SYSTEM INTERFACE
+      ${SuiteSparse_INCLUDE_DIR})
+    target_compile_definitions(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE
+      CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD)
+  endif()
+endif()
