@@ -11,6 +11,7 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/Transport_cost.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
 #include <algorithm>
@@ -37,7 +38,22 @@ struct Simplified
       fine(surface),
       coarse((simplify(surface, number_of_vertices(n)), surface))
   {}
+
+  Simplified(Evolving_surface s, const Surface_level& before, const Surface_level& after)
+    : surface(std::move(s)), fine(before), coarse(after)
+  {}
 };
+
+// by curvature alone, so that what is flat goes first
+inline Simplified simplified_by_curvature(Evolving_surface surface, std::size_t n)
+{
+  const Surface_level fine(surface);
+  IS::Transport_cost cost(surface);
+  cost.add_curvature(surface);
+  simplify(surface, cost, number_of_vertices(n));
+  const Surface_level coarse(surface);
+  return {std::move(surface), fine, coarse};
+}
 
 template <typename Check>
 void for_each_random_surface(const Check& check)

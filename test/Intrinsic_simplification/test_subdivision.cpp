@@ -203,7 +203,7 @@ TEST(Subdivision, OfAFlatPolygon)
 TEST(Subdivision, OfACube)
 {
   for(const unsigned int n : {100u, 30u, 8u}) {
-    const Simplified s(Evolving_surface(subdivided(cube(), 3)), n);
+    const Simplified s = simplified_by_curvature(Evolving_surface(subdivided(cube(), 3)), n);
     const Surface_map map(s.surface, s.fine, s.coarse);
     const Subdivision subdivision(map, Bends::of_all_edges);
     expect_polygons(subdivision);

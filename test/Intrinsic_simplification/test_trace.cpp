@@ -275,7 +275,7 @@ TEST(Trace, OfAFlatPolygonIsStraight)
 TEST(Trace, OfACubeIsStraight)
 {
   const Mesh mesh = subdivided(cube(), 3);
-  const Simplified s(Evolving_surface(mesh), 8);
+  const Simplified s = simplified_by_curvature(Evolving_surface(mesh), 8);
   const Surface_map map(s.surface, s.fine, s.coarse);
   for(Edge_index e : s.coarse.mesh().edges()) {
     const Trace trace = IS::trace_coarse_edge(s.coarse.mesh().halfedge(e), map);
