@@ -4,8 +4,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Sets up what is missing, builds the program, makes two meshes Delaunay, a real one of CGAL's and one
-# that this repository ships, refines two bad real ones to angles of 25 degrees, and flattens two others: a
-# closed one through cones, and one with boundary to a disk.
+# that this repository ships, refines two bad real ones to angles of 25 degrees, flattens two others, a closed
+# one through cones and one with boundary to a disk, maps one to the sphere and one to the hyperbolic plane, and
+# simplifies one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 trap 'echo "demo.sh: failed at: $BASH_COMMAND" >&2' ERR
@@ -14,6 +15,8 @@ meshes=(build/cgal_data/meshes/man.off demo/data/slivers.off)
 bad_meshes=(build/cgal_data/meshes/{blade,cheese}.off)
 closed_mesh=build/cgal_data/meshes/elephant.off
 open_mesh=build/cgal_data/meshes/nefertiti.off
+sphere_mesh=build/cgal_data/meshes/bull.off
+hyperbolic_mesh=build/cgal_data/meshes/eight.off
 fine_mesh=build/cgal_data/meshes/camel.off
 
 # value FILE KEY: the number under a key of a flat JSON object without spaces.
@@ -63,15 +66,17 @@ print_refined_row()
     "$(value "$(inner "$json" seconds)" refine)" "$(value "$(flat "$json")" status | tr -d '"')"
 }
 
-# print_flat_row MESH
-print_flat_row()
+# print_map_row MESH KEY ...: the values under the keys, and the status.
+print_map_row()
 {
-  local name json key row
+  local name json key value row
   name=$(basename "$1" .off)
   json=results/$name.json
   row=$(printf '%-16s' "$name")
-  for key in vertices cones ptolemy_flips max_curvature_error max_cross_ratio_error flipped_triangles; do
-    row+=$(printf '%14.6g' "$(value "$(flat "$json")" $key)")
+  for key in "${@:2}"; do
+    value=$(value "$(flat "$json")" "$key")
+    [ "$value" = true ] || value=$(printf '%.6g' "$value")
+    row+=$(printf '%14s' "$value")
   done
   echo "$row  $(value "$(flat "$json")" status | tr -d '"')"
 }
@@ -105,6 +110,9 @@ done
 build/intrinsic flatten "$closed_mesh" -o results/elephant.obj --stats results/elephant.json
 build/intrinsic flatten "$open_mesh" -o results/nefertiti.obj --stats results/nefertiti.json \
   --boundary disk
+build/intrinsic sphere "$sphere_mesh" -o results/bull.ply --stats results/bull.json
+build/intrinsic hyperbolic "$hyperbolic_mesh" -o results/eight.obj --stats results/eight.json \
+  --svg results/eight.svg --tiles 1
 build/intrinsic simplify "$fine_mesh" -o results/camel.ply --stats results/camel.json --ratio 0.01
 
 printf '\n%-16s%10s%10s%12s%12s%12s%10s\n' \
@@ -122,11 +130,19 @@ done
 printf '\n%-16s%14s%14s%14s%14s%14s%14s  %s\n' \
   flattened vertices cones 'Ptolemy flips' 'curv. error' 'cross ratios' flipped status
 for mesh in "$closed_mesh" "$open_mesh"; do
-  print_flat_row "$mesh"
+  print_map_row "$mesh" vertices cones ptolemy_flips max_curvature_error max_cross_ratio_error \
+    flipped_triangles
 done
+
+printf '\n%-16s%14s%14s%14s%14s%14s  %s\n' \
+  sphere vertices 'Ptolemy flips' convex 'curv. error' 'cross ratios' status
+print_map_row "$sphere_mesh" vertices ptolemy_flips convex max_curvature_error max_cross_ratio_error
+printf '\n%-16s%14s%14s%14s%14s%14s  %s\n' \
+  hyperbolic vertices 'Ptolemy flips' area 'curv. error' 'gluing error' status
+print_map_row "$hyperbolic_mesh" vertices ptolemy_flips area max_curvature_error max_gluing_error
 
 printf '\n%-16s%10s%10s%12s%12s%12s%12s%10s  %s\n' \
   simplified vertices coarse operations 'area ratio' 'angle was' 'angle is' seconds status
 print_coarse_row "$fine_mesh"
 echo
-echo "Common subdivisions (.ply; .obj with texture coordinates), coarse faces (camel.ply) and statistics (.json) are in $PWD/results"
+echo "Common subdivisions (.ply; .obj with texture coordinates), coarse faces (camel.ply), a tiling (eight.svg) and statistics (.json) are in $PWD/results"
