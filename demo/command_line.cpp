@@ -467,10 +467,8 @@ void add_target(CLI::App& command, Simplify_options& options)
   target.require_option(1);
 }
 
-void add_simplify(CLI::App& app, Options& options)
+void add_simplify_outputs(CLI::App& command, Options& options)
 {
-  CLI::App& command =
-    add_command(app, "simplify", "Remove vertices, intrinsically", options.common.input);
   Simplify_options& own = options.simplify;
   command
     .add_option(
@@ -479,14 +477,24 @@ void add_simplify(CLI::App& app, Options& options)
     ->required();
   command.add_option("--format", own.format, "Format on standard output: ply or vtp")
     ->capture_default_str();
+  command.add_option("--prolongation", own.prolongation,
+                     "Matrix Market file: from coarse vertices to those of the mesh");
+  command.add_option("--save", options.common.save,
+                     "File for the levels and the operations between them");
+}
+
+void add_simplify(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "simplify", "Remove vertices, intrinsically", options.common.input);
+  Simplify_options& own = options.simplify;
+  add_simplify_outputs(command, options);
   add_target(command, own);
   command
     .add_option("--weight", own.weights,
                 "curvature=W or area=W: the share of this in the cost; curvature=1 and area=2 if "
                 "not given")
     ->allow_extra_args(false);
-  command.add_option("--prolongation", own.prolongation,
-                     "Matrix Market file: from coarse vertices to those of the mesh");
   command
     .add_option("--levels", own.number_of_levels,
                 "Number of levels, each smaller by the same factor; the last is the coarse one")
@@ -497,8 +505,6 @@ void add_simplify(CLI::App& app, Options& options)
                 "Refine to this angle in degrees before, so that there are vertices to choose from")
     ->check(CLI::Range(0., 30.))
     ->check(not_a_number);
-  command.add_option("--save", options.common.save,
-                     "File for the levels and the operations between them");
   add_common_options(command, options.common);
   command.footer(simplify_notes);
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/Angle_difference.h>
 #include <CGAL/Discrete_conformal_maps/internal/Hyperbolic_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/assemble_columns.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_triangle.h>
 
@@ -22,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -131,7 +131,8 @@ public:
   const Matrix& Hessian() const
   {
     if(!m_has_Hessian)
-      assemble_Hessian();
+      internal::assemble_columns(
+        mesh(), [this](Vertex_index v, auto& entries) { collect_column(v, entries); }, m_Hessian);
     m_has_Hessian = true;
     return m_Hessian;
   }
@@ -191,31 +192,10 @@ private:
     return (m_cotangent[h.idx()] + m_cotangent[mesh().opposite(h).idx()]) / 2;
   }
 
-  // The columns one after the other, without sorting more than the neighbors of one vertex.
-  void assemble_Hessian() const
-  {
-    const Eigen::Index n = m_target_defect.size();
-    m_Hessian.resize(n, n);
-    m_Hessian.reserve(2 * static_cast<Eigen::Index>(mesh().num_edges()) + n);
-    std::vector<std::pair<int, double>> entries;
-    for(Vertex_index v : mesh().vertices()) {
-      const int i = static_cast<int>(v.idx());
-      m_Hessian.startVec(i);
-      column(v, entries);
-      for(std::size_t k = 0; k < entries.size();) {
-        double& entry = m_Hessian.insertBack(entries[k].first, i) = 0;
-        for(const int row = entries[k].first; k < entries.size() && entries[k].first == row; ++k)
-          entry += entries[k].second;
-      }
-    }
-    m_Hessian.finalize();
-  }
-
-  // In order of rows. The second derivative along x is the sum over all edges of
+  // The second derivative along x is the sum over all edges of
   //   weight ((x_i - x_j)^2 + tanh^2 (x_i + x_j)^2).
-  void column(Vertex_index v, std::vector<std::pair<int, double>>& entries) const
+  void collect_column(Vertex_index v, internal::Column_entries& entries) const
   {
-    entries.clear();
     if(mesh().is_isolated(v))
       return;
     double diagonal = 0;
@@ -228,8 +208,6 @@ private:
       diagonal += (w == v ? 2 * tanh2 : 1 + tanh2) * weight(h);
     });
     entries.emplace_back(static_cast<int>(v.idx()), diagonal);
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
   Penner_surface<FT> m_surface;

@@ -50,7 +50,6 @@ public:
   std::size_t size() const { return m_crossings.size(); }
   const Crossing& operator[](std::size_t x) const { return m_crossings[x]; }
 
-  std::size_t number_of_chords() const { return m_chords.size(); }
   std::size_t number_on(std::size_t chord) const { return m_chords[chord].count; }
 
   // crossing number `rank` on a chord

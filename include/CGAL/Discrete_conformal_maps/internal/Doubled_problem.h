@@ -88,10 +88,6 @@ public:
 
   std::size_t size() const { return m_is_fixed.size(); }
 
-  // whether the face `f` of T^A is one of the surface itself
-  bool is_front(Face_index f) const { return f.idx() < m_half.num_faces(); }
-  // whether the edge `e` of T^A is one of its boundary
-  bool is_axis(Edge_index e) const { return e.idx() < m_half.num_edges() && m_half.is_border(e); }
   bool is_on_boundary(Vertex_index v) const
   {
     return v.idx() < m_half.num_vertices() && m_half.is_border(v) && !m_half.is_isolated(v);

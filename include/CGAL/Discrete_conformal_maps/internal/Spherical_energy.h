@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
 #include <CGAL/Discrete_conformal_maps/internal/Partially_decorated_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/assemble_columns.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_triangle.h>
 
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -86,7 +86,8 @@ public:
   const Matrix& Hessian() const
   {
     if(!m_has_Hessian)
-      assemble_Hessian();
+      assemble_columns(
+        mesh(), [this](Vertex_index v, auto& entries) { collect_column(v, entries); }, m_Hessian);
     m_has_Hessian = true;
     return m_Hessian;
   }
@@ -145,30 +146,9 @@ private:
     return (m_cotangent[h.idx()] + m_cotangent[mesh().opposite(h).idx()]) / 2;
   }
 
-  // column by column
-  void assemble_Hessian() const
+  // loops do not count
+  void collect_column(Vertex_index v, Column_entries& entries) const
   {
-    const Eigen::Index n = m_gradient.size();
-    m_Hessian.resize(n, n);
-    m_Hessian.reserve(2 * Eigen::Index(mesh().num_edges()) + n);
-    std::vector<std::pair<int, double>> entries;
-    for(Vertex_index v : mesh().vertices()) {
-      const int i = static_cast<int>(v.idx());
-      m_Hessian.startVec(i);
-      column(v, entries);
-      for(std::size_t k = 0; k < entries.size();) {
-        double& entry = m_Hessian.insertBack(entries[k].first, i) = 0;
-        for(const int row = entries[k].first; k < entries.size() && entries[k].first == row; ++k)
-          entry += entries[k].second;
-      }
-    }
-    m_Hessian.finalize();
-  }
-
-  // in order of rows; loops do not count
-  void column(Vertex_index v, std::vector<std::pair<int, double>>& entries) const
-  {
-    entries.clear();
     double diagonal = 0;
     Intrinsic_triangulations::internal::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
       const Vertex_index w = mesh().target(h);
@@ -178,8 +158,6 @@ private:
       diagonal += weight(h);
     });
     entries.emplace_back(static_cast<int>(v.idx()), diagonal);
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
   Partially_decorated_surface<FT> m_surface;
