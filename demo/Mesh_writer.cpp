@@ -245,18 +245,48 @@ void add_vtp_points(Text& text, const Output_mesh& mesh)
   text << "</Points>\n";
 }
 
-void add_vtp_polygons(Text& text, const Output_mesh& mesh)
+// Nothing if there are none.
+void add_vtp_cells(Text& text, std::string_view kind,
+                   const std::vector<std::vector<std::size_t>>& cells)
 {
-  text << "<Polys>\n";
-  add_vtp_array(text, "type=\"Int64\" Name=\"connectivity\"", mesh.polygons.size(),
-                [&](std::size_t i) {
-                  for(const std::size_t v : mesh.polygons[i])
-                    text << v << ' ';
-                });
+  if(cells.empty())
+    return;
+  text << '<' << kind << ">\n";
+  add_vtp_array(text, "type=\"Int64\" Name=\"connectivity\"", cells.size(), [&](std::size_t i) {
+    for(const std::size_t v : cells[i])
+      text << v << ' ';
+  });
   std::size_t offset = 0;
-  add_vtp_array(text, "type=\"Int64\" Name=\"offsets\"", mesh.polygons.size(),
-                [&](std::size_t i) { text << (offset += mesh.polygons[i].size()); });
-  text << "</Polys>\n";
+  add_vtp_array(text, "type=\"Int64\" Name=\"offsets\"", cells.size(),
+                [&](std::size_t i) { text << (offset += cells[i].size()); });
+  text << "</" << kind << ">\n";
+}
+
+// `n` times -1, of the type that `like` has.
+std::vector<Attribute::Value> missing_values(const Attribute& like, std::size_t n)
+{
+  typedef Attribute::Value Value;
+  return std::vector<Value>(n, like.has_integers() ? Value(std::int64_t(-1)) : Value(-1.));
+}
+
+// Those of lines, then those of polygons.
+std::vector<Attribute> vtp_cell_data(const Output_mesh& mesh)
+{
+  std::vector<Attribute> result;
+  for(const Attribute& a : mesh.line_data) {
+    result.push_back(a);
+    const std::vector<Attribute::Value> rest = missing_values(a, mesh.polygons.size());
+    result.back().values.insert(result.back().values.end(), rest.begin(), rest.end());
+  }
+  for(const Attribute& a : mesh.polygon_data) {
+    auto both = std::find_if(result.begin(), result.end(),
+                             [&](const Attribute& b) { return b.name == a.name; });
+    if(both == result.end())
+      both = result.insert(both, {a.name, missing_values(a, mesh.lines.size() + a.values.size())});
+    std::copy(a.values.begin(), a.values.end(),
+              both->values.end() - std::ptrdiff_t(a.values.size()));
+  }
+  return result;
 }
 
 std::string vtp_with_point_texture(const Output_mesh& mesh)
@@ -265,16 +295,17 @@ std::string vtp_with_point_texture(const Output_mesh& mesh)
   text << "<?xml version=\"1.0\"?>\n"
        << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
        << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfVerts=\"0\" "
-       << "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << mesh.polygons.size()
-       << "\">\n";
+       << "NumberOfLines=\"" << mesh.lines.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\""
+       << mesh.polygons.size() << "\">\n";
   text << "<PointData" << (mesh.texture.dimension == 2 ? " TCoords=\"texcoord\">\n" : ">\n");
   add_vtp_data(text, mesh.point_data);
   add_vtp_texture(text, mesh.texture);
   text << "</PointData>\n<CellData>\n";
-  add_vtp_data(text, mesh.polygon_data);
+  add_vtp_data(text, vtp_cell_data(mesh));
   text << "</CellData>\n";
   add_vtp_points(text, mesh);
-  add_vtp_polygons(text, mesh);
+  add_vtp_cells(text, "Lines", mesh.lines);
+  add_vtp_cells(text, "Polys", mesh.polygons);
   text << "</Piece>\n</PolyData>\n</VTKFile>\n";
   return text.take();
 }

@@ -9,7 +9,8 @@
 
 #include <string>
 
-// Text formats; PLY and VTP carry the attributes (VTP those of points and polygons), all but OFF the texture:
+// Text formats; PLY and VTP carry the attributes, all but OFF the texture. PLY has the edges, VTP the lines; in VTP, lines
+// come before polygons, and what only one kind has is -1 for the other. The texture:
 // - OBJ as vt, at the corners of faces;
 // - PLY as a property of faces, a list "texcoord" with two numbers for each corner, or
 //   "homogeneous_texcoord" with three;

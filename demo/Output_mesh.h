@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-// One number per vertex, edge or face: all of them integers or all of them not.
+// One number per vertex, edge, face or line: all of them integers or all of them not.
 struct Attribute
 {
   typedef std::variant<std::int64_t, double> Value;
@@ -56,9 +56,11 @@ struct Output_mesh
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 2>> edges;
   std::vector<std::vector<std::size_t>> polygons;
+  std::vector<std::vector<std::size_t>> lines; // through points, as polygons are but open
   std::vector<Attribute> point_data;
   std::vector<Attribute> edge_data;
   std::vector<Attribute> polygon_data;
+  std::vector<Attribute> line_data;
   Texture texture;
 };
 

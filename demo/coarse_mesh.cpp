@@ -84,6 +84,23 @@ std::vector<Attribute> polygon_data(const Coarse_subdivision& subdivision,
           attribute("blue", faces, channel(2))};
 }
 
+void add_coarse_edges(const Coarse_subdivision& subdivision, Output_mesh& result)
+{
+  const Mesh& mesh = subdivision.mesh();
+  const auto edges = subdivision.level(IS::Level::coarse).mesh().edges();
+  for(const IS::Edge_index e : edges) {
+    const auto parts = subdivision.parts_of_coarse_edge(e);
+    result.lines.push_back({mesh.source(*parts.begin())});
+    for(const Mesh::Halfedge_index h : parts)
+      result.lines.back().push_back(mesh.target(h));
+  }
+  const auto black = [](IS::Edge_index) { return std::int64_t(0); };
+  result.line_data = {
+    attribute("coarse_edge", edges, [](IS::Edge_index e) { return number_of(e); }),
+    attribute("red", edges, black), attribute("green", edges, black),
+    attribute("blue", edges, black)};
+}
+
 } // namespace
 
 Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices)
@@ -108,5 +125,6 @@ Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, std::size_t numbe
   result.edge_data = {parent_edges(subdivision, "fine_edge", IS::Level::fine),
                       parent_edges(subdivision, "coarse_edge", IS::Level::coarse)};
   result.polygon_data = polygon_data(subdivision, faces);
+  add_coarse_edges(subdivision, result);
   return result;
 }

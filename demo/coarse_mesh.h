@@ -18,7 +18,7 @@ using Coarse_subdivision = CGAL::Intrinsic_simplification::Surface_subdivision<P
 //   inserted vertex, 3 for a bend of a coarse edge), and the number of the coarse vertex;
 // - of an edge: the edges of both levels of which it is a part;
 // - of a face: the faces of both levels of which it is a part, and a color by which adjacent coarse faces differ.
-// Faces with two sides, which have no area, are left out.
+// Faces with two sides, which have no area, are left out. The lines are the coarse edges, with their numbers, in black.
 Output_mesh coarse_mesh(const Coarse_subdivision& subdivision,
                         std::size_t number_of_input_vertices);
 

@@ -174,9 +174,9 @@ part of the whole that this is.
 simplification ends early, with exit code 0 and the status "nothing_removable" in the statistics.
 Vertices without faces stay; --vertices and --ratio do not count them.
 
-The output is the common subdivision of the mesh and the coarse triangulation: faces have the properties
-"coarse_face" and "fine_face", and a color by which adjacent coarse faces differ; edges in .ply have "coarse_edge"
-and "fine_edge", or -1. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input vertex, 1 crossing of
+The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp faces have the properties
+"coarse_face" and "fine_face", and a color by which adjacent coarse faces differ; in .ply edges have "coarse_edge"
+and "fine_edge", or -1, and .vtp has the coarse edges as poly-lines. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input vertex, 1 crossing of
 a coarse and a fine edge, 2 vertex inserted by --refine, 3 bend of a coarse edge inside a fine face. With
 --refine the fine edges are those of the refined intrinsic triangulation, and lead straight through space here.
 
@@ -471,11 +471,11 @@ void add_simplify_outputs(CLI::App& command, Options& options)
 {
   Simplify_options& own = options.simplify;
   command
-    .add_option(
-      "-o,--output", own.output,
-      "Common subdivision with the coarse triangulation (.ply, .vtp; - for standard output)")
+    .add_option("-o,--output", own.output,
+                "Common subdivision with the coarse triangulation (.off, .obj, .ply, .vtp; - for "
+                "standard output)")
     ->required();
-  command.add_option("--format", own.format, "Format on standard output: ply or vtp")
+  command.add_option("--format", own.format, "Format on standard output: off, obj, ply or vtp")
     ->capture_default_str();
   command.add_option("--prolongation", own.prolongation,
                      "Matrix Market file: from coarse vertices to those of the mesh");

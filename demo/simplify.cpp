@@ -39,14 +39,6 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-Mesh_format format_with_faces(const std::string& path, const std::string& format_name)
-{
-  const Mesh_format format = output_format(path, format_name);
-  if(!has_attributes(format))
-    throw Program_error(path + ": this format cannot carry coarse faces (.ply and .vtp can)");
-  return format;
-}
-
 struct Weights
 {
   double curvature = 1;
@@ -147,7 +139,7 @@ public:
   Simplify_command(const Common_options& common, const Simplify_options& options)
     : m_options(options),
       m_weights(parsed_weights(options.weights)),
-      m_format(format_with_faces(options.output, options.format)),
+      m_format(output_format(options.output, options.format)),
       m_run("simplify", common, outputs_of(options), options.minimum_angle > 0 ? 6 : 4)
   {}
 

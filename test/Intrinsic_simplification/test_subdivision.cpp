@@ -102,11 +102,35 @@ void expect_parents(const Subdivision& subdivision)
   }
 }
 
+// The parts of a coarse edge are a path between its ends, and belong to no other edge.
+void expect_parts_of_coarse_edges(const Subdivision& subdivision)
+{
+  const auto& mesh = subdivision.mesh();
+  const Delta_complex& coarse = subdivision.level(Level::coarse).mesh();
+  std::size_t parts = 0;
+  for(Edge_index e : coarse.edges()) {
+    Vertex_index end = Delta_complex::null_vertex();
+    for(Halfedge_index h : subdivision.parts_of_coarse_edge(e)) {
+      EXPECT_EQ(subdivision.parent_halfedge(Level::coarse, h), coarse.halfedge(e));
+      EXPECT_TRUE(end.is_valid() ? mesh.source(h) == end
+                                 : subdivision.coarse_vertex(mesh.source(h)) ==
+                                     coarse.source(coarse.halfedge(e)));
+      end = mesh.target(h);
+      ++parts;
+    }
+    EXPECT_EQ(subdivision.coarse_vertex(end), coarse.target(coarse.halfedge(e)));
+  }
+  for(Edge_index e : mesh.edges())
+    parts -= subdivision.parent_halfedge(Level::coarse, mesh.halfedge(e)).is_valid();
+  EXPECT_EQ(parts, 0u);
+}
+
 void expect_subdivision(const Simplified& s, const Surface_map& map, Bends bends)
 {
   const Subdivision subdivision(map, bends);
   expect_polygons(subdivision);
   expect_parents(subdivision);
+  expect_parts_of_coarse_edges(subdivision);
   expect_areas(subdivision, Level::fine, s.fine);
   expect_areas(subdivision, Level::coarse, s.coarse);
   expect_mapped(subdivision, map);
@@ -208,6 +232,7 @@ TEST(Subdivision, OfACube)
     const Subdivision subdivision(map, Bends::of_all_edges);
     expect_polygons(subdivision);
     expect_parents(subdivision);
+    expect_parts_of_coarse_edges(subdivision);
     expect_areas(subdivision, Level::fine, s.fine);
     expect_areas(subdivision, Level::coarse, s.coarse);
     for(Face_index f : subdivision.mesh().faces()) {
@@ -261,6 +286,7 @@ TEST(Subdivision, OfDataMeshes)
         const Surface_map map(s.surface, s.fine, s.coarse);
         const Subdivision subdivision(map, Bends::of_all_edges);
         expect_parents(subdivision);
+        expect_parts_of_coarse_edges(subdivision);
         expect_no_negative_areas(subdivision, Level::fine);
         expect_no_negative_areas(subdivision, Level::coarse);
       }

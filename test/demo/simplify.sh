@@ -83,6 +83,34 @@ coarse_edges()
     }' "$1"
 }
 
+# lines FILE: the number of poly-lines in a VTP file, and their length together.
+lines()
+{
+  awk '
+    /Name="Points"/ { part = "points"; next }
+    /^<Lines>/ { in_lines = 1 }
+    /Name="connectivity"/ { part = in_lines ? "lines" : ""; next }
+    /^<\/DataArray>/ { part = ""; in_lines = 0 }
+    part == "points" { x[n] = $1; y[n] = $2; z[n++] = $3 }
+    part == "lines" {
+      ++count
+      for(i = 2; i <= NF; ++i)
+        sum += sqrt((x[$i] - x[$(i - 1)]) ^ 2 + (y[$i] - y[$(i - 1)]) ^ 2 + (z[$i] - z[$(i - 1)]) ^ 2)
+    }
+    END { printf "%d %.9f\n", count, sum }' "$1"
+}
+
+# cell_values NAME FILE: the values of cells in a VTP file.
+cell_values()
+{
+  awk -v name="Name=\"$1\"" '
+    /^<CellData>/ { cells = 1 }
+    /^<\/CellData>/ { exit }
+    /^<\/DataArray>/ { on = 0 }
+    on
+    cells && index($0, name) { on = 1 }' "$2"
+}
+
 # is_colored FILE: the faces of a PLY file have one color for each coarse face, and another on the other side of its edges.
 is_colored()
 {
@@ -142,11 +170,21 @@ expect 0 simplify square.mesh.off -o b.ply --error 1e-12 --weight area=0 --prolo
 [ ! -s err ] || fail "not quiet: $(cat err)"
 cmp a.ply b.ply
 cmp a.mtx b.mtx
-for format in ply vtp; do
+for format in ply vtp off obj; do
   expect 0 simplify square.mesh.off -o "a.$format" --vertices 20
   expect 0 simplify square.mesh.off -o - --vertices 20 --format "$format"
   cmp "a.$format" out
 done
+[ "$(lines a.vtp)" = "$(coarse_edges a.ply)" ] || fail "lines: $(lines a.vtp)"
+n=$(lines a.vtp | cut -d ' ' -f 1)
+cmp <(cell_values coarse_edge a.vtp | head -n "$n") <(seq 0 $((n - 1))) || fail 'numbers of lines'
+! cell_values coarse_edge a.vtp | tail -n "+$((n + 1))" | grep -qvx -- -1 || fail 'coarse edges of faces'
+! cell_values coarse_face a.vtp | head -n "$n" | grep -qvx -- -1 || fail 'coarse faces of lines'
+cmp <(cell_values coarse_face a.vtp | tail -n "+$((n + 1))") \
+  <(awk '/^element/ { n[$2] = $3 } /^end_header/ { body = 1; next }
+    body && n["vertex"]-- <= 0 && n["face"]-- > 0 { print $(NF - 3) }' a.ply) || fail 'coarse faces'
+[ "$(grep -c '^f' a.obj)" = "$(sed -n 's/^element face //p' a.ply)" ] || fail 'faces in .obj'
+[ "$(sed -n '2s/ 0$//p' a.off)" = "$(vertices a.ply | wc -l) $(grep -c '^f' a.obj)" ] || fail 'faces in .off'
 rm a.* b.*
 
 # A parallelogram, in six decimals: coarse edges cross fine ones, and are its sides and the shorter diagonal.
@@ -226,8 +264,8 @@ expect 0 simplify square.mesh.off -o square.mesh.ply --ratio 1
 expect 2 simplify square.mesh.ply -o square.mesh.ply --vertices 10
 says 'never overwritten'
 expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --prolongation a.ply
-expect 2 simplify slivers.mesh.off -o a.off --vertices 10
-says 'cannot carry coarse faces'
+expect 2 simplify slivers.mesh.off -o a.stl --vertices 10
+says 'no such output format'
 expect 2 simplify bow_tie.mesh.off -o a.ply --vertices 10
 for n in 0 -1 many 1.5; do
   expect 2 simplify slivers.mesh.off -o a.ply --vertices=$n

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
@@ -122,6 +123,15 @@ public:
     return parent.is_valid() && h.idx() % 2 == 1 ? level(side).mesh().opposite(parent) : parent;
   }
 
+  /// the halfedges that are the parts of the edge `e` of the coarse level, each beginning where the one before ends, from
+  /// the source of its first halfedge to the target. Complexity: constant.
+  Iterator_range<std::vector<Halfedge_index>::const_iterator>
+  parts_of_coarse_edge(Edge_index e) const
+  {
+    const auto begin = m_coarse_parts.begin();
+    return {begin + m_first_coarse_part[e.idx()], begin + m_first_coarse_part[e.idx() + 1]};
+  }
+
   /// the barycentric coordinates of the target of `h` in the parent of its face. Complexity: constant, or linear in the
   /// degree of the target if it is a vertex of `side`.
   /// \pre `h` is no border halfedge
@@ -201,6 +211,8 @@ private:
   std::array<std::vector<Subdivision_place>, 2> m_place;
   std::array<std::vector<Face_index>, 2> m_parent_face;
   std::array<std::vector<Halfedge_index>, 2> m_parent_halfedge; // of each first halfedge
+  std::vector<Halfedge_index> m_coarse_parts;                   // of all edges of the coarse level
+  std::vector<std::ptrdiff_t> m_first_coarse_part;              // of each edge, and the end
 };
 
 // Lays out the edges: those of the fine level are cut by marks, those of the coarse level are chains of pieces in fine
@@ -228,6 +240,7 @@ public:
       make_edges();
       link_vertices();
     } while(m_marks.merge_bigons(m_mesh));
+    collect_coarse_parts();
     make_faces();
     check_connectivity();
     set_coarse_parents();
@@ -271,6 +284,17 @@ private:
         m_mesh.set_halfedge(v, in);
       }
     }
+  }
+
+  void collect_coarse_parts()
+  {
+    std::vector<Halfedge_index>& parts = m_result.m_coarse_parts;
+    for(Edge_index e : m_coarse.edges()) {
+      m_result.m_first_coarse_part.push_back(static_cast<std::ptrdiff_t>(parts.size()));
+      for(size_type p = m_marks.first_piece(e); p < m_marks.end_of_pieces(e); ++p)
+        parts.push_back(m_marks.coarse_piece(p));
+    }
+    m_result.m_first_coarse_part.push_back(static_cast<std::ptrdiff_t>(parts.size()));
   }
 
   bool is_on_border(Halfedge_index h) const
