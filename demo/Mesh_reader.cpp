@@ -6,27 +6,18 @@
 
 #include "Line_counting_buffer.h"
 #include "Program_error.h"
+#include "file_extension.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <new>
 #include <string>
 
 namespace {
-
-std::string extension_of(const std::filesystem::path& path)
-{
-  std::string result = path.extension().string();
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason)
 {

@@ -6,10 +6,10 @@
 
 #include "Program_error.h"
 #include "Text.h"
+#include "file_extension.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <string_view>
@@ -332,9 +332,7 @@ constexpr std::array<Format_description, 4> formats = {{{"off", Mesh_format::OFF
 // By its name or extension, with or without dot, in any case.
 Mesh_format mesh_format(const std::string& name)
 {
-  std::string key = name.substr(name.compare(0, 1, ".") == 0 ? 1 : 0);
-  std::transform(key.begin(), key.end(), key.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string key = lower_case(name.substr(name.compare(0, 1, ".") == 0 ? 1 : 0));
   for(const Format_description& f : formats)
     if(f.name == key)
       return f.format;

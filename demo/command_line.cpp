@@ -169,7 +169,8 @@ constexpr const char* simplify_notes =
   R"(Vertices are removed one after the other, the one of least cost first. Nothing moves in space: what is
 left is an intrinsic triangulation, Delaunay, of a surface close to the mesh in its distances. The cost of
 a vertex is a length: how far its curvature, area, or both times their weights, will have been moved, times the
-part of the whole that this is.
+part of the whole that this is. With a weight of color (in .ply and .off) or any other numbers at the vertices (properties
+in .ply, by their names) their Laplacian is moved too, so that more vertices stay where their gradients change.
 --error ends with the last vertex whose cost is not above. Where vertices cannot be removed any more,
 simplification ends early, with exit code 0 and the status "nothing_removable" in the statistics.
 Vertices without faces stay; --vertices and --ratio do not count them.
@@ -491,9 +492,10 @@ void add_simplify(CLI::App& app, Options& options)
   add_simplify_outputs(command, options);
   add_target(command, own);
   command
-    .add_option("--weight", own.weights,
-                "curvature=W or area=W: the share of this in the cost; curvature=1 and area=2 if "
-                "not given")
+    .add_option(
+      "--weight", own.weights,
+      "NAME=W: the share of curvature, area, color or a property of vertices in the cost; "
+      "curvature=1 and area=2 if not given")
     ->allow_extra_args(false);
   command
     .add_option("--levels", own.number_of_levels,

@@ -9,13 +9,13 @@
 #include "Program_error.h"
 #include "coarse_mesh.h"
 #include "matrix_market.h"
+#include "removal_cost.h"
 #include "triangulation_stages.h"
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
-#include <CGAL/Intrinsic_simplification/Transport_cost.h>
 #include <CGAL/Intrinsic_simplification/io.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -38,37 +37,6 @@ namespace IS = CGAL::Intrinsic_simplification;
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
-
-struct Weights
-{
-  double curvature = 1;
-  double area = IS::default_area_weight;
-};
-
-// The number after the equals sign.
-double weight_value(const std::string& text, const std::string& value)
-{
-  char* end = nullptr;
-  const double result = std::strtod(value.c_str(), &end);
-  if(value.empty() || *end != '\0' || !std::isfinite(result) || result < 0)
-    throw Program_error("--weight " + text + ": a weight is a number that is not negative");
-  return result;
-}
-
-Weights parsed_weights(const std::vector<std::string>& texts)
-{
-  Weights result;
-  for(const std::string& text : texts) {
-    const std::size_t length = text.find('=');
-    const std::string name = text.substr(0, length);
-    if(length == std::string::npos || (name != "curvature" && name != "area"))
-      throw Program_error("--weight " + text + ": neither curvature=W nor area=W");
-    (name == "area" ? result.area : result.curvature) = weight_value(text, text.substr(length + 1));
-  }
-  if(result.curvature == 0 && result.area == 0)
-    throw Program_error("--weight: not all weights can be zero");
-  return result;
-}
 
 const char* name_of(IS::Removal_status status)
 {
@@ -138,13 +106,14 @@ class Simplify_command
 public:
   Simplify_command(const Common_options& common, const Simplify_options& options)
     : m_options(options),
-      m_weights(parsed_weights(options.weights)),
+      m_weights(options.weights),
       m_format(output_format(options.output, options.format)),
       m_run("simplify", common, outputs_of(options), options.minimum_angle > 0 ? 6 : 4)
   {}
 
   void run()
   {
+    read_functions();
     if(m_options.minimum_angle > 0)
       refine();
     IS::Evolving_surface surface = m_run.timed("build", [&] { return built(); });
@@ -164,12 +133,23 @@ public:
   }
 
 private:
+  void read_functions()
+  {
+    if(m_weights.has_functions() && !m_run.input().repairs.empty())
+      throw Program_error(
+        "--weight: the mesh had to be repaired, and its vertices are not those of the file");
+    m_weights.read_functions(m_run.options().input);
+  }
+
   // How that went has keys of its own in the statistics.
   void refine()
   {
     m_triangulation = make_delaunay_triangulation(m_run);
     refine_if_wanted(m_run, *m_triangulation, m_options.minimum_angle);
     m_triangulation->collect_garbage();
+    for(const IT::Vertex_index v : m_triangulation->mesh().vertices())
+      if(m_triangulation->is_inserted(v))
+        add_function_values(m_triangulation->inserted_vertex(v).location);
     m_run.statistics()["refinement_status"] = m_run.statistics()["status"];
   }
 
@@ -208,11 +188,7 @@ private:
 
   void simplify(IS::Evolving_surface& surface)
   {
-    IS::Transport_cost cost(surface);
-    if(m_weights.curvature > 0)
-      cost.add_curvature(surface, m_weights.curvature);
-    if(m_weights.area > 0)
-      cost.add_area(surface, m_weights.area);
+    IS::Transport_cost cost = m_weights.cost(surface);
     IS::Simplification_result result;
     std::size_t removed = 0;
     double greatest_cost = 0;
@@ -299,9 +275,28 @@ private:
   Point point_of_input(const IT::Face_location<double>& p)
   {
     const Mesh& mesh = m_run.input().mesh;
-    const Mesh::Halfedge_index h = mesh.halfedge(p.first);
-    return CGAL::barycenter(mesh.point(mesh.source(h)), p.second[0], mesh.point(mesh.target(h)),
-                            p.second[1], mesh.point(mesh.target(mesh.next(h))), p.second[2]);
+    const auto [u, v, w] = corners(p.first);
+    return CGAL::barycenter(mesh.point(u), p.second[0], mesh.point(v), p.second[1], mesh.point(w),
+                            p.second[2]);
+  }
+
+  // Functions are linear on the faces of the input.
+  void add_function_values(const IT::Face_location<double>& p)
+  {
+    const auto vertices = corners(p.first);
+    m_weights.add_vertex([&](const std::vector<double>& values) {
+      double sum = 0;
+      for(std::size_t c = 0; c < 3; ++c)
+        sum += p.second[c] * values[vertices[c]];
+      return sum;
+    });
+  }
+
+  std::array<Mesh::Vertex_index, 3> corners(Mesh::Face_index f)
+  {
+    const Mesh& mesh = m_run.input().mesh;
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
   }
 
   // None if they are not wanted.
@@ -344,7 +339,7 @@ private:
   }
 
   const Simplify_options& m_options;
-  Weights m_weights;
+  Cost_weights m_weights;
   Mesh_format m_format;
   Command_run m_run;
   std::optional<Triangulation> m_triangulation; // the refined one

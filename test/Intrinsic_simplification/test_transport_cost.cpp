@@ -8,6 +8,8 @@
 
 #include <CGAL/Intrinsic_simplification/Transport_cost.h>
 
+#include <algorithm>
+#include <array>
 #include <complex>
 #include <map>
 
@@ -123,6 +125,89 @@ TEST(Transport_cost, WeightsAndUnits)
     c.add_quantity(value, 2);
   };
   EXPECT_NEAR(cost_of(add_all), 0.5 * curvature + 3 * area + 2 * quantity, 1e-14);
+}
+
+// ---- Functions ----
+
+// the integrals of products of the gradient with those of the hat functions
+std::vector<double> flux_by_gradients(const Mesh& mesh, const std::vector<double>& value)
+{
+  std::vector<double> result(mesh.number_of_vertices(), 0);
+  for(Face_index f : mesh.faces()) {
+    std::array<Vertex_index, 3> v;
+    std::copy_n(mesh.vertices_around_face(mesh.halfedge(f)).begin(), 3, v.begin());
+    const auto side = [&](std::size_t k) { // across from corner k
+      return mesh.point(v[(k + 2) % 3]) - mesh.point(v[(k + 1) % 3]);
+    };
+    const auto normal = CGAL::cross_product(side(0), side(1)); // twice the area long
+    const auto gradient = [&](std::size_t k) {
+      return CGAL::cross_product(normal, side(k)) / normal.squared_length();
+    };
+    auto sum = value[v[0]] * gradient(0);
+    for(std::size_t k : {1u, 2u})
+      sum += value[v[k]] * gradient(k);
+    for(std::size_t k = 0; k < 3; ++k)
+      result[v[k]] += sum * gradient(k) * std::sqrt(normal.squared_length()) / 2;
+  }
+  return result;
+}
+
+TEST(Transport_cost, MassesOfAFunctionAreItsLaplacian)
+{
+  for(unsigned int seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Mesh mesh = random_sphere(50, seed);
+    std::vector<double> value;
+    CGAL::Random random(seed);
+    for(std::size_t v = 0; v < 50; ++v)
+      value.push_back(random.get_double(-3, 5));
+    const std::vector<double> flux = flux_by_gradients(mesh, value);
+    double sum = 0;
+    for(double x : flux)
+      sum += std::abs(x);
+    const Evolving_surface s(mesh);
+    Transport_cost cost(s);
+    cost.add_function(s, value, 3);
+    ASSERT_EQ(cost.number_of_masses(), 2u);
+    const double sign = (cost.mass(Vertex_index(0), 0) > 0) == (flux[0] > 0) ? 1 : -1;
+    for(Vertex_index v : mesh.vertices()) // random triangles are not much narrower than a hundredth
+      EXPECT_NEAR(cost.mass(v, 0) - cost.mass(v, 1), sign * 3 * flux[v] / sum, 1e-11);
+  }
+}
+
+TEST(Transport_cost, AConstantFunctionHasNoMass)
+{
+  const Evolving_surface s(random_sphere(40, 1));
+  Transport_cost cost(s);
+  cost.add_function(s, std::vector<double>(40, 7.5));
+  EXPECT_EQ(cost.number_of_masses(), 0u);
+}
+
+// On a square of four by four cells a linear function flows in on one side and out on the other.
+TEST(Transport_cost, ALinearFunctionHasMassAtTheBoundaryOnly)
+{
+  std::vector<Point> points;
+  Triangles triangles;
+  std::vector<double> value;
+  for(unsigned int j = 0; j <= 4; ++j)
+    for(unsigned int i = 0; i <= 4; ++i) {
+      points.emplace_back(i, j, 0);
+      value.push_back(1 - 2. * i);
+      if(i < 4 && j < 4) {
+        const unsigned int v = 5 * j + i;
+        triangles.push_back({v, v + 1, v + 6});
+        triangles.push_back({v, v + 6, v + 5});
+      }
+    }
+  const Evolving_surface s(make_mesh(points, triangles));
+  Transport_cost cost(s);
+  cost.add_function(s, value);
+  for(Vertex_index v : s.mesh().vertices()) {
+    const unsigned int i = v % 5, j = v / 5;
+    const double share = i % 4 == 0 ? (j % 4 == 0 ? 1. / 16 : 1. / 8) : 0;
+    EXPECT_NEAR(cost.mass(v, 0) + cost.mass(v, 1), share, 1e-15);
+    EXPECT_NEAR(std::abs(cost.mass(v, 0) - cost.mass(v, 1)), share, 1e-15);
+  }
 }
 
 TEST(Transport_cost, MassIsKept)

@@ -213,6 +213,76 @@ expect 0 simplify slivers.mesh.off -o a.ply --vertices 5000 --stats a.json
 [ "$(number removed a.json)" = 0 ] || fail 'something removed'
 rm a.*
 
+# Colors: a square that is black, and on the right half of it striped. With a weight, hardly a vertex is left where it is
+# black, and the other way round where the properties of a .ply file are.
+grid plain 16 0
+awk 'NR == 1 { print "COFF"; next } NR > 2 && NF == 3 { c = $1 > 0.5 ? 255 * (int(16 * $1) % 2) : 0; print $0, c, c / 5, 0, 255; next } { print }' \
+  plain.mesh.off >striped.mesh.off
+{
+  printf 'ply\nformat ascii 1.0\nelement vertex 289\n'
+  printf 'property %s\n' 'float x' 'float y' 'double z' 'uchar red' 'uchar green' 'uchar blue' 'float heat' 'short depth'
+  printf 'element face 512\nproperty list uchar int vertex_indices\nend_header\n'
+  awk 'NR > 2 && NF == 3 { c = $1 > 0.5 ? 255 * (int(16 * $1) % 2) : 0; print $0, c, c / 5, 0, $1 < 0.5 ? int(16 * $1) % 2 : 0, -c }
+    NR > 2 && NF == 4' plain.mesh.off
+} >striped.mesh.ply
+
+# sides FILE: how many coarse vertices in a PLY file are on the left and how many on the right.
+sides()
+{
+  vertices "$1" | awk '$4 >= 0 { left += $1 < 0.5; right += $1 > 0.5 } END { print left, right }'
+}
+
+expect 0 simplify plain.mesh.off -o a.ply --vertices 100
+read -r left right <<<"$(sides a.ply)"
+[ "$left" -gt 35 ] && [ "$right" -gt 35 ] || fail "without weights: $left and $right"
+expect 0 simplify striped.mesh.off -o b.ply --vertices 100
+cmp a.ply b.ply
+for weight in color=100 depth=100; do
+  expect 0 simplify striped.mesh.ply -o a.ply --vertices 100 --weight $weight
+  read -r left right <<<"$(sides a.ply)"
+  [ "$left" -lt 12 ] && [ "$right" -gt 70 ] || fail "$weight: $left and $right"
+done
+expect 0 simplify striped.mesh.ply -o a.ply --vertices 100 --weight heat=100
+read -r left right <<<"$(sides a.ply)"
+[ "$left" -gt 70 ] && [ "$right" -lt 12 ] || fail "heat: $left and $right"
+expect 0 simplify striped.mesh.ply -o a.ply --vertices 100 --weight color=5
+expect 0 simplify striped.mesh.off -o b.ply --vertices 100 --weight color=5
+cmp a.ply b.ply
+expect 0 simplify striped.mesh.off -o b.ply --vertices 100 --weight color=5 --refine 25
+expect 0 simplify striped.mesh.ply -o b.ply --vertices 100 --weight color=0 --weight height=0
+expect 2 simplify plain.mesh.off -o c.ply --vertices 100 --weight color=1
+says 'no colors'
+expect 2 simplify good.mesh.obj -o c.ply --vertices 100 --weight color=1
+says 'no colors'
+expect 2 simplify plain.mesh.off -o c.ply --vertices 100 --weight heat=1
+says "no property 'heat'"
+expect 2 simplify striped.mesh.ply -o c.ply --vertices 100 --weight cold=1
+says "no property 'cold'; they have blue, depth, green, heat"
+# A tetrahedron in binary; only there numbers can be no numbers.
+binary()
+{
+  local zero='\0\0\0\0' one='\0\0\200\77'
+  printf 'ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n'
+  printf 'property float heat\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n'
+  printf "$zero$zero$zero$1$one$zero$zero$one$zero$one$zero$zero$zero$zero$one$one"
+  printf '\3\0\0\0\0\2\0\0\0\1\0\0\0\3\0\0\0\0\1\0\0\0\3\0\0\0'
+  printf '\3\1\0\0\0\2\0\0\0\3\0\0\0\3\2\0\0\0\0\0\0\0\3\0\0\0'
+}
+binary '\0\0\0\0' >binary.mesh.ply
+expect 0 simplify binary.mesh.ply -o c.ply --vertices 4 --weight heat=1
+binary '\0\0\300\177' >binary.mesh.ply
+expect 2 simplify binary.mesh.ply -o c.ply --vertices 4 --weight heat=1
+says 'not finite'
+rm c.ply
+# A repair moves the numbers of vertices.
+{
+  sed 2q striped.mesh.off | sed '2s/289 /290 /'
+  sed -n '3p;3,$p' striped.mesh.off
+} | awk 'NR > 4 && $1 == 3 { ++$2; ++$3; ++$4 } { print }' >repeated_color.mesh.off
+expect 2 simplify repeated_color.mesh.off -o c.ply --vertices 100 --weight color=1 --repair
+says 'had to be repaired'
+rm a.* b.*
+
 # Levels: matrices from each to the one before, and the saved form.
 expect 0 simplify slivers.mesh.off -o a.ply --vertices 100 --levels 3 --prolongation a.mtx --stats a.json --save a.txt
 expect_files a.json a.ply a.txt a_1.mtx a_2.mtx a_3.mtx
@@ -276,7 +346,7 @@ done
 for error in -1 nan many; do
   expect 2 simplify slivers.mesh.off -o a.ply --error=$error
 done
-for weight in curvature color=1 =1 area= area=-1 area=nan area=inf area=1x; do
+for weight in curvature color =1 area= area=-1 area=nan area=inf area=1x; do
   expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --weight $weight
   says '--weight'
 done

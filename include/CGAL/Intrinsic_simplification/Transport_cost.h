@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cmath>
@@ -69,7 +71,32 @@ public:
     add_quantity(area, weight);
   }
 
-  /// adds a signed quantity on the vertices. For a color call it once for each component.
+  /// adds the Laplacian of a function that is linear on the faces, integrated over the hat function of each vertex: what the
+  /// cotan Laplacian makes of it. It is zero where the function is linear already, so that vertices are left where its
+  /// gradient changes, and the prolongation of its values at them is close to it. For a color call it once for
+  /// each component. Complexity: linear.
+  /// \param surface the surface, Delaunay at best (`Evolving_surface::make_Delaunay()`)
+  /// \param value a range of numbers, one for each vertex
+  /// \param weight the factor of this part of the cost
+  /// \throws Intrinsic_triangulations::Numerical_error if a face is so thin that it has no cotangents
+  /// \pre nothing has been removed yet
+  template <typename Range>
+  void add_function(const Evolving_surface& surface, const Range& value, double weight = 1)
+  {
+    const std::vector<double> x(value.begin(), value.end());
+    std::vector<double> laplacian(m_number_of_vertices, 0);
+    const Delta_complex& mesh = surface.mesh();
+    for(Halfedge_index h : mesh.halfedges())
+      if(!mesh.is_border(h)) {
+        const Vertex_index v = mesh.source(h), w = mesh.target(h);
+        const double flux = opposite_cotangent(h, surface.surface()) / 2 * (x[w] - x[v]);
+        laplacian[v] += flux;
+        laplacian[w] -= flux;
+      }
+    add_quantity(laplacian, weight);
+  }
+
+  /// adds a signed quantity on the vertices, which counts for what it is: where it is great, vertices are left.
   /// Complexity: linear.
   /// \param value a range of numbers, one for each vertex
   /// \param weight the factor of this part of the cost
@@ -165,6 +192,16 @@ private:
     const double rounding =
       Intrinsic_triangulations::rounding_unit<double>() * 2 * internal::pi * corners;
     return std::abs(defect) > rounding ? defect : 0;
+  }
+
+  static double opposite_cotangent(Halfedge_index h, const Intrinsic_surface& surface)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    const double result = Intrinsic_triangulations::corner_cotangent(
+      surface.length(h), surface.length(mesh.next(h)), surface.length(mesh.prev(h)));
+    if(!std::isfinite(result))
+      throw Intrinsic_triangulations::Numerical_error("a face has no area");
+    return result;
   }
 
   static double quadrupled_area(Halfedge_index h, const Intrinsic_surface& surface)

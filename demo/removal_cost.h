@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_REMOVAL_COST_H
+#define INTRINSIC_REMOVAL_COST_H
+
+#include <CGAL/Intrinsic_simplification/Transport_cost.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+// The weights of curvature, of area and of functions on the vertices in the cost of a removal, by their names.
+class Cost_weights
+{
+public:
+  // From texts "name=value"; curvature and area have their defaults.
+  // Throws Program_error if a text is not of this form, a value is negative, or no weight is positive.
+  explicit Cost_weights(const std::vector<std::string>& texts);
+
+  // Reads the functions that have weights, from the file of the mesh.
+  // Throws Program_error as `read_vertex_function()`.
+  void read_functions(const std::string& path);
+
+  // Whether there are such functions.
+  bool has_functions() const;
+
+  // Gives each function a value at one more vertex, which `value()` finds from those that it has.
+  template <class Value>
+  void add_vertex(const Value& value)
+  {
+    for(auto& [name, components] : m_functions)
+      for(std::vector<double>& values : components)
+        values.push_back(value(values));
+  }
+
+  // The cost of removals from the surface, which is made Delaunay if there are functions.
+  // Precondition: the functions have been read, and have values at all vertices.
+  CGAL::Intrinsic_simplification::Transport_cost
+  cost(CGAL::Intrinsic_simplification::Evolving_surface& surface) const;
+
+private:
+  std::map<std::string, double> m_weights;
+  std::map<std::string, std::vector<std::vector<double>>> m_functions; // components
+};
+
+#endif // INTRINSIC_REMOVAL_COST_H
