@@ -56,21 +56,30 @@ std::int64_t kind(const Coarse_subdivision& subdivision, std::size_t number_of_i
   return subdivision.place(IS::Level::fine, v).along.is_valid() ? crossing_kind : bend_kind;
 }
 
-Attribute parent_edges(const Coarse_subdivision& subdivision, const char* name, IS::Level side)
+std::vector<Attribute> edge_data(const Coarse_subdivision& subdivision, const Fine_origin& origin)
 {
   const Mesh& mesh = subdivision.mesh();
-  return attribute(name, mesh.edges(), [&](Mesh::Edge_index e) {
+  const auto parent = [&](IS::Level side, Mesh::Edge_index e) {
     return number_of(IS::Edge_index(subdivision.parent_halfedge(side, mesh.halfedge(e))));
-  });
+  };
+  const auto input_edge = [&](Mesh::Edge_index e) {
+    const std::int64_t fine = parent(IS::Level::fine, e);
+    return fine < 0 ? fine : origin.edges[std::size_t(fine)];
+  };
+  return {attribute("input_edge", mesh.edges(), input_edge),
+          attribute("coarse_edge", mesh.edges(),
+                    [&](Mesh::Edge_index e) { return parent(IS::Level::coarse, e); })};
 }
 
 std::vector<Attribute> polygon_data(const Coarse_subdivision& subdivision,
-                                    const std::vector<Mesh::Face_index>& faces)
+                                    const std::vector<Mesh::Face_index>& faces,
+                                    const Fine_origin& origin)
 {
-  const auto parent = [&](IS::Level side) {
-    return [&subdivision, side](Mesh::Face_index f) {
-      return number_of(subdivision.parent_face(side, f));
-    };
+  const auto input_face = [&](Mesh::Face_index f) {
+    return origin.faces[subdivision.parent_face(IS::Level::fine, f)];
+  };
+  const auto coarse_face = [&](Mesh::Face_index f) {
+    return number_of(subdivision.parent_face(IS::Level::coarse, f));
   };
   const std::vector<std::size_t> color = colors(subdivision.level(IS::Level::coarse).mesh());
   const auto channel = [&](std::size_t c) {
@@ -78,8 +87,7 @@ std::vector<Attribute> polygon_data(const Coarse_subdivision& subdivision,
       return palette[color[subdivision.parent_face(IS::Level::coarse, f)]][c];
     };
   };
-  return {attribute("fine_face", faces, parent(IS::Level::fine)),
-          attribute("coarse_face", faces, parent(IS::Level::coarse)),
+  return {attribute("input_face", faces, input_face), attribute("coarse_face", faces, coarse_face),
           attribute("red", faces, channel(0)), attribute("green", faces, channel(1)),
           attribute("blue", faces, channel(2))};
 }
@@ -103,7 +111,7 @@ void add_coarse_edges(const Coarse_subdivision& subdivision, Output_mesh& result
 
 } // namespace
 
-Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices)
+Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_origin& origin)
 {
   const Mesh& mesh = subdivision.mesh();
   const std::vector<Mesh::Face_index> faces = polygons(mesh);
@@ -120,11 +128,10 @@ Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, std::size_t numbe
     attribute("coarse_vertex", mesh.vertices(),
               [&](Mesh::Vertex_index v) { return number_of(subdivision.coarse_vertex(v)); }),
     attribute("kind", mesh.vertices(), [&](Mesh::Vertex_index v) {
-      return kind(subdivision, number_of_input_vertices, v);
+      return kind(subdivision, origin.number_of_vertices, v);
     })};
-  result.edge_data = {parent_edges(subdivision, "fine_edge", IS::Level::fine),
-                      parent_edges(subdivision, "coarse_edge", IS::Level::coarse)};
-  result.polygon_data = polygon_data(subdivision, faces);
+  result.edge_data = edge_data(subdivision, origin);
+  result.polygon_data = polygon_data(subdivision, faces, origin);
   add_coarse_edges(subdivision, result);
   return result;
 }

@@ -176,14 +176,17 @@ simplification ends early, with exit code 0 and the status "nothing_removable" i
 Vertices without faces stay; --vertices and --ratio do not count them.
 
 The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp faces have the properties
-"coarse_face" and "fine_face", and a color by which adjacent coarse faces differ; in .ply edges have "coarse_edge"
-and "fine_edge", or -1, and .vtp has the coarse edges as poly-lines. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input vertex, 1 crossing of
-a coarse and a fine edge, 2 vertex inserted by --refine, 3 bend of a coarse edge inside a fine face. With
---refine the fine edges are those of the refined intrinsic triangulation, and lead straight through space here.
+"coarse_face" and "input_face", and a color by which adjacent coarse faces differ; in .ply edges have "coarse_edge"
+and "input_edge", or -1, and .vtp has the coarse edges as poly-lines. Vertices have the properties "coarse_vertex",
+or -1, and "kind": 0 input vertex, 1 crossing of a coarse edge with an edge, 2 vertex inserted by --refine, 3 bend of a
+coarse edge inside a face. With --refine more edges lead to the inserted vertices, within the faces of the mesh.
 
 P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its rows are
 barycentric coordinates: not negative, with sum 1. With L levels there are L matrices, P_1.mtx to P_L.mtx, each from
-one level to the one before; the vertices of the levels are those of the mesh that are left, in their order.
+one level to the one before; the vertices of the levels are those of the mesh that are left, in their order. Vertices
+inserted by --refine follow those of the mesh; they can be coarse vertices, but have no rows in the first matrix.
+
+--save writes all levels and the operations between them; with --refine, the mesh with the inserted vertices before.
 
 Example:
   intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --weight area=0.5 --prolongation P.mtx)";

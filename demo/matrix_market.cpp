@@ -7,6 +7,7 @@
 #include "Text.h"
 
 #include <array>
+#include <sstream>
 
 namespace {
 
@@ -32,12 +33,21 @@ void add_entries(Text& text, const Eigen::SparseMatrix<Scalar>& matrix)
            << '\n';
 }
 
+void add_comment(Text& text, const std::string& comment)
+{
+  std::istringstream lines(comment);
+  for(std::string line; std::getline(lines, line);)
+    text << "% " << line << '\n';
+}
+
 template <class Scalar>
-std::string text_of(const Eigen::SparseMatrix<Scalar>& matrix, Matrix_symmetry symmetry)
+std::string text_of(const Eigen::SparseMatrix<Scalar>& matrix, Matrix_symmetry symmetry,
+                    const std::string& comment = "")
 {
   Text text;
   text << "%%MatrixMarket matrix coordinate " << field_name(Scalar()) << ' '
        << symmetry_names[static_cast<std::size_t>(symmetry)] << '\n';
+  add_comment(text, comment);
   if(symmetry == Matrix_symmetry::GENERAL)
     add_entries(text, matrix);
   else
@@ -47,9 +57,10 @@ std::string text_of(const Eigen::SparseMatrix<Scalar>& matrix, Matrix_symmetry s
 
 } // namespace
 
-std::string matrix_market(const Eigen::SparseMatrix<double>& matrix, Matrix_symmetry symmetry)
+std::string matrix_market(const Eigen::SparseMatrix<double>& matrix, Matrix_symmetry symmetry,
+                          const std::string& comment)
 {
-  return text_of(matrix, symmetry);
+  return text_of(matrix, symmetry, comment);
 }
 
 std::string matrix_market(const Eigen::SparseMatrix<std::complex<double>>& matrix,

@@ -61,15 +61,13 @@ bool Cost_weights::has_functions() const
   return std::any_of(m_weights.begin(), m_weights.end(), is_of_function);
 }
 
-IS::Transport_cost Cost_weights::cost(IS::Evolving_surface& surface) const
+IS::Transport_cost Cost_weights::cost(const IS::Evolving_surface& surface) const
 {
   IS::Transport_cost result(surface);
   if(m_weights.at("curvature") > 0)
     result.add_curvature(surface, m_weights.at("curvature"));
   if(m_weights.at("area") > 0)
     result.add_area(surface, m_weights.at("area"));
-  if(has_functions())
-    surface.make_Delaunay();
   for(const auto& [name, components] : m_functions)
     for(const std::vector<double>& values : components)
       result.add_function(surface, values, m_weights.at(name) / double(components.size()));

@@ -35,10 +35,10 @@ public:
         values.push_back(value(values));
   }
 
-  // The cost of removals from the surface, which is made Delaunay if there are functions.
+  // The cost of removals from the surface.
   // Precondition: the functions have been read, and have values at all vertices.
   CGAL::Intrinsic_simplification::Transport_cost
-  cost(CGAL::Intrinsic_simplification::Evolving_surface& surface) const;
+  cost(const CGAL::Intrinsic_simplification::Evolving_surface& surface) const;
 
 private:
   std::map<std::string, double> m_weights;

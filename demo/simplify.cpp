@@ -19,9 +19,9 @@
 #include <CGAL/Intrinsic_simplification/io.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
-#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -147,16 +147,21 @@ private:
     m_triangulation = make_delaunay_triangulation(m_run);
     refine_if_wanted(m_run, *m_triangulation, m_options.minimum_angle);
     m_triangulation->collect_garbage();
-    for(const IT::Vertex_index v : m_triangulation->mesh().vertices())
-      if(m_triangulation->is_inserted(v))
-        add_function_values(m_triangulation->inserted_vertex(v).location);
     m_run.statistics()["refinement_status"] = m_run.statistics()["status"];
   }
 
+  // The surface with positions of its vertices. Its faces are those of the input, or parts of them.
   IS::Evolving_surface built()
   {
-    if(m_triangulation)
+    const auto& points = m_run.input().mesh.points();
+    m_points.assign(points.begin(), points.end());
+    if(m_triangulation) {
+      m_triangulation = IT::input_with_inserted_vertices(*m_triangulation);
+      for(const IT::Vertex_index v : m_triangulation->mesh().vertices())
+        if(m_triangulation->is_inserted(v))
+          add_vertex(m_triangulation->inserted_vertex(v).location);
       return IS::Evolving_surface(*m_triangulation);
+    }
     return IS::Evolving_surface(m_run.input().mesh,
                                 IT::parameters::edge_length_map(edge_lengths(m_run)));
   }
@@ -188,6 +193,8 @@ private:
 
   void simplify(IS::Evolving_surface& surface)
   {
+    if(m_triangulation || m_weights.has_functions()) // thin faces are no measure
+      surface.make_Delaunay();
     IS::Transport_cost cost = m_weights.cost(surface);
     IS::Simplification_result result;
     std::size_t removed = 0;
@@ -250,40 +257,56 @@ private:
     m_run.statistics()["subdivision"] = {{"vertices", mesh.number_of_vertices()},
                                          {"edges", mesh.number_of_edges()},
                                          {"faces", mesh.number_of_faces()}};
-    return coarse_mesh(subdivision, m_run.input().mesh.number_of_vertices());
+    return coarse_mesh(subdivision, origin());
+  }
+
+  Fine_origin origin()
+  {
+    Fine_origin result{m_run.input().mesh.number_of_vertices(), {}, {}};
+    const IS::Delta_complex& mesh = m_levels[0].mesh();
+    for(const IT::Edge_index e : mesh.edges())
+      result.edges.push_back(number_of(input_edge(e)));
+    for(const IT::Face_index f : mesh.faces())
+      result.faces.push_back(
+        number_of(m_triangulation ? m_triangulation->input_location(mesh.halfedge(f)).first : f));
+    return result;
+  }
+
+  // Null if `e` is inside a face.
+  IT::Edge_index input_edge(IT::Edge_index e) const
+  {
+    if(!m_triangulation)
+      return e;
+    if(!m_triangulation->coordinates().is_shared(e))
+      return IT::Edge_index();
+    const IT::Halfedge_index h = m_triangulation->mesh().halfedge(e);
+    return IT::Edge_index(m_triangulation->input_spoke_before(h));
   }
 
   // where the vertices of the subdivision are in space
   void set_points(Coarse_subdivision& subdivision)
   {
-    const Mesh& input = m_run.input().mesh;
-    std::optional<IT::Correspondence<>> correspondence;
-    if(m_triangulation)
-      correspondence.emplace(*m_triangulation);
-    for(const Mesh::Vertex_index v : subdivision.mesh().vertices()) {
-      if(v.idx() < input.number_of_vertices()) {
-        subdivision.mesh().point(v) = input.point(v);
-        continue;
-      }
-      auto p = subdivision.place(IS::Level::fine, v).location;
-      if(correspondence)
-        p = IT::point_across(IT::Side::intrinsic, p, *correspondence);
-      subdivision.mesh().point(v) = point_of_input(p);
-    }
+    for(const Mesh::Vertex_index v : subdivision.mesh().vertices())
+      subdivision.mesh().point(v) =
+        subdivision.is_fine_vertex(v)
+          ? m_points[v]
+          : point_at(subdivision.place(IS::Level::fine, v).location, m_levels[0].mesh());
   }
 
-  Point point_of_input(const IT::Face_location<double>& p)
+  // `mesh` is the input or the fine level.
+  template <class Any_mesh>
+  Point point_at(const IT::Face_location<double>& p, const Any_mesh& mesh) const
   {
-    const Mesh& mesh = m_run.input().mesh;
-    const auto [u, v, w] = corners(p.first);
-    return CGAL::barycenter(mesh.point(u), p.second[0], mesh.point(v), p.second[1], mesh.point(w),
+    const auto [u, v, w] = corners(p.first, mesh);
+    return CGAL::barycenter(m_points[u], p.second[0], m_points[v], p.second[1], m_points[w],
                             p.second[2]);
   }
 
   // Functions are linear on the faces of the input.
-  void add_function_values(const IT::Face_location<double>& p)
+  void add_vertex(const IT::Face_location<double>& p)
   {
-    const auto vertices = corners(p.first);
+    m_points.push_back(point_at(p, m_run.input().mesh));
+    const auto vertices = corners(p.first, m_run.input().mesh);
     m_weights.add_vertex([&](const std::vector<double>& values) {
       double sum = 0;
       for(std::size_t c = 0; c < 3; ++c)
@@ -292,9 +315,9 @@ private:
     });
   }
 
-  std::array<Mesh::Vertex_index, 3> corners(Mesh::Face_index f)
+  template <class Any_mesh>
+  static std::array<Mesh::Vertex_index, 3> corners(Mesh::Face_index f, const Any_mesh& mesh)
   {
-    const Mesh& mesh = m_run.input().mesh;
     const Mesh::Halfedge_index h = mesh.halfedge(f);
     return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
   }
@@ -310,9 +333,21 @@ private:
         matrix.conservativeResize(
           static_cast<Eigen::Index>(m_run.input().mesh.number_of_vertices()), matrix.cols());
       result.push_back(
-        matrix_market(Eigen::SparseMatrix<double>(matrix), Matrix_symmetry::GENERAL));
+        matrix_market(Eigen::SparseMatrix<double>(matrix), Matrix_symmetry::GENERAL, meaning(n)));
     }
     return result;
+  }
+
+  // Which vertices the rows and columns of a matrix belong to.
+  std::string meaning(std::size_t level) const
+  {
+    const auto vertices = [&](std::size_t n) {
+      if(n > 0)
+        return "the vertices of level " + std::to_string(n);
+      return std::string(m_triangulation ? "the vertices of the mesh, without those inserted"
+                                         : "the vertices of the mesh");
+    };
+    return "rows: " + vertices(level - 1) + "\ncolumns: " + vertices(level);
   }
 
   void save(const IS::Surface_history& history)
@@ -323,6 +358,8 @@ private:
     for(const IS::Surface_level& level : m_levels)
       levels.push_back(&level);
     std::ostringstream text;
+    if(m_triangulation)
+      IT::write_intrinsic_triangulation(text, *m_triangulation);
     IS::write_surface_hierarchy(text, history, levels);
     m_run.add_output(m_run.options().save, text.str());
   }
@@ -342,7 +379,8 @@ private:
   Cost_weights m_weights;
   Mesh_format m_format;
   Command_run m_run;
-  std::optional<Triangulation> m_triangulation; // the refined one
+  std::optional<Triangulation> m_triangulation; // the refined one, then the input with its vertices
+  std::vector<Point> m_points;                  // of the vertices of the fine level
   std::vector<IS::Surface_level> m_levels;      // from the fine one to the coarse one
 };
 

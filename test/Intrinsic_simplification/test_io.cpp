@@ -7,6 +7,10 @@
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/io.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 
 #include <sstream>
 
@@ -86,6 +90,33 @@ TEST(Surface_hierarchy, OfManyLevels)
   for(std::size_t n = 0; n < 5; ++n)
     expect_equal(read.levels[n], levels[n]);
   EXPECT_EQ(read.history.size(), surface.history().size());
+}
+
+// A triangulation with inserted vertices, and what has been simplified from it, in one stream: points of the input go to the
+// coarse surface and back.
+TEST(Surface_hierarchy, FollowsARefinement)
+{
+  const Mesh mesh = punctured(random_sphere(60, 9), {3});
+  IT::Intrinsic_triangulation<> refined(mesh);
+  IT::refine(refined);
+  refined.collect_garbage();
+  ASSERT_GT(refined.number_of_inserted_vertices(), 10u);
+  const auto start = IT::input_with_inserted_vertices(refined);
+  const Simplified s(Evolving_surface(start), 30);
+  std::stringstream stream;
+  ASSERT_TRUE(IT::write_intrinsic_triangulation(stream, start));
+  ASSERT_TRUE(write_surface_hierarchy(stream, s.surface.history(), {&s.fine, &s.coarse}));
+  const auto first = IT::read_intrinsic_triangulation(stream);
+  const Surface_hierarchy second = read_surface_hierarchy(stream);
+  const IT::Correspondence<> correspondence(first);
+  const Surface_map map(second.history, second.levels[0], second.levels[1]);
+  for(Face_index f : mesh.faces()) {
+    const Location p{f, {0.2, 0.3, 0.5}};
+    const Location fine = IT::point_across(IT::Side::input, p, correspondence);
+    const Location back = map.to_fine(map.to_coarse(fine));
+    expect_same_place(IT::point_across(IT::Side::intrinsic, back, correspondence), p,
+                      first.input_mesh());
+  }
 }
 
 // Every line that is left out, and numbers that are spoilt, are found, or make another valid file.

@@ -50,7 +50,7 @@ coarse_areas()
     /^element/ { n[$2] = $3 }
     /^end_header/ { body = 1; next }
     !body { next }
-    n["vertex"] > 0 { --n["vertex"]; x[v] = $1; y[v++] = $2; next }
+    n["vertex"] > 0 { --n["vertex"]; x[v + 0] = $1; y[v++] = $2; next }
     n["face"] > 0 {
       --n["face"]
       sum = 0
@@ -63,6 +63,27 @@ coarse_areas()
     END { for(f in area) printf "%d %.9f\n", f, area[f] }' "$1" | sort -n
 }
 
+# area FILE: of the faces in a PLY file, which are flat.
+area()
+{
+  awk '
+    /^element/ { n[$2] = $3 }
+    /^end_header/ { body = 1; next }
+    !body { next }
+    n["vertex"] > 0 { --n["vertex"]; x[v + 0] = $1; y[v + 0] = $2; z[v++] = $3; next }
+    n["face"] > 0 {
+      --n["face"]
+      a = b = c = 0
+      for(i = 3; i < $1 + 1; ++i) {
+        px = x[$i] - x[$2]; py = y[$i] - y[$2]; pz = z[$i] - z[$2]
+        qx = x[$(i + 1)] - x[$2]; qy = y[$(i + 1)] - y[$2]; qz = z[$(i + 1)] - z[$2]
+        a += py * qz - pz * qy; b += pz * qx - px * qz; c += px * qy - py * qx
+      }
+      sum += sqrt(a ^ 2 + b ^ 2 + c ^ 2) / 2
+    }
+    END { printf "%.9g\n", sum }' "$1"
+}
+
 # coarse_edges FILE: the number of coarse edges in a PLY file, and their length together.
 coarse_edges()
 {
@@ -70,7 +91,7 @@ coarse_edges()
     /^element/ { n[$2] = $3 }
     /^end_header/ { body = 1; next }
     !body { next }
-    n["vertex"] > 0 { --n["vertex"]; x[v] = $1; y[v] = $2; z[v++] = $3; next }
+    n["vertex"] > 0 { --n["vertex"]; x[v + 0] = $1; y[v + 0] = $2; z[v++] = $3; next }
     n["face"] > 0 { --n["face"]; next }
     n["edge"] > 0 && $4 >= 0 {
       is_edge[$4] = 1
@@ -299,15 +320,26 @@ expect 2 simplify slivers.mesh.off -o a.ply --error 1 --levels 3
 says '--levels'
 rm a* b.*
 
-# Refinement before: the vertices of the mesh keep their numbers, and its rows are those of the prolongation.
-expect 0 simplify slivers.mesh.off -o a.ply --refine 25 --vertices 200 --prolongation a.mtx --stats a.json
+# Refinement before: the vertices of the mesh keep their numbers, and its rows are those of the prolongation. Coarse edges
+# lie on the mesh, so faces have its area together; the saved form has the mesh with more vertices, then the levels.
+expect 0 simplify slivers.mesh.off -o b.ply --ratio 1
+expect 0 simplify slivers.mesh.off -o a.ply --refine 25 --vertices 200 --prolongation a.mtx --stats a.json --save a.txt
+[ "$(area a.ply)" = "$(area b.ply)" ] || fail "area $(area a.ply) instead of $(area b.ply)"
+[ "$(sed -n '2,3p' a.mtx | tr '\n' ,)" = '% rows: the vertices of the mesh, without those inserted,% columns: the vertices of level 1,' ] ||
+  fail "comments: $(sed -n '2,3p' a.mtx)"
+cmp <(sed -n '1p;1320q' a.txt) <(echo 'intrinsic_triangulation 2')
+read -r v e f <<<"$(sed -n '/^intrinsic_simplification 1$/ { n; p }' a.txt)"
+[ "$v" = $((1320 + $(number inserted_vertices a.json))) ] || fail "saved with $v vertices"
+grep -qx "$v $e $f" <(sed '/^intrinsic_simplification/q' a.txt) || fail 'not the same triangulation in both parts'
+cmp <(awk '/^element/ { n[$2] = $3 } /^end_header/ { body = 1; next }
+    body && n["vertex"]-- <= 0 && n["face"]-- > 0 { print $(NF - 4) }' a.ply | sort -nu) <(seq 0 2639) || fail 'input faces'
 is_prolongation a.mtx 1320 200
 [ "$(number inserted_vertices a.json)" -gt 0 ] || fail 'nothing inserted'
 [ "$(number refinement_status a.json)" != '' ] || fail 'no status of the refinement'
 [ "$(vertices a.ply | awk '$5 == 0' | wc -l)" = 1320 ] || fail 'not the vertices of the mesh'
 [ "$(vertices a.ply | awk '$5 == 2' | wc -l)" = "$(number inserted_vertices a.json)" ] || fail 'kinds'
 is_colored a.ply
-rm a.*
+rm a.* b.*
 
 # Nothing left to remove is no failure, but told.
 expect 0 simplify good.mesh.off -o a.ply --vertices 1 --stats a.json

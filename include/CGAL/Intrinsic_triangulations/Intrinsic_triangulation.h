@@ -42,6 +42,9 @@ struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_
   : std::true_type
 {};
 
+template <typename Traits>
+class Input_splitter;
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -550,6 +553,8 @@ public:
   /// @}
 
 private:
+  friend class internal::Input_splitter<Traits>;
+
   static Edge_length_map add_length_map(Delta_complex& mesh)
   {
     return mesh.template add_property_map<Edge_index, FT>("e:length", FT(0)).first;

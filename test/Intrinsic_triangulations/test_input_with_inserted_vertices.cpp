@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "equality.h"
+#include "generators.h"
+
+#include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+
+typedef IT::Face_location<double> Location;
+
+template <typename NamedParameters>
+Triangulation refined(Triangulation t, const NamedParameters& np)
+{
+  IT::make_Delaunay(t);
+  IT::refine(t, np);
+  t.collect_garbage();
+  return t;
+}
+
+// with faces that are small beside edges of length one
+Triangulation refined(const Triangulation& t)
+{
+  return refined(t, IT::parameters::maximum_circumradius(0.3));
+}
+
+double area(Face_index f, const Delta_complex& mesh, const Triangulation::Edge_length_map& length)
+{
+  const Halfedge_index h = mesh.halfedge(f);
+  const long double a = length[mesh.edge(h)], b = length[mesh.edge(mesh.next(h))],
+                    c = length[mesh.edge(mesh.prev(h))];
+  const long double product = (a + b + c) * (a + b - c) * (a - b + c) * (b + c - a);
+  return static_cast<double>(std::sqrt((std::max)(product, 0.0L)) / 4);
+}
+
+// The faces in each input face have its area together.
+void expect_areas(const Triangulation& t)
+{
+  std::vector<double> sum(t.input_mesh().num_faces(), 0);
+  for(Face_index f : t.mesh().faces())
+    sum[t.input_location(t.mesh().halfedge(f)).first] += area(f, t.mesh(), t.length_map());
+  for(Face_index f : t.input_mesh().faces()) {
+    const double expected = area(f, t.input_mesh(), t.input_length_map());
+    EXPECT_NEAR(sum[f], expected,
+                1e-7 * expected); // Heron's formula loses half of the digits in thin faces
+  }
+}
+
+void check(const Triangulation& r)
+{
+  const Triangulation t = IT::input_with_inserted_vertices(r);
+  ASSERT_TRUE(t.is_valid(true));
+  EXPECT_EQ(t.number_of_inserted_vertices(), r.number_of_inserted_vertices());
+  EXPECT_EQ(t.mesh().number_of_edges(), r.mesh().number_of_edges());
+  EXPECT_EQ(t.mesh().number_of_faces(), r.mesh().number_of_faces());
+  std::size_t shared = 0, on_edges = 0;
+  for(Edge_index e : t.mesh().edges()) {
+    EXPECT_LE(t.coordinates().normal_coordinate(e), 0);
+    EXPECT_FALSE(t.is_constrained(e));
+    shared += t.coordinates().is_shared(e);
+  }
+  for(Vertex_index v : t.mesh().vertices())
+    if(t.is_inserted(v)) {
+      EXPECT_EQ(t.inserted_vertex(v).location, r.inserted_vertex(v).location);
+      on_edges += t.inserted_vertex(v).along.is_valid();
+    }
+  EXPECT_EQ(shared, t.input_mesh().number_of_edges() + on_edges);
+  expect_areas(t);
+  expect_equal(t, triangulation_of(text_of(t)));
+}
+
+std::vector<double> sorted_lengths(const Triangulation& t)
+{
+  std::vector<double> result;
+  for(Edge_index e : t.mesh().edges())
+    result.push_back(t.length(e));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// The Delaunay triangulation of these vertices is unique, on a surface without symmetries.
+void expect_same_Delaunay_triangulation(const Triangulation& r)
+{
+  Triangulation t = IT::input_with_inserted_vertices(r);
+  IT::make_Delaunay(t);
+  const std::vector<double> expected = sorted_lengths(r), found = sorted_lengths(t);
+  ASSERT_EQ(found.size(), expected.size());
+  for(std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i], expected[i], 1e-9);
+}
+
+TEST(Input_with_inserted_vertices, OfAllSurfaces)
+{
+  std::size_t inserted = 0;
+  for(const Named_complex& c : complexes()) {
+    SCOPED_TRACE(c.name);
+    const Triangulation r = refined(triangulation(c.mesh, random_lengths(c.mesh, 1)));
+    inserted += r.number_of_inserted_vertices();
+    check(r);
+    expect_same_Delaunay_triangulation(r);
+  }
+  EXPECT_GT(inserted, 300u);
+}
+
+TEST(Input_with_inserted_vertices, IsTheInputWithoutAny)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    const Triangulation input(m.mesh);
+    Triangulation flipped(m.mesh);
+    IT::make_Delaunay(flipped);
+    expect_equal(IT::input_with_inserted_vertices(flipped), input);
+  }
+}
+
+Point place(Vertex_index v, const Triangulation& t, const Mesh& mesh)
+{
+  if(!t.is_inserted(v))
+    return mesh.point(v);
+  const auto& [f, b] = t.inserted_vertex(v).location;
+  const Halfedge_index h = t.input_mesh().halfedge(f);
+  return CGAL::barycenter(mesh.point(mesh.source(h)), b[0], mesh.point(mesh.target(h)), b[1],
+                          mesh.point(mesh.target(mesh.next(h))), b[2]);
+}
+
+TEST(Input_with_inserted_vertices, IsStraightInSpace)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    double size = 0;
+    for(const Point& p : m.mesh.points())
+      size = (std::max)(size, std::sqrt(CGAL::squared_distance(p, Point(0, 0, 0))));
+    const Triangulation t = IT::input_with_inserted_vertices(
+      refined(Triangulation(m.mesh), IT::parameters::maximum_circumradius(size / 8)));
+    EXPECT_GT(t.number_of_inserted_vertices(), 0u);
+    for(Edge_index e : t.mesh().edges()) {
+      const Point p = place(t.mesh().vertex(e, 0), t, m.mesh),
+                  q = place(t.mesh().vertex(e, 1), t, m.mesh);
+      EXPECT_NEAR(t.length(e), std::sqrt(CGAL::squared_distance(p, q)), 1e-13 * size);
+    }
+  }
+}
+
+TEST(Input_with_inserted_vertices, RefusesVerticesThatRoundingHasMoved)
+{
+  Triangulation t(tetrahedron());
+  IT::Vertex_inserter<> inserter(t);
+  inserter.insert({Face_index(0), {0.5, 0.25, 0.25}});
+  Triangulation good = IT::input_with_inserted_vertices(t);
+  EXPECT_TRUE(good.is_valid(true));
+  // on an edge, but not as a vertex of it
+  t.split_face({Face_index(1), {0.5, 0.5, 0}}, {{0, 0, 0}, {0, 0, 0}},
+               {Halfedge_index(), {Face_index(1), {0.5, 0.5, 0}}});
+  EXPECT_THROW(IT::input_with_inserted_vertices(t), IT::Numerical_error);
+}
+
+TEST(Input_with_inserted_vertices, OfDataMeshes)
+{
+  std::size_t meshes = 0;
+  for(const std::string& file : data_meshes(100000)) {
+    SCOPED_TRACE(file);
+    Mesh mesh;
+    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) ||
+       !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0)
+      continue;
+    try {
+      const Triangulation r = refined(Triangulation(mesh), IT::parameters::minimum_angle(25));
+      const Triangulation t = IT::input_with_inserted_vertices(r);
+      EXPECT_TRUE(t.is_valid(true));
+      EXPECT_EQ(t.mesh().number_of_vertices(), r.mesh().number_of_vertices());
+      ++meshes;
+    } catch(const IT::Invalid_input& e) {
+      std::cout << file << ": " << e.what() << '\n';
+    }
+  }
+  std::cout << meshes << " meshes\n";
+}
+
+} // namespace
