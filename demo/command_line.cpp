@@ -160,6 +160,7 @@ Long limbs have small images. Where the digits of the output are too few for the
 convexity or are flipped: lost_in_output in the statistics says how many. --precise writes the positions of
 the input vertices with 36 digits.
 
+Vertices without faces stay, at (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates zero.
 If the image is not convex, nothing is written.
 
 Example:

@@ -98,6 +98,8 @@ private:
   {
     double least = std::numeric_limits<double>::infinity(), greatest = -least;
     for(const Mesh::Vertex_index v : mesh().vertices()) {
+      if(mesh().is_isolated(v))
+        continue;
       const double u = map.log_scale(CM::Vertex_index(v.idx()));
       least = (std::min)(least, u);
       greatest = (std::max)(greatest, u);

@@ -357,6 +357,45 @@ TEST(map_to_sphere, other_surfaces_are_refused)
   EXPECT_THROW(DC::map_to_sphere(two), IT::Invalid_input);
 }
 
+// Vertices without faces come between the others, and change nothing but numbers.
+TEST(map_to_sphere, isolated_vertices_are_carried_along)
+{
+  for(const Mesh& m : {perturbed(random_sphere(50, 8), 0.25, 9),
+                       without_a_face(random_sphere(50, 5)), octahedron()}) {
+    std::vector<Point> points{Point(9, 9, 9)};
+    std::vector<unsigned> number;
+    for(Mesh::Vertex_index v : m.vertices()) {
+      number.push_back(static_cast<unsigned>(points.size()));
+      points.push_back(m.point(v));
+      if(v.idx() % 7 == 3)
+        points.push_back(m.point(v));
+    }
+    Triangles triangles;
+    for(Mesh::Face_index f : m.faces()) {
+      const Mesh::Halfedge_index h = m.halfedge(f);
+      triangles.push_back({number[m.source(h)], number[m.target(h)], number[m.target(m.next(h))]});
+    }
+    const Mesh with_more = make_mesh(points, triangles);
+    const Spherical_conformal_map map = DC::map_to_sphere(with_more),
+                                  expected = DC::map_to_sphere(m);
+    check_map(map);
+    EXPECT_LT(distance_from_center(map), 1e-12);
+    EXPECT_EQ(map.is_disk(), expected.is_disk());
+    for(Mesh::Vertex_index v : m.vertices()) { // the sphere can be turned
+      EXPECT_NEAR(map.log_scale(Vertex_index(number[v])), expected.log_scale(v), 1e-11);
+      for(Mesh::Vertex_index w : m.vertices())
+        EXPECT_NEAR(
+          distance(map.position(Vertex_index(number[v])), map.position(Vertex_index(number[w]))),
+          distance(expected.position(v), expected.position(w)), 1e-11);
+    }
+    for(Mesh::Vertex_index v : with_more.vertices())
+      if(with_more.is_isolated(v)) {
+        EXPECT_EQ(map.position(v), map.is_disk() ? (Position{1, 0, 0}) : (Position{0, 0, 1}));
+        EXPECT_EQ(map.log_scale(v), 0);
+      }
+  }
+}
+
 TEST(map_to_sphere, same_input_gives_same_bits)
 {
   const Mesh m = perturbed(random_sphere(60, 8), 0.25, 9);

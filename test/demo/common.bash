@@ -75,6 +75,13 @@ grid()
   }' >"$1.mesh.off"
 }
 
+# with_isolated NAME NEW: the mesh with one more vertex before all others, in no face.
+with_isolated()
+{
+  awk 'NR == 2 { print $1 + 1, $2, 0 "\n9 9 9" } NR == 1 || NR > 2 && NF == 3 { print }
+    NR > 2 && NF == 4 { print 3, $2 + 1, $3 + 1, $4 + 1 }' "$1.mesh.off" >"$2.mesh.off"
+}
+
 # vertices FILE: the lines of the vertices of a PLY file.
 vertices()
 {

@@ -87,6 +87,13 @@ cmp plate.obj first.obj
 expect 0 hyperbolic plate2.mesh.off -o - --format obj --homogeneous
 awk '$1 == "vt" && ($4 <= 0 || ($2 / $4) ^ 2 + ($3 / $4) ^ 2 >= 1) { exit 1 }' out || fail "outside Klein's disk"
 
+# A vertex without faces stays, and changes nothing else.
+with_isolated plate2 more
+expect 0 hyperbolic more.mesh.off -o plate.obj --stats plate.json
+[ "$(head -n 1 plate.obj)" = 'v 9 9 9' ] || fail 'the isolated vertex lost its place'
+near "$(number plate.json area)" "$(awk -v pi=$pi 'BEGIN { printf "%.17g", 4 * pi }')" 1e-9
+near "$(number plate.json max_curvature_error)" 0 1e-10
+
 # A regular tetrahedron with four cones of pi / 2 has the area 2 pi; without cones it cannot be hyperbolic.
 off regular '1 1 1,1 -1 -1,-1 1 -1,-1 -1 1' '0 1 2,0 2 3,0 3 1,1 3 2'
 for v in 0 1 2 3; do echo "$v $(awk -v pi=$pi 'BEGIN { printf "%.17g", 1.5 * pi }')"; done >cones.mesh.txt

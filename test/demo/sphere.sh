@@ -76,6 +76,20 @@ expect 0 sphere square.mesh.off -o again.ply
 cmp square.ply again.ply
 rm square.json square.obj square.ply again.ply
 
+# Vertices without faces stay: above the sphere's center, or on the equator beside a disk.
+expect 0 sphere isolated.mesh.off -o isolated.ply --stats isolated.json --precise isolated.txt
+is_convex isolated.json
+[ "$(vertices isolated.ply | head -n 1)" = '0 0 1 0 0 9 9 9 0 0 0 0' ] || fail "$(vertices isolated.ply | head -n 1)"
+[ "$(wc -l <isolated.txt)" = 5 ] || fail 'not all positions'
+with_isolated square more
+expect 0 sphere more.mesh.off -o isolated.obj --stats isolated.json
+is_convex isolated.json
+on_sphere isolated.obj
+[ "$(head -n 1 isolated.obj)" = 'v 1 0 0' ] || fail "$(head -n 1 isolated.obj)"
+expect 0 uniformize isolated.mesh.off -o isolated.obj --stats isolated.json
+grep -q '"surface_type": "sphere"' isolated.json
+rm isolated.json isolated.obj isolated.ply isolated.txt
+
 # Bad input and bad calls write nothing.
 off two '0 0 0,1 0 0,0 1 0,5 5 5,6 5 5,5 6 5' '0 1 2,3 4 5'
 expect 2 sphere two.mesh.off -o two.ply

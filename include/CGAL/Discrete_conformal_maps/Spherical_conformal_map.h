@@ -41,6 +41,9 @@ class Sphere_mapping;
 /// The image of a disk is the upper hemisphere, and its boundary is on the equator; a vertex of the boundary has
 /// the position (-1, 0, 0).
 ///
+/// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the logarithmic scale
+/// factor zero, which mean nothing.
+///
 /// Where limbs of the input are long, their images are small, and `double` may have too few digits for the
 /// differences of positions: `lost_in_output()` says how many triangles suffer. The map itself knows positions
 /// in 34 digits, relative to the image of infinity even those of differences. Logarithmic scale factors do

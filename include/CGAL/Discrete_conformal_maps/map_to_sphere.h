@@ -62,12 +62,14 @@ private:
   void check() const
   {
     const Delta_complex& mesh = m_problem.triangulation().mesh();
-    const auto characteristic = static_cast<long>(mesh.number_of_vertices()) -
-                                static_cast<long>(mesh.number_of_edges()) +
-                                static_cast<long>(mesh.number_of_faces());
-    if(m_problem.components().size() != 1 || mesh.number_of_faces() == 0)
-      throw Intrinsic_triangulations::Invalid_input(
-        "the surface is not connected, or has isolated vertices");
+    const auto isolated = std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
+                                        [&](Vertex_index v) { return mesh.is_isolated(v); });
+    const auto characteristic =
+      static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(isolated) -
+      static_cast<long>(mesh.number_of_edges()) + static_cast<long>(mesh.number_of_faces());
+    if(m_problem.components().size() != static_cast<std::size_t>(isolated) + 1 ||
+       mesh.number_of_faces() == 0)
+      throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
     if(characteristic != 2)
       throw Intrinsic_triangulations::Invalid_input(
         "the surface is neither a sphere nor a disk: without boundary, or doubled along it, it has "
@@ -101,7 +103,8 @@ private:
   {
     std::vector<Vertex_index> all, on_boundary;
     for(Vertex_index v : m_problem.triangulation().mesh().vertices()) {
-      all.push_back(v);
+      if(!m_problem.triangulation().mesh().is_isolated(v))
+        all.push_back(v);
       if(m_problem.is_on_boundary(v))
         on_boundary.push_back(v);
     }
@@ -193,7 +196,7 @@ private:
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
-/// \param g a connected manifold triangle mesh, a sphere or a disk
+/// \param g a connected manifold triangle mesh, a sphere or a disk, and perhaps isolated vertices, which do not count
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}

@@ -45,12 +45,15 @@ public:
     if(!m_axis.empty())
       make_symmetric();
     center(mass);
+    for(Vertex_index v : mesh.vertices())
+      if(mesh.is_isolated(v))
+        at(v) = {FT(0), FT(0)};
     Stereographic_triangulation<FT> triangulation(mesh, m_position, at_infinity);
     m_flips = triangulation.make_convex();
     m_certificate = triangulation.certificate();
   }
 
-  // that of the vertex at infinity has no meaning
+  // that of the vertex at infinity has no meaning, and those of isolated vertices are the origin
   const std::vector<Point>& positions() const { return m_position; }
   // by how much the plane was scaled down
   const FT& scale() const { return m_scale; }

@@ -29,7 +29,8 @@ namespace internal {
 
 // The energy whose minimum under lower bounds are the scale factors that unfold a sphere, without one of its
 // vertices, into the plane (Section 4.4.2). A model of `ConvexEnergy`. Scale factors are the sum of an origin
-// and a variable, as in `Conformal_energy`. The variable of the vertex at infinity has no influence.
+// and a variable, as in `Conformal_energy`. The variables of the vertex at infinity and of isolated vertices have no
+// influence.
 template <typename FT_ = double>
 class Spherical_energy
 {
@@ -136,8 +137,9 @@ private:
         defect[v.idx()] -= pi;
     }
     defect[m_surface.vertex_at_infinity().idx()] = 0;
-    for(std::size_t v = 0; v < defect.size(); ++v)
-      m_gradient[Eigen::Index(v)] = static_cast<double>(defect[v]);
+    for(Vertex_index v : mesh().vertices())
+      m_gradient[Eigen::Index(v.idx())] =
+        mesh().is_isolated(v) ? 0 : static_cast<double>(defect[v.idx()]);
     m_gradient_error = *std::max_element(m_error.begin(), m_error.end());
   }
 
@@ -149,6 +151,8 @@ private:
   // loops do not count
   void collect_column(Vertex_index v, Column_entries& entries) const
   {
+    if(mesh().is_isolated(v))
+      return;
     double diagonal = 0;
     Intrinsic_triangulations::internal::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
       const Vertex_index w = mesh().target(h);
@@ -178,7 +182,7 @@ FT Spherical_energy<FT>::value() const
   const FT pi = boost::math::constants::pi<FT>();
   FT sum(0);
   for(Vertex_index v : mesh().vertices())
-    if(v != m_surface.vertex_at_infinity())
+    if(v != m_surface.vertex_at_infinity() && !mesh().is_isolated(v))
       sum += 2 * pi * m_scale_factor[v.idx()];
   for(Halfedge_index h : mesh().halfedges()) {
     if(!m_surface.is_remaining(Edge_index(h)))

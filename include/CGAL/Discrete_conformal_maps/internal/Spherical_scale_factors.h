@@ -40,13 +40,12 @@ public:
       m_energy(mesh, length, at_infinity),
       m_bound(Peacock_triangulation<FT>(mesh, length, at_infinity).distances())
   {
-    for(FT& bound : m_bound)
-      bound = -bound;
-    m_bound[at_infinity.idx()] = 0;
+    for(Vertex_index v : mesh.vertices())
+      m_bound[v.idx()] = is_fixed(v) ? FT(0) : FT(-m_bound[v.idx()]);
     m_u = start();
   }
 
-  // the scale factors; zero at infinity
+  // the scale factors; zero at infinity and at isolated vertices
   const std::vector<FT>& values() const { return m_u; }
   // the least that they may be: there, vertices are neighbors of the one at infinity
   const std::vector<FT>& bounds() const { return m_bound; }
@@ -98,11 +97,11 @@ private:
     Vector lower(Eigen::Index(m_u.size())), x(lower.size());
     const std::vector<FT> origin = is_rounded ? std::vector<FT>(m_u.size(), FT(0)) : m_u;
     Minimization_domain domain;
-    for(std::size_t v = 0; v < m_u.size(); ++v) {
-      lower[Eigen::Index(v)] = static_cast<double>(m_bound[v] - origin[v]);
-      x[Eigen::Index(v)] = static_cast<double>(m_u[v] - origin[v]);
-      domain.is_fixed.push_back(v == m_at_infinity.idx() ||
-                                (stays_at_bounds && m_u[v] == m_bound[v]));
+    for(Vertex_index v : m_mesh.vertices()) {
+      const std::size_t i = v.idx();
+      lower[Eigen::Index(i)] = static_cast<double>(m_bound[i] - origin[i]);
+      x[Eigen::Index(i)] = static_cast<double>(m_u[i] - origin[i]);
+      domain.is_fixed.push_back(is_fixed(v) || (stays_at_bounds && m_u[i] == m_bound[i]));
     }
     m_energy.set_origin(origin);
     const Minimization_result last =
@@ -144,11 +143,13 @@ private:
         count += 1;
       }
     std::vector<FT> result(m_bound.size(), FT(0));
-    for(std::size_t v = 0; v < result.size(); ++v)
-      if(v != m_at_infinity.idx())
-        result[v] = is_neighbor[v] ? m_bound[v] : (std::max)(m_bound[v], FT(sum / count));
+    for(Vertex_index v : m_mesh.vertices())
+      if(const std::size_t i = v.idx(); !is_fixed(v))
+        result[i] = is_neighbor[i] ? m_bound[i] : (std::max)(m_bound[i], FT(sum / count));
     return result;
   }
+
+  bool is_fixed(Vertex_index v) const { return v == m_at_infinity || m_mesh.is_isolated(v); }
 
   const Delta_complex& m_mesh;
   Vertex_index m_at_infinity;

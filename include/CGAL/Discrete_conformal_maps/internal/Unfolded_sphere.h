@@ -137,6 +137,10 @@ private:
                             log_of_one_plus(square));
     }
     m_log_scale[m_at_infinity.idx()] = std::log(2.) + shift;
+    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    for(Vertex_index v : mesh.vertices())
+      if(mesh.is_isolated(v))
+        m_log_scale[v.idx()] = 0;
   }
 
   static double log_of_one_plus(const Extended& x)
