@@ -4,15 +4,29 @@
 
 #include "Output_mesh.h"
 
-Output_mesh output_mesh(const Mesh& mesh)
+namespace {
+
+template <class Faces>
+Output_mesh points_and_polygons(const Mesh& mesh, const Faces& faces)
 {
   Output_mesh result;
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    result.points.push_back(mesh.point(v));
-  for(const Mesh::Face_index f : mesh.faces()) {
+  result.points.assign(mesh.points().begin(), mesh.points().end());
+  for(const Mesh::Face_index f : faces) {
     result.polygons.emplace_back();
     for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
       result.polygons.back().push_back(v);
   }
+  return result;
+}
+
+} // namespace
+
+Output_mesh output_mesh(const Mesh& mesh) { return points_and_polygons(mesh, mesh.faces()); }
+
+Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces)
+{
+  Output_mesh result = points_and_polygons(mesh, faces);
+  for(const Mesh::Edge_index e : mesh.edges())
+    result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
   return result;
 }

@@ -64,7 +64,19 @@ struct Output_mesh
   Texture texture;
 };
 
+// What a vertex of a common subdivision is: the property "kind" of files.
+enum class Vertex_kind : std::int64_t
+{
+  input,    // a vertex of the input
+  crossing, // of an edge with another
+  inserted, // a vertex of another triangulation only
+  bend      // of an edge, inside a face
+};
+
 // The points and polygons of a mesh.
 Output_mesh output_mesh(const Mesh& mesh);
+
+// The points and edges of a mesh, and those of its polygons.
+Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces);
 
 #endif // INTRINSIC_OUTPUT_MESH_H

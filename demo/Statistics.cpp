@@ -25,6 +25,12 @@ std::string text_of(const Statistics& statistics)
   return statistics.dump(2, ' ', false, Statistics::error_handler_t::replace) + "\n";
 }
 
+void describe_subdivision(Statistics& statistics, std::size_t vertices, std::size_t edges,
+                          std::size_t faces)
+{
+  statistics["subdivision"] = {{"vertices", vertices}, {"edges", edges}, {"faces", faces}};
+}
+
 std::size_t peak_memory_in_bytes()
 {
   rusage usage{};

@@ -24,6 +24,10 @@ Statistics common_statistics(const std::string& command, const std::string& inpu
 // As text; a file name that is not UTF-8 is made so.
 std::string text_of(const Statistics& statistics);
 
+// Adds the size of a common subdivision.
+void describe_subdivision(Statistics& statistics, std::size_t vertices, std::size_t edges,
+                          std::size_t faces);
+
 std::size_t peak_memory_in_bytes();
 
 class Stopwatch

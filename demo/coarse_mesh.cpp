@@ -11,11 +11,6 @@ namespace IS = CGAL::Intrinsic_simplification;
 
 namespace {
 
-constexpr std::int64_t input_vertex_kind = 0;
-constexpr std::int64_t crossing_kind = 1;
-constexpr std::int64_t inserted_vertex_kind = 2;
-constexpr std::int64_t bend_kind = 3;
-
 constexpr std::size_t number_of_colors = 4; // a face has three neighbors at most
 constexpr std::array<std::array<std::int64_t, 3>, number_of_colors> palette{
   {{141, 180, 226}, {250, 205, 130}, {160, 215, 150}, {235, 150, 140}}};
@@ -48,12 +43,13 @@ std::vector<Mesh::Face_index> polygons(const Mesh& mesh)
   return result;
 }
 
-std::int64_t kind(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices,
-                  IS::Vertex_index v)
+Vertex_kind kind(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices,
+                 IS::Vertex_index v)
 {
   if(subdivision.is_fine_vertex(v))
-    return v.idx() < number_of_input_vertices ? input_vertex_kind : inserted_vertex_kind;
-  return subdivision.place(IS::Level::fine, v).along.is_valid() ? crossing_kind : bend_kind;
+    return v.idx() < number_of_input_vertices ? Vertex_kind::input : Vertex_kind::inserted;
+  return subdivision.place(IS::Level::fine, v).along.is_valid() ? Vertex_kind::crossing
+                                                                : Vertex_kind::bend;
 }
 
 std::vector<Attribute> edge_data(const Coarse_subdivision& subdivision, const Fine_origin& origin)
@@ -115,20 +111,12 @@ Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_origin
 {
   const Mesh& mesh = subdivision.mesh();
   const std::vector<Mesh::Face_index> faces = polygons(mesh);
-  Output_mesh result;
-  result.points.assign(mesh.points().begin(), mesh.points().end());
-  for(const Mesh::Face_index f : faces) {
-    result.polygons.emplace_back();
-    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      result.polygons.back().push_back(v);
-  }
-  for(const Mesh::Edge_index e : mesh.edges())
-    result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  Output_mesh result = output_mesh_with_edges(mesh, faces);
   result.point_data = {
     attribute("coarse_vertex", mesh.vertices(),
               [&](Mesh::Vertex_index v) { return number_of(subdivision.coarse_vertex(v)); }),
     attribute("kind", mesh.vertices(), [&](Mesh::Vertex_index v) {
-      return kind(subdivision, origin.number_of_vertices, v);
+      return std::int64_t(kind(subdivision, origin.number_of_vertices, v));
     })};
   result.edge_data = edge_data(subdivision, origin);
   result.polygon_data = polygon_data(subdivision, faces, origin);

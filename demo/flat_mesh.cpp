@@ -209,22 +209,3 @@ void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
   statistics["flipped_triangles"] = flipped;
   statistics["degenerate_triangles"] = degenerate;
 }
-
-void describe_scales(Statistics& statistics, const CM::Discrete_conformal_map& map,
-                     const Mesh& input)
-{
-  std::vector<double> u;
-  for(const Mesh::Vertex_index v : input.vertices())
-    if(!input.is_isolated(v))
-      u.push_back(map.log_scale(Vertex_index(v.idx())));
-  double sum = 0, square_sum = 0;
-  for(const double x : u)
-    sum += x;
-  for(const double x : u)
-    square_sum += (x - sum / double(u.size())) * (x - sum / double(u.size()));
-  statistics["log_scale_min"] = *std::min_element(u.begin(), u.end());
-  statistics["log_scale_max"] = *std::max_element(u.begin(), u.end());
-  statistics["log_scale_square_sum"] = square_sum;
-  statistics["flips"] = map.number_of_flips(Layer::B);
-  statistics["ptolemy_flips"] = map.number_of_flips(Layer::C);
-}

@@ -47,9 +47,4 @@ interpolation_matrix(const CGAL::Discrete_conformal_maps::Planar_conformal_map& 
 // taken all area in space does not count.
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh);
 
-// Adds the numbers of flips and the range of logarithmic scale factors; vertices without faces have none.
-void describe_scales(Statistics& statistics,
-                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
-                     const Mesh& input);
-
 #endif // INTRINSIC_FLAT_MESH_H

@@ -204,12 +204,9 @@ private:
     statistics["max_curvature_error"] = map.max_curvature_error();
     statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
     describe_triangles(statistics, result);
-    describe_scales(statistics, map, mesh());
     if(m_options.is_modulus_wanted)
       describe_modulus(map);
-    statistics["subdivision"] = {{"vertices", result.points.size()},
-                                 {"edges", result.edges.size()},
-                                 {"faces", result.polygons.size()}};
+    describe_sizes(statistics, map, mesh(), result);
   }
 
   void describe_modulus(const CM::Planar_conformal_map& map)

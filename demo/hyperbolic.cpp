@@ -90,10 +90,7 @@ private:
     // edges are straight in Klein's disk
     const Output_mesh straight = flat_mesh(map, mesh(), cones(), true);
     describe_triangles(statistics, straight);
-    describe_scales(statistics, map, mesh());
-    statistics["subdivision"] = {{"vertices", straight.points.size()},
-                                 {"edges", straight.edges.size()},
-                                 {"faces", straight.polygons.size()}};
+    describe_sizes(statistics, map, mesh(), straight);
     statistics["groups"] = Statistics::array();
     for(std::size_t c = 0; c < map.number_of_components(); ++c)
       statistics["groups"].push_back(description(map.group(c)));

@@ -6,8 +6,10 @@
 
 #include "Program_error.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace CM = CGAL::Discrete_conformal_maps;
 
@@ -47,4 +49,25 @@ void check_convergence(const CM::Discrete_conformal_map& map)
   text << "the minimization has not converged: " << CM::to_string(status)
        << ", with an error of curvatures of " << map.max_curvature_error() << " radians";
   throw std::runtime_error(text.str());
+}
+
+void describe_sizes(Statistics& statistics, const CM::Discrete_conformal_map& map,
+                    const Mesh& input, const Output_mesh& result)
+{
+  std::vector<double> u;
+  for(const Mesh::Vertex_index v : input.vertices())
+    if(!input.is_isolated(v))
+      u.push_back(map.log_scale(CM::Vertex_index(v.idx())));
+  double sum = 0, square_sum = 0;
+  for(const double x : u)
+    sum += x;
+  for(const double x : u)
+    square_sum += (x - sum / double(u.size())) * (x - sum / double(u.size()));
+  statistics["log_scale_min"] = *std::min_element(u.begin(), u.end());
+  statistics["log_scale_max"] = *std::max_element(u.begin(), u.end());
+  statistics["log_scale_square_sum"] = square_sum;
+  statistics["flips"] = map.number_of_flips(CM::Layer::B);
+  statistics["ptolemy_flips"] = map.number_of_flips(CM::Layer::C);
+  describe_subdivision(statistics, result.points.size(), result.edges.size(),
+                       result.polygons.size());
 }

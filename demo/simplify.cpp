@@ -254,9 +254,8 @@ private:
     Coarse_subdivision subdivision(map);
     set_points(subdivision);
     const Mesh& mesh = subdivision.mesh();
-    m_run.statistics()["subdivision"] = {{"vertices", mesh.number_of_vertices()},
-                                         {"edges", mesh.number_of_edges()},
-                                         {"faces", mesh.number_of_faces()}};
+    describe_subdivision(m_run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
+                         mesh.number_of_faces());
     return coarse_mesh(subdivision, origin());
   }
 

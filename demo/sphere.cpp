@@ -13,9 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 
-#include <algorithm>
 #include <functional>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -86,26 +84,7 @@ private:
     statistics["lost_in_output"] = map.lost_in_output();
     statistics["max_inscribed_error"] = map.max_inscribed_error();
     statistics["bound_violations"] = map.bound_violations();
-    describe_scales(map);
-    statistics["flips"] = map.number_of_flips(CM::Layer::B);
-    statistics["ptolemy_flips"] = map.number_of_flips(CM::Layer::C);
-    statistics["subdivision"] = {{"vertices", result.points.size()},
-                                 {"edges", result.edges.size()},
-                                 {"faces", result.polygons.size()}};
-  }
-
-  void describe_scales(const CM::Spherical_conformal_map& map)
-  {
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for(const Mesh::Vertex_index v : mesh().vertices()) {
-      if(mesh().is_isolated(v))
-        continue;
-      const double u = map.log_scale(CM::Vertex_index(v.idx()));
-      least = (std::min)(least, u);
-      greatest = (std::max)(greatest, u);
-    }
-    m_run.statistics()["log_scale_min"] = least;
-    m_run.statistics()["log_scale_max"] = greatest;
+    describe_sizes(statistics, map, mesh(), result);
   }
 
   std::string summary()

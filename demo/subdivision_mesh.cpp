@@ -8,15 +8,11 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-constexpr std::int64_t input_vertex_kind = 0;
-constexpr std::int64_t crossing_kind = 1;
-constexpr std::int64_t inserted_vertex_kind = 2;
-
-std::int64_t kind(const Subdivision& subdivision, IT::Vertex_index v)
+Vertex_kind kind(const Subdivision& subdivision, IT::Vertex_index v)
 {
   if(subdivision.is_input_vertex(v))
-    return input_vertex_kind;
-  return subdivision.is_intrinsic_vertex(v) ? inserted_vertex_kind : crossing_kind;
+    return Vertex_kind::input;
+  return subdivision.is_intrinsic_vertex(v) ? Vertex_kind::inserted : Vertex_kind::crossing;
 }
 
 // The place on the first halfedge of the edge of `side` inside which `v` lies; null if there is none.
@@ -54,7 +50,8 @@ std::vector<Attribute> point_data(const Subdivision& subdivision)
   const auto input_vertex = [&](IT::Vertex_index v) {
     return subdivision.is_input_vertex(v) ? number_of(v) : -1;
   };
-  return {attribute("kind", vertices, [&](IT::Vertex_index v) { return kind(subdivision, v); }),
+  return {attribute("kind", vertices,
+                    [&](IT::Vertex_index v) { return std::int64_t(kind(subdivision, v)); }),
           attribute("input_vertex", vertices, input_vertex),
           crossed_edges(subdivision, "input_edge", IT::Side::input),
           coordinates(subdivision, "input_coordinate", IT::Side::input),
@@ -79,9 +76,7 @@ Attribute parent_faces(const Subdivision& subdivision, const char* name, IT::Sid
 Output_mesh subdivision_mesh(const Subdivision& subdivision)
 {
   const Mesh& mesh = subdivision.mesh();
-  Output_mesh result = output_mesh(mesh);
-  for(const Mesh::Edge_index e : mesh.edges())
-    result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
   result.point_data = point_data(subdivision);
   result.edge_data = {parent_edges(subdivision, "input_edge", IT::Side::input),
                       parent_edges(subdivision, "intrinsic_edge", IT::Side::intrinsic)};

@@ -144,9 +144,8 @@ Subdivision subdivide(Command_run& run, const Triangulation& triangulation)
     return subdivision;
   });
   const Mesh& mesh = result.mesh();
-  run.statistics()["subdivision"] = {{"vertices", mesh.number_of_vertices()},
-                                     {"edges", mesh.number_of_edges()},
-                                     {"faces", mesh.number_of_faces()}};
+  describe_subdivision(run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
+                       mesh.number_of_faces());
   return result;
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../Intrinsic_triangulations/known_surfaces.h"
+#include "finite_differences.h"
 
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/Peacock_triangulation.h>
@@ -15,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -183,14 +185,10 @@ TEST(Spherical_energy, gradient_is_the_derivative_of_the_value)
   for_each_point([](const Triangulation&, Energy energy, Vertex_index, const Numbers& u) {
     const Numbers gradient = energy.gradient();
     move_origin(energy);
-    const double step = 1e-9;
-    for(Eigen::Index i = 0; i < u.size(); ++i) {
-      const Numbers x = step * Numbers::Unit(u.size(), i);
-      energy.evaluate(x);
-      const Quad after = energy.value();
-      energy.evaluate(-x);
-      EXPECT_NEAR(double((after - energy.value()) / Quad(2 * step)), gradient[i], 1e-13) << i;
-    }
+    const Eigen::MatrixXd slope =
+      central_differences(energy, 1e-9, [&] { return std::array{energy.value()}; });
+    for(Eigen::Index i = 0; i < u.size(); ++i)
+      EXPECT_NEAR(slope(0, i), gradient[i], 1e-13) << i;
   });
 }
 
@@ -200,18 +198,11 @@ TEST(Spherical_energy, Hessian_is_the_derivative_of_the_gradient)
     const Eigen::MatrixXd Hessian = energy.Hessian();
     EXPECT_LT((Hessian - Hessian.transpose()).norm(), 1e-15 * (1 + Hessian.norm()));
     move_origin(energy);
-    const double step = 1e-14;
-    for(Eigen::Index i = 0; i < u.size(); ++i) {
-      const Numbers x = step * Numbers::Unit(u.size(), i);
-      energy.evaluate(x);
-      const std::vector<Quad> after = precise_gradient(energy);
-      energy.evaluate(-x);
-      const std::vector<Quad> before = precise_gradient(energy);
-      for(std::size_t k = 0; k < after.size(); ++k)
-        EXPECT_NEAR(double((after[k] - before[k]) / Quad(2 * step)), Hessian(int(k), i),
-                    1e-11 * (1 + Hessian(i, i)))
-          << k << ' ' << i;
-    }
+    const Eigen::MatrixXd slope =
+      central_differences(energy, 1e-14, [&] { return precise_gradient(energy); });
+    for(Eigen::Index i = 0; i < u.size(); ++i)
+      for(Eigen::Index k = 0; k < u.size(); ++k)
+        EXPECT_NEAR(slope(k, i), Hessian(k, i), 1e-11 * (1 + Hessian(i, i))) << k << ' ' << i;
   });
 }
 
