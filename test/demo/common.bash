@@ -88,6 +88,12 @@ vertices()
   awk '/^element vertex/ { n = $3 } body && n-- > 0; /^end_header/ { body = 1 }' "$1"
 }
 
+# number FILE KEY: the number under a key of a JSON file, the first one of that name.
+number()
+{
+  sed -n "s/^ *\"$2\": \([^,]*\),*/\1/p" "$1" | head -n 1
+}
+
 # keys FILE: the names in a JSON file, in their order.
 keys()
 {

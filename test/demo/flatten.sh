@@ -8,12 +8,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
 pi=3.14159265358979324
 
-# number FILE KEY: the number under a key of a JSON file.
-number()
-{
-  sed -n "s/^ *\"$2\": \([-0-9.e+]*\),\?$/\1/p" "$1" | head -n 1
-}
-
 # near A B TOLERANCE: whether two numbers are.
 near()
 {

@@ -6,12 +6,6 @@
 # Targets, files, statistics and exit codes of the command simplify.
 source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
-# number KEY FILE: the number under a key of a JSON file, the first one of that name.
-number()
-{
-  sed -n "s/^ *\"$1\": \([^,]*\),*/\1/p" "$2" | head -n 1
-}
-
 # is_prolongation MTX ROWS COLUMNS: of this size, no entry is negative, and each row has the sum 1.
 is_prolongation()
 {
@@ -166,11 +160,11 @@ says '81 -> 4 vertices (reached)'
 expect_files a.json a.mtx a.ply
 is_prolongation a.mtx 81 4
 reproduces a.mtx a.ply
-[ "$(number coarse_vertices a.json) $(number coarse_faces a.json)" = '4 2' ] || fail 'not two triangles'
-[ "$(number removed a.json)" = 77 ] || fail 'not all removed'
-awk -v r="$(number area_ratio a.json)" 'BEGIN { exit !(r > 1 - 1e-12 && r < 1 + 1e-12) }' ||
+[ "$(number a.json coarse_vertices) $(number a.json coarse_faces)" = '4 2' ] || fail 'not two triangles'
+[ "$(number a.json removed)" = 77 ] || fail 'not all removed'
+awk -v r="$(number a.json area_ratio)" 'BEGIN { exit !(r > 1 - 1e-12 && r < 1 + 1e-12) }' ||
   fail 'the area has changed'
-awk -v a="$(number min_angle_degrees a.json)" 'BEGIN { exit !(a > 45 - 1e-9 && a < 45 + 1e-9) }' ||
+awk -v a="$(number a.json min_angle_degrees)" 'BEGIN { exit !(a > 45 - 1e-9 && a < 45 + 1e-9) }' ||
   fail 'not half a square'
 # The corners keep their places, and the two triangles are half of the square each.
 [ "$(vertices a.ply | awk '$4 >= 0 { print $1, $2, $4 }' | tr '\n' ,)" = '0 0 0,1 0 1,0 1 2,1 1 3,' ] ||
@@ -219,19 +213,19 @@ is_colored a.ply
 # Targets: a number, a part, and more than there are.
 cp "$shipped" slivers.mesh.off
 expect 0 simplify slivers.mesh.off -o a.ply --vertices 100 --stats a.json --prolongation a.mtx
-[ "$(number coarse_vertices a.json)" = 100 ] || fail 'not 100 vertices'
-[ "$(number removed a.json)" = 1220 ] || fail 'not 1220 removed'
+[ "$(number a.json coarse_vertices)" = 100 ] || fail 'not 100 vertices'
+[ "$(number a.json removed)" = 1220 ] || fail 'not 1220 removed'
 is_prolongation a.mtx 1320 100
 [ "$(vertices a.ply | awk '$4 >= 0' | wc -l)" = 100 ] || fail 'not 100 numbers'
 cmp <(vertices a.ply | awk '$4 >= 0 { print $4 }') <(seq 0 99) || fail 'numbers out of order'
 expect 0 simplify slivers.mesh.off -o a.ply --ratio 0.1 --stats a.json --weight area=1 --weight curvature=0
-[ "$(number coarse_vertices a.json)" = 132 ] || fail 'not a tenth'
+[ "$(number a.json coarse_vertices)" = 132 ] || fail 'not a tenth'
 expect 0 simplify slivers.mesh.off -o a.ply --ratio 1 --stats a.json
-[ "$(number removed a.json)" = 0 ] || fail 'something removed'
-awk -v r="$(number area_ratio a.json)" 'BEGIN { exit !(r > 1 - 1e-12 && r < 1 + 1e-12) }' ||
+[ "$(number a.json removed)" = 0 ] || fail 'something removed'
+awk -v r="$(number a.json area_ratio)" 'BEGIN { exit !(r > 1 - 1e-12 && r < 1 + 1e-12) }' ||
   fail 'the area has changed'
 expect 0 simplify slivers.mesh.off -o a.ply --vertices 5000 --stats a.json
-[ "$(number removed a.json)" = 0 ] || fail 'something removed'
+[ "$(number a.json removed)" = 0 ] || fail 'something removed'
 rm a.*
 
 # Colors: a square that is black, and on the right half of it striped. With a weight, hardly a vertex is left where it is
@@ -329,15 +323,15 @@ expect 0 simplify slivers.mesh.off -o a.ply --refine 25 --vertices 200 --prolong
   fail "comments: $(sed -n '2,3p' a.mtx)"
 cmp <(sed -n '1p;1320q' a.txt) <(echo 'intrinsic_triangulation 2')
 read -r v e f <<<"$(sed -n '/^intrinsic_simplification 1$/ { n; p }' a.txt)"
-[ "$v" = $((1320 + $(number inserted_vertices a.json))) ] || fail "saved with $v vertices"
+[ "$v" = $((1320 + $(number a.json inserted_vertices))) ] || fail "saved with $v vertices"
 grep -qx "$v $e $f" <(sed '/^intrinsic_simplification/q' a.txt) || fail 'not the same triangulation in both parts'
 cmp <(awk '/^element/ { n[$2] = $3 } /^end_header/ { body = 1; next }
     body && n["vertex"]-- <= 0 && n["face"]-- > 0 { print $(NF - 4) }' a.ply | sort -nu) <(seq 0 2639) || fail 'input faces'
 is_prolongation a.mtx 1320 200
-[ "$(number inserted_vertices a.json)" -gt 0 ] || fail 'nothing inserted'
-[ "$(number refinement_status a.json)" != '' ] || fail 'no status of the refinement'
+[ "$(number a.json inserted_vertices)" -gt 0 ] || fail 'nothing inserted'
+[ "$(number a.json refinement_status)" != '' ] || fail 'no status of the refinement'
 [ "$(vertices a.ply | awk '$5 == 0' | wc -l)" = 1320 ] || fail 'not the vertices of the mesh'
-[ "$(vertices a.ply | awk '$5 == 2' | wc -l)" = "$(number inserted_vertices a.json)" ] || fail 'kinds'
+[ "$(vertices a.ply | awk '$5 == 2' | wc -l)" = "$(number a.json inserted_vertices)" ] || fail 'kinds'
 is_colored a.ply
 rm a.* b.*
 
@@ -345,11 +339,11 @@ rm a.* b.*
 expect 0 simplify good.mesh.off -o a.ply --vertices 1 --stats a.json
 says '(nothing_removable)'
 grep -q '"status": "nothing_removable"' a.json
-[ "$(number removed a.json)" = 0 ] || grep -q '"coarse_faces": [1-9]' a.json || fail 'no faces left'
+[ "$(number a.json removed)" = 0 ] || grep -q '"coarse_faces": [1-9]' a.json || fail 'no faces left'
 
 # Handled, not refused.
 expect 0 simplify isolated.mesh.off -o a.ply --vertices 4 --prolongation a.mtx --stats a.json
-[ "$(number removed a.json) $(number isolated a.json)" = '0 1' ] || fail 'the isolated vertex was counted'
+[ "$(number a.json removed) $(number a.json isolated)" = '0 1' ] || fail 'the isolated vertex was counted'
 is_prolongation a.mtx 5 5
 expect 0 simplify two_components.mesh.off -o - --vertices 5
 expect 0 simplify cap.mesh.off -o - --vertices 3
@@ -389,8 +383,8 @@ expect_files
 if [ -n "$data" ]; then
   for mesh in elephant.off sphere.stl bones.off star.off; do
     expect 0 simplify "$data/meshes/$mesh" -o mesh.ply --ratio 0.1 --prolongation mesh.mtx --stats mesh.json
-    is_prolongation mesh.mtx "$(number vertices mesh.json)" "$(number coarse_vertices mesh.json)"
-    [ "$(coarse_areas mesh.ply | wc -l)" = "$(number coarse_faces mesh.json)" ] || fail "coarse faces of $mesh"
+    is_prolongation mesh.mtx "$(number mesh.json vertices)" "$(number mesh.json coarse_vertices)"
+    [ "$(coarse_areas mesh.ply | wc -l)" = "$(number mesh.json coarse_faces)" ] || fail "coarse faces of $mesh"
     is_colored mesh.ply
   done
 fi

@@ -6,12 +6,6 @@
 # Maps to the sphere, their files, statistics and exit codes of the command sphere.
 source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
-# number FILE KEY: the number under a key of a JSON file.
-number()
-{
-  sed -n "s/^ *\"$2\": \([-0-9.e+]*\),\?$/\1/p" "$1" | head -n 1
-}
-
 # below A BOUND: whether a number is less.
 below()
 {
