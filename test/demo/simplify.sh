@@ -333,6 +333,13 @@ is_prolongation a.mtx 1320 200
 [ "$(vertices a.ply | awk '$5 == 0' | wc -l)" = 1320 ] || fail 'not the vertices of the mesh'
 [ "$(vertices a.ply | awk '$5 == 2' | wc -l)" = "$(number a.json inserted_vertices)" ] || fail 'kinds'
 is_colored a.ply
+
+# What is inserted in flat faces is removed without cost: eight times as wide as high, and refined.
+grid cells 16 0
+awk 'FNR > 2 && NF == 3 { $1 *= 8 } { print }' cells.mesh.off >wide.mesh.off
+expect 0 simplify wide.mesh.off -o a.ply --refine 30 --error 1e-12 --weight area=0 --stats a.json
+[ "$(number a.json inserted_vertices)" -gt 100 ] || fail 'nothing inserted'
+[ "$(coarse_areas a.ply | tr '\n' ,)" = '0 4.000000000,1 4.000000000,' ] || fail "coarse faces: $(coarse_areas a.ply)"
 rm a.* b.*
 
 # Nothing left to remove is no failure, but told.
