@@ -335,19 +335,29 @@ private:
     find_repeated_neighbors();
   }
 
+  // with a hash table of its own, which stays in the cache
   void find_repeated_neighbors()
   {
-    for(std::size_t n = 0; n < size(); ++n) {
-      const std::size_t j = m_spokes[n].neighbor;
-      if(j >= m_first.size())
-        m_first.resize(j + 1, 0);
-      if(m_first[j] == 0)
-        m_first[j] = static_cast<std::uint32_t>(n) + 1;
-      m_spokes[n].first_with_neighbor = m_first[j] - 1;
-    }
-    for(const Star_spoke& spoke : m_spokes)
-      m_first[spoke.neighbor] = 0;
+    std::uint32_t bits = 3;
+    while((std::size_t(1) << bits) < 2 * size())
+      ++bits;
+    m_first.assign(std::size_t(1) << bits, no_spoke);
+    for(std::size_t n = 0; n < size(); ++n)
+      m_spokes[n].first_with_neighbor = first_with(n, bits);
   }
+
+  std::size_t first_with(std::size_t n, std::uint32_t bits)
+  {
+    const Vertex_index j = m_spokes[n].neighbor;
+    std::size_t place = (j.idx() * 2654435769U) >> (32 - bits);
+    while(m_first[place] != no_spoke && m_spokes[m_first[place]].neighbor != j)
+      place = (place + 1) % m_first.size();
+    if(m_first[place] == no_spoke)
+      m_first[place] = static_cast<std::uint32_t>(n);
+    return m_first[place];
+  }
+
+  static constexpr std::uint32_t no_spoke = std::numeric_limits<std::uint32_t>::max();
 
   Vertex_index m_center;
   bool m_is_border = false, m_has_loop = false;
@@ -357,7 +367,7 @@ private:
   std::vector<Star_spoke> m_spokes;
   std::vector<double> m_opposite;     // of each corner
   std::vector<Complex> m_change;      // of the angles after and before each spoke
-  std::vector<std::uint32_t> m_first; // of each vertex: zero, but for work on repeated neighbors
+  std::vector<std::uint32_t> m_first; // hash table of the first spokes with their neighbors
 };
 
 } // namespace Intrinsic_simplification

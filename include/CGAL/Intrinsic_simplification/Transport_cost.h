@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/internal/prefetch.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cmath>
@@ -147,6 +148,12 @@ private:
   };
 
   State& state(Vertex_index v, std::size_t c) { return m_state[v * m_channels + c]; }
+
+  friend void prefetch_vertex(Vertex_index v, const Transport_cost* cost)
+  {
+    if(cost->m_channels > 0)
+      internal::prefetch(&cost->m_state[v * cost->m_channels], cost->m_channels * sizeof(State));
+  }
 
   // A defect that rounding can have caused counts as none.
   static double angle_defect(Vertex_index v, const Intrinsic_surface& surface)

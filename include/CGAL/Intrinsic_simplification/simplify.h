@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
 #include <CGAL/Intrinsic_simplification/Transport_cost.h>
+#include <CGAL/Intrinsic_simplification/internal/Star_prefetcher.h>
 #include <CGAL/Intrinsic_simplification/internal/Vertex_heap.h>
 #include <CGAL/Intrinsic_simplification/named_parameters.h>
 
@@ -92,6 +93,7 @@ private:
   // on top.
   void remove_top()
   {
+    m_prefetcher(m_heap, m_surface.surface(), m_cost);
     const Vertex_index v = m_heap.top();
     evaluate(v);
     if(!m_heap.contains(v) || m_heap.top() != v)
@@ -120,6 +122,7 @@ private:
   Cost& m_cost;
   Visitor& m_visitor;
   Vertex_heap m_heap;
+  Star_prefetcher m_prefetcher;
   std::vector<Removal_status> m_status; // of each vertex
   Flattened_star m_star;
   std::vector<Vertex_index> m_touched; // by the last removal
