@@ -63,7 +63,7 @@ public:
     const Removal_status status = collect(v, surface);
     if(status != Removal_status::possible)
       return status;
-    if(!solve(std::sqrt(rounding())))
+    if(!solve(std::sqrt(std::sqrt(rounding()))))
       return Removal_status::not_flattenable;
     set_angle_changes();
     set_weights();
