@@ -9,10 +9,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
 
 #include <cstddef>
-#include <string>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -41,37 +40,6 @@ bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// Edges that wait to be looked at, each at most once.
-class Edge_stack
-{
-public:
-  explicit Edge_stack(std::size_t number_of_edges) : m_waits(number_of_edges, 0) {}
-
-  bool empty() const { return m_edges.empty(); }
-
-  void push(Edge_index e)
-  {
-    if(e.idx() >= m_waits.size())
-      m_waits.resize(e.idx() + 1, 0);
-    if(!m_waits[e.idx()]) {
-      m_waits[e.idx()] = 1;
-      m_edges.push_back(e);
-    }
-  }
-
-  Edge_index pop()
-  {
-    const Edge_index e = m_edges.back();
-    m_edges.pop_back();
-    m_waits[e.idx()] = 0;
-    return e;
-  }
-
-private:
-  std::vector<Edge_index> m_edges;
-  std::vector<char> m_waits;
-};
-
 // More flips than real data need: each edge is allowed a thousand, and a hundred million are for small
 // triangulations that are sheared far (a ring of n vertices takes n^2 flips for each turn).
 inline std::size_t default_flip_limit(std::size_t number_of_edges)
@@ -79,16 +47,12 @@ inline std::size_t default_flip_limit(std::size_t number_of_edges)
   return 100000000 + 1000 * number_of_edges;
 }
 
-// Edges after `last` will be looked at anyway.
+// Whether the lengths around `e` leave no doubt; those beyond the boundary mean nothing.
 template <typename Traits>
-void push_sides(Halfedge_index h, Edge_index last, const Intrinsic_triangulation<Traits>& tri,
-                Edge_stack& stack)
+bool is_certainly_Delaunay(Edge_index e, const Intrinsic_triangulation<Traits>& tri)
 {
-  const Delta_complex& mesh = tri.mesh();
-  const Halfedge_index o = mesh.opposite(h);
-  for(Halfedge_index x : {mesh.next(h), mesh.prev(h), mesh.next(o), mesh.prev(o)})
-    if(!(last < mesh.edge(x)))
-      stack.push(mesh.edge(x));
+  return tri.traits().is_locally_Delaunay_object().is_certain(
+    diamond(tri.length_map(), tri.mesh().halfedge(e), tri.mesh()));
 }
 
 // What a run of flips has done.
@@ -104,23 +68,24 @@ Flip_count flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t li
 {
   const Delta_complex& mesh = tri.mesh();
   Edge_stack stack(mesh.num_edges());
+  for(Edge_index e : mesh.edges())
+    stack.push_if(!is_certainly_Delaunay(e, tri), e);
   Flip_count count;
-  for(Edge_index last : mesh.edges())
-    for(Edge_index e = last;; e = stack.pop()) {
-      if(!tri.is_Delaunay(e)) {
-        if(count.flips == limit)
-          throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
-        const Halfedge_index h = mesh.halfedge(e);
-        tri.flip(h);
-        ++count.flips;
-        if(is_rounded<typename Traits::FT>() && !tri.is_Delaunay(e))
-          ++count.failed;
-        push_sides(h, last, tri, stack);
-        visitor.after_flip(h);
-      }
-      if(stack.empty())
-        break;
-    }
+  while(!stack.empty()) {
+    const Edge_index e = stack.pop();
+    if(tri.is_Delaunay(e))
+      continue;
+    if(count.flips == limit)
+      throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
+    const Halfedge_index h = mesh.halfedge(e);
+    tri.flip(h);
+    ++count.flips;
+    if(is_rounded<typename Traits::FT>() && !tri.is_Delaunay(e))
+      ++count.failed;
+    for_each_side(h, mesh,
+                  [&](Edge_index side) { stack.push_if(!is_certainly_Delaunay(side, tri), side); });
+    visitor.after_flip(h);
+  }
   return count;
 }
 

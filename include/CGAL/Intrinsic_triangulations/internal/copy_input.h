@@ -104,18 +104,28 @@ void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& m
   for(auto v : vertices(g))
     if(halfedge(v, g) != boost::graph_traits<Graph>::null_halfedge())
       mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
-  for(Halfedge_index h : mesh.halfedges())
-    if(mesh.is_border(h)) {
-      if(mesh.is_border(mesh.opposite(h)))
-        fail_at_halfedge(h, mesh);
-      set_border_halfedge(h, mesh);
-    }
+}
+
+// By numbers: an iterator of the mesh would ask at each step whether anything has been removed.
+inline void set_border_halfedges(Delta_complex& mesh)
+{
+  for(Delta_complex::size_type n = 0; n < mesh.num_halfedges(); ++n) {
+    const Halfedge_index h(n);
+    if(!mesh.is_border(h))
+      continue;
+    if(mesh.is_border(mesh.opposite(h)))
+      fail_at_halfedge(h, mesh);
+    set_border_halfedge(h, mesh);
+  }
 }
 
 template <typename Graph, typename Numbering>
 void copy_connectivity(const Graph& g, const Numbering& numbering, Delta_complex& mesh)
 {
   copy_halfedges(g, numbering, mesh);
+  const bool is_closed = mesh.number_of_halfedges() == 3 * mesh.number_of_faces();
+  if(!is_closed)
+    set_border_halfedges(mesh);
   for(auto f_in : faces(g)) {
     const Halfedge_index h = numbering.halfedge_of(halfedge(f_in, g));
     if(mesh.next(mesh.next(mesh.next(h))) != h)
