@@ -21,7 +21,7 @@ namespace internal {
 
 // Brings the stars of the vertices near the top of a heap into the cache, many at once: a walk around a star waits
 // for memory at each spoke, and many walks side by side wait hardly longer. On surfaces larger than the cache a
-// third of the time would be such waiting. Nothing else depends on it.
+// quarter of the time would be such waiting. Nothing else depends on it.
 class Star_prefetcher
 {
 public:
