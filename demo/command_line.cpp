@@ -492,8 +492,8 @@ void add_simplify(CLI::App& app, Options& options)
   add_target(command, own);
   command
     .add_option("--weight", own.weights,
-                "curvature=W or area=W: the share of this in the cost; curvature=1 and area=2 if "
-                "not given")
+                "curvature=W, area=W or area_change=W: the share of this in the cost; curvature=1, "
+                "area=2 and area_change=6 if not given")
     ->allow_extra_args(false);
   command
     .add_option("--levels", own.number_of_levels,

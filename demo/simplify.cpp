@@ -51,6 +51,7 @@ struct Weights
 {
   double curvature = 1;
   double area = IS::default_area_weight;
+  double area_change = IS::default_area_change_weight;
 };
 
 // The number after the equals sign.
@@ -63,18 +64,27 @@ double weight_value(const std::string& text, const std::string& value)
   return result;
 }
 
+double& weight_named(const std::string& name, Weights& weights)
+{
+  if(name == "curvature")
+    return weights.curvature;
+  if(name == "area")
+    return weights.area;
+  if(name == "area_change")
+    return weights.area_change;
+  throw Program_error("--weight: none of curvature=W, area=W, area_change=W: " + name);
+}
+
 Weights parsed_weights(const std::vector<std::string>& texts)
 {
   Weights result;
   for(const std::string& text : texts) {
-    const std::size_t length = text.find('=');
-    const std::string name = text.substr(0, length);
-    if(length == std::string::npos || (name != "curvature" && name != "area"))
-      throw Program_error("--weight " + text + ": neither curvature=W nor area=W");
-    (name == "area" ? result.area : result.curvature) = weight_value(text, text.substr(length + 1));
+    const std::size_t length = (std::min)(text.find('='), text.size());
+    weight_named(text.substr(0, length), result) =
+      weight_value(text, text.substr((std::min)(length + 1, text.size())));
   }
   if(result.curvature == 0 && result.area == 0)
-    throw Program_error("--weight: not all weights can be zero");
+    throw Program_error("--weight: curvature and area cannot both have weight zero");
   return result;
 }
 
@@ -221,6 +231,7 @@ private:
       cost.add_curvature(surface, m_weights.curvature);
     if(m_weights.area > 0)
       cost.add_area(surface, m_weights.area);
+    cost.add_area_change(surface, m_weights.area_change);
     IS::Simplification_result result;
     std::size_t removed = 0;
     double greatest_cost = 0;

@@ -238,7 +238,7 @@ done
 for error in -1 nan many; do
   expect 2 simplify slivers.mesh.off -o a.ply --error=$error
 done
-for weight in curvature color=1 =1 area= area=-1 area=nan area=inf area=1x; do
+for weight in curvature area_change area_change=-1 color=1 =1 area= area=-1 area=nan area=inf area=1x; do
   expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --weight $weight
   says '--weight'
 done
