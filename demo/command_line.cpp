@@ -498,8 +498,8 @@ void add_simplify(CLI::App& app, Options& options)
   command
     .add_option(
       "--weight", own.weights,
-      "NAME=W: the share of curvature, area, color or a property of vertices in the cost; "
-      "curvature=1 and area=2 if not given")
+      "NAME=W: the share of curvature, area, area_change, color or a property of vertices "
+      "in the cost; curvature=1, area=2 and area_change=6 if not given")
     ->allow_extra_args(false);
   command
     .add_option("--levels", own.number_of_levels,

@@ -31,13 +31,16 @@ double weight_value(const std::string& text, const std::string& value)
 // Whether a weight is that of a function that counts.
 bool is_of_function(const std::pair<const std::string, double>& weight)
 {
-  return weight.first != "curvature" && weight.first != "area" && weight.second > 0;
+  return weight.second > 0 && weight.first != "curvature" && weight.first != "area" &&
+         weight.first != "area_change";
 }
 
 } // namespace
 
 Cost_weights::Cost_weights(const std::vector<std::string>& texts)
-  : m_weights{{"area", IS::default_area_weight}, {"curvature", 1}}
+  : m_weights{{"area", IS::default_area_weight},
+              {"area_change", IS::default_area_change_weight},
+              {"curvature", 1}}
 {
   for(const std::string& text : texts) {
     const std::size_t length = text.rfind('=');
@@ -45,8 +48,8 @@ Cost_weights::Cost_weights(const std::vector<std::string>& texts)
       throw Program_error("--weight " + text + ": is not NAME=W");
     m_weights[text.substr(0, length)] = weight_value(text, text.substr(length + 1));
   }
-  if(std::all_of(m_weights.begin(), m_weights.end(), [](const auto& w) { return w.second == 0; }))
-    throw Program_error("--weight: not all weights can be zero");
+  if(m_weights["curvature"] == 0 && m_weights["area"] == 0 && !has_functions())
+    throw Program_error("--weight: area_change alone is no cost");
 }
 
 void Cost_weights::read_functions(const std::string& path)
@@ -68,6 +71,7 @@ IS::Transport_cost Cost_weights::cost(const IS::Evolving_surface& surface) const
     result.add_curvature(surface, m_weights.at("curvature"));
   if(m_weights.at("area") > 0)
     result.add_area(surface, m_weights.at("area"));
+  result.add_area_change(surface, m_weights.at("area_change"));
   for(const auto& [name, components] : m_functions)
     for(const std::vector<double>& values : components)
       result.add_function(surface, values, m_weights.at(name) / double(components.size()));

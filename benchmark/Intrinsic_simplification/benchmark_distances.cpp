@@ -112,9 +112,7 @@ void benchmark_sources(const std::string& name, const Mesh& mesh)
               mesh.number_of_vertices(), "coarse", "ms", "speed-up", "error %", "quadrics %",
               "exact", truth.milliseconds());
   benchmark_heat(truth);
-  IS::Transport_cost cost(surface);
-  cost.add_curvature(surface);
-  cost.add_area(surface, IS::default_area_weight);
+  IS::Transport_cost cost = IS::default_cost(surface);
   for(const std::size_t part : {5U, 20U, 50U, 200U}) {
     IS::simplify(surface, cost,
                  IS::parameters::number_of_vertices(mesh.number_of_vertices() / part));

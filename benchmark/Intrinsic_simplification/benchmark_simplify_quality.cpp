@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How well a Poisson equation is solved on a coarse surface (see Poisson_comparison.h): simplified by edge collapses
-// with quadrics, and intrinsically with several weights of area beside curvature. Of the meshes on the command line,
-// or of some of CGAL's and generated ones.
+// with quadrics, and intrinsically with several weights of area beside curvature, and by the default cost. Of the meshes
+// on the command line, or of some of CGAL's and generated ones.
 
 #include "Poisson_comparison.h"
 #include "quadric_simplification.h"
@@ -36,11 +36,13 @@ IS::Transport_cost cost_with(double area_weight, const IS::Evolving_surface& sur
   return cost;
 }
 
-Errors intrinsic_errors(const Mesh& mesh, double area_weight, const Poisson_comparison& comparison)
+template <typename Cost_of>
+Errors intrinsic_errors(const Mesh& mesh, const Cost_of& cost_of,
+                        const Poisson_comparison& comparison)
 {
   IS::Evolving_surface surface(mesh);
   const IS::Surface_level fine(surface);
-  IS::Transport_cost cost = cost_with(area_weight, surface);
+  IS::Transport_cost cost = cost_of(surface);
   Errors result;
   for(std::size_t n = 0; n < parts.size(); ++n) {
     IS::simplify(surface, cost,
@@ -68,7 +70,9 @@ void benchmark(const std::string& name, const Mesh& mesh)
   const Poisson_comparison comparison(mesh);
   std::vector<Errors> columns{quadric_errors(mesh, comparison)};
   for(double weight : weights)
-    columns.push_back(intrinsic_errors(mesh, weight, comparison));
+    columns.push_back(intrinsic_errors(
+      mesh, [&](const IS::Evolving_surface& s) { return cost_with(weight, s); }, comparison));
+  columns.push_back(intrinsic_errors(mesh, IS::default_cost, comparison));
   for(std::size_t n = 0; n < parts.size(); ++n) {
     std::printf("%-22s%9u%9zu", name.c_str(), mesh.number_of_vertices(),
                 mesh.number_of_vertices() / parts[n]);
@@ -94,7 +98,7 @@ int main(int argc, char* argv[])
   std::printf("%-22s%9s%9s%10s", "mesh", "vertices", "coarse", "quadrics");
   for(double weight : weights)
     weight < 0 ? std::printf("%10s", "area only") : std::printf("%10g", weight);
-  std::printf("\n");
+  std::printf("%10s\n", "default");
   if(argc > 1) {
     for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
       benchmark_file(path);

@@ -129,7 +129,7 @@ TEST(Flattening, ScaleOfTheTipOfARegularTetrahedron)
   EXPECT_NEAR(star.scale_factor(), -std::log(3.), 1e-13);
   for(std::size_t n = 0; n < 3; ++n) {
     EXPECT_NEAR(star[n].weight, 1 / 3., 1e-13);
-    EXPECT_NEAR(star[n].angle_change, -pi / 3, 1e-13);
+    EXPECT_NEAR(star[n].angle_change, -pi / 3, 1e-8); // half of the digits, as costs need them
   }
 }
 

@@ -28,16 +28,21 @@ struct Transport
   double cost = 0;                      // of moving a unit
 };
 
-// the change of the curvature of each vertex by flattening the center
-std::vector<double> curvature_changes(const Evolving_surface& s, const Flattened_star& star)
+// the lengths after the center of `star` has been flattened
+auto flattened(const Evolving_surface& s, const Flattened_star& star)
 {
-  const auto flat_length = [&](Edge_index e) {
+  return [&](Edge_index e) {
     for(std::size_t n = 0; n < star.size(); ++n)
       if(s.mesh().edge(star[n].halfedge) == e)
         return star.flat_length(n);
     return s.surface().length(e);
   };
-  std::vector<double> change = angle_sums(s.mesh(), flat_length);
+}
+
+// the change of the curvature of each vertex by flattening the center
+std::vector<double> curvature_changes(const Evolving_surface& s, const Flattened_star& star)
+{
+  std::vector<double> change = angle_sums(s.mesh(), flattened(s, star));
   const std::vector<double> before = angle_sums(s.mesh(), lengths_of(s));
   for(std::size_t v = 0; v < change.size(); ++v)
     change[v] = std::abs(change[v] - before[v]);
@@ -116,15 +121,18 @@ TEST(Transport_cost, WeightsAndUnits)
   const double curvature = cost_of([&](Transport_cost& c) { c.add_curvature(s); });
   const double area = cost_of([&](Transport_cost& c) { c.add_area(s); });
   const double quantity = cost_of([&](Transport_cost& c) { c.add_quantity(value); });
+  const double change = cost_of([&](Transport_cost& c) { c.add_area_change(s); });
   EXPECT_GT(area, 0);
+  EXPECT_GT(change, 0);
   const auto add_all = [&](Transport_cost& c) {
     c.add_curvature(s, 0.5);
     c.add_area(s, 3);
     for(double& x : value)
       x *= 1e6; // its unit does not matter
     c.add_quantity(value, 2);
+    c.add_area_change(s, 5);
   };
-  EXPECT_NEAR(cost_of(add_all), 0.5 * curvature + 3 * area + 2 * quantity, 1e-14);
+  EXPECT_NEAR(cost_of(add_all), 0.5 * curvature + 3 * area + 2 * quantity + 5 * change, 1e-14);
 }
 
 // ---- Functions ----
@@ -230,6 +238,27 @@ TEST(Transport_cost, MassIsKept)
   }
   EXPECT_NEAR(curvature, 2, 1e-12);
   EXPECT_NEAR(area, 1, 1e-12);
+}
+
+TEST(Transport_cost, ChangeOfArea)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    const Evolving_surface s(m.mesh);
+    Transport_cost cost(s);
+    cost.add_area_change(s, 3);
+    EXPECT_EQ(cost.number_of_masses(), 0u);
+    const double area = area_of(s);
+    Flattened_star star;
+    for(Vertex_index v : s.mesh().vertices()) {
+      if(s.flatten(v, star) != Removal_status::possible || has_repeated_neighbors(star))
+        continue;
+      const double change = std::abs(area_of(s.mesh(), flattened(s, star)) - area);
+      // shares are not known to the brute force where nothing changes
+      const double length = change < 1e-6 * area ? 1 : transport(s, star).cost;
+      EXPECT_NEAR(cost(star), 3 * change / area * length, angle_tolerance);
+    }
+  }
 }
 
 TEST(Transport_cost, OfAFlatSurfaceWithoutDataIsZero)

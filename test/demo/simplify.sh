@@ -337,7 +337,7 @@ is_colored a.ply
 # What is inserted in flat faces is removed without cost: eight times as wide as high, and refined.
 grid cells 16 0
 awk 'FNR > 2 && NF == 3 { $1 *= 8 } { print }' cells.mesh.off >wide.mesh.off
-expect 0 simplify wide.mesh.off -o a.ply --refine 30 --error 1e-12 --weight area=0 --stats a.json
+expect 0 simplify wide.mesh.off -o a.ply --refine 30 --error 1e-12 --weight area=0 --weight area_change=0 --stats a.json
 [ "$(number a.json inserted_vertices)" -gt 100 ] || fail 'nothing inserted'
 [ "$(coarse_areas a.ply | tr '\n' ,)" = '0 4.000000000,1 4.000000000,' ] || fail "coarse faces: $(coarse_areas a.ply)"
 rm a.* b.*
@@ -379,7 +379,7 @@ done
 for error in -1 nan many; do
   expect 2 simplify slivers.mesh.off -o a.ply --error=$error
 done
-for weight in curvature color =1 area= area=-1 area=nan area=inf area=1x; do
+for weight in curvature area_change area_change=-1 color =1 area= area=-1 area=nan area=inf area=1x; do
   expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --weight $weight
   says '--weight'
 done

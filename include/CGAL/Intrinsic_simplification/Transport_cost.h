@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/internal/prefetch.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
@@ -39,7 +40,7 @@ namespace Intrinsic_simplification {
 class Transport_cost
 {
 public:
-  /// makes a cost without masses, which is zero.
+  /// makes a cost of nothing, which is zero.
   explicit Transport_cost(const Evolving_surface& surface)
     : m_number_of_vertices(surface.mesh().num_vertices())
   {}
@@ -69,6 +70,20 @@ public:
       if(!mesh.is_border(h))
         area[mesh.target(h)] += quadrupled_area(h, surface.surface());
     add_quantity(area, weight);
+  }
+
+  /// adds the area that flattening makes or takes away: it costs as much as if it was moved along the edges in
+  /// the shares of Equation 5.7, as a part of the area of the surface. It moves no mass. Complexity: linear.
+  /// \param surface the surface
+  /// \param weight the factor of this part of the cost
+  void add_area_change(const Evolving_surface& surface, double weight = 1)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    double quadrupled = 0;
+    for(Face_index f : mesh.faces())
+      quadrupled += quadrupled_area(mesh.halfedge(f), surface.surface());
+    if(quadrupled > 0)
+      m_area_change_factor += 4 * weight / quadrupled;
   }
 
   /// adds the Laplacian of a function that is linear on the faces, integrated over the hat function of each vertex: what the
@@ -117,7 +132,7 @@ public:
   double operator()(const Flattened_star& star)
   {
     find_moments(star);
-    double cost = 0;
+    double cost = m_area_change_factor * std::abs(star.area_change()) * mean_length(star);
     for(std::size_t n = 0; n < star.size(); ++n)
       if(star[n].first_with_neighbor == n && star[n].weight > 0)
         for(std::size_t c = 0; c < m_channels; ++c)
@@ -175,6 +190,12 @@ private:
 
   State& state(Vertex_index v, std::size_t c) { return m_state[v * m_channels + c]; }
 
+  friend void prefetch_vertex(Vertex_index v, const Transport_cost* cost)
+  {
+    if(cost->m_channels > 0)
+      internal::prefetch(&cost->m_state[v * cost->m_channels], cost->m_channels * sizeof(State));
+  }
+
   // A defect that rounding can have caused counts as none.
   static double angle_defect(Vertex_index v, const Intrinsic_surface& surface)
   {
@@ -209,6 +230,15 @@ private:
     const Delta_complex& mesh = surface.mesh();
     return Intrinsic_triangulations::quadrupled_area(
       surface.length(h), surface.length(mesh.next(h)), surface.length(mesh.prev(h)));
+  }
+
+  // of the way from the center, in the shares of the neighbors
+  static double mean_length(const Flattened_star& star)
+  {
+    double sum = 0;
+    for(std::size_t n = 0; n < star.size(); ++n)
+      sum += star[n].weight * star[n].length;
+    return sum;
   }
 
   // adds the positive part of `factor * value` as one more mass of each vertex
@@ -252,6 +282,7 @@ private:
   }
 
   std::size_t m_number_of_vertices, m_channels = 0;
+  double m_area_change_factor = 0;
   std::vector<State> m_state;    // of each vertex, all masses together
   std::vector<Complex> m_moment; // of the spokes of the star at hand
 };

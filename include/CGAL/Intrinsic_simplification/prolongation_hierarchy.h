@@ -25,8 +25,8 @@ namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// simplifies a surface step by step, each time to a fourth of the vertices, and returns the prolongation from each level
-/// to the one before; the first leads to the surface as it was. The cost is that of
-/// `simplify()`, and carried on from level to level.
+/// to the one before; the first leads to the surface as it was. The cost is
+/// `default_cost()`, carried on from level to level.
 ///
 /// Complexity: as `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides the result.
 /// \param surface the surface, which is as coarse as the last level afterwards
@@ -38,9 +38,7 @@ inline std::vector<Eigen::SparseMatrix<double>>
 prolongation_hierarchy(Evolving_surface& surface, std::size_t number_of_vertices = 500)
 {
   std::vector<Eigen::SparseMatrix<double>> result;
-  Transport_cost cost(surface);
-  cost.add_curvature(surface);
-  cost.add_area(surface, default_area_weight);
+  Transport_cost cost = default_cost(surface);
   Surface_level fine(surface);
   while(fine.mesh().number_of_vertices() > number_of_vertices) {
     const std::size_t target = fine.mesh().number_of_vertices() / 4;

@@ -57,10 +57,8 @@ inline FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
   const FT p = (std::max)(a, b), q = (std::min)(a, b), r = (std::min)(p, c);
   const FT greatest = (std::max)(p, c), middle = (std::max)(q, r), least = (std::min)(q, r);
   const FT slack = least - (greatest - middle);
-  if(!(slack > 0))
-    return FT(0);
-  return (greatest + (middle + least)) * slack * (least + (greatest - middle)) *
-         (greatest + (middle - least));
+  return (greatest + (middle + least)) * (slack > 0 ? slack : FT(0)) *
+         (least + (greatest - middle)) * (greatest + (middle - least));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas

@@ -27,6 +27,8 @@ class Vertex_heap
 public:
   explicit Vertex_heap(std::size_t number_of_vertices) : m_place(number_of_vertices, nowhere) {}
 
+  std::size_t size() const { return m_entries.size(); }
+  Vertex_index vertex(std::size_t place) const { return m_entries[place].vertex; }
   bool empty() const { return m_entries.empty(); }
   Vertex_index top() const { return m_entries.front().vertex; }
   double key(Vertex_index v) const { return m_entries[m_place[v]].key; }
