@@ -186,7 +186,7 @@ public:
       return {Halfedge_index(), m_fine_bends[v.idx() - m_first_fine_bend]};
     if(m_piece_before[v] != none) {
       const Piece& piece = m_pieces[m_piece_before[v]];
-      const auto& [x, y] = piece.segment.to.along;
+      const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
       return edge_place(m_coarse.halfedge(piece.edge, 0), y / (x + y), m_coarse);
     }
     const Vertex_index coarse = m_map.coarse().level_vertex(m_map.fine().surface_vertex(v));

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_PROJECTIVE_PIECES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_PROJECTIVE_PIECES_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/Cell_joiner.h>
+#include <CGAL/Intrinsic_simplification/internal/Face_cutter.h>
+#include <CGAL/Intrinsic_simplification/internal/carry_point.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a convex polygon inside one face of both levels on which the map between them is one projective map.
+struct Projective_piece
+{
+  /// barycentric coordinates.
+  typedef std::array<double, 3> Coordinates;
+  /// a corner of the polygon, as a point of either face.
+  struct Corner
+  {
+    Coordinates fine;   ///< in the face of the fine level
+    Coordinates coarse; ///< in the face of the coarse level
+  };
+
+  Face_index fine_face;        ///< the face of the fine level
+  Face_index coarse_face;      ///< the face of the coarse level
+  std::vector<Corner> corners; ///< counterclockwise; no two sides that meet are on a line
+  /// the matrix that takes homogeneous coordinates on the fine face to those on the coarse face, by rows.
+  std::array<Coordinates, 3> matrix;
+
+  /// maps a point of the piece to the coarse face; so it does with points around the piece that the matrix takes to a positive
+  /// sum of coordinates. Both arguments and results sum up to one.
+  Coordinates to_coarse(const Coordinates& b) const
+  {
+    Coordinates result{};
+    for(std::size_t r = 0; r < 3; ++r)
+      for(std::size_t c = 0; c < 3; ++c)
+        result[r] += matrix[r][c] * b[c];
+    internal::normalize(result);
+    return result;
+  }
+
+  /// maps a point of the piece to the fine face: the inverse of `to_coarse()`.
+  Coordinates to_fine(const Coordinates& b) const
+  {
+    Coordinates result{};
+    for(std::size_t r = 0; r < 3; ++r)
+      for(std::size_t c = 0; c < 3; ++c)
+        result[r] += cofactor(c, r) * b[c];
+    internal::normalize(result);
+    return result;
+  }
+
+private:
+  // the determinant of the matrix without a row and a column, with its sign
+  double cofactor(std::size_t r, std::size_t c) const
+  {
+    const Coordinates &x = matrix[(r + 1) % 3], &y = matrix[(r + 2) % 3];
+    return x[(c + 1) % 3] * y[(c + 2) % 3] - x[(c + 2) % 3] * y[(c + 1) % 3];
+  }
+};
+
+namespace internal {
+
+inline Projective_piece projective_piece(Face_index fine_face, const Cell& cell,
+                                         const std::vector<const Face_point*>& corners,
+                                         const Surface_level& coarse)
+{
+  Projective_piece result{fine_face, coarse.level_face(cell.face), {}, {}};
+  for(const Face_point* p : corners) {
+    result.corners.push_back({p->along, p->weight});
+    normalize(result.corners.back().fine);
+    normalize(result.corners.back().coarse);
+  }
+  for(std::size_t r = 0; r < 3; ++r)
+    for(std::size_t c = 0; c < 3; ++c)
+      result.matrix[r][c] = cell.image[c].weight[r];
+  return result;
+}
+
+template <typename OutputIterator>
+OutputIterator write_pieces(Face_index f, const Surface_map& map, Face_cutter& cutter,
+                            Cell_joiner& joiner, OutputIterator out)
+{
+  joiner.join(cutter.cut(f), cutter,
+              [&](const Cell& cell, const std::vector<const Face_point*>& corners) {
+                *out++ = projective_piece(f, cell, corners, map.coarse());
+              });
+  return out;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// writes the pieces of a face of the fine level: the convex polygons that it consists of, on each of which the map to the
+/// coarse level is one projective map (Section 5.2).
+///
+/// The face is carried through the operations. It is cut by every edge that crosses it at any time; parts are joined again
+/// where the scale has not been changed beside the edge while it was there, unless it is an edge of the coarse level. So where nothing is scaled, the
+/// pieces are the polygons into which the edges of the coarse level cut the face.
+/// \param f a face of the fine level
+/// \param map the map
+/// \param out an output iterator to which `Projective_piece` can be assigned
+/// \returns the end of the output
+/// Complexity: linear in the edges that cross a cell ....
+template <typename OutputIterator>
+OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIterator out)
+{
+  internal::Face_cutter cutter(map);
+  internal::Cell_joiner joiner;
+  return internal::write_pieces(f, map, cutter, joiner, out);
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// writes the pieces of all faces of the fine level, face by face.
+template <typename OutputIterator>
+OutputIterator projective_pieces(const Surface_map& map, OutputIterator out)
+{
+  internal::Face_cutter cutter(map);
+  internal::Cell_joiner joiner;
+  for(Face_index f : map.fine().mesh().faces())
+    out = internal::write_pieces(f, map, cutter, joiner, out);
+  return out;
+}
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_PROJECTIVE_PIECES_H
