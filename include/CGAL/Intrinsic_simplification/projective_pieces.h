@@ -89,14 +89,24 @@ inline Projective_piece projective_piece(Face_index fine_face, const Cell& cell,
   return result;
 }
 
+// whether it is more than what rounding leaves between lines that are the same
+inline bool has_area(const std::vector<const Face_point*>& corners)
+{
+  return polygon_area(corners.size(), [&](std::size_t c) { return corners[c]->along; }) >
+           rounding() ||
+         polygon_area(corners.size(), [&](std::size_t c) { return corners[c]->weight; }) >
+           rounding();
+}
+
 template <typename OutputIterator>
 OutputIterator write_pieces(Face_index f, const Surface_map& map, Face_cutter& cutter,
                             Cell_joiner& joiner, OutputIterator out)
 {
-  joiner.join(cutter.cut(f), cutter,
-              [&](const Cell& cell, const std::vector<const Face_point*>& corners) {
-                *out++ = projective_piece(f, cell, corners, map.coarse());
-              });
+  const auto write = [&](const Cell& cell, const std::vector<const Face_point*>& corners) {
+    if(has_area(corners))
+      *out++ = projective_piece(f, cell, corners, map.coarse());
+  };
+  joiner.join(cutter.cut(f), cutter, write);
   return out;
 }
 

@@ -23,7 +23,8 @@ namespace internal {
 class Cell_joiner
 {
 public:
-  // Calls `visit(cell, corners)` for each union of cells: with one of them, and its corners counterclockwise.
+  // Calls `visit(cell, corners)` for each union of cells: with the largest of them, and its corners counterclockwise.
+  // In a cell that is there by rounding only, so is the linear map.
   template <typename Visit>
   void join(const std::vector<Cell>& cells, const Face_cutter& lines, const Visit& visit)
   {
@@ -31,11 +32,12 @@ public:
     number_sides();
     find_opposites();
     find_unions(lines);
+    find_largest();
     std::vector<char> is_done(cells.size(), 0);
     for(std::size_t s = 0; s < m_place.size(); ++s)
       if(is_outer(s) && !std::exchange(is_done[union_of(s)], 1)) {
         collect_corners(s);
-        visit(cell(s), m_corners);
+        visit(cells[m_largest[union_of(s)]], m_corners);
       }
   }
 
@@ -100,6 +102,18 @@ private:
       }
   }
 
+  void find_largest()
+  {
+    m_largest = m_union;
+    std::vector<double> area;
+    for(const Cell& c : *m_cells)
+      area.push_back(
+        polygon_area(c.sides.size(), [&](std::size_t n) { return c.sides[n].from.along; }));
+    for(std::size_t c = 0; c < m_cells->size(); ++c)
+      if(area[c] > area[m_largest[m_union[c]]])
+        m_largest[m_union[c]] = c;
+  }
+
   // whether the cell goes on beyond its side
   bool is_crossed(std::size_t s, const Face_cutter& lines) const
   {
@@ -131,7 +145,8 @@ private:
   std::vector<Place> m_place;
   std::vector<std::size_t> m_first_side; // of each cell
   std::vector<std::size_t> m_opposite;   // of each side
-  std::vector<std::size_t> m_union;      // of each cell: its first one
+  std::vector<std::size_t> m_union;      // of each cell: the first cell of its union
+  std::vector<std::size_t> m_largest;    // of each union
   std::vector<const Face_point*> m_corners;
 };
 

@@ -44,6 +44,25 @@ inline bool is_on_edge(const Cell& cell, std::size_t n)
   return is_pair(cell.sides[n].from.corners | cell.sides[next].from.corners);
 }
 
+// The area of a polygon with `n` corners in a face, in units of the face: negative if it is clockwise. `at(c)` are the
+// homogeneous coordinates of a corner.
+template <typename At>
+double polygon_area(std::size_t n, const At& at)
+{
+  const auto point = [&](std::size_t c) {
+    Coordinates b = at(c);
+    normalize(b);
+    return b;
+  };
+  double sum = 0;
+  const Coordinates a = point(0);
+  for(std::size_t c = 1; c + 1 < n; ++c) {
+    const Coordinates b = point(c), d = point(c + 1);
+    sum += (b[1] - a[1]) * (d[2] - a[2]) - (b[2] - a[2]) * (d[1] - a[1]);
+  }
+  return sum;
+}
+
 // Carries a face of the fine level through the operations to the coarse level. Like a curve it is cut where it is crossed by a new
 // edge, and its cells go their ways alone. Those on the two sides of a cut know their common points by number, and
 // agree on their coordinates to the last bit. So whatever rounding does, cells are a subdivision of the face.
