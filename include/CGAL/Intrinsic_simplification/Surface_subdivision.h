@@ -244,7 +244,7 @@ private:
     m_result.m_parent_halfedge = {std::vector<Halfedge_index>(m_mesh.number_of_edges()),
                                   std::vector<Halfedge_index>(m_mesh.number_of_edges())};
     for(Edge_index e : m_fine.edges())
-      for(size_type p = 0; p <= m_marks.number_of_marks(e); ++p)
+      for(size_type p = 0; p < m_marks.number_of_pieces(e); ++p)
         parent(Level::fine, m_marks.fine_piece(m_fine.halfedge(e, 0), p)) = m_fine.halfedge(e, 0);
     for(Edge_index e : m_coarse.edges())
       for(size_type p = m_marks.first_piece(e); p < m_marks.end_of_pieces(e); ++p) {

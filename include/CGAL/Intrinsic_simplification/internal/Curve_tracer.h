@@ -42,17 +42,15 @@ public:
   // have the numbers of the evolving surface.
   const std::vector<Curve_segment>& trace(Halfedge_index h)
   {
-    m_result.clear();
-    m_is_bend.assign(2, 0);
-    m_stack.assign(1, start(h));
-    while(!m_stack.empty()) {
-      const Timed_segment s = m_stack.back();
-      m_stack.pop_back();
-      if(s.time == last_time())
-        m_result.push_back(s.segment);
-      else
-        carry(s.segment, m_is_forward ? s.time : s.time - 1);
-    }
+    carry_edge(h);
+    join_straight_pieces();
+    return m_result;
+  }
+
+  // The same; the curve runs through vertices that it comes to within rounding.
+  const std::vector<Curve_segment>& trace_through_near_vertices(Halfedge_index h)
+  {
+    carry_edge(h);
     for(Curve_segment& s : m_result) {
       move_to_near_corner(s.from);
       move_to_near_corner(s.to);
@@ -68,6 +66,21 @@ private:
     Curve_segment segment;
     Surface_history::Time time;
   };
+
+  void carry_edge(Halfedge_index h)
+  {
+    m_result.clear();
+    m_is_bend.assign(2, 0);
+    m_stack.assign(1, start(h));
+    while(!m_stack.empty()) {
+      const Timed_segment s = m_stack.back();
+      m_stack.pop_back();
+      if(s.time == last_time())
+        m_result.push_back(s.segment);
+      else
+        carry(s.segment, m_is_forward ? s.time : s.time - 1);
+    }
+  }
 
   Surface_history::Time last_time() const
   {

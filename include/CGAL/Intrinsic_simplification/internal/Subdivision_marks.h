@@ -32,6 +32,9 @@ namespace internal {
 // chains of pieces. Halfedges are those of the subdivision where nothing else is said: an edge of the fine level
 // with n marks becomes n + 1 edges; a piece of the coarse level is another, unless it runs along an edge of the
 // fine level.
+//
+// Curves that come to a vertex within rounding run through it: where they cross the edges there, their marks are moved to the
+// vertex, in their order along the edge. So what does not cross before does not cross then.
 class Subdivision_marks
 {
 public:
@@ -53,8 +56,9 @@ public:
       m_first_piece.push_back(number(m_pieces.size()));
       const Halfedge_index h = m_coarse.halfedge(e, 0);
       Vertex_index v = m_map.fine().level_vertex(m_map.coarse().surface_vertex(m_coarse.source(h)));
+      size_type mark = none;
       for(const Curve_segment& s : tracer.trace(h))
-        v = add_piece(s, v, e);
+        add_piece(s, e, v, mark);
     }
     m_first_piece.push_back(number(m_pieces.size()));
     m_piece_before.resize(m_number_of_vertices, none);
@@ -83,14 +87,25 @@ public:
       return std::pair(x.edge, x.ratio) < std::pair(y.edge, y.ratio);
     });
     m_first_mark.assign(m_fine.number_of_edges() + 1, 0);
+    m_first_kept.assign(m_fine.number_of_edges() + 1, 0);
+    m_place_of_mark.resize(m_marks.size());
     m_mark_of_vertex.resize(m_number_of_vertices, none);
     m_piece_before.resize(m_number_of_vertices, none); // none before bends of fine edges
-    for(size_type n = 0; n < m_marks.size(); ++n) {
-      ++m_first_mark[m_marks[n].edge + 1];
-      m_mark_of_vertex[m_marks[n].vertex] = n;
+    for(size_type n = 0, kept = 0; n < m_marks.size(); ++n) {
+      Mark& mark = m_marks[n];
+      m_place_of_mark[mark.number] = n;
+      mark.kept_before = kept;
+      ++m_first_mark[mark.edge + 1];
+      if(end_at(mark.ratio) == End::none) {
+        ++kept;
+        ++m_first_kept[mark.edge + 1];
+        m_mark_of_vertex[mark.vertex] = n;
+      }
     }
-    for(std::size_t e = 1; e < m_first_mark.size(); ++e)
+    for(std::size_t e = 1; e < m_first_mark.size(); ++e) {
       m_first_mark[e] += m_first_mark[e - 1];
+      m_first_kept[e] += m_first_kept[e - 1];
+    }
     number_pieces();
     collect_chords();
   }
@@ -119,17 +134,20 @@ public:
     return true;
   }
 
-  // on an edge of the fine level
-  size_type number_of_marks(Edge_index e) const { return m_first_mark[e + 1] - m_first_mark[e]; }
+  // of an edge of the fine level
+  size_type number_of_pieces(Edge_index e) const
+  {
+    return m_first_kept[e + 1] - m_first_kept[e] + 1;
+  }
 
   // piece number `p` of the halfedge `h` of the fine level, counted from its source
   Halfedge_index fine_piece(Halfedge_index h, size_type p) const
   {
     const Edge_index e(h);
-    const size_type first = m_first_mark[e] + e.idx();
+    const size_type first = m_first_kept[e] + e.idx();
     if(h.idx() % 2 == 0)
       return Halfedge_index(2 * (first + p));
-    return Halfedge_index(2 * (first + number_of_marks(e) - p) + 1);
+    return Halfedge_index(2 * (first + number_of_pieces(e) - 1 - p) + 1);
   }
 
   // the numbers of the pieces of an edge of the coarse level
@@ -154,18 +172,15 @@ public:
     if(is_fine_vertex(v))
       return collect_spokes_of_fine_vertex(v, out);
     const size_type mark = m_mark_of_vertex[v], piece = m_piece_before[v];
-    if(mark != none)
-      out = {after_mark(mark), twin(before_mark(mark))};
-    if(piece == none)
+    if(mark == none) {
+      out = {coarse_piece(piece + 1), twin(coarse_piece(piece))};
       return;
-    const Halfedge_index ahead = coarse_piece(piece + 1), back = twin(coarse_piece(piece));
-    if(mark == none)
-      out = {ahead, back};
-    else if(comes_from_left(m_pieces[piece].segment))
-      out = {out[0], back, out[1], ahead};
-    else
-      out = {out[0], ahead, out[1], back};
-    remove_repeated(out);
+    }
+    const auto& [left, right] = m_marks[mark].out;
+    out.push_back(after_mark(mark));
+    add_if_valid(left, out);
+    out.push_back(twin(before_mark(mark)));
+    add_if_valid(right, out);
   }
 
   Subdivision_place fine_place(Vertex_index v) const
@@ -197,37 +212,53 @@ public:
 private:
   static constexpr size_type none = (std::numeric_limits<size_type>::max)();
 
-  // a piece along another is the same
-  static void remove_repeated(std::vector<Halfedge_index>& cycle)
+  static void add_if_valid(Halfedge_index h, std::vector<Halfedge_index>& out)
   {
-    cycle.erase(std::unique(cycle.begin(), cycle.end()), cycle.end());
-    if(cycle.size() > 1 && cycle.front() == cycle.back())
-      cycle.pop_back();
+    if(h.is_valid())
+      out.push_back(h);
   }
 
-  // a straight part of an edge of the coarse level, in a face of the fine level
+  // a straight part of an edge of the coarse level, in a face of the fine level, and the numbers of the marks at its ends
   struct Piece
   {
     Curve_segment segment;
     Edge_index edge;
-    Vertex_index source, target;
+    Vertex_index target;
+    std::array<size_type, 2> marks;
     Halfedge_index halfedge;
   };
 
-  // a vertex on an edge of the fine level; between nothing and infinity from the source to the target
+  // A point on an edge of the fine level, with a ratio between nothing and infinity from the source to the target.
+  // Unless it has been moved to an end it is a vertex.
   struct Mark
   {
     Edge_index edge;
     double ratio;
     Vertex_index vertex;
+    size_type number;
+    size_type kept_before;             // on all edges before, and on this one
+    std::array<Halfedge_index, 2> out; // the chords that leave it to the left and to the right
   };
 
+  enum class End
+  {
+    none,
+    source,
+    target
+  };
+
+  // to which end of its edge a mark is moved
+  static End end_at(double ratio)
+  {
+    return ratio <= rounding() ? End::source : ratio * rounding() >= 1 ? End::target : End::none;
+  }
+
   // A piece that leaves a vertex of the fine level into a corner of a face, and where the face, counterclockwise from
-  // this corner, is met again.
+  // this corner, is met again; at last the order of those along the same edge.
   struct Chord_end
   {
     std::size_t corner;
-    std::pair<std::size_t, size_type> order;
+    std::tuple<std::size_t, size_type, std::ptrdiff_t> order;
     Halfedge_index out;
 
     friend bool operator<(const Chord_end& a, const Chord_end& b)
@@ -247,10 +278,7 @@ private:
 
   bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
 
-  size_type number_of_fine_pieces() const
-  {
-    return number(m_marks.size()) + m_fine.number_of_edges();
-  }
+  size_type number_of_fine_pieces() const { return m_first_kept.back() + m_fine.number_of_edges(); }
 
   static std::size_t corner_number(const Face_point& p)
   {
@@ -267,35 +295,72 @@ private:
     return Intrinsic_triangulations::internal::sides(s.face, m_fine)[n];
   }
 
-  Vertex_index add_piece(Curve_segment s, Vertex_index source, Edge_index e)
+  // The vertex and the number of the mark where the piece starts become those where it ends.
+  void add_piece(Curve_segment s, Edge_index e, Vertex_index& v, size_type& mark)
   {
     s.face = m_map.fine().level_face(s.face);
-    Vertex_index target(m_number_of_vertices);
+    const size_type from_mark = std::exchange(mark, none);
+    if(is_pair(s.to.corners))
+      mark = add_crossing(s);
     if(is_single(s.to.corners))
-      target = m_fine.source(side(s, corner_number(s.to)));
-    else {
-      m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
-      if(is_pair(s.to.corners))
-        add_crossing(s, target);
-    }
-    m_pieces.push_back({s, e, source, target, Halfedge_index()});
-    if(is_along_edge(s))
-      m_is_along[Edge_index(edge_along(s))] = 1;
-    return target;
+      v = m_fine.source(side(s, corner_number(s.to)));
+    else
+      v = mark == none ? new_vertex() : m_marks[mark].vertex;
+    const std::size_t from = corner_near(s, s.from, from_mark), to = corner_near(s, s.to, mark);
+    if(from == to && from < 3)
+      return; // the vertex cuts off the corner
+    if(from < 3 && to < 3)
+      m_is_along[Edge_index(edge_along(s, from, to))] = 1;
+    m_pieces.push_back({s, e, v, {from_mark, mark}, Halfedge_index()});
   }
 
-  void add_crossing(const Curve_segment& s, Vertex_index v)
+  Vertex_index new_vertex()
+  {
+    const Vertex_index v(m_number_of_vertices);
+    m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
+    return v;
+  }
+
+  size_type add_crossing(const Curve_segment& s)
   {
     const std::size_t n = side_number(s.to);
     const Halfedge_index h = side(s, n);
     const double from = s.to.weight[n], to = s.to.weight[(n + 1) % 3];
-    m_marks.push_back({m_fine.edge(h), h.idx() % 2 == 0 ? to / from : from / to, v});
+    const double ratio = h.idx() % 2 == 0 ? to / from : from / to;
+    const Halfedge_index first = m_fine.halfedge(m_fine.edge(h), 0);
+    const End end = end_at(ratio);
+    return add_mark(m_fine.edge(h), ratio,
+                    end == End::none     ? new_vertex()
+                    : end == End::source ? m_fine.source(first)
+                                         : m_fine.target(first));
+  }
+
+  size_type add_mark(Edge_index e, double ratio, Vertex_index v)
+  {
+    const size_type n = number(m_marks.size());
+    m_marks.push_back({e, ratio, v, n, 0, {}});
+    return n;
+  }
+
+  // at which corner a point is or has been moved to; 3 if at none
+  std::size_t corner_near(const Curve_segment& s, const Face_point& p, size_type mark) const
+  {
+    if(is_single(p.corners))
+      return corner_number(p);
+    const End end = mark == none ? End::none : end_at(m_marks[mark].ratio);
+    if(end == End::none)
+      return 3;
+    const std::size_t n = side_number(p);
+    const bool is_at_source = (end == End::source) == (side(s, n).idx() % 2 == 0);
+    return is_at_source ? n : (n + 1) % 3;
   }
 
   void add_fine_bend(Edge_index e, const Curve_segment& s)
   {
-    m_marks.push_back({e, s.to.along[1] / s.to.along[0], Vertex_index(m_number_of_vertices)});
-    m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
+    const double ratio = s.to.along[1] / s.to.along[0];
+    if(end_at(ratio) != End::none)
+      return;
+    add_mark(e, ratio, new_vertex());
     Surface_map::Location p = location(s);
     p.first = m_map.coarse().level_face(p.first);
     m_fine_bends.push_back(p);
@@ -308,31 +373,37 @@ private:
     return p;
   }
 
-  static bool is_along_edge(const Curve_segment& s)
+  // the halfedge of the fine level from one corner to another
+  Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::size_t to) const
   {
-    return is_single(s.from.corners) && is_single(s.to.corners);
-  }
-
-  // the halfedge of the fine level along which it runs
-  Halfedge_index edge_along(const Curve_segment& s) const
-  {
-    const std::size_t from = corner_number(s.from), to = corner_number(s.to);
     return to == (from + 1) % 3 ? side(s, from) : twin(side(s, to));
   }
 
+  // An edge of the coarse level that is one of the fine level takes its place. What else runs along that is put into a
+  // face at first, in the order in which it comes.
   void number_pieces()
   {
     m_is_taken.assign(number_of_fine_pieces(), 0);
     for(size_type p = 0; p < m_pieces.size(); ++p) {
-      const Halfedge_index h =
-        is_along_edge(m_pieces[p].segment) ? edge_along(m_pieces[p].segment) : Halfedge_index();
-      if(h.is_valid() && number_of_marks(Edge_index(h)) == 0 && take(fine_piece(h, 0))) {
+      const Halfedge_index h = whole_edge(p);
+      if(h.is_valid() && number_of_pieces(Edge_index(h)) == 1 && take(fine_piece(h, 0))) {
         m_pieces[p].halfedge = fine_piece(h, 0);
       } else {
         m_pieces[p].halfedge = chord(m_piece_of_chord.size());
         m_piece_of_chord.push_back(p);
       }
     }
+  }
+
+  // the halfedge of the fine level that is the edge of a piece, or null
+  Halfedge_index whole_edge(size_type p) const
+  {
+    const Curve_segment& s = m_pieces[p].segment;
+    const Edge_index e = m_pieces[p].edge;
+    return is_single(s.from.corners) && is_single(s.to.corners) &&
+               first_piece(e) + 1 == end_of_pieces(e)
+             ? edge_along(s, corner_number(s.from), corner_number(s.to))
+             : Halfedge_index();
   }
 
   // whether no other piece runs along a piece of a fine edge
@@ -363,37 +434,52 @@ private:
   void collect_chords()
   {
     m_chord_ends.clear();
+    for(Mark& mark : m_marks)
+      mark.out = {};
     for(size_type p : m_piece_of_chord) {
-      const Curve_segment& s = m_pieces[p].segment;
+      const Piece& piece = m_pieces[p];
+      const Curve_segment& s = piece.segment;
+      add_to_mark(s, s.from, piece.marks[0], piece.halfedge);
+      add_to_mark(s, s.to, piece.marks[1], twin(piece.halfedge));
       if(is_single(s.from.corners)) {
         size_type end = p;
         while(m_pieces[end].segment.to.corners == 7)
           ++end;
-        add_chord_end(s.face, s.from, m_pieces[end].segment.to, m_pieces[end].target,
-                      m_pieces[p].halfedge);
+        add_chord_end(p, s.from, m_pieces[end].segment.to, m_pieces[end].marks[1], piece.halfedge);
       }
       if(is_single(s.to.corners)) {
         size_type start = p;
         while(m_pieces[start].segment.from.corners == 7)
           --start;
-        add_chord_end(s.face, s.to, m_pieces[start].segment.from, m_pieces[start].source,
-                      twin(m_pieces[p].halfedge));
+        add_chord_end(p, s.to, m_pieces[start].segment.from, m_pieces[start].marks[0],
+                      twin(piece.halfedge));
       }
     }
     std::sort(m_chord_ends.begin(), m_chord_ends.end());
   }
 
-  void add_chord_end(Face_index f, const Face_point& at_corner, const Face_point& other,
-                     Vertex_index other_vertex, Halfedge_index out)
+  void add_to_mark(const Curve_segment& s, const Face_point& end, size_type mark,
+                   Halfedge_index out)
   {
+    if(mark != none)
+      m_marks[m_place_of_mark[mark]].out[side(s, side_number(end)).idx() % 2] = out;
+  }
+
+  void add_chord_end(size_type piece, const Face_point& at_corner, const Face_point& other,
+                     size_type other_mark, Halfedge_index out)
+  {
+    const Face_index f = m_pieces[piece].segment.face;
     const std::size_t c = corner_number(at_corner);
-    const bool is_corner = is_single(other.corners);
-    const std::size_t n = is_corner ? corner_number(other) : side_number(other);
-    const size_type mark =
-      is_corner ? 0
-                : 1 + mark_along(Intrinsic_triangulations::internal::sides(f, m_fine)[n],
-                                 m_mark_of_vertex[other_vertex]);
-    m_chord_ends.push_back({corner_index(f, c), {(n + 3 - c) % 3, mark}, out});
+    if(other_mark == none) {
+      const std::size_t turn = (corner_number(other) + 3 - c) % 3;
+      const auto p = static_cast<std::ptrdiff_t>(piece);
+      m_chord_ends.push_back({corner_index(f, c), {turn, 0, turn == 1 ? p : -p}, out});
+    } else {
+      const std::size_t n = side_number(other);
+      const size_type mark = mark_along(Intrinsic_triangulations::internal::sides(f, m_fine)[n],
+                                        m_place_of_mark[other_mark]);
+      m_chord_ends.push_back({corner_index(f, c), {(n + 3 - c) % 3, 1 + mark, 0}, out});
+    }
   }
 
   static std::size_t corner_index(Face_index f, std::size_t c) { return 3 * std::size_t(f) + c; }
@@ -408,17 +494,11 @@ private:
   // the pieces on the two sides of a mark, in the direction of the first halfedge
   Halfedge_index before_mark(size_type mark) const
   {
-    return Halfedge_index(2 * (mark + m_marks[mark].edge.idx()));
+    return Halfedge_index(2 * (m_marks[mark].kept_before + m_marks[mark].edge.idx()));
   }
   Halfedge_index after_mark(size_type mark) const
   {
-    return Halfedge_index(2 * (mark + m_marks[mark].edge.idx() + 1));
-  }
-
-  // whether a piece comes to an edge of the fine level from the left of its first halfedge
-  bool comes_from_left(const Curve_segment& s) const
-  {
-    return side(s, side_number(s.to)).idx() % 2 == 0;
+    return Halfedge_index(2 * (m_marks[mark].kept_before + m_marks[mark].edge.idx() + 1));
   }
 
   void collect_spokes_of_fine_vertex(Vertex_index v, std::vector<Halfedge_index>& out) const
@@ -426,16 +506,34 @@ private:
     if(m_fine.is_isolated(v))
       return;
     Intrinsic_triangulations::internal::for_each_spoke(v, m_fine, [&](Halfedge_index h) {
-      out.push_back(fine_piece(h, 0));
+      collect_spokes_along(h, out);
       if(m_fine.is_border(h))
         return;
       const std::size_t corner =
         corner_index(m_fine.face(h), Intrinsic_triangulations::internal::side_number(h, m_fine));
       auto end = std::lower_bound(m_chord_ends.begin(), m_chord_ends.end(),
-                                  Chord_end{corner, {0, 0}, Halfedge_index()});
+                                  Chord_end{corner, {0, 0, 0}, Halfedge_index()});
       for(; end != m_chord_ends.end() && end->corner == corner; ++end)
         out.push_back(end->out);
     });
+  }
+
+  // the first piece of `h`, and the chords at the marks that have been moved to its source
+  void collect_spokes_along(Halfedge_index h, std::vector<Halfedge_index>& out) const
+  {
+    const Edge_index e(h);
+    const bool is_first = h.idx() % 2 == 0;
+    const auto mark = [&](size_type n) -> const Mark& {
+      return m_marks[is_first ? m_first_mark[e] + n : m_first_mark[e + 1] - 1 - n];
+    };
+    const End source = is_first ? End::source : End::target;
+    size_type moved = 0;
+    for(; moved < m_first_mark[e + 1] - m_first_mark[e] && end_at(mark(moved).ratio) == source;
+        ++moved)
+      add_if_valid(mark(moved).out[is_first ? 1 : 0], out);
+    out.push_back(fine_piece(h, 0));
+    while(moved-- > 0)
+      add_if_valid(mark(moved).out[is_first ? 0 : 1], out);
   }
 
   static Subdivision_place vertex_place(Vertex_index v, const Delta_complex& mesh)
@@ -464,7 +562,10 @@ private:
     m_is_along; // whether an edge of the coarse level runs along one of the fine level
   std::vector<char> m_is_taken; // whether one runs along a piece of an edge of the fine level
   std::vector<Mark> m_marks;    // in the order of edges and along them
-  std::vector<size_type> m_first_mark; // of each edge of the fine level
+  std::vector<size_type> m_place_of_mark; // of each number
+  std::vector<size_type> m_first_mark;    // of each edge of the fine level
+  std::vector<size_type>
+    m_first_kept; // the same, not counting those that have been moved to an end
   std::vector<size_type> m_mark_of_vertex;
   std::vector<size_type>
     m_piece_of_chord;                  // of each edge that is no part of an edge of the fine level
