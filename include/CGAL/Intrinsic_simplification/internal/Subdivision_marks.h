@@ -240,6 +240,13 @@ private:
     std::array<Halfedge_index, 2> out; // the chords that leave it to the left and to the right
   };
 
+  // where a curve has come into a face: at which corner, after how many pieces and vertices
+  struct Entry
+  {
+    std::size_t corner;
+    size_type pieces, vertices;
+  };
+
   enum class End
   {
     none,
@@ -300,18 +307,21 @@ private:
   {
     s.face = m_map.fine().level_face(s.face);
     const size_type from_mark = std::exchange(mark, none);
+    if(s.from.corners != 7)
+      m_entry = {corner_near(s, s.from, from_mark), number(m_pieces.size()), m_number_of_vertices};
     if(is_pair(s.to.corners))
       mark = add_crossing(s);
     if(is_single(s.to.corners))
       v = m_fine.source(side(s, corner_number(s.to)));
     else
       v = mark == none ? new_vertex() : m_marks[mark].vertex;
-    const std::size_t from = corner_near(s, s.from, from_mark), to = corner_near(s, s.to, mark);
-    if(from == to && from < 3)
-      return; // the vertex cuts off the corner
-    if(from < 3 && to < 3)
-      m_is_along[Edge_index(edge_along(s, from, to))] = 1;
     m_pieces.push_back({s, e, v, {from_mark, mark}, Halfedge_index()});
+    const std::size_t exit = corner_near(s, s.to, mark);
+    if(exit == m_entry.corner && exit < 3) { // the vertex cuts off the corner
+      m_pieces.resize(m_entry.pieces);
+      m_number_of_vertices = m_entry.vertices;
+    } else if(s.from.corners != 7 && m_entry.corner < 3 && exit < 3)
+      m_is_along[Edge_index(edge_along(s, m_entry.corner, exit))] = 1;
   }
 
   Vertex_index new_vertex()
@@ -556,6 +566,7 @@ private:
   const Delta_complex &m_fine, &m_coarse;
   size_type m_number_of_vertices;
   std::vector<Piece> m_pieces;
+  Entry m_entry{};
   std::vector<size_type> m_first_piece;  // of each edge of the coarse level
   std::vector<size_type> m_piece_before; // of each vertex inside an edge of the coarse level
   std::vector<char>
