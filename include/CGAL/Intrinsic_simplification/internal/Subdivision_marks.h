@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Subdivision_place.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/Crossing_order.h>
 #include <CGAL/Intrinsic_simplification/internal/Curve_tracer.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -54,13 +56,13 @@ public:
     Curve_tracer tracer(m_map, false);
     for(Edge_index e : m_coarse.edges()) {
       m_first_piece.push_back(number(m_pieces.size()));
-      const Halfedge_index h = m_coarse.halfedge(e, 0);
-      Vertex_index v = m_map.fine().level_vertex(m_map.coarse().surface_vertex(m_coarse.source(h)));
       size_type mark = none;
-      for(const Curve_segment& s : tracer.trace(h))
-        add_piece(s, e, v, mark);
+      for(const Curve_segment& s : tracer.trace(m_coarse.halfedge(e, 0)))
+        add_piece(s, e, mark);
     }
     m_first_piece.push_back(number(m_pieces.size()));
+    order_crossings();
+    run_through_near_vertices();
     m_piece_before.resize(m_number_of_vertices, none);
     for(size_type p = 0; p + 1 < m_pieces.size(); ++p)
       if(m_pieces[p].edge == m_pieces[p + 1].edge)
@@ -83,17 +85,13 @@ public:
 
   void sort()
   {
-    std::stable_sort(m_marks.begin(), m_marks.end(), [](const Mark& x, const Mark& y) {
-      return std::pair(x.edge, x.ratio) < std::pair(y.edge, y.ratio);
-    });
+    sort_marks();
     m_first_mark.assign(m_fine.number_of_edges() + 1, 0);
     m_first_kept.assign(m_fine.number_of_edges() + 1, 0);
-    m_place_of_mark.resize(m_marks.size());
     m_mark_of_vertex.resize(m_number_of_vertices, none);
     m_piece_before.resize(m_number_of_vertices, none); // none before bends of fine edges
     for(size_type n = 0, kept = 0; n < m_marks.size(); ++n) {
       Mark& mark = m_marks[n];
-      m_place_of_mark[mark.number] = n;
       mark.kept_before = kept;
       ++m_first_mark[mark.edge + 1];
       if(end_at(mark.ratio) == End::none) {
@@ -190,8 +188,7 @@ public:
     const size_type mark = m_mark_of_vertex[v];
     if(mark == none)
       return {Halfedge_index(), location(m_pieces[m_piece_before[v]].segment)};
-    const double r = m_marks[mark].ratio;
-    return edge_place(m_fine.halfedge(m_marks[mark].edge, 0), std::isinf(r) ? 1 : r / (1 + r),
+    return edge_place(m_fine.halfedge(m_marks[mark].edge, 0), place_on_edge(m_marks[mark].ratio),
                       m_fine);
   }
 
@@ -200,7 +197,7 @@ public:
     if(!is_fine_vertex(v) && v.idx() >= m_first_fine_bend)
       return {Halfedge_index(), m_fine_bends[v.idx() - m_first_fine_bend]};
     if(m_piece_before[v] != none) {
-      const Piece& piece = m_pieces[m_piece_before[v]];
+      const Coarse_piece& piece = m_pieces[m_piece_before[v]];
       const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
       return edge_place(m_coarse.halfedge(piece.edge, 0), y / (x + y), m_coarse);
     }
@@ -218,24 +215,14 @@ private:
       out.push_back(h);
   }
 
-  // a straight part of an edge of the coarse level, in a face of the fine level, and the numbers of the marks at its ends
-  struct Piece
-  {
-    Curve_segment segment;
-    Edge_index edge;
-    Vertex_index target;
-    std::array<size_type, 2> marks;
-    Halfedge_index halfedge;
-  };
-
   // A point on an edge of the fine level, with a ratio between nothing and infinity from the source to the target.
   // Unless it has been moved to an end it is a vertex.
   struct Mark
   {
     Edge_index edge;
     double ratio;
+    size_type piece; // that comes to it, until pieces are left out
     Vertex_index vertex;
-    size_type number;
     size_type kept_before;             // on all edges before, and on this one
     std::array<Halfedge_index, 2> out; // the chords that leave it to the left and to the right
   };
@@ -287,41 +274,124 @@ private:
 
   size_type number_of_fine_pieces() const { return m_first_kept.back() + m_fine.number_of_edges(); }
 
-  static std::size_t corner_number(const Face_point& p)
-  {
-    return p.corners == bit(0) ? 0 : p.corners == bit(1) ? 1 : 2;
-  }
-
-  static std::size_t side_number(const Face_point& p)
-  {
-    return (p.corners & bit(2)) == 0 ? 0 : (p.corners & bit(0)) == 0 ? 1 : 2;
-  }
-
   Halfedge_index side(const Curve_segment& s, std::size_t n) const
   {
     return Intrinsic_triangulations::internal::sides(s.face, m_fine)[n];
   }
 
-  // The vertex and the number of the mark where the piece starts become those where it ends.
-  void add_piece(Curve_segment s, Edge_index e, Vertex_index& v, size_type& mark)
+  // the number of the mark where the piece starts becomes that where it ends
+  void add_piece(Curve_segment s, Edge_index e, size_type& mark)
   {
     s.face = m_map.fine().level_face(s.face);
-    const size_type from_mark = std::exchange(mark, none);
+    const size_type from = std::exchange(mark, none);
+    if(is_pair(s.to.corners)) {
+      mark = number(m_marks.size());
+      add_crossing(s);
+    }
+    m_pieces.push_back({s, e, {from, mark}, Vertex_index(), Halfedge_index()});
+  }
+
+  void add_crossing(const Curve_segment& s)
+  {
+    const std::size_t n = side_number(s.to);
+    const Halfedge_index h = side(s, n);
+    const double from = s.to.weight[n], to = s.to.weight[(n + 1) % 3];
+    add_mark(m_fine.edge(h), h.idx() % 2 == 0 ? to / from : from / to, number(m_pieces.size()),
+             Vertex_index());
+  }
+
+  void add_mark(Edge_index e, double ratio, size_type piece, Vertex_index v)
+  {
+    m_marks.push_back({e, ratio, piece, v, 0, {}});
+  }
+
+  // by edges, and along them
+  void sort_marks()
+  {
+    std::vector<size_type> order(m_marks.size());
+    std::iota(order.begin(), order.end(), size_type(0));
+    std::stable_sort(order.begin(), order.end(), [&](size_type x, size_type y) {
+      return std::pair(m_marks[x].edge, m_marks[x].ratio) <
+             std::pair(m_marks[y].edge, m_marks[y].ratio);
+    });
+    renumber_marks(order);
+  }
+
+  // number `n` becomes what has been number `order[n]`
+  void renumber_marks(const std::vector<size_type>& order)
+  {
+    std::vector<Mark> marks;
+    std::vector<size_type> place(order.size());
+    for(size_type n = 0; n < order.size(); ++n) {
+      marks.push_back(m_marks[order[n]]);
+      place[order[n]] = n;
+    }
+    m_marks.swap(marks);
+    for(Coarse_piece& piece : m_pieces)
+      for(size_type& mark : piece.marks)
+        if(mark != none)
+          mark = place[mark];
+  }
+
+  // Sorts the crossings. Where they are close to each other the curves tell the order; then places are made to agree.
+  void order_crossings()
+  {
+    sort_marks();
+    std::vector<size_type> order(m_marks.size());
+    std::iota(order.begin(), order.end(), size_type(0));
+    const Crossing_order curves(m_pieces, m_fine);
+    for(std::size_t n = 1; n < order.size(); ++n)
+      for(std::size_t k = n;
+          k > 0 && are_close(order[k - 1], order[k]) &&
+          curves.compare(m_marks[order[k - 1]].piece, m_marks[order[k]].piece) > 0;
+          --k)
+        std::swap(order[k - 1], order[k]);
+    renumber_marks(order);
+    for(std::size_t n = 1; n < m_marks.size(); ++n)
+      if(m_marks[n].edge == m_marks[n - 1].edge)
+        m_marks[n].ratio = (std::max)(m_marks[n].ratio, m_marks[n - 1].ratio);
+  }
+
+  // Whether rounding may have exchanged two crossings of an edge: about half of the digits are trusted.
+  bool are_close(size_type x, size_type y) const
+  {
+    return m_marks[x].edge == m_marks[y].edge &&
+           std::abs(place_on_edge(m_marks[x].ratio) - place_on_edge(m_marks[y].ratio)) < 1e-8;
+  }
+
+  static double place_on_edge(double ratio) { return std::isinf(ratio) ? 1 : ratio / (1 + ratio); }
+
+  // Moves what is near to an end of an edge there, and cuts off the corners where that leads from a vertex to itself.
+  void run_through_near_vertices()
+  {
+    const std::vector<Coarse_piece> pieces = std::exchange(m_pieces, {});
+    const std::vector<size_type> first = std::exchange(m_first_piece, {});
+    for(std::size_t e = 0; e + 1 < first.size(); ++e) {
+      m_first_piece.push_back(number(m_pieces.size()));
+      for(size_type p = first[e]; p < first[e + 1]; ++p)
+        keep_piece(pieces[p]);
+    }
+    m_first_piece.push_back(number(m_pieces.size()));
+  }
+
+  void keep_piece(Coarse_piece piece)
+  {
+    const Curve_segment& s = piece.segment;
     if(s.from.corners != 7)
-      m_entry = {corner_near(s, s.from, from_mark), number(m_pieces.size()), m_number_of_vertices};
-    if(is_pair(s.to.corners))
-      mark = add_crossing(s);
-    if(is_single(s.to.corners))
-      v = m_fine.source(side(s, corner_number(s.to)));
-    else
-      v = mark == none ? new_vertex() : m_marks[mark].vertex;
-    m_pieces.push_back({s, e, v, {from_mark, mark}, Halfedge_index()});
-    const std::size_t exit = corner_near(s, s.to, mark);
-    if(exit == m_entry.corner && exit < 3) { // the vertex cuts off the corner
+      m_entry = {corner_near(s, s.from, piece.marks[0]), number(m_pieces.size()),
+                 m_number_of_vertices};
+    const std::size_t exit = corner_near(s, s.to, piece.marks[1]);
+    if(exit < 3 && exit == m_entry.corner) {
       m_pieces.resize(m_entry.pieces);
       m_number_of_vertices = m_entry.vertices;
-    } else if(s.from.corners != 7 && m_entry.corner < 3 && exit < 3)
+      return;
+    }
+    piece.target = exit < 3 ? m_fine.source(side(s, exit)) : new_vertex();
+    if(piece.marks[1] != none)
+      m_marks[piece.marks[1]].vertex = piece.target;
+    if(s.from.corners != 7 && m_entry.corner < 3 && exit < 3)
       m_is_along[Edge_index(edge_along(s, m_entry.corner, exit))] = 1;
+    m_pieces.push_back(piece);
   }
 
   Vertex_index new_vertex()
@@ -329,27 +399,6 @@ private:
     const Vertex_index v(m_number_of_vertices);
     m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
     return v;
-  }
-
-  size_type add_crossing(const Curve_segment& s)
-  {
-    const std::size_t n = side_number(s.to);
-    const Halfedge_index h = side(s, n);
-    const double from = s.to.weight[n], to = s.to.weight[(n + 1) % 3];
-    const double ratio = h.idx() % 2 == 0 ? to / from : from / to;
-    const Halfedge_index first = m_fine.halfedge(m_fine.edge(h), 0);
-    const End end = end_at(ratio);
-    return add_mark(m_fine.edge(h), ratio,
-                    end == End::none     ? new_vertex()
-                    : end == End::source ? m_fine.source(first)
-                                         : m_fine.target(first));
-  }
-
-  size_type add_mark(Edge_index e, double ratio, Vertex_index v)
-  {
-    const size_type n = number(m_marks.size());
-    m_marks.push_back({e, ratio, v, n, 0, {}});
-    return n;
   }
 
   // at which corner a point is or has been moved to; 3 if at none
@@ -370,7 +419,7 @@ private:
     const double ratio = s.to.along[1] / s.to.along[0];
     if(end_at(ratio) != End::none)
       return;
-    add_mark(e, ratio, new_vertex());
+    add_mark(e, ratio, none, new_vertex());
     Surface_map::Location p = location(s);
     p.first = m_map.coarse().level_face(p.first);
     m_fine_bends.push_back(p);
@@ -447,7 +496,7 @@ private:
     for(Mark& mark : m_marks)
       mark.out = {};
     for(size_type p : m_piece_of_chord) {
-      const Piece& piece = m_pieces[p];
+      const Coarse_piece& piece = m_pieces[p];
       const Curve_segment& s = piece.segment;
       add_to_mark(s, s.from, piece.marks[0], piece.halfedge);
       add_to_mark(s, s.to, piece.marks[1], twin(piece.halfedge));
@@ -472,7 +521,7 @@ private:
                    Halfedge_index out)
   {
     if(mark != none)
-      m_marks[m_place_of_mark[mark]].out[side(s, side_number(end)).idx() % 2] = out;
+      m_marks[mark].out[side(s, side_number(end)).idx() % 2] = out;
   }
 
   void add_chord_end(size_type piece, const Face_point& at_corner, const Face_point& other,
@@ -486,8 +535,8 @@ private:
       m_chord_ends.push_back({corner_index(f, c), {turn, 0, turn == 1 ? p : -p}, out});
     } else {
       const std::size_t n = side_number(other);
-      const size_type mark = mark_along(Intrinsic_triangulations::internal::sides(f, m_fine)[n],
-                                        m_place_of_mark[other_mark]);
+      const size_type mark =
+        mark_along(Intrinsic_triangulations::internal::sides(f, m_fine)[n], other_mark);
       m_chord_ends.push_back({corner_index(f, c), {(n + 3 - c) % 3, 1 + mark, 0}, out});
     }
   }
@@ -565,7 +614,7 @@ private:
   const Surface_map& m_map;
   const Delta_complex &m_fine, &m_coarse;
   size_type m_number_of_vertices;
-  std::vector<Piece> m_pieces;
+  std::vector<Coarse_piece> m_pieces;
   Entry m_entry{};
   std::vector<size_type> m_first_piece;  // of each edge of the coarse level
   std::vector<size_type> m_piece_before; // of each vertex inside an edge of the coarse level
@@ -573,8 +622,7 @@ private:
     m_is_along; // whether an edge of the coarse level runs along one of the fine level
   std::vector<char> m_is_taken; // whether one runs along a piece of an edge of the fine level
   std::vector<Mark> m_marks;    // in the order of edges and along them
-  std::vector<size_type> m_place_of_mark; // of each number
-  std::vector<size_type> m_first_mark;    // of each edge of the fine level
+  std::vector<size_type> m_first_mark; // of each edge of the fine level
   std::vector<size_type>
     m_first_kept; // the same, not counting those that have been moved to an end
   std::vector<size_type> m_mark_of_vertex;
