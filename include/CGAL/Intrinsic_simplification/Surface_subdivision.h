@@ -367,7 +367,7 @@ private:
     const Face_index f =
       m_result.m_parent_face[1][m_mesh.face(m_mesh.is_border(in) ? m_mesh.opposite(in) : in)];
     if(p.first != f)
-      p = internal::moved_across(p, f, m_coarse);
+      p = internal::moved_into(f, p, m_coarse);
     if(!p.first.is_valid())
       fail();
   }

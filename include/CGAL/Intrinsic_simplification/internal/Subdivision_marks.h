@@ -633,25 +633,33 @@ private:
   std::vector<Surface_map::Location> m_fine_bends;
 };
 
-// A point as the point of the face `f` that is nearest across an edge; no face if `f` is not next to it.
-inline Surface_map::Location moved_across(const Surface_map::Location& p, Face_index f,
-                                          const Delta_complex& mesh)
+// A point as a point of the face `f` that is nearest across an edge, or the corner at a vertex that they share; no face if `f`
+// is not next to it.
+inline Surface_map::Location moved_into(Face_index f, const Surface_map::Location& p,
+                                        const Delta_complex& mesh)
 {
   namespace IT = Intrinsic_triangulations;
-  Halfedge_index best;
-  double least = 2;
+  Halfedge_index across, at_vertex;
+  double least = 2, most = -1;
   for(Halfedge_index h : IT::internal::sides(p.first, mesh)) {
-    const double opposite = IT::internal::coordinates_from(h, p, mesh)[2];
-    if(mesh.face(mesh.opposite(h)) == f && opposite < least) {
-      best = h;
-      least = opposite;
+    const Coordinates b = IT::internal::coordinates_from(h, p, mesh);
+    if(mesh.face(mesh.opposite(h)) == f && b[2] < least) {
+      across = mesh.opposite(h);
+      least = b[2];
     }
+    for(Halfedge_index g : IT::internal::sides(f, mesh))
+      if(mesh.source(g) == mesh.source(h) && b[0] > most) {
+        at_vertex = g;
+        most = b[0];
+      }
   }
-  if(!best.is_valid())
-    return {Face_index(), {}};
-  const Coordinates b = IT::internal::coordinates_from(best, p, mesh);
-  return IT::internal::face_location(
-    IT::Edge_point<double>{mesh.opposite(best), b[0] / (b[0] + b[1])}, mesh);
+  if(across.is_valid()) {
+    const Coordinates b = IT::internal::coordinates_from(mesh.opposite(across), p, mesh);
+    return IT::internal::face_location(IT::Edge_point<double>{across, b[0] / (b[0] + b[1])}, mesh);
+  }
+  if(at_vertex.is_valid())
+    return IT::internal::face_location(IT::Edge_point<double>{at_vertex, 0}, mesh);
+  return {Face_index(), {}};
 }
 
 } // namespace internal
