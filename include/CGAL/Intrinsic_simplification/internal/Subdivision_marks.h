@@ -196,14 +196,16 @@ public:
   {
     if(!is_fine_vertex(v) && v.idx() >= m_first_fine_bend)
       return {Halfedge_index(), m_fine_bends[v.idx() - m_first_fine_bend]};
-    if(m_piece_before[v] != none) {
-      const Coarse_piece& piece = m_pieces[m_piece_before[v]];
-      const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
-      return edge_place(m_coarse.halfedge(piece.edge, 0), y / (x + y), m_coarse);
-    }
-    const Vertex_index coarse = m_map.coarse().level_vertex(m_map.fine().surface_vertex(v));
-    return coarse.is_valid() ? vertex_place(coarse, m_coarse)
-                             : Subdivision_place{Halfedge_index(), image_of_vertex(v, m_map)};
+    const Vertex_index coarse = is_fine_vertex(v)
+                                  ? m_map.coarse().level_vertex(m_map.fine().surface_vertex(v))
+                                  : Vertex_index();
+    if(coarse.is_valid())
+      return vertex_place(coarse, m_coarse);
+    if(m_piece_before[v] == none)
+      return {Halfedge_index(), image_of_vertex(v, m_map)};
+    const Coarse_piece& piece = m_pieces[m_piece_before[v]];
+    const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
+    return edge_place(m_coarse.halfedge(piece.edge, 0), y / (x + y), m_coarse);
   }
 
 private:
@@ -333,30 +335,24 @@ private:
           mark = place[mark];
   }
 
-  // Sorts the crossings. Where they are close to each other the curves tell the order; then places are made to agree.
+  // Sorts the crossings by their places at first, but it is the curves that tell the order. Then places are made to agree.
   void order_crossings()
   {
     sort_marks();
     std::vector<size_type> order(m_marks.size());
     std::iota(order.begin(), order.end(), size_type(0));
     const Crossing_order curves(m_pieces, m_fine);
+    const auto are_exchanged = [&](size_type x, size_type y) {
+      return m_marks[x].edge == m_marks[y].edge &&
+             curves.compare(m_marks[x].piece, m_marks[y].piece) > 0;
+    };
     for(std::size_t n = 1; n < order.size(); ++n)
-      for(std::size_t k = n;
-          k > 0 && are_close(order[k - 1], order[k]) &&
-          curves.compare(m_marks[order[k - 1]].piece, m_marks[order[k]].piece) > 0;
-          --k)
+      for(std::size_t k = n; k > 0 && are_exchanged(order[k - 1], order[k]); --k)
         std::swap(order[k - 1], order[k]);
     renumber_marks(order);
     for(std::size_t n = 1; n < m_marks.size(); ++n)
       if(m_marks[n].edge == m_marks[n - 1].edge)
         m_marks[n].ratio = (std::max)(m_marks[n].ratio, m_marks[n - 1].ratio);
-  }
-
-  // Whether rounding may have exchanged two crossings of an edge: about half of the digits are trusted.
-  bool are_close(size_type x, size_type y) const
-  {
-    return m_marks[x].edge == m_marks[y].edge &&
-           std::abs(place_on_edge(m_marks[x].ratio) - place_on_edge(m_marks[y].ratio)) < 1e-8;
   }
 
   static double place_on_edge(double ratio) { return std::isinf(ratio) ? 1 : ratio / (1 + ratio); }
