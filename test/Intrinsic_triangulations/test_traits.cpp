@@ -98,6 +98,10 @@ struct Decisions
   {
     return traits.is_locally_Delaunay_object()(q.lengths<typename Traits::FT>());
   }
+  bool is_certain(const Quadrangle& q) const
+  {
+    return traits.is_locally_Delaunay_object().is_certain(q.lengths<typename Traits::FT>());
+  }
   bool is_convex(const Quadrangle& q) const
   {
     return traits.is_convex_object()(q.lengths<typename Traits::FT>());
@@ -112,6 +116,7 @@ void check_double(const Quadrangle& q)
 {
   const Decisions<Double_traits> decide;
   EXPECT_EQ(decide.is_locally_Delaunay(q), q.in_circle() <= 0);
+  EXPECT_FALSE(decide.is_certain(q) && q.in_circle() >= 0);
   EXPECT_TRUE(q.has_straight_side() || decide.is_convex(q) == q.is_convex());
   EXPECT_NEAR(decide.flipped_length(q) / length(q.k - q.l), 1, 1e-6);
 }
@@ -156,6 +161,7 @@ struct Traits_archetype
     {
       return angle(d.ij, d.jk, d.ki) + angle(d.ij, d.lj, d.il) < std::acos(-1.) + 1e-7;
     }
+    bool is_certain(const Diamond<double>&) const { return false; }
   };
   struct Convex
   {
@@ -277,8 +283,16 @@ TEST(Euclidean_geometry_traits, double_keeps_cocircular_ties)
     ASSERT_TRUE(q.is_proper() && q.in_circle() == 0);
     EXPECT_TRUE(decide.is_locally_Delaunay(q));
     EXPECT_TRUE(decide.is_locally_Delaunay(q.flipped()));
+    EXPECT_FALSE(decide.is_certain(q) || decide.is_certain(q.flipped()));
     EXPECT_TRUE(decide.is_convex(q));
   }
+}
+
+TEST(Euclidean_geometry_traits, double_is_certain_of_most_edges)
+{
+  const Decisions<Double_traits> decide;
+  for(const Quadrangle& q : random_quadrangles(20000, 12, 3))
+    EXPECT_EQ(decide.is_certain(q), q.in_circle() < 0) << q;
 }
 
 TEST(Euclidean_geometry_traits, double_is_not_certain_that_straight_sides_are_convex)
@@ -384,6 +398,7 @@ TEST(Exact_geometry_traits, agrees_with_integer_predicates)
   const Decisions<Exact_traits> decide;
   for(const Quadrangle& q : random_quadrangles(40, 50, 5)) {
     EXPECT_EQ(decide.is_locally_Delaunay(q), q.in_circle() <= 0);
+    EXPECT_EQ(decide.is_certain(q), q.in_circle() < 0);
     EXPECT_EQ(decide.is_convex(q), q.is_convex());
     EXPECT_NEAR(CGAL::to_double(decide.flipped_length(q)), length(q.k - q.l), 1e-9);
   }

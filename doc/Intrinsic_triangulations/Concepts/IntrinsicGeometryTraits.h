@@ -43,7 +43,9 @@ public:
   /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the edge
   /// \f$ij\f$ satisfies the local Delaunay condition. It must hold of ties, and of an edge that has just
   /// been made by flipping one for which it does not hold; otherwise `make_Delaunay()` may use up its
-  /// flips.
+  /// flips. Further `bool is_certain(const Diamond<FT>& length) const`, which returns `true` only if the
+  /// first does, and `false` if it would take long to tell; lengths of edges on the boundary come with two
+  /// that mean nothing.
   typedef unspecified_type Is_locally_Delaunay;
 
   /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the union of

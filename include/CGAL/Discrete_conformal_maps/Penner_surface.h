@@ -124,7 +124,7 @@ private:
   {
     const auto is_Delaunay = m_geometry.is_locally_Delaunay_object();
     for(Edge_index e : m_mesh.edges())
-      m_stack.push(e);
+      m_stack.push_if(!is_Delaunay(diamond(m_scaled_length, m_mesh.halfedge(e))), e);
     while(!m_stack.empty()) {
       const Edge_index e = m_stack.pop();
       const Halfedge_index h(2 * e.idx());

@@ -67,13 +67,20 @@ inline const char* to_string(Operation_status status)
   return "unknown";
 }
 
+namespace internal {
+
+// As the mesh says, but in a single instruction: walks wait for nothing else.
+inline Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns the outgoing halfedge after `h` in counterclockwise order around the source of `h`.
 /// \pre `h` is not a border halfedge
 template <typename P>
 Halfedge_index next_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
-  return mesh.opposite(mesh.prev(h));
+  return internal::opposite(mesh.prev(h));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
@@ -82,7 +89,7 @@ Halfedge_index next_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 template <typename P>
 Halfedge_index previous_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
-  return mesh.next(mesh.opposite(h));
+  return mesh.next(internal::opposite(h));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
@@ -92,7 +99,7 @@ Halfedge_index previous_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 template <typename P>
 Halfedge_index first_spoke(Vertex_index v, const Surface_mesh<P>& mesh)
 {
-  return mesh.opposite(mesh.halfedge(v));
+  return internal::opposite(mesh.halfedge(v));
 }
 
 namespace internal {
@@ -156,7 +163,7 @@ template <typename P>
 void flip_edge(Halfedge_index h, Surface_mesh<P>& mesh)
 {
   CGAL_precondition(flip_status(h, mesh) == Operation_status::possible);
-  const Halfedge_index o = mesh.opposite(h);
+  const Halfedge_index o = internal::opposite(h);
   const Halfedge_index jk = mesh.next(h), ki = mesh.prev(h);
   const Halfedge_index il = mesh.next(o), lj = mesh.prev(o);
   const Vertex_index i = mesh.target(o), j = mesh.target(h);

@@ -78,6 +78,9 @@ public:
       // the seventh is for what is rounded here, at most four roundings on each side
       return !(inner > outer * (1 + 7 * rounding_unit<FT>()));
     }
+
+    /// returns the same: the answer is quick always.
+    bool is_certain(const Diamond<FT>& length) const { return (*this)(length); }
   };
 
   /// says that every edge can be flipped: the union of two ideal triangles is always strictly convex.

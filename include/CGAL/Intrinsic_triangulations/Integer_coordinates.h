@@ -234,7 +234,7 @@ public:
     const Diamond<Integer> n = diamond(m_n, h, mesh);
     const Integer n_kl = flipped_normal_coordinate(n);
     internal::check_range(n_kl);
-    const Halfedge_index lk = h, kl = mesh.opposite(h), ki = mesh.prev(lk), lj = mesh.prev(kl);
+    const Halfedge_index lk = h, kl = internal::opposite(h), ki = mesh.prev(lk), lj = mesh.prev(kl);
     flip_edge(h, mesh);
     m_n[edge_of(h)] = n_kl;
     m_r[kl] = following_roundabout(ki, n.ki, n.il, n_kl, spokes.degree(mesh.target(lk)));
@@ -405,7 +405,7 @@ template <typename EdgeMap>
 inline Diamond<typename boost::property_traits<EdgeMap>::value_type>
 diamond(const EdgeMap& map, Halfedge_index h, const Delta_complex& mesh)
 {
-  const Halfedge_index o = mesh.opposite(h);
+  const Halfedge_index o = internal::opposite(h);
   return {map[mesh.edge(h)], map[mesh.edge(mesh.next(h))], map[mesh.edge(mesh.prev(h))],
           map[mesh.edge(mesh.next(o))], map[mesh.edge(mesh.prev(o))]};
 }

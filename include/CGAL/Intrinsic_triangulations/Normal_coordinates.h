@@ -95,12 +95,10 @@ struct Corner_counts
         static_cast<Integer>(crossings[s] - crossings[(s + 1) % 3] - crossings[(s + 2) % 3]);
       leaving[s] = excess[s] < 0 ? Integer(0) : excess[s];
     }
-    // where one corner has curves that leave it, none go around it
+    // where one corner has curves that leave it, none leave the others: this is zero there
     for(std::size_t s = 0; s < 3; ++s)
-      around[s] =
-        excess[s] < 0
-          ? static_cast<Integer>((-excess[s] - leaving[(s + 1) % 3] - leaving[(s + 2) % 3]) / 2)
-          : Integer(0);
+      around[s] = static_cast<Integer>(
+        (leaving[s] - excess[s] - leaving[(s + 1) % 3] - leaving[(s + 2) % 3]) / 2);
   }
 };
 
@@ -112,6 +110,8 @@ template <typename Integer>
 Integer flipped_normal_coordinate(const Diamond<Integer>& n)
 {
   const auto distance = [](const Integer& a, const Integer& b) { return a < b ? b - a : a - b; };
+  if(!(n.ij > 0 || n.jk > 0 || n.ki > 0 || n.il > 0 || n.lj > 0))
+    return Integer(is_shared(n.ij)); // nothing crosses the diamond: frequent, and faster
   // corners 0 are k and l; corners 1 of ijk and 2 of jil are at i
   const Integer ij = crossings(n.ij);
   const internal::Corner_counts<Integer> k({ij, crossings(n.jk), crossings(n.ki)});

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -45,31 +44,43 @@ namespace internal {
 class Edge_stack
 {
 public:
-  explicit Edge_stack(std::size_t number_of_edges) : m_waits(number_of_edges, 0) {}
+  explicit Edge_stack(std::size_t number_of_edges)
+    : m_edges(number_of_edges + 1), m_waits(number_of_edges, 0)
+  {}
 
-  bool empty() const { return m_edges.empty(); }
+  bool empty() const { return m_size == 0; }
 
   void push(Edge_index e)
   {
-    if(e.idx() >= m_waits.size())
+    if(e.idx() >= m_waits.size()) {
       m_waits.resize(e.idx() + 1, 0);
-    if(!m_waits[e.idx()]) {
-      m_waits[e.idx()] = 1;
-      m_edges.push_back(e);
+      m_edges.resize(m_waits.size() + 1);
     }
+    push_if(true, e);
+  }
+
+  // Always writes, so that nothing depends on an answer as hard to foretell as `is_wanted`: jumps that
+  // the processor gets wrong would cost more than all the rest.
+  // \pre `e` is one of the edges that there were at first
+  void push_if(bool is_wanted, Edge_index e)
+  {
+    const bool is_pushed = is_wanted & !m_waits[e.idx()];
+    m_edges[m_size] = e;
+    m_size += is_pushed;
+    m_waits[e.idx()] |= is_pushed;
   }
 
   Edge_index pop()
   {
-    const Edge_index e = m_edges.back();
-    m_edges.pop_back();
-    m_waits[e.idx()] = 0;
+    const Edge_index e = m_edges[--m_size];
+    m_waits[e.idx()] = false;
     return e;
   }
 
 private:
-  std::vector<Edge_index> m_edges;
-  std::vector<char> m_waits;
+  std::vector<Edge_index> m_edges; // one more than there can be
+  std::vector<unsigned char> m_waits;
+  std::size_t m_size = 0;
 };
 
 // More flips than real data need: each edge is allowed a thousand, and a hundred million are for small
@@ -79,16 +90,21 @@ inline std::size_t default_flip_limit(std::size_t number_of_edges)
   return 100000000 + 1000 * number_of_edges;
 }
 
-// Edges after `last` will be looked at anyway.
+// Whether the lengths around `e` leave no doubt; those beyond the boundary mean nothing.
 template <typename Traits>
-void push_sides(Halfedge_index h, Edge_index last, const Intrinsic_triangulation<Traits>& tri,
-                Edge_stack& stack)
+bool is_certainly_Delaunay(Edge_index e, const Intrinsic_triangulation<Traits>& tri)
+{
+  return tri.traits().is_locally_Delaunay_object().is_certain(
+    diamond(tri.length_map(), tri.mesh().halfedge(e), tri.mesh()));
+}
+
+template <typename Traits>
+void push_sides(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri, Edge_stack& stack)
 {
   const Delta_complex& mesh = tri.mesh();
-  const Halfedge_index o = mesh.opposite(h);
+  const Halfedge_index o = opposite(h);
   for(Halfedge_index x : {mesh.next(h), mesh.prev(h), mesh.next(o), mesh.prev(o)})
-    if(!(last < mesh.edge(x)))
-      stack.push(mesh.edge(x));
+    stack.push_if(!is_certainly_Delaunay(mesh.edge(x), tri), mesh.edge(x));
 }
 
 // What a run of flips has done.
@@ -104,23 +120,23 @@ Flip_count flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t li
 {
   const Delta_complex& mesh = tri.mesh();
   Edge_stack stack(mesh.num_edges());
+  for(Edge_index e : mesh.edges())
+    stack.push_if(!is_certainly_Delaunay(e, tri), e);
   Flip_count count;
-  for(Edge_index last : mesh.edges())
-    for(Edge_index e = last;; e = stack.pop()) {
-      if(!tri.is_Delaunay(e)) {
-        if(count.flips == limit)
-          throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
-        const Halfedge_index h = mesh.halfedge(e);
-        tri.flip(h);
-        ++count.flips;
-        if(is_rounded<typename Traits::FT>() && !tri.is_Delaunay(e))
-          ++count.failed;
-        push_sides(h, last, tri, stack);
-        visitor.after_flip(h);
-      }
-      if(stack.empty())
-        break;
-    }
+  while(!stack.empty()) {
+    const Edge_index e = stack.pop();
+    if(tri.is_Delaunay(e))
+      continue;
+    if(count.flips == limit)
+      throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
+    const Halfedge_index h = mesh.halfedge(e);
+    tri.flip(h);
+    ++count.flips;
+    if(is_rounded<typename Traits::FT>() && !tri.is_Delaunay(e))
+      ++count.failed;
+    push_sides(h, tri, stack);
+    visitor.after_flip(h);
+  }
   return count;
 }
 

@@ -26,6 +26,12 @@ constexpr bool is_rounded()
   return std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact;
 }
 
+template <typename FT>
+constexpr FT power_of_two(int exponent)
+{
+  return exponent == 0 ? FT(1) : 2 * power_of_two<FT>(exponent - 1);
+}
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas

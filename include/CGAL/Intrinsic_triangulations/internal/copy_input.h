@@ -104,6 +104,10 @@ void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& m
   for(auto v : vertices(g))
     if(halfedge(v, g) != boost::graph_traits<Graph>::null_halfedge())
       mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
+}
+
+inline void set_border_halfedges(Delta_complex& mesh)
+{
   for(Halfedge_index h : mesh.halfedges())
     if(mesh.is_border(h)) {
       if(mesh.is_border(mesh.opposite(h)))
@@ -116,6 +120,9 @@ template <typename Graph, typename Numbering>
 void copy_connectivity(const Graph& g, const Numbering& numbering, Delta_complex& mesh)
 {
   copy_halfedges(g, numbering, mesh);
+  const bool is_closed = mesh.number_of_halfedges() == 3 * mesh.number_of_faces();
+  if(!is_closed)
+    set_border_halfedges(mesh);
   for(auto f_in : faces(g)) {
     const Halfedge_index h = numbering.halfedge_of(halfedge(f_in, g));
     if(mesh.next(mesh.next(mesh.next(h))) != h)
