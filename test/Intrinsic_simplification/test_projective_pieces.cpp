@@ -379,6 +379,22 @@ TEST(Projective_pieces, OfNearlyDegenerateMeshes)
     }
 }
 
+// Lines pass each other at the distance of rounding: the pieces tile the faces all the same.
+TEST(Projective_pieces, WithVerticesAsNearAsRounding)
+{
+  CGAL::Random random(2);
+  for(const double distance : {1e-10, 1e-12, 1e-13, 1e-14, 1e-15})
+    for(unsigned int seed = 0; seed < 5; ++seed) {
+      SCOPED_TRACE("distance " + std::to_string(distance) + ", seed " + std::to_string(seed));
+      const Mesh mesh = with_near_vertices(random_sphere(20, seed), distance, random);
+      if(has_equal_ends(mesh))
+        continue;
+      const Simplified s(Evolving_surface(mesh), 10);
+      const Surface_map map(s.surface, s.fine, s.coarse);
+      expect_tiling(all_pieces(map), map);
+    }
+}
+
 TEST(Projective_pieces, OfDataMeshes)
 {
   std::size_t meshes = 0;
