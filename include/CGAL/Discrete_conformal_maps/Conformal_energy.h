@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/Angle_difference.h>
 #include <CGAL/Discrete_conformal_maps/internal/Hyperbolic_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/assemble_columns.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Flat_triangle.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
 
 #include <cmath>
 #include <cstddef>
@@ -125,22 +125,15 @@ private:
     const auto is_Delaunay = m_geometry.is_locally_Delaunay_object();
     for(Edge_index e : m_mesh.edges())
       m_stack.push_if(!is_Delaunay(diamond(m_scaled_length, m_mesh.halfedge(e))), e);
-    while(!m_stack.empty()) {
-      const Edge_index e = m_stack.pop();
-      const Halfedge_index h(2 * e.idx());
-      if(!is_Delaunay(diamond(m_scaled_length, h)) &&
-         flip_status(h, m_mesh) == Intrinsic_triangulations::Operation_status::possible)
-        flip(h);
-    }
+    Intrinsic_triangulations::internal::flip_waiting(
+      m_mesh, m_stack, [&](Halfedge_index h) { return is_Delaunay(diamond(m_scaled_length, h)); },
+      [&](Halfedge_index h) { flip(h); });
   }
 
   void flip(Halfedge_index h)
   {
     const Edge_index e(h);
     m_length[e.idx()] = m_geometry.compute_flipped_length_object()(diamond(m_length, h));
-    const Halfedge_index o = m_mesh.opposite(h);
-    for(Halfedge_index x : {m_mesh.next(h), m_mesh.prev(h), m_mesh.next(o), m_mesh.prev(o)})
-      m_stack.push(m_mesh.edge(x));
     flip_edge(h, m_mesh);
     set_scaled_length(e);
     ++m_flips;

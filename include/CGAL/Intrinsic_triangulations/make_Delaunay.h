@@ -9,9 +9,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
 
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -40,49 +40,6 @@ bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// Edges that wait to be looked at, each at most once.
-class Edge_stack
-{
-public:
-  explicit Edge_stack(std::size_t number_of_edges)
-    : m_edges(number_of_edges + 1), m_waits(number_of_edges, 0)
-  {}
-
-  bool empty() const { return m_size == 0; }
-
-  void push(Edge_index e)
-  {
-    if(e.idx() >= m_waits.size()) {
-      m_waits.resize(e.idx() + 1, 0);
-      m_edges.resize(m_waits.size() + 1);
-    }
-    push_if(true, e);
-  }
-
-  // Always writes, so that nothing depends on an answer as hard to foretell as `is_wanted`: jumps that
-  // the processor gets wrong would cost more than all the rest.
-  // \pre `e` is one of the edges that there were at first
-  void push_if(bool is_wanted, Edge_index e)
-  {
-    const bool is_pushed = is_wanted & !m_waits[e.idx()];
-    m_edges[m_size] = e;
-    m_size += is_pushed;
-    m_waits[e.idx()] |= is_pushed;
-  }
-
-  Edge_index pop()
-  {
-    const Edge_index e = m_edges[--m_size];
-    m_waits[e.idx()] = false;
-    return e;
-  }
-
-private:
-  std::vector<Edge_index> m_edges; // one more than there can be
-  std::vector<unsigned char> m_waits;
-  std::size_t m_size = 0;
-};
-
 // More flips than real data need: each edge is allowed a thousand, and a hundred million are for small
 // triangulations that are sheared far (a ring of n vertices takes n^2 flips for each turn).
 inline std::size_t default_flip_limit(std::size_t number_of_edges)
@@ -96,15 +53,6 @@ bool is_certainly_Delaunay(Edge_index e, const Intrinsic_triangulation<Traits>& 
 {
   return tri.traits().is_locally_Delaunay_object().is_certain(
     diamond(tri.length_map(), tri.mesh().halfedge(e), tri.mesh()));
-}
-
-template <typename Traits>
-void push_sides(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri, Edge_stack& stack)
-{
-  const Delta_complex& mesh = tri.mesh();
-  const Halfedge_index o = opposite(h);
-  for(Halfedge_index x : {mesh.next(h), mesh.prev(h), mesh.next(o), mesh.prev(o)})
-    stack.push_if(!is_certainly_Delaunay(mesh.edge(x), tri), mesh.edge(x));
 }
 
 // What a run of flips has done.
@@ -134,7 +82,8 @@ Flip_count flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t li
     ++count.flips;
     if(is_rounded<typename Traits::FT>() && !tri.is_Delaunay(e))
       ++count.failed;
-    push_sides(h, tri, stack);
+    for_each_side(h, mesh,
+                  [&](Edge_index side) { stack.push_if(!is_certainly_Delaunay(side, tri), side); });
     visitor.after_flip(h);
   }
   return count;

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
 
 #include <cmath>
 #include <cstddef>
@@ -141,8 +141,7 @@ private:
     const Diamond diamond{scaled_length(h), scaled_length(mesh().next(h)),
                           scaled_length(mesh().prev(h)), scaled_length(mesh().next(o)),
                           scaled_length(mesh().prev(o))};
-    return m_data.bc.traits().is_locally_Delaunay_object()(diamond) ||
-           flip_status(h, mesh()) != Intrinsic_triangulations::Operation_status::possible;
+    return m_data.bc.traits().is_locally_Delaunay_object()(diamond);
   }
 
   void flip_to_Delaunay()
@@ -150,14 +149,9 @@ private:
     Intrinsic_triangulations::internal::Edge_stack stack(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       stack.push(e);
-    while(!stack.empty()) {
-      const Halfedge_index h(2 * stack.pop().idx()), o = mesh().opposite(h);
-      if(is_Delaunay(h))
-        continue;
-      for(Halfedge_index x : {mesh().next(h), mesh().prev(h), mesh().next(o), mesh().prev(o)})
-        stack.push(mesh().edge(x));
-      flip(h);
-    }
+    Intrinsic_triangulations::internal::flip_waiting(
+      mesh(), stack, [this](Halfedge_index h) { return is_Delaunay(h); },
+      [this](Halfedge_index h) { flip(h); });
   }
 
   Doubled_problem& m_problem;

@@ -100,7 +100,8 @@ private:
     m_surface.flip(h);
     ++m_number_of_flips;
     m_end[Edge_index(h).idx()] = std::numeric_limits<FT>::infinity(); // it does not come back
-    m_surface.for_each_side(h, [this](Edge_index e) { enqueue(e); });
+    Intrinsic_triangulations::internal::for_each_side(h, m_surface.mesh(),
+                                                      [this](Edge_index e) { enqueue(e); });
   }
 
   Ptolemy_surface<FT> m_surface;

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <cstddef>
@@ -62,18 +63,14 @@ public:
       Intrinsic_triangulations::internal::default_flip_limit(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges())
       m_stack.push(e);
-    while(!m_stack.empty()) {
-      const Halfedge_index h(2 * m_stack.pop().idx());
-      if(is_good(h) ||
-         flip_status(h, m_mesh) != Intrinsic_triangulations::Operation_status::possible)
-        continue;
-      if(count++ == limit)
-        throw Intrinsic_triangulations::Flip_limit_exceeded(
-          "not Delaunay after as many Ptolemy flips as are allowed");
-      flip(h);
-      for_each_side(h, [this](Edge_index e) { m_stack.push(e); });
-      after_flip(h);
-    }
+    Intrinsic_triangulations::internal::flip_waiting(
+      m_mesh, m_stack, is_good, [&](Halfedge_index h) {
+        if(count++ == limit)
+          throw Intrinsic_triangulations::Flip_limit_exceeded(
+            "not Delaunay after as many Ptolemy flips as are allowed");
+        flip(h);
+        after_flip(h);
+      });
     return count;
   }
 
@@ -82,15 +79,6 @@ public:
   {
     m_length[Edge_index(h).idx()] = m_geometry.compute_flipped_length_object()(diamond(h));
     flip_edge(h, m_mesh);
-  }
-
-  // Calls `function(e)` for the other edges of the two faces at `h`.
-  template <typename Function>
-  void for_each_side(Halfedge_index h, const Function& function) const
-  {
-    const Halfedge_index o = m_mesh.opposite(h);
-    for(Halfedge_index x : {m_mesh.next(h), m_mesh.prev(h), m_mesh.next(o), m_mesh.prev(o)})
-      function(m_mesh.edge(x));
   }
 
 private:

@@ -10,7 +10,8 @@
 #include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
 #include <CGAL/Discrete_conformal_maps/internal/Plane_predicates.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
 
 #include <algorithm>
 #include <array>
@@ -63,16 +64,12 @@ public:
     Intrinsic_triangulations::internal::Edge_stack stack(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges())
       stack.push(e);
-    while(!stack.empty()) {
-      const Halfedge_index h(2 * stack.pop().idx()), o = m_mesh.opposite(h);
-      if(!is_concave(h) ||
-         flip_status(h, m_mesh) != Intrinsic_triangulations::Operation_status::possible)
-        continue;
-      for(Halfedge_index x : {m_mesh.next(h), m_mesh.prev(h), m_mesh.next(o), m_mesh.prev(o)})
-        stack.push(m_mesh.edge(x));
-      flip_edge(h, m_mesh);
-      flips.push_back(h);
-    }
+    Intrinsic_triangulations::internal::flip_waiting(
+      m_mesh, stack, [this](Halfedge_index h) { return !is_concave(h); },
+      [&](Halfedge_index h) {
+        flip_edge(h, m_mesh);
+        flips.push_back(h);
+      });
     return flips;
   }
 

@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/Circumcenter_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/Dijkstra_ball.h>
+#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/internal/Narrow_vertices.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <algorithm>
 #include <cstddef>

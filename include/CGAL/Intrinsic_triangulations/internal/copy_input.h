@@ -106,14 +106,17 @@ void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& m
       mesh.set_halfedge(numbering.vertex(v), numbering.halfedge_of(halfedge(v, g)));
 }
 
+// By numbers: an iterator of the mesh would ask at each step whether anything has been removed.
 inline void set_border_halfedges(Delta_complex& mesh)
 {
-  for(Halfedge_index h : mesh.halfedges())
-    if(mesh.is_border(h)) {
-      if(mesh.is_border(mesh.opposite(h)))
-        fail_at_halfedge(h, mesh);
-      set_border_halfedge(h, mesh);
-    }
+  for(Delta_complex::size_type n = 0; n < mesh.num_halfedges(); ++n) {
+    const Halfedge_index h(n);
+    if(!mesh.is_border(h))
+      continue;
+    if(mesh.is_border(mesh.opposite(h)))
+      fail_at_halfedge(h, mesh);
+    set_border_halfedge(h, mesh);
+  }
 }
 
 template <typename Graph, typename Numbering>
