@@ -131,6 +131,31 @@ inline Simplified simplified_inside(const Mesh& mesh)
   return Simplified(std::move(s), 0);
 }
 
+// Each face gets a vertex that is next to one of its corners.
+inline Mesh with_near_vertices(const Mesh& mesh, double distance, CGAL::Random& random)
+{
+  std::vector<Point> points(mesh.points().begin(), mesh.points().end());
+  Triangles triangles;
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    const Vertex_index a = mesh.source(h), b = mesh.target(h), c = mesh.target(mesh.next(h));
+    const double x = distance * random.get_double(1, 8), y = distance * random.get_double(1, 8);
+    const std::size_t near_a = points.size();
+    points.push_back(mesh.point(a) + x * (mesh.point(b) - mesh.point(a)) +
+                     y * (mesh.point(c) - mesh.point(a)));
+    triangles.insert(triangles.end(), {{a, b, near_a}, {b, c, near_a}, {c, a, near_a}});
+  }
+  return make_mesh(points, triangles);
+}
+
+inline bool has_equal_ends(const Mesh& mesh)
+{
+  for(Edge_index e : mesh.edges())
+    if(mesh.point(mesh.vertex(e, 0)) == mesh.point(mesh.vertex(e, 1)))
+      return true;
+  return false;
+}
+
 } // namespace Test_surfaces
 
 #endif // INTRINSIC_SIMPLIFICATION_TEST_SIMPLIFIED_SURFACES_H

@@ -244,6 +244,29 @@ TEST(Subdivision, OfACube)
   }
 }
 
+// Edges pass by vertices at the distance of rounding, several beside each other.
+TEST(Subdivision, WithVerticesAsNearAsRounding)
+{
+  std::size_t checked = 0;
+  CGAL::Random random(1);
+  for(const double distance : {1e-12, 1e-13, 1e-14, 1e-15, 1e-16})
+    for(unsigned int seed = 0; seed < 20; ++seed) {
+      SCOPED_TRACE("distance " + std::to_string(distance) + ", seed " + std::to_string(seed));
+      const Mesh mesh = with_near_vertices(random_sphere(20, seed), distance, random);
+      if(has_equal_ends(mesh))
+        continue;
+      ++checked;
+      for(const unsigned int n : {60u, 30u, 10u, 0u}) {
+        const Simplified s(Evolving_surface(mesh), n);
+        const Surface_map map(s.surface, s.fine, s.coarse);
+        const Subdivision subdivision(map, Bends::of_all_edges);
+        expect_polygons(subdivision);
+        expect_parents(subdivision);
+      }
+    }
+  EXPECT_GT(checked, 50u);
+}
+
 TEST(Subdivision, KeepsIsolatedVertices)
 {
   Mesh mesh = random_sphere(50, 8);

@@ -47,10 +47,11 @@ enum class Level
 /// that are smaller in general, one for each sequence of faces through which points have gone; where nothing has been
 /// scaled it is an isometry.
 ///
-/// The connectivity is that of a subdivision of both levels, always. Places are rounded, and in order along every edge. An edge of
-/// the coarse level that comes to a vertex within rounding runs through it, and along an edge of the fine level if it comes to both ends. Where
-/// edges nearly coincide otherwise, polygons can have an area as small as rounding, of either sign, and may have two sides only:
-/// `signed_area()` tells.
+/// The connectivity is that of a subdivision of both levels, always: in which order edges of the coarse level cross an edge of the
+/// fine level is told by how these curves separate on their ways, not by the places of the crossings. Those are rounded, and in
+/// order along every edge. An edge of the coarse level that comes to a vertex within rounding runs through it, and along
+/// an edge of the fine level if it comes to both ends. Where edges nearly coincide otherwise, polygons can have an area as small as
+/// rounding, of either sign, and may have two sides only: `signed_area()` tells.
 ///
 /// \tparam Point the point type of the mesh
 template <typename Point = Intrinsic_triangulations::No_point>
@@ -71,7 +72,10 @@ public:
 
   /// builds the subdivision; it refers to the levels of `map`. Complexity: that of tracing the edges, and the time to
   /// sort the crossings on every edge.
-  /// \throws Intrinsic_triangulations::Numerical_error if the places of crossings are so close that their order is lost
+  /// \throws Intrinsic_triangulations::Numerical_error if two edges of the coarse level have crossed each other by
+  ///   rounding, or if a vertex is not in or next to the coarse face that the edges around it tell. On which side of a removed vertex or of
+  ///   a bend an edge passes is decided by a rounded number, for each edge by itself; so this needs
+  ///   vertices that are as near to each other as rounding.
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
     : m_levels{&map.fine(), &map.coarse()}
   {
@@ -257,7 +261,7 @@ private:
     m_result.m_parent_halfedge = {std::vector<Halfedge_index>(m_mesh.number_of_edges()),
                                   std::vector<Halfedge_index>(m_mesh.number_of_edges())};
     for(Edge_index e : m_fine.edges())
-      for(size_type p = 0; p <= m_marks.number_of_marks(e); ++p)
+      for(size_type p = 0; p < m_marks.number_of_pieces(e); ++p)
         parent(Level::fine, m_marks.fine_piece(m_fine.halfedge(e, 0), p)) = m_fine.halfedge(e, 0);
     for(Edge_index e : m_coarse.edges())
       for(size_type p = m_marks.first_piece(e); p < m_marks.end_of_pieces(e); ++p) {
@@ -335,7 +339,7 @@ private:
   [[noreturn]] static void fail()
   {
     throw Intrinsic_triangulations::Numerical_error(
-      "edges of the coarse level are too close to each other to tell their order");
+      "edges of the coarse level have crossed each other by rounding");
   }
 
   // the boundary is the same on both levels
@@ -391,7 +395,7 @@ private:
     const Face_index f =
       m_result.m_parent_face[1][m_mesh.face(m_mesh.is_border(in) ? m_mesh.opposite(in) : in)];
     if(p.first != f)
-      p = internal::moved_across(p, f, m_coarse);
+      p = internal::moved_into(f, p, m_coarse);
     if(!p.first.is_valid())
       fail();
   }

@@ -89,7 +89,8 @@ inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& s
 /// such a point and the logarithm of the number of operations on a face.
 inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surface_map& map)
 {
-  return internal::trace_pieces(internal::Curve_tracer(map, false).trace(h), map.fine());
+  return internal::trace_pieces(internal::Curve_tracer(map, false).trace_through_near_vertices(h),
+                                map.fine());
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
@@ -99,7 +100,8 @@ inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surfac
 /// \param map the map
 inline std::vector<Trace_piece> trace_fine_edge(Halfedge_index h, const Surface_map& map)
 {
-  return internal::trace_pieces(internal::Curve_tracer(map, true).trace(h), map.coarse());
+  return internal::trace_pieces(internal::Curve_tracer(map, true).trace_through_near_vertices(h),
+                                map.coarse());
 }
 
 } // namespace Intrinsic_simplification

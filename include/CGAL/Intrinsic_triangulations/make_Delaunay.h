@@ -82,8 +82,8 @@ Flip_count flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t li
     ++count.flips;
     if(is_rounded<typename Traits::FT>() && !tri.is_Delaunay(e))
       ++count.failed;
-    for_each_side(h, mesh,
-                  [&](Edge_index side) { stack.push_if(!is_certainly_Delaunay(side, tri), side); });
+    for(Edge_index side : edges_around(h, mesh))
+      stack.push_if(!is_certainly_Delaunay(side, tri), side);
     visitor.after_flip(h);
   }
   return count;

@@ -100,8 +100,8 @@ private:
     m_surface.flip(h);
     ++m_number_of_flips;
     m_end[Edge_index(h).idx()] = std::numeric_limits<FT>::infinity(); // it does not come back
-    Intrinsic_triangulations::internal::for_each_side(h, m_surface.mesh(),
-                                                      [this](Edge_index e) { enqueue(e); });
+    for(Edge_index e : Intrinsic_triangulations::internal::edges_around(h, m_surface.mesh()))
+      enqueue(e);
   }
 
   Ptolemy_surface<FT> m_surface;

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/internal/Surface_patch.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
 #include <array>
@@ -43,17 +42,15 @@ public:
   // have the numbers of the evolving surface.
   const std::vector<Curve_segment>& trace(Halfedge_index h)
   {
-    m_result.clear();
-    m_is_bend.assign(2, 0);
-    m_stack.assign(1, start(h));
-    while(!m_stack.empty()) {
-      const Timed_segment s = m_stack.back();
-      m_stack.pop_back();
-      if(s.time == last_time())
-        m_result.push_back(s.segment);
-      else
-        carry(s.segment, m_is_forward ? s.time : s.time - 1);
-    }
+    carry_edge(h);
+    join_straight_pieces();
+    return m_result;
+  }
+
+  // The same; the curve runs through vertices that it comes to within rounding.
+  const std::vector<Curve_segment>& trace_through_near_vertices(Halfedge_index h)
+  {
+    carry_edge(h);
     for(Curve_segment& s : m_result) {
       move_to_near_corner(s.from);
       move_to_near_corner(s.to);
@@ -69,6 +66,21 @@ private:
     Curve_segment segment;
     Surface_history::Time time;
   };
+
+  void carry_edge(Halfedge_index h)
+  {
+    m_result.clear();
+    m_is_bend.assign(2, 0);
+    m_stack.assign(1, start(h));
+    while(!m_stack.empty()) {
+      const Timed_segment s = m_stack.back();
+      m_stack.pop_back();
+      if(s.time == last_time())
+        m_result.push_back(s.segment);
+      else
+        carry(s.segment, m_is_forward ? s.time : s.time - 1);
+    }
+  }
 
   Surface_history::Time last_time() const
   {
@@ -137,15 +149,13 @@ private:
   // A curve bends on an edge where the changes on its two sides differ.
   void scale(const Surface_operation& scaling, Curve_segment s)
   {
-    const double factor = m_is_forward ? scaling.x[0] : 1 / scaling.x[0];
+    const double x = m_is_forward ? scaling.x[0] : 1 / scaling.x[0];
+    const Coordinates factor = scale_factors(m_map.history(), scaling, x, s.face);
     for(Face_point* p : {&s.from, &s.to}) {
       if(is_pair(p->corners))
         m_is_bend[p->node] = 1;
-      for(std::size_t n = 0; n < scaling.id[2]; ++n) {
-        const Surface_history::Corner corner = m_map.history().scaled_corner(scaling, n);
-        if(corner.face == s.face)
-          p->weight[corner.corner] *= factor;
-      }
+      for(std::size_t c = 0; c < 3; ++c)
+        p->weight[c] *= factor[c];
     }
     m_parts.push_back(s);
   }
@@ -189,8 +199,6 @@ private:
     const bool is_ahead = one_ahead == (excess > 0 || sectors.is_border());
     pass_spokes(sectors, is_ahead, {x, y}, from, to);
   }
-
-  static double rounding() { return 16 * Intrinsic_triangulations::rounding_unit<double>(); }
 
   void pass_through_vertex(const Vertex_sectors& sectors, const Vertex_sectors::Sector_point& from,
                            Patch_point at_vertex, const Vertex_sectors::Sector_point& to)
@@ -254,8 +262,8 @@ private:
     }
     m_result.resize(size);
     // pieces that have been left out at a vertex were as long as rounding
-    m_result.front().from.along = {1, 0};
-    m_result.back().to.along = {0, 1};
+    m_result.front().from.along = {1, 0, 0};
+    m_result.back().to.along = {0, 1, 0};
     for(std::size_t n = 1; n < size; ++n)
       m_result[n].from.along = m_result[n - 1].to.along;
   }

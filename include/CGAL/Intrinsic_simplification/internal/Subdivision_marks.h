@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Subdivision_place.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/Crossing_order.h>
 #include <CGAL/Intrinsic_simplification/internal/Curve_tracer.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -32,6 +34,9 @@ namespace internal {
 // chains of pieces. Halfedges are those of the subdivision where nothing else is said: an edge of the fine level
 // with n marks becomes n + 1 edges; a piece of the coarse level is another, unless it runs along an edge of the
 // fine level.
+//
+// Curves that come to a vertex within rounding run through it: where they cross the edges there, their marks are moved to the
+// vertex, in their order along the edge. So what does not cross before does not cross then.
 class Subdivision_marks
 {
 public:
@@ -51,12 +56,13 @@ public:
     Curve_tracer tracer(m_map, false);
     for(Edge_index e : m_coarse.edges()) {
       m_first_piece.push_back(number(m_pieces.size()));
-      const Halfedge_index h = m_coarse.halfedge(e, 0);
-      Vertex_index v = m_map.fine().level_vertex(m_map.coarse().surface_vertex(m_coarse.source(h)));
-      for(const Curve_segment& s : tracer.trace(h))
-        v = add_piece(s, v, e);
+      size_type mark = none;
+      for(const Curve_segment& s : tracer.trace(m_coarse.halfedge(e, 0)))
+        add_piece(s, e, mark);
     }
     m_first_piece.push_back(number(m_pieces.size()));
+    order_crossings();
+    run_through_near_vertices();
     m_piece_before.resize(m_number_of_vertices, none);
     for(size_type p = 0; p + 1 < m_pieces.size(); ++p)
       if(m_pieces[p].edge == m_pieces[p + 1].edge)
@@ -79,18 +85,25 @@ public:
 
   void sort()
   {
-    std::stable_sort(m_marks.begin(), m_marks.end(), [](const Mark& x, const Mark& y) {
-      return std::pair(x.edge, x.ratio) < std::pair(y.edge, y.ratio);
-    });
+    sort_marks();
     m_first_mark.assign(m_fine.number_of_edges() + 1, 0);
+    m_first_kept.assign(m_fine.number_of_edges() + 1, 0);
     m_mark_of_vertex.resize(m_number_of_vertices, none);
     m_piece_before.resize(m_number_of_vertices, none); // none before bends of fine edges
-    for(size_type n = 0; n < m_marks.size(); ++n) {
-      ++m_first_mark[m_marks[n].edge + 1];
-      m_mark_of_vertex[m_marks[n].vertex] = n;
+    for(size_type n = 0, kept = 0; n < m_marks.size(); ++n) {
+      Mark& mark = m_marks[n];
+      mark.kept_before = kept;
+      ++m_first_mark[mark.edge + 1];
+      if(end_at(mark.ratio) == End::none) {
+        ++kept;
+        ++m_first_kept[mark.edge + 1];
+        m_mark_of_vertex[mark.vertex] = n;
+      }
     }
-    for(std::size_t e = 1; e < m_first_mark.size(); ++e)
+    for(std::size_t e = 1; e < m_first_mark.size(); ++e) {
       m_first_mark[e] += m_first_mark[e - 1];
+      m_first_kept[e] += m_first_kept[e - 1];
+    }
     number_pieces();
     collect_chords();
   }
@@ -119,17 +132,20 @@ public:
     return true;
   }
 
-  // on an edge of the fine level
-  size_type number_of_marks(Edge_index e) const { return m_first_mark[e + 1] - m_first_mark[e]; }
+  // of an edge of the fine level
+  size_type number_of_pieces(Edge_index e) const
+  {
+    return m_first_kept[e + 1] - m_first_kept[e] + 1;
+  }
 
   // piece number `p` of the halfedge `h` of the fine level, counted from its source
   Halfedge_index fine_piece(Halfedge_index h, size_type p) const
   {
     const Edge_index e(h);
-    const size_type first = m_first_mark[e] + e.idx();
+    const size_type first = m_first_kept[e] + e.idx();
     if(h.idx() % 2 == 0)
       return Halfedge_index(2 * (first + p));
-    return Halfedge_index(2 * (first + number_of_marks(e) - p) + 1);
+    return Halfedge_index(2 * (first + number_of_pieces(e) - 1 - p) + 1);
   }
 
   // the numbers of the pieces of an edge of the coarse level
@@ -154,18 +170,15 @@ public:
     if(is_fine_vertex(v))
       return collect_spokes_of_fine_vertex(v, out);
     const size_type mark = m_mark_of_vertex[v], piece = m_piece_before[v];
-    if(mark != none)
-      out = {after_mark(mark), twin(before_mark(mark))};
-    if(piece == none)
+    if(mark == none) {
+      out = {coarse_piece(piece + 1), twin(coarse_piece(piece))};
       return;
-    const Halfedge_index ahead = coarse_piece(piece + 1), back = twin(coarse_piece(piece));
-    if(mark == none)
-      out = {ahead, back};
-    else if(comes_from_left(m_pieces[piece].segment))
-      out = {out[0], back, out[1], ahead};
-    else
-      out = {out[0], ahead, out[1], back};
-    remove_repeated(out);
+    }
+    const auto& [left, right] = m_marks[mark].out;
+    out.push_back(after_mark(mark));
+    add_if_valid(left, out);
+    out.push_back(twin(before_mark(mark)));
+    add_if_valid(right, out);
   }
 
   Subdivision_place fine_place(Vertex_index v) const
@@ -175,8 +188,7 @@ public:
     const size_type mark = m_mark_of_vertex[v];
     if(mark == none)
       return {Halfedge_index(), location(m_pieces[m_piece_before[v]].segment)};
-    const double r = m_marks[mark].ratio;
-    return edge_place(m_fine.halfedge(m_marks[mark].edge, 0), std::isinf(r) ? 1 : r / (1 + r),
+    return edge_place(m_fine.halfedge(m_marks[mark].edge, 0), place_on_edge(m_marks[mark].ratio),
                       m_fine);
   }
 
@@ -184,50 +196,65 @@ public:
   {
     if(!is_fine_vertex(v) && v.idx() >= m_first_fine_bend)
       return {Halfedge_index(), m_fine_bends[v.idx() - m_first_fine_bend]};
-    if(m_piece_before[v] != none) {
-      const Piece& piece = m_pieces[m_piece_before[v]];
-      const auto& [x, y] = piece.segment.to.along;
-      return edge_place(m_coarse.halfedge(piece.edge, 0), y / (x + y), m_coarse);
-    }
-    const Vertex_index coarse = m_map.coarse().level_vertex(m_map.fine().surface_vertex(v));
-    return coarse.is_valid() ? vertex_place(coarse, m_coarse)
-                             : Subdivision_place{Halfedge_index(), image_of_vertex(v, m_map)};
+    const Vertex_index coarse = is_fine_vertex(v)
+                                  ? m_map.coarse().level_vertex(m_map.fine().surface_vertex(v))
+                                  : Vertex_index();
+    if(coarse.is_valid())
+      return vertex_place(coarse, m_coarse);
+    if(m_piece_before[v] == none)
+      return {Halfedge_index(), image_of_vertex(v, m_map)};
+    const Coarse_piece& piece = m_pieces[m_piece_before[v]];
+    const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
+    return edge_place(m_coarse.halfedge(piece.edge, 0), y / (x + y), m_coarse);
   }
 
 private:
   static constexpr size_type none = (std::numeric_limits<size_type>::max)();
 
-  // a piece along another is the same
-  static void remove_repeated(std::vector<Halfedge_index>& cycle)
+  static void add_if_valid(Halfedge_index h, std::vector<Halfedge_index>& out)
   {
-    cycle.erase(std::unique(cycle.begin(), cycle.end()), cycle.end());
-    if(cycle.size() > 1 && cycle.front() == cycle.back())
-      cycle.pop_back();
+    if(h.is_valid())
+      out.push_back(h);
   }
 
-  // a straight part of an edge of the coarse level, in a face of the fine level
-  struct Piece
-  {
-    Curve_segment segment;
-    Edge_index edge;
-    Vertex_index source, target;
-    Halfedge_index halfedge;
-  };
-
-  // a vertex on an edge of the fine level; between nothing and infinity from the source to the target
+  // A point on an edge of the fine level, with a ratio between nothing and infinity from the source to the target.
+  // Unless it has been moved to an end it is a vertex.
   struct Mark
   {
     Edge_index edge;
     double ratio;
+    size_type piece; // that comes to it, until pieces are left out
     Vertex_index vertex;
+    size_type kept_before;             // on all edges before, and on this one
+    std::array<Halfedge_index, 2> out; // the chords that leave it to the left and to the right
   };
 
+  // where a curve has come into a face: at which corner, after how many pieces and vertices
+  struct Entry
+  {
+    std::size_t corner;
+    size_type pieces, vertices;
+  };
+
+  enum class End
+  {
+    none,
+    source,
+    target
+  };
+
+  // to which end of its edge a mark is moved
+  static End end_at(double ratio)
+  {
+    return ratio <= rounding() ? End::source : ratio * rounding() >= 1 ? End::target : End::none;
+  }
+
   // A piece that leaves a vertex of the fine level into a corner of a face, and where the face, counterclockwise from
-  // this corner, is met again.
+  // this corner, is met again; at last the order of those along the same edge.
   struct Chord_end
   {
     std::size_t corner;
-    std::pair<std::size_t, size_type> order;
+    std::tuple<std::size_t, size_type, std::ptrdiff_t> order;
     Halfedge_index out;
 
     friend bool operator<(const Chord_end& a, const Chord_end& b)
@@ -247,55 +274,148 @@ private:
 
   bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
 
-  size_type number_of_fine_pieces() const
-  {
-    return number(m_marks.size()) + m_fine.number_of_edges();
-  }
-
-  static std::size_t corner_number(const Face_point& p)
-  {
-    return p.corners == bit(0) ? 0 : p.corners == bit(1) ? 1 : 2;
-  }
-
-  static std::size_t side_number(const Face_point& p)
-  {
-    return (p.corners & bit(2)) == 0 ? 0 : (p.corners & bit(0)) == 0 ? 1 : 2;
-  }
+  size_type number_of_fine_pieces() const { return m_first_kept.back() + m_fine.number_of_edges(); }
 
   Halfedge_index side(const Curve_segment& s, std::size_t n) const
   {
     return Intrinsic_triangulations::internal::sides(s.face, m_fine)[n];
   }
 
-  Vertex_index add_piece(Curve_segment s, Vertex_index source, Edge_index e)
+  // the number of the mark where the piece starts becomes that where it ends
+  void add_piece(Curve_segment s, Edge_index e, size_type& mark)
   {
     s.face = m_map.fine().level_face(s.face);
-    Vertex_index target(m_number_of_vertices);
-    if(is_single(s.to.corners))
-      target = m_fine.source(side(s, corner_number(s.to)));
-    else {
-      m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
-      if(is_pair(s.to.corners))
-        add_crossing(s, target);
+    const size_type from = std::exchange(mark, none);
+    if(is_pair(s.to.corners)) {
+      mark = number(m_marks.size());
+      add_crossing(s);
     }
-    m_pieces.push_back({s, e, source, target, Halfedge_index()});
-    if(is_along_edge(s))
-      m_is_along[Edge_index(edge_along(s))] = 1;
-    return target;
+    m_pieces.push_back({s, e, {from, mark}, Vertex_index(), Halfedge_index()});
   }
 
-  void add_crossing(const Curve_segment& s, Vertex_index v)
+  void add_crossing(const Curve_segment& s)
   {
     const std::size_t n = side_number(s.to);
     const Halfedge_index h = side(s, n);
     const double from = s.to.weight[n], to = s.to.weight[(n + 1) % 3];
-    m_marks.push_back({m_fine.edge(h), h.idx() % 2 == 0 ? to / from : from / to, v});
+    add_mark(m_fine.edge(h), h.idx() % 2 == 0 ? to / from : from / to, number(m_pieces.size()),
+             Vertex_index());
+  }
+
+  void add_mark(Edge_index e, double ratio, size_type piece, Vertex_index v)
+  {
+    m_marks.push_back({e, ratio, piece, v, 0, {}});
+  }
+
+  // by edges, and along them
+  void sort_marks()
+  {
+    std::vector<size_type> order(m_marks.size());
+    std::iota(order.begin(), order.end(), size_type(0));
+    std::stable_sort(order.begin(), order.end(), [&](size_type x, size_type y) {
+      return std::pair(m_marks[x].edge, m_marks[x].ratio) <
+             std::pair(m_marks[y].edge, m_marks[y].ratio);
+    });
+    renumber_marks(order);
+  }
+
+  // number `n` becomes what has been number `order[n]`
+  void renumber_marks(const std::vector<size_type>& order)
+  {
+    std::vector<Mark> marks;
+    std::vector<size_type> place(order.size());
+    for(size_type n = 0; n < order.size(); ++n) {
+      marks.push_back(m_marks[order[n]]);
+      place[order[n]] = n;
+    }
+    m_marks.swap(marks);
+    for(Coarse_piece& piece : m_pieces)
+      for(size_type& mark : piece.marks)
+        if(mark != none)
+          mark = place[mark];
+  }
+
+  // Sorts the crossings by their places at first, but it is the curves that tell the order. Then places are made to agree.
+  void order_crossings()
+  {
+    sort_marks();
+    std::vector<size_type> order(m_marks.size());
+    std::iota(order.begin(), order.end(), size_type(0));
+    const Crossing_order curves(m_pieces, m_fine);
+    const auto are_exchanged = [&](size_type x, size_type y) {
+      return m_marks[x].edge == m_marks[y].edge &&
+             curves.compare(m_marks[x].piece, m_marks[y].piece) > 0;
+    };
+    for(std::size_t n = 1; n < order.size(); ++n)
+      for(std::size_t k = n; k > 0 && are_exchanged(order[k - 1], order[k]); --k)
+        std::swap(order[k - 1], order[k]);
+    renumber_marks(order);
+    for(std::size_t n = 1; n < m_marks.size(); ++n)
+      if(m_marks[n].edge == m_marks[n - 1].edge)
+        m_marks[n].ratio = (std::max)(m_marks[n].ratio, m_marks[n - 1].ratio);
+  }
+
+  static double place_on_edge(double ratio) { return std::isinf(ratio) ? 1 : ratio / (1 + ratio); }
+
+  // Moves what is near to an end of an edge there, and cuts off the corners where that leads from a vertex to itself.
+  void run_through_near_vertices()
+  {
+    const std::vector<Coarse_piece> pieces = std::exchange(m_pieces, {});
+    const std::vector<size_type> first = std::exchange(m_first_piece, {});
+    for(std::size_t e = 0; e + 1 < first.size(); ++e) {
+      m_first_piece.push_back(number(m_pieces.size()));
+      for(size_type p = first[e]; p < first[e + 1]; ++p)
+        keep_piece(pieces[p]);
+    }
+    m_first_piece.push_back(number(m_pieces.size()));
+  }
+
+  void keep_piece(Coarse_piece piece)
+  {
+    const Curve_segment& s = piece.segment;
+    if(s.from.corners != 7)
+      m_entry = {corner_near(s, s.from, piece.marks[0]), number(m_pieces.size()),
+                 m_number_of_vertices};
+    const std::size_t exit = corner_near(s, s.to, piece.marks[1]);
+    if(exit < 3 && exit == m_entry.corner) {
+      m_pieces.resize(m_entry.pieces);
+      m_number_of_vertices = m_entry.vertices;
+      return;
+    }
+    piece.target = exit < 3 ? m_fine.source(side(s, exit)) : new_vertex();
+    if(piece.marks[1] != none)
+      m_marks[piece.marks[1]].vertex = piece.target;
+    if(s.from.corners != 7 && m_entry.corner < 3 && exit < 3)
+      m_is_along[Edge_index(edge_along(s, m_entry.corner, exit))] = 1;
+    m_pieces.push_back(piece);
+  }
+
+  Vertex_index new_vertex()
+  {
+    const Vertex_index v(m_number_of_vertices);
+    m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
+    return v;
+  }
+
+  // at which corner a point is or has been moved to; 3 if at none
+  std::size_t corner_near(const Curve_segment& s, const Face_point& p, size_type mark) const
+  {
+    if(is_single(p.corners))
+      return corner_number(p);
+    const End end = mark == none ? End::none : end_at(m_marks[mark].ratio);
+    if(end == End::none)
+      return 3;
+    const std::size_t n = side_number(p);
+    const bool is_at_source = (end == End::source) == (side(s, n).idx() % 2 == 0);
+    return is_at_source ? n : (n + 1) % 3;
   }
 
   void add_fine_bend(Edge_index e, const Curve_segment& s)
   {
-    m_marks.push_back({e, s.to.along[1] / s.to.along[0], Vertex_index(m_number_of_vertices)});
-    m_number_of_vertices = number(m_number_of_vertices + std::size_t(1));
+    const double ratio = s.to.along[1] / s.to.along[0];
+    if(end_at(ratio) != End::none)
+      return;
+    add_mark(e, ratio, none, new_vertex());
     Surface_map::Location p = location(s);
     p.first = m_map.coarse().level_face(p.first);
     m_fine_bends.push_back(p);
@@ -308,31 +428,37 @@ private:
     return p;
   }
 
-  static bool is_along_edge(const Curve_segment& s)
+  // the halfedge of the fine level from one corner to another
+  Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::size_t to) const
   {
-    return is_single(s.from.corners) && is_single(s.to.corners);
-  }
-
-  // the halfedge of the fine level along which it runs
-  Halfedge_index edge_along(const Curve_segment& s) const
-  {
-    const std::size_t from = corner_number(s.from), to = corner_number(s.to);
     return to == (from + 1) % 3 ? side(s, from) : twin(side(s, to));
   }
 
+  // An edge of the coarse level that is one of the fine level takes its place. What else runs along that is put into a
+  // face at first, in the order in which it comes.
   void number_pieces()
   {
     m_is_taken.assign(number_of_fine_pieces(), 0);
     for(size_type p = 0; p < m_pieces.size(); ++p) {
-      const Halfedge_index h =
-        is_along_edge(m_pieces[p].segment) ? edge_along(m_pieces[p].segment) : Halfedge_index();
-      if(h.is_valid() && number_of_marks(Edge_index(h)) == 0 && take(fine_piece(h, 0))) {
+      const Halfedge_index h = whole_edge(p);
+      if(h.is_valid() && number_of_pieces(Edge_index(h)) == 1 && take(fine_piece(h, 0))) {
         m_pieces[p].halfedge = fine_piece(h, 0);
       } else {
         m_pieces[p].halfedge = chord(m_piece_of_chord.size());
         m_piece_of_chord.push_back(p);
       }
     }
+  }
+
+  // the halfedge of the fine level that is the edge of a piece, or null
+  Halfedge_index whole_edge(size_type p) const
+  {
+    const Curve_segment& s = m_pieces[p].segment;
+    const Edge_index e = m_pieces[p].edge;
+    return is_single(s.from.corners) && is_single(s.to.corners) &&
+               first_piece(e) + 1 == end_of_pieces(e)
+             ? edge_along(s, corner_number(s.from), corner_number(s.to))
+             : Halfedge_index();
   }
 
   // whether no other piece runs along a piece of a fine edge
@@ -363,37 +489,52 @@ private:
   void collect_chords()
   {
     m_chord_ends.clear();
+    for(Mark& mark : m_marks)
+      mark.out = {};
     for(size_type p : m_piece_of_chord) {
-      const Curve_segment& s = m_pieces[p].segment;
+      const Coarse_piece& piece = m_pieces[p];
+      const Curve_segment& s = piece.segment;
+      add_to_mark(s, s.from, piece.marks[0], piece.halfedge);
+      add_to_mark(s, s.to, piece.marks[1], twin(piece.halfedge));
       if(is_single(s.from.corners)) {
         size_type end = p;
         while(m_pieces[end].segment.to.corners == 7)
           ++end;
-        add_chord_end(s.face, s.from, m_pieces[end].segment.to, m_pieces[end].target,
-                      m_pieces[p].halfedge);
+        add_chord_end(p, s.from, m_pieces[end].segment.to, m_pieces[end].marks[1], piece.halfedge);
       }
       if(is_single(s.to.corners)) {
         size_type start = p;
         while(m_pieces[start].segment.from.corners == 7)
           --start;
-        add_chord_end(s.face, s.to, m_pieces[start].segment.from, m_pieces[start].source,
-                      twin(m_pieces[p].halfedge));
+        add_chord_end(p, s.to, m_pieces[start].segment.from, m_pieces[start].marks[0],
+                      twin(piece.halfedge));
       }
     }
     std::sort(m_chord_ends.begin(), m_chord_ends.end());
   }
 
-  void add_chord_end(Face_index f, const Face_point& at_corner, const Face_point& other,
-                     Vertex_index other_vertex, Halfedge_index out)
+  void add_to_mark(const Curve_segment& s, const Face_point& end, size_type mark,
+                   Halfedge_index out)
   {
+    if(mark != none)
+      m_marks[mark].out[side(s, side_number(end)).idx() % 2] = out;
+  }
+
+  void add_chord_end(size_type piece, const Face_point& at_corner, const Face_point& other,
+                     size_type other_mark, Halfedge_index out)
+  {
+    const Face_index f = m_pieces[piece].segment.face;
     const std::size_t c = corner_number(at_corner);
-    const bool is_corner = is_single(other.corners);
-    const std::size_t n = is_corner ? corner_number(other) : side_number(other);
-    const size_type mark =
-      is_corner ? 0
-                : 1 + mark_along(Intrinsic_triangulations::internal::sides(f, m_fine)[n],
-                                 m_mark_of_vertex[other_vertex]);
-    m_chord_ends.push_back({corner_index(f, c), {(n + 3 - c) % 3, mark}, out});
+    if(other_mark == none) {
+      const std::size_t turn = (corner_number(other) + 3 - c) % 3;
+      const auto p = static_cast<std::ptrdiff_t>(piece);
+      m_chord_ends.push_back({corner_index(f, c), {turn, 0, turn == 1 ? p : -p}, out});
+    } else {
+      const std::size_t n = side_number(other);
+      const size_type mark =
+        mark_along(Intrinsic_triangulations::internal::sides(f, m_fine)[n], other_mark);
+      m_chord_ends.push_back({corner_index(f, c), {(n + 3 - c) % 3, 1 + mark, 0}, out});
+    }
   }
 
   static std::size_t corner_index(Face_index f, std::size_t c) { return 3 * std::size_t(f) + c; }
@@ -408,17 +549,11 @@ private:
   // the pieces on the two sides of a mark, in the direction of the first halfedge
   Halfedge_index before_mark(size_type mark) const
   {
-    return Halfedge_index(2 * (mark + m_marks[mark].edge.idx()));
+    return Halfedge_index(2 * (m_marks[mark].kept_before + m_marks[mark].edge.idx()));
   }
   Halfedge_index after_mark(size_type mark) const
   {
-    return Halfedge_index(2 * (mark + m_marks[mark].edge.idx() + 1));
-  }
-
-  // whether a piece comes to an edge of the fine level from the left of its first halfedge
-  bool comes_from_left(const Curve_segment& s) const
-  {
-    return side(s, side_number(s.to)).idx() % 2 == 0;
+    return Halfedge_index(2 * (m_marks[mark].kept_before + m_marks[mark].edge.idx() + 1));
   }
 
   void collect_spokes_of_fine_vertex(Vertex_index v, std::vector<Halfedge_index>& out) const
@@ -426,16 +561,34 @@ private:
     if(m_fine.is_isolated(v))
       return;
     Intrinsic_triangulations::internal::for_each_spoke(v, m_fine, [&](Halfedge_index h) {
-      out.push_back(fine_piece(h, 0));
+      collect_spokes_along(h, out);
       if(m_fine.is_border(h))
         return;
       const std::size_t corner =
         corner_index(m_fine.face(h), Intrinsic_triangulations::internal::side_number(h, m_fine));
       auto end = std::lower_bound(m_chord_ends.begin(), m_chord_ends.end(),
-                                  Chord_end{corner, {0, 0}, Halfedge_index()});
+                                  Chord_end{corner, {0, 0, 0}, Halfedge_index()});
       for(; end != m_chord_ends.end() && end->corner == corner; ++end)
         out.push_back(end->out);
     });
+  }
+
+  // the first piece of `h`, and the chords at the marks that have been moved to its source
+  void collect_spokes_along(Halfedge_index h, std::vector<Halfedge_index>& out) const
+  {
+    const Edge_index e(h);
+    const bool is_first = h.idx() % 2 == 0;
+    const auto mark = [&](size_type n) -> const Mark& {
+      return m_marks[is_first ? m_first_mark[e] + n : m_first_mark[e + 1] - 1 - n];
+    };
+    const End source = is_first ? End::source : End::target;
+    size_type moved = 0;
+    for(; moved < m_first_mark[e + 1] - m_first_mark[e] && end_at(mark(moved).ratio) == source;
+        ++moved)
+      add_if_valid(mark(moved).out[is_first ? 1 : 0], out);
+    out.push_back(fine_piece(h, 0));
+    while(moved-- > 0)
+      add_if_valid(mark(moved).out[is_first ? 0 : 1], out);
   }
 
   static Subdivision_place vertex_place(Vertex_index v, const Delta_complex& mesh)
@@ -457,7 +610,8 @@ private:
   const Surface_map& m_map;
   const Delta_complex &m_fine, &m_coarse;
   size_type m_number_of_vertices;
-  std::vector<Piece> m_pieces;
+  std::vector<Coarse_piece> m_pieces;
+  Entry m_entry{};
   std::vector<size_type> m_first_piece;  // of each edge of the coarse level
   std::vector<size_type> m_piece_before; // of each vertex inside an edge of the coarse level
   std::vector<char>
@@ -465,6 +619,8 @@ private:
   std::vector<char> m_is_taken; // whether one runs along a piece of an edge of the fine level
   std::vector<Mark> m_marks;    // in the order of edges and along them
   std::vector<size_type> m_first_mark; // of each edge of the fine level
+  std::vector<size_type>
+    m_first_kept; // the same, not counting those that have been moved to an end
   std::vector<size_type> m_mark_of_vertex;
   std::vector<size_type>
     m_piece_of_chord;                  // of each edge that is no part of an edge of the fine level
@@ -473,25 +629,33 @@ private:
   std::vector<Surface_map::Location> m_fine_bends;
 };
 
-// A point as the point of the face `f` that is nearest across an edge; no face if `f` is not next to it.
-inline Surface_map::Location moved_across(const Surface_map::Location& p, Face_index f,
-                                          const Delta_complex& mesh)
+// A point as a point of the face `f` that is nearest across an edge, or the corner at a vertex that they share; no face if `f`
+// is not next to it.
+inline Surface_map::Location moved_into(Face_index f, const Surface_map::Location& p,
+                                        const Delta_complex& mesh)
 {
   namespace IT = Intrinsic_triangulations;
-  Halfedge_index best;
-  double least = 2;
+  Halfedge_index across, at_vertex;
+  double least = 2, most = -1;
   for(Halfedge_index h : IT::internal::sides(p.first, mesh)) {
-    const double opposite = IT::internal::coordinates_from(h, p, mesh)[2];
-    if(mesh.face(mesh.opposite(h)) == f && opposite < least) {
-      best = h;
-      least = opposite;
+    const Coordinates b = IT::internal::coordinates_from(h, p, mesh);
+    if(mesh.face(mesh.opposite(h)) == f && b[2] < least) {
+      across = mesh.opposite(h);
+      least = b[2];
     }
+    for(Halfedge_index g : IT::internal::sides(f, mesh))
+      if(mesh.source(g) == mesh.source(h) && b[0] > most) {
+        at_vertex = g;
+        most = b[0];
+      }
   }
-  if(!best.is_valid())
-    return {Face_index(), {}};
-  const Coordinates b = IT::internal::coordinates_from(best, p, mesh);
-  return IT::internal::face_location(
-    IT::Edge_point<double>{mesh.opposite(best), b[0] / (b[0] + b[1])}, mesh);
+  if(across.is_valid()) {
+    const Coordinates b = IT::internal::coordinates_from(mesh.opposite(across), p, mesh);
+    return IT::internal::face_location(IT::Edge_point<double>{across, b[0] / (b[0] + b[1])}, mesh);
+  }
+  if(at_vertex.is_valid())
+    return IT::internal::face_location(IT::Edge_point<double>{at_vertex, 0}, mesh);
+  return {Face_index(), {}};
 }
 
 } // namespace internal

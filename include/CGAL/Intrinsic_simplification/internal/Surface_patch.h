@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
 #include <CGAL/Intrinsic_simplification/internal/carry_point.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
 #include <array>
@@ -35,16 +36,20 @@ inline bool is_pair(Corner_set corners)
   return !is_single(corners) && is_single(corners & (corners - 1));
 }
 
-// A point of a curve, seen from a face of `n` corners with homogeneous coordinates. It is at a corner, on a side or
-// inside, as the set of its corners says: this is never left to rounding.
+// A point of a curve or polygon, seen from a face of `n` corners with homogeneous coordinates. It is at a corner, on a
+// side or inside, as the set of its corners says: this is never left to rounding.
 template <std::size_t n>
 struct Curve_point
 {
   std::array<double, n> weight;
   Corner_set corners;
-  std::array<double, 2> along; // the homogeneous coordinates on the edge that is traced
-  std::size_t node;            // the number of the point
+  std::array<double, 3>
+    along; // the homogeneous coordinates on the edge that is traced, or in the face that is cut
+  std::size_t node; // the number of the point
 };
+
+// The part of a coordinate that may be due to rounding where a point comes to a vertex or an edge.
+inline double rounding() { return 16 * Intrinsic_triangulations::rounding_unit<double>(); }
 
 // The faces that an operation changes, before or after it, have four corners in all.
 typedef Curve_point<3> Face_point;
@@ -95,7 +100,7 @@ inline Patch_point between(const Patch_point& p, const Patch_point& q, double at
   Patch_point result{};
   for(std::size_t c = 0; c < 4; ++c)
     result.weight[c] = a * p.weight[c] + b * q.weight[c];
-  for(std::size_t c = 0; c < 2; ++c)
+  for(std::size_t c = 0; c < 3; ++c)
     result.along[c] = a * p.along[c] + b * q.along[c];
   return result;
 }
@@ -140,13 +145,28 @@ public:
     if(!is_on_or_in_diamond(x))
       return x;
     const bool has_p = side(x) > 0;
+    x = changed(x, has_p);
+    x.weight[has_p ? p : q] = (std::max)(x.weight[has_p ? p : q], 0.);
+    return x;
+  }
+
+  // the coordinates for the face with p or for that with q, of which one may be negative
+  Patch_point changed(Patch_point x, bool has_p) const
+  {
     const Corner left_over = has_p ? p : q, used_up = has_p ? q : p;
-    const double all = x.weight[used_up] > 0 ? x.weight[used_up] / m_weight[used_up] : 0;
-    x.weight[left_over] = (std::max)(x.weight[left_over] - all * m_weight[left_over], 0.);
+    const double all = m_weight[used_up] > 0 ? x.weight[used_up] / m_weight[used_up] : 0;
+    x.weight[left_over] -= all * m_weight[left_over];
     x.weight[used_up] = 0;
     add_crossing(all, x);
     x.corners = m_after[has_p ? 0 : 1].corners();
     return x;
+  }
+
+  // whether the point is on the edge or within rounding
+  bool is_near_diagonal(const Patch_point& x) const
+  {
+    const double sum = x.weight[p] + x.weight[q] + x.weight[o] + x.weight[r];
+    return is_on_or_in_diamond(x) && distance(x) <= rounding() * sum;
   }
 
   // where the segment from x to y, seen from before the turn, crosses the edge or

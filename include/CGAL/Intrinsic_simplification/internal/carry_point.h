@@ -141,15 +141,25 @@ inline void normalize(Coordinates& b)
 }
 
 // A change of scale is projective on each face (Equation 5.1): linear, as long as coordinates need not sum up to
-// one.
+// one. These are the factors of the coordinates in the face `f`, if that of a corner at the vertex is `factor`.
+inline Coordinates scale_factors(const Surface_history& history, const Surface_operation& scaling,
+                                 double factor, Face_index f)
+{
+  Coordinates result{1, 1, 1};
+  for(std::size_t n = 0; n < scaling.id[2]; ++n) {
+    const Surface_history::Corner corner = history.scaled_corner(scaling, n);
+    if(corner.face == f)
+      result[corner.corner] = factor;
+  }
+  return result;
+}
+
 inline void carry_through_scaling(const Surface_history& history, const Surface_operation& scaling,
                                   double factor, Location& p)
 {
-  for(std::size_t n = 0; n < scaling.id[2]; ++n) {
-    const Surface_history::Corner corner = history.scaled_corner(scaling, n);
-    if(corner.face == p.first)
-      p.second[corner.corner] *= factor;
-  }
+  const Coordinates factors = scale_factors(history, scaling, factor, p.first);
+  for(std::size_t c = 0; c < 3; ++c)
+    p.second[c] *= factors[c];
 }
 
 // moves a point of the surface before operation `t` to the surface after it; the operation has to involve

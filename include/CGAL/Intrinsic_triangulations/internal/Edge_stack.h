@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -59,13 +60,12 @@ private:
   std::size_t m_size = 0;
 };
 
-// Calls `function(e)` for the four other edges of the two faces at `h`.
-template <typename Function>
-void for_each_side(Halfedge_index h, const Delta_complex& mesh, const Function& function)
+// the four other edges of the two faces at `h`
+inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_complex& mesh)
 {
   const Halfedge_index o = opposite(h);
-  for(Halfedge_index x : {mesh.next(h), mesh.prev(h), mesh.next(o), mesh.prev(o)})
-    function(mesh.edge(x));
+  return {mesh.edge(mesh.next(h)), mesh.edge(mesh.prev(h)), mesh.edge(mesh.next(o)),
+          mesh.edge(mesh.prev(o))};
 }
 
 // Flips edges, first those that wait in `stack`, then those around flipped ones, until `is_good(h)` for all that
@@ -79,7 +79,8 @@ void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& i
     if(is_good(h) || flip_status(h, mesh) != Operation_status::possible)
       continue;
     flip(h);
-    for_each_side(h, mesh, [&stack](Edge_index e) { stack.push(e); });
+    for(Edge_index e : edges_around(h, mesh))
+      stack.push(e);
   }
 }
 

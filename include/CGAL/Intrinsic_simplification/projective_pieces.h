@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_PROJECTIVE_PIECES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_PROJECTIVE_PIECES_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/Cell_joiner.h>
+#include <CGAL/Intrinsic_simplification/internal/Face_cutter.h>
+#include <CGAL/Intrinsic_simplification/internal/carry_point.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a convex polygon inside one face of both levels on which the map between them is one projective map.
+struct Projective_piece
+{
+  /// barycentric coordinates.
+  typedef std::array<double, 3> Coordinates;
+  /// a corner of the polygon, as a point of either face.
+  struct Corner
+  {
+    Coordinates fine;   ///< in the face of the fine level
+    Coordinates coarse; ///< in the face of the coarse level
+  };
+
+  Face_index fine_face;        ///< the face of the fine level
+  Face_index coarse_face;      ///< the face of the coarse level
+  std::vector<Corner> corners; ///< counterclockwise; no two sides that meet are on a line
+  /// the matrix that takes homogeneous coordinates on the fine face to those on the coarse face, by rows.
+  std::array<Coordinates, 3> matrix;
+
+  /// maps a point of the piece to the coarse face. Its coordinates need not sum up to one, those of the result do.
+  Coordinates to_coarse(const Coordinates& b) const
+  {
+    Coordinates result{};
+    for(std::size_t r = 0; r < 3; ++r)
+      for(std::size_t c = 0; c < 3; ++c)
+        result[r] += matrix[r][c] * b[c];
+    internal::normalize(result);
+    return result;
+  }
+
+  /// maps a point of the piece to the fine face: the inverse of `to_coarse()`.
+  Coordinates to_fine(const Coordinates& b) const
+  {
+    Coordinates result{};
+    for(std::size_t r = 0; r < 3; ++r)
+      for(std::size_t c = 0; c < 3; ++c)
+        result[r] += cofactor(c, r) * b[c];
+    internal::normalize(result);
+    return result;
+  }
+
+private:
+  // the determinant of the matrix without a row and a column, with its sign
+  double cofactor(std::size_t r, std::size_t c) const
+  {
+    const Coordinates &x = matrix[(r + 1) % 3], &y = matrix[(r + 2) % 3];
+    return x[(c + 1) % 3] * y[(c + 2) % 3] - x[(c + 2) % 3] * y[(c + 1) % 3];
+  }
+};
+
+namespace internal {
+
+inline Projective_piece projective_piece(Face_index fine_face, const Cell& cell,
+                                         const std::vector<const Face_point*>& corners,
+                                         const Surface_level& coarse)
+{
+  Projective_piece result{fine_face, coarse.level_face(cell.face), {}, {}};
+  for(const Face_point* p : corners) {
+    result.corners.push_back({p->along, p->weight});
+    normalize(result.corners.back().fine);
+    normalize(result.corners.back().coarse);
+  }
+  for(std::size_t r = 0; r < 3; ++r)
+    for(std::size_t c = 0; c < 3; ++c)
+      result.matrix[r][c] = cell.image[c].weight[r];
+  return result;
+}
+
+// whether it is more than what rounding leaves between lines that are the same
+inline bool has_area(const std::vector<const Face_point*>& corners)
+{
+  return polygon_area(corners.size(), [&](std::size_t c) { return corners[c]->along; }) >
+           rounding() ||
+         polygon_area(corners.size(), [&](std::size_t c) { return corners[c]->weight; }) >
+           rounding();
+}
+
+template <typename OutputIterator>
+OutputIterator write_pieces(Face_index f, const Surface_map& map, Face_cutter& cutter,
+                            Cell_joiner& joiner, OutputIterator out)
+{
+  const auto write = [&](const Cell& cell, const std::vector<const Face_point*>& corners) {
+    if(has_area(corners))
+      *out++ = projective_piece(f, cell, corners, map.coarse());
+  };
+  joiner.join(cutter.cut(f), cutter, write);
+  return out;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// writes the pieces of a face of the fine level: the convex polygons on each of which the map to the coarse level is
+/// one projective map (Section 5.2).
+///
+/// The face is carried through the operations and is cut by every edge that crosses it at any time. In the end parts are
+/// joined again, unless they are in different faces of the coarse level, or the scale was changed beside an edge while it was
+/// between them. So where nothing is scaled, the pieces are the polygons into which the edges of the coarse level cut the face.
+///
+/// The pieces are a subdivision of the face whatever rounding does. Edges that come to a point of another within rounding run through
+/// it; what has no more area than rounding on both levels is left out. A point carried by a matrix and by `Surface_map`
+/// comes to the same place up to the rounding of a product of as many matrices as there are operations: mostly 1e-13, and
+/// worse where a face has been part of long slivers.
+/// \param f a face of the fine level
+/// \param map the map
+/// \param out an output iterator to which `Projective_piece` can be assigned
+/// \returns the end of the output
+/// Complexity: linear in the parts into which edges of any time cut the face, times the operations that move a part and
+/// the logarithms of both numbers.
+template <typename OutputIterator>
+OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIterator out)
+{
+  internal::Face_cutter cutter(map);
+  internal::Cell_joiner joiner;
+  return internal::write_pieces(f, map, cutter, joiner, out);
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// writes the pieces of all faces of the fine level, face by face; otherwise as for one face.
+/// \param map the map
+/// \param out an output iterator to which `Projective_piece` can be assigned
+/// \returns the end of the output
+template <typename OutputIterator>
+OutputIterator projective_pieces(const Surface_map& map, OutputIterator out)
+{
+  internal::Face_cutter cutter(map);
+  internal::Cell_joiner joiner;
+  for(Face_index f : map.fine().mesh().faces())
+    out = internal::write_pieces(f, map, cutter, joiner, out);
+  return out;
+}
+
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_PROJECTIVE_PIECES_H
