@@ -12,6 +12,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,10 +45,12 @@ public:
     : m_range(mesh.number_of_vertices()), m_halfedge(mesh.number_of_halfedges())
   {
     size_type position = 0;
-    for(Vertex_index v : mesh.vertices()) {
+    Walk ahead(0, mesh);
+    for(size_type v = 0; v < m_range.size(); ++v) {
+      const Walk walk = std::exchange(ahead, Walk(v + 1, mesh)); // memory answers during this walk
       const size_type first = position;
-      if(!mesh.is_isolated(v))
-        position = number_spokes(v, position, mesh, number);
+      if(walk.first.is_valid())
+        position = number_spokes(walk, position, mesh, number);
       m_range[v] = {first, position - first};
     }
     if(position != mesh.number_of_halfedges())
@@ -91,18 +94,32 @@ private:
     size_type first = 0, degree = 0;
   };
 
+  // how a walk around a vertex begins; null if there is no vertex or no edge at it
+  struct Walk
+  {
+    Halfedge_index first, second;
+
+    Walk(size_type v, const Delta_complex& mesh)
+    {
+      if(v == mesh.number_of_vertices() || mesh.is_isolated(Vertex_index(v)))
+        return;
+      first = first_spoke(Vertex_index(v), mesh);
+      second = next_spoke(first, mesh);
+    }
+  };
+
   template <typename NumberMap>
-  size_type number_spokes(Vertex_index v, size_type position, const Delta_complex& mesh,
+  size_type number_spokes(const Walk& walk, size_type position, const Delta_complex& mesh,
                           NumberMap& number)
   {
-    const Halfedge_index first = first_spoke(v, mesh);
     size_type i = 0;
-    Halfedge_index h = first;
-    do {
+    m_halfedge[position++] = walk.first;
+    put(number, walk.first, i++);
+    // from the border halfedge on to the first one
+    for(Halfedge_index h = walk.second; h != walk.first; h = next_spoke(h, mesh)) {
       m_halfedge[position++] = h;
       put(number, h, i++);
-      h = next_spoke(h, mesh); // from the border halfedge on to the first one
-    } while(h != first);
+    }
     return position;
   }
 

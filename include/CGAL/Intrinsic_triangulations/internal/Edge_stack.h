@@ -9,6 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
+#include <boost/container/vector.hpp>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -22,7 +24,7 @@ class Edge_stack
 {
 public:
   explicit Edge_stack(std::size_t number_of_edges)
-    : m_edges(number_of_edges + 1), m_waits(number_of_edges, 0)
+    : m_edges(number_of_edges + 1, boost::container::default_init), m_waits(number_of_edges, 0)
   {}
 
   bool empty() const { return m_size == 0; }
@@ -31,7 +33,7 @@ public:
   {
     if(e.idx() >= m_waits.size()) {
       m_waits.resize(e.idx() + 1, 0);
-      m_edges.resize(m_waits.size() + 1);
+      m_edges.resize(m_waits.size() + 1, boost::container::default_init);
     }
     push_if(true, e);
   }
@@ -42,20 +44,20 @@ public:
   void push_if(bool is_wanted, Edge_index e)
   {
     const bool is_pushed = is_wanted & !m_waits[e.idx()];
-    m_edges[m_size] = e;
+    m_edges[m_size] = e.idx();
     m_size += is_pushed;
     m_waits[e.idx()] |= is_pushed;
   }
 
   Edge_index pop()
   {
-    const Edge_index e = m_edges[--m_size];
+    const Edge_index e(m_edges[--m_size]);
     m_waits[e.idx()] = false;
     return e;
   }
 
 private:
-  std::vector<Edge_index> m_edges; // one more than there can be
+  boost::container::vector<Delta_complex::size_type> m_edges; // one more than there can be
   std::vector<unsigned char> m_waits;
   std::size_t m_size = 0;
 };
