@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../Intrinsic_triangulations/data_meshes.h"
 #include "../Intrinsic_triangulations/known_surfaces.h"
 #include "../Intrinsic_triangulations/measuring.h"
 
@@ -11,7 +12,6 @@
 #include <CGAL/Discrete_conformal_maps/interpolation.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
@@ -660,24 +660,16 @@ TEST(Triple_subdivision, of_twisted_edges)
 
 TEST(Triple_subdivision, of_data_meshes)
 {
-  for(const std::string& file : data_meshes(200000)) {
-    SCOPED_TRACE(file);
-    Mesh mesh;
-    if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
-      continue;
-    try {
-      Triangulation ab(mesh);
-      IT::make_Delaunay(ab);
-      const Ideal_triangulation bc = ideally_flipped(ab, 1, 1);
-      const Subdivision s{Correspondence(ab), Ideal_correspondence(bc)};
-      EXPECT_TRUE(s.mesh().is_valid(false));
-      EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(mesh));
-      for(Face_index f : s.mesh().faces())
-        EXPECT_GE(sides_of(f, s).size(), 3u);
-    } catch(const IT::Invalid_input&) {
-      continue; // not a surface
-    }
-  }
+  for_each_data_mesh(200000, [](const Mesh& mesh) {
+    Triangulation ab(mesh);
+    IT::make_Delaunay(ab);
+    const Ideal_triangulation bc = ideally_flipped(ab, 1, 1);
+    const Subdivision s{Correspondence(ab), Ideal_correspondence(bc)};
+    EXPECT_TRUE(s.mesh().is_valid(false));
+    EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(mesh));
+    for(Face_index f : s.mesh().faces())
+      EXPECT_GE(sides_of(f, s).size(), 3u);
+  });
 }
 
 TEST(Triple_subdivision, of_the_empty_surface)

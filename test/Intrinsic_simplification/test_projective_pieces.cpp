@@ -4,13 +4,12 @@
 
 // The pieces on which the map between two levels is projective.
 
+#include "../Intrinsic_triangulations/data_meshes.h"
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_simplification/projective_pieces.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 
-#include <iostream>
 #include <iterator>
 
 namespace {
@@ -403,27 +402,15 @@ TEST(Projective_pieces, WithVerticesAsNearAsRounding)
 
 TEST(Projective_pieces, OfDataMeshes)
 {
-  std::size_t meshes = 0;
-  for(const std::string& file : data_meshes(100000)) {
-    SCOPED_TRACE(file);
-    Mesh mesh;
-    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) ||
-       !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0)
-      continue;
-    try {
-      const Simplified s(Evolving_surface(mesh), mesh.number_of_vertices() / 20);
-      const Surface_map map(s.surface, s.fine, s.coarse);
-      const Pieces pieces = all_pieces(map);
-      for(const Projective_piece& p : pieces)
-        for(const Level side : {Level::fine, Level::coarse})
-          EXPECT_GT(area(side, p), -1e-13);
-      expect_tiling(pieces, map);
-      ++meshes;
-    } catch(const IT::Invalid_input& e) {
-      std::cout << file << ": " << e.what() << '\n';
-    }
-  }
-  std::cout << meshes << " meshes\n";
+  for_each_data_mesh(100000, [](const Mesh& mesh) {
+    const Simplified s(Evolving_surface(mesh), mesh.number_of_vertices() / 20);
+    const Surface_map map(s.surface, s.fine, s.coarse);
+    const Pieces pieces = all_pieces(map);
+    for(const Projective_piece& p : pieces)
+      for(const Level side : {Level::fine, Level::coarse})
+        EXPECT_GT(area(side, p), -1e-13);
+    expect_tiling(pieces, map);
+  });
 }
 
 } // namespace

@@ -4,13 +4,11 @@
 
 // The common subdivision of two levels.
 
+#include "../Intrinsic_triangulations/data_meshes.h"
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-
-#include <iostream>
 
 namespace {
 
@@ -296,29 +294,17 @@ void expect_no_negative_areas(const Subdivision& subdivision, Level side)
 
 TEST(Subdivision, OfDataMeshes)
 {
-  std::size_t meshes = 0;
-  for(const std::string& file : data_meshes(100000)) {
-    SCOPED_TRACE(file);
-    Mesh mesh;
-    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) ||
-       !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0)
-      continue;
-    try {
-      for(const unsigned int n : {mesh.number_of_vertices() / 5, 0u}) {
-        const Simplified s(Evolving_surface(mesh), n);
-        const Surface_map map(s.surface, s.fine, s.coarse);
-        const Subdivision subdivision(map, Bends::of_all_edges);
-        expect_parents(subdivision);
-        expect_parts_of_coarse_edges(subdivision);
-        expect_no_negative_areas(subdivision, Level::fine);
-        expect_no_negative_areas(subdivision, Level::coarse);
-      }
-      ++meshes;
-    } catch(const IT::Invalid_input& e) {
-      std::cout << file << ": " << e.what() << '\n';
+  for_each_data_mesh(100000, [](const Mesh& mesh) {
+    for(const unsigned int n : {mesh.number_of_vertices() / 5, 0u}) {
+      const Simplified s(Evolving_surface(mesh), n);
+      const Surface_map map(s.surface, s.fine, s.coarse);
+      const Subdivision subdivision(map, Bends::of_all_edges);
+      expect_parents(subdivision);
+      expect_parts_of_coarse_edges(subdivision);
+      expect_no_negative_areas(subdivision, Level::fine);
+      expect_no_negative_areas(subdivision, Level::coarse);
     }
-  }
-  std::cout << meshes << " meshes\n";
+  });
 }
 
 } // namespace

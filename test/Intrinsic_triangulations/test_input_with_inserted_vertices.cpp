@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "equality.h"
 #include "generators.h"
 
@@ -9,12 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <vector>
 
 namespace {
@@ -170,24 +169,12 @@ TEST(Input_with_inserted_vertices, RefusesVerticesThatRoundingHasMoved)
 
 TEST(Input_with_inserted_vertices, OfDataMeshes)
 {
-  std::size_t meshes = 0;
-  for(const std::string& file : data_meshes(100000)) {
-    SCOPED_TRACE(file);
-    Mesh mesh;
-    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) ||
-       !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0)
-      continue;
-    try {
-      const Triangulation r = refined(Triangulation(mesh), IT::parameters::minimum_angle(25));
-      const Triangulation t = IT::input_with_inserted_vertices(r);
-      EXPECT_TRUE(t.is_valid(true));
-      EXPECT_EQ(t.mesh().number_of_vertices(), r.mesh().number_of_vertices());
-      ++meshes;
-    } catch(const IT::Invalid_input& e) {
-      std::cout << file << ": " << e.what() << '\n';
-    }
-  }
-  std::cout << meshes << " meshes\n";
+  for_each_data_mesh(100000, [](const Mesh& mesh) {
+    const Triangulation r = refined(Triangulation(mesh), IT::parameters::minimum_angle(25));
+    const Triangulation t = IT::input_with_inserted_vertices(r);
+    EXPECT_TRUE(t.is_valid(true));
+    EXPECT_EQ(t.mesh().number_of_vertices(), r.mesh().number_of_vertices());
+  });
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "generators.h"
 #include "measuring.h"
 #include "more_generators.h"
@@ -208,17 +209,10 @@ TEST(Refine, triangulations_far_from_Delaunay)
 
 TEST(Refine, data_meshes)
 {
-  for(const std::string& file : data_meshes(400000)) {
-    SCOPED_TRACE(file);
-    Mesh mesh;
-    try {
-      if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
-        continue;
-      Triangulation t(mesh);
-      check_refined(t, guaranteed_bound(t));
-    } catch(const IT::Invalid_input&) { // not a surface
-    }
-  }
+  for_each_data_mesh(400000, [](const Mesh& mesh) {
+    Triangulation t(mesh);
+    check_refined(t, guaranteed_bound(t));
+  });
 }
 
 TEST(Refine, same_bytes_every_time)
