@@ -55,6 +55,17 @@ inline Simplified simplified_by_curvature(Evolving_surface surface, std::size_t 
   return {std::move(surface), fine, coarse};
 }
 
+// two levels of a hierarchy, neither of them the surface as it was
+inline Simplified simplified_twice()
+{
+  Evolving_surface surface(random_sphere(300, 7));
+  simplify(surface, number_of_vertices(std::size_t(100)));
+  const Surface_level fine(surface);
+  simplify(surface, number_of_vertices(std::size_t(20)));
+  const Surface_level coarse(surface);
+  return {std::move(surface), fine, coarse};
+}
+
 template <typename Check>
 void for_each_random_surface(const Check& check)
 {

@@ -160,12 +160,8 @@ TEST(Projective_pieces, OfOneFace)
 
 TEST(Projective_pieces, OfLevelsOfAHierarchy)
 {
-  Evolving_surface surface(random_sphere(300, 7));
-  simplify(surface, number_of_vertices(std::size_t(100)));
-  const Surface_level fine(surface);
-  simplify(surface, number_of_vertices(std::size_t(20)));
-  const Surface_level coarse(surface);
-  const Surface_map map(surface, fine, coarse);
+  const Simplified s = simplified_twice();
+  const Surface_map map(s.surface, s.fine, s.coarse);
   const Pieces pieces = all_pieces(map);
   expect_tiling(pieces, map);
   expect_mapped(pieces, map, 1e-12);

@@ -159,16 +159,12 @@ TEST(Subdivision, HasPositivePolygons)
 
 TEST(Subdivision, OfLevelsOfAHierarchy)
 {
-  Evolving_surface surface(random_sphere(300, 7));
-  simplify(surface, number_of_vertices(std::size_t(100)));
-  const Surface_level fine(surface);
-  simplify(surface, number_of_vertices(std::size_t(20)));
-  const Surface_level coarse(surface);
-  const Surface_map map(surface, fine, coarse);
+  const Simplified s = simplified_twice();
+  const Surface_map map(s.surface, s.fine, s.coarse);
   const Subdivision subdivision(map, Bends::of_all_edges);
   expect_polygons(subdivision);
-  expect_areas(subdivision, Level::fine, fine);
-  expect_areas(subdivision, Level::coarse, coarse);
+  expect_areas(subdivision, Level::fine, s.fine);
+  expect_areas(subdivision, Level::coarse, s.coarse);
   expect_mapped(subdivision, map);
 }
 

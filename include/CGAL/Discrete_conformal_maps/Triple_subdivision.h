@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/Edge_marks.h>
 #include <CGAL/Discrete_conformal_maps/internal/Face_chords.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <array>
@@ -224,7 +225,10 @@ public:
   }
 
 private:
-  static Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
+  static Halfedge_index opposite(Halfedge_index h)
+  {
+    return Intrinsic_triangulations::internal::opposite(h);
+  }
 
   // ---- Pieces ----
 

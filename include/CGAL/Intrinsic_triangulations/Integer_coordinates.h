@@ -308,7 +308,7 @@ public:
   {
     m_n[edge_of(h)] = Integer(-1);
     m_r[h] = r_source;
-    m_r[Halfedge_index(h.idx() ^ 1)] = r_target;
+    m_r[internal::opposite(h)] = r_target;
   }
 
   /// sets the coordinates as they come from a file.

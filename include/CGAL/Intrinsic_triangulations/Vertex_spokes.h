@@ -84,7 +84,7 @@ public:
     m_range[v] = {};
     if(spoke.is_valid()) {
       m_range[v] = {static_cast<size_type>(m_halfedge.size()), 2};
-      m_halfedge.insert(m_halfedge.end(), {spoke, Halfedge_index(spoke.idx() ^ 1)});
+      m_halfedge.insert(m_halfedge.end(), {spoke, internal::opposite(spoke)});
     }
   }
 
@@ -135,7 +135,7 @@ inline Halfedge_index first_inserted_spoke(Halfedge_index along, bool is_border,
                                            bool opposite_is_border)
 {
   const bool is_first = opposite_is_border || (!is_border && along.idx() % 2 == 0);
-  return is_first ? along : Halfedge_index(along.idx() ^ 1);
+  return is_first ? along : opposite(along);
 }
 
 } // namespace internal

@@ -82,7 +82,7 @@ public:
   /// source of `h` to its target: a tangent vector is multiplied with it.
   std::complex<FT> transport(Halfedge_index h) const
   {
-    const Halfedge_index o(h.idx() ^ 1); // the opposite, as in every Surface_mesh
+    const Halfedge_index o = internal::opposite(h);
     return -std::polar(FT(1), angle(o) - angle(h));
   }
 

@@ -30,6 +30,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
+using Intrinsic_triangulations::internal::opposite;
+
 // The vertices and edges of a subdivision: the edges of the fine level with marks on them, and those of the coarse level as
 // chains of pieces. Halfedges are those of the subdivision where nothing else is said: an edge of the fine level
 // with n marks becomes n + 1 edges; a piece of the coarse level is another, unless it runs along an edge of the
@@ -171,13 +173,13 @@ public:
       return collect_spokes_of_fine_vertex(v, out);
     const size_type mark = m_mark_of_vertex[v], piece = m_piece_before[v];
     if(mark == none) {
-      out = {coarse_piece(piece + 1), twin(coarse_piece(piece))};
+      out = {coarse_piece(piece + 1), opposite(coarse_piece(piece))};
       return;
     }
     const auto& [left, right] = m_marks[mark].out;
     out.push_back(after_mark(mark));
     add_if_valid(left, out);
-    out.push_back(twin(before_mark(mark)));
+    out.push_back(opposite(before_mark(mark)));
     add_if_valid(right, out);
   }
 
@@ -269,8 +271,6 @@ private:
       throw Intrinsic_triangulations::Overflow_error("too many pieces for a subdivision");
     return static_cast<size_type>(n);
   }
-
-  static Halfedge_index twin(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
 
   bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
 
@@ -431,7 +431,7 @@ private:
   // the halfedge of the fine level from one corner to another
   Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::size_t to) const
   {
-    return to == (from + 1) % 3 ? side(s, from) : twin(side(s, to));
+    return to == (from + 1) % 3 ? side(s, from) : opposite(side(s, to));
   }
 
   // An edge of the coarse level that is one of the fine level takes its place. What else runs along that is put into a
@@ -476,10 +476,10 @@ private:
   template <typename Mesh>
   bool merge_with_fine_piece(Halfedge_index& h, const Mesh& mesh)
   {
-    for(Halfedge_index side : {h, twin(h)}) {
+    for(Halfedge_index side : {h, opposite(h)}) {
       const Halfedge_index other = mesh.next(side);
       if(mesh.next(other) == side && other.idx() / 2 < number_of_fine_pieces() && take(other)) {
-        h = side == h ? twin(other) : other;
+        h = side == h ? opposite(other) : other;
         return true;
       }
     }
@@ -495,7 +495,7 @@ private:
       const Coarse_piece& piece = m_pieces[p];
       const Curve_segment& s = piece.segment;
       add_to_mark(s, s.from, piece.marks[0], piece.halfedge);
-      add_to_mark(s, s.to, piece.marks[1], twin(piece.halfedge));
+      add_to_mark(s, s.to, piece.marks[1], opposite(piece.halfedge));
       if(is_single(s.from.corners)) {
         size_type end = p;
         while(m_pieces[end].segment.to.corners == 7)
@@ -507,7 +507,7 @@ private:
         while(m_pieces[start].segment.from.corners == 7)
           --start;
         add_chord_end(p, s.to, m_pieces[start].segment.from, m_pieces[start].marks[0],
-                      twin(piece.halfedge));
+                      opposite(piece.halfedge));
       }
     }
     std::sort(m_chord_ends.begin(), m_chord_ends.end());

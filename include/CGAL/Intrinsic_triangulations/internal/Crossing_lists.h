@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
 
@@ -48,7 +49,7 @@ public:
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
     const List& list = m_list[Edge_index(h)];
-    return is_even(h) ? list[m] : twin(list[list.size() - 1 - m]);
+    return is_even(h) ? list[m] : opposite(list[list.size() - 1 - m]);
   }
 
   // the number of crossings on the edge of `h`
@@ -81,7 +82,9 @@ public:
     m_list.resize(m_tri.mesh().num_edges());
     const List whole = m_list[Edge_index(mj)];
     const std::size_t first = count_of(im), second = count_of(mj), n = whole.size();
-    const auto at = [&](std::size_t m) { return is_even(mj) ? whole[m] : twin(whole[n - 1 - m]); };
+    const auto at = [&](std::size_t m) {
+      return is_even(mj) ? whole[m] : opposite(whole[n - 1 - m]);
+    };
     m_list[Edge_index(im)].resize(first);
     m_list[Edge_index(mj)].resize(second);
     for(std::size_t m = 0; m < first; ++m)
@@ -99,8 +102,6 @@ public:
 
 private:
   static bool is_even(Halfedge_index h) { return h.idx() % 2 == 0; }
-  static Halfedge_index twin(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
-
   // the length of the list that the edge of `h` should have
   std::size_t count_of(Halfedge_index h) const
   {
@@ -115,7 +116,7 @@ private:
     if(is_even(h))
       list[m] = input;
     else
-      list[list.size() - 1 - m] = twin(input);
+      list[list.size() - 1 - m] = opposite(input);
   }
 
   // Makes the list of an edge from those around it. A shared edge across it is in none of those: it is
@@ -127,7 +128,7 @@ private:
     const Halfedge_index h(2 * e.idx());
     m_list[e].assign(count_of(h), diagonal);
     copy_from_beyond(h);
-    copy_from_beyond(twin(h));
+    copy_from_beyond(opposite(h));
   }
 
   // The curves that cross `h` and then cut off the corner at its source or target are those that cross the

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 
 #include <cstddef>
@@ -79,7 +80,7 @@ private:
       if(c.halfedge.idx() % 2 == 0)
         m_crossing[m_first[e] + number] = input;
       else
-        m_crossing[m_first[e.idx() + 1] - 1 - number] = Halfedge_index(input.idx() ^ 1);
+        m_crossing[m_first[e.idx() + 1] - 1 - number] = opposite(input);
     } while(coordinates.advance(c, mesh) != Turn::ends);
   }
 
