@@ -3,10 +3,10 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Sets up what is missing, builds the program, makes two meshes Delaunay, a real one of CGAL's and one
-# that this repository ships, refines two bad real ones to angles of 25 degrees, flattens two others, a closed
-# one through cones and one with boundary to a disk, maps one to the sphere and one to the hyperbolic plane, and
-# simplifies one.
+# Sets up what is missing, builds the program, makes two meshes Delaunay, a real one of CGAL's and
+# one that this repository ships, refines two bad real ones to angles of 25 degrees, flattens two
+# others, a closed one through cones and one with boundary to a disk, maps one to the sphere and one
+# to the hyperbolic plane, and simplifies one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 trap 'echo "demo.sh: failed at: $BASH_COMMAND" >&2' ERR

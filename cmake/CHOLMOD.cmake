@@ -2,8 +2,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Adds the target CGAL_intrinsic_triangulations::CHOLMOD if SuiteSparse is found: the package with CHOLMOD's
-# factorizations. Used by the build, and by the installed package when an application asks for it.
+# Adds the target CGAL_intrinsic_triangulations::CHOLMOD if SuiteSparse is found: the package with
+# CHOLMOD's factorizations. Used by the build, and by the installed package when an application asks
+# for it.
 
 find_path(SuiteSparse_INCLUDE_DIR suitesparse/cholmod.h)
 find_library(CHOLMOD_LIBRARY cholmod)

@@ -2,8 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Parses the large headers of other libraries once for all source files of `target`, and of others that name it in
-# REUSE_FROM: they take most of the time where there are many files.
+# Parses the large headers of other libraries once for all source files of `target`, and of others
+# that name it in REUSE_FROM: they take most of the time where there are many files.
 function(precompile_dependencies target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "REUSE_FROM" "")
   # ccache can only cache g++'s use of a precompiled header with this.

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-// What the commands on intrinsic triangulations do alike: they read a mesh, go through stages, each of
-// them timed, gather statistics, and let all files appear together at the end.
+// What the commands on intrinsic triangulations do alike: they read a mesh, go through stages, each
+// of them timed, gather statistics, and let all files appear together at the end.
 class Command_run
 {
 public:
@@ -40,8 +40,8 @@ public:
     return stage();
   }
 
-  // Begins a stage that lasts until the next or until `end_stage()`. The seconds of stages with the same
-  // name are added up.
+  // Begins a stage that lasts until the next or until `end_stage()`. The seconds of stages with the
+  // same name are added up.
   void start_stage(const std::string& name)
   {
     end_stage(); // before the seconds move

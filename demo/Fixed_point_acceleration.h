@@ -10,14 +10,15 @@
 #include <cstddef>
 #include <deque>
 
-// Finds a fixed point of a function in fewer evaluations than by repeating it: goes to where the last ones, seen
-// as those of a linear function, say that it is (Anderson's method).
+// Finds a fixed point of a function in fewer evaluations than by repeating it: goes to where the
+// last ones, seen as those of a linear function, say that it is (Anderson's method).
 class Fixed_point_acceleration
 {
   using Vector = Eigen::VectorXd;
 
 public:
-  // Where to evaluate the function after its value at `x` is `image`. The sum of entries is that of the images.
+  // Where to evaluate the function after its value at `x` is `image`. The sum of entries is that of
+  // the images.
   Vector next(const Vector& x, const Vector& image);
 
 private:

@@ -9,13 +9,14 @@
 
 #include <string>
 
-// Text formats; PLY and VTP carry the attributes, all but OFF the texture. PLY has the edges, VTP the lines; in VTP, lines
-// come before polygons, and what only one kind has is -1 for the other. The texture:
+// Text formats; PLY and VTP carry the attributes, all but OFF the texture. PLY has the edges, VTP
+// the lines; in VTP, lines come before polygons, and what only one kind has is -1 for the other.
+// The texture:
 // - OBJ as vt, at the corners of faces;
 // - PLY as a property of faces, a list "texcoord" with two numbers for each corner, or
 //   "homogeneous_texcoord" with three;
-// - VTP as a property of points with these names; where corners at a point differ, the point is repeated
-//   after all others.
+// - VTP as a property of points with these names; where corners at a point differ, the point is
+//   repeated after all others.
 enum class Mesh_format
 {
   OFF,
@@ -24,8 +25,8 @@ enum class Mesh_format
   VTP
 };
 
-// The format of the file `path`, by its extension; on standard output (-) the one with the name `name`.
-// Throws Program_error if there is none.
+// The format of the file `path`, by its extension; on standard output (-) the one with the name
+// `name`. Throws Program_error if there is none.
 Mesh_format output_format(const std::string& path, const std::string& name);
 
 // Whether a file carries the attributes of points and polygons.

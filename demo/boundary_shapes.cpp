@@ -159,8 +159,8 @@ std::array<Mesh::Vertex_index, 4> rectangle_corners(const Mesh& mesh, const Boun
   return result;
 }
 
-// Half the angle under which the centre sees an edge of length l, in a circle with the diameter 1 / x, is
-// asin(l x); if the centre is outside, this is pi less that for the longest.
+// Half the angle under which the centre sees an edge of length l, in a circle with the diameter 1 /
+// x, is asin(l x); if the centre is outside, this is pi less that for the longest.
 std::vector<double> circle_angles(const std::vector<double>& length)
 {
   const std::size_t n = length.size();

@@ -20,16 +20,17 @@ using Boundary_loop = std::vector<Mesh::Vertex_index>;
 // Throws Program_error, which names `path`, unless every component has one loop.
 std::vector<Boundary_loop> single_boundary_loops(const Mesh& mesh, const std::string& path);
 
-// The four vertices of a loop that are to be corners: as far apart along it as is possible while the sum
-// of their exterior angles is nine tenths of that of the four sharpest, or more.
+// The four vertices of a loop that are to be corners: as far apart along it as is possible while
+// the sum of their exterior angles is nine tenths of that of the four sharpest, or more.
 // Precondition: the loop has four vertices.
 std::array<Mesh::Vertex_index, 4> rectangle_corners(const Mesh& mesh, const Boundary_loop& loop);
 
-// The exterior angles of the polygon in a circle whose edges have these lengths: at the start of each edge.
-// Precondition: no length is zero, none is greater than the others together.
+// The exterior angles of the polygon in a circle whose edges have these lengths: at the start of
+// each edge. Precondition: no length is zero, none is greater than the others together.
 std::vector<double> circle_angles(const std::vector<double>& length);
 
-// The length in space of the edge of the boundary that starts at each vertex, in the order of loops.
+// The length in space of the edge of the boundary that starts at each vertex, in the order of
+// loops.
 std::vector<double> boundary_lengths(const Mesh& mesh);
 
 // The same in the plane.

@@ -60,8 +60,8 @@ struct Refine_options
   Refinement_bounds bounds;
 };
 
-// Inserts vertices into the intrinsic Delaunay triangulation until its faces obey the bounds, and writes
-// its common subdivision with the input. Returns the exit code.
+// Inserts vertices into the intrinsic Delaunay triangulation until its faces obey the bounds, and
+// writes its common subdivision with the input. Returns the exit code.
 int refine(const Common_options& common, const Refine_options& options);
 
 struct Distance_options
@@ -74,8 +74,8 @@ struct Distance_options
   double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
 };
 
-// Computes distances on the intrinsic Delaunay triangulation, refined if that is wanted, and writes the input with them.
-// Returns the exit code.
+// Computes distances on the intrinsic Delaunay triangulation, refined if that is wanted, and writes
+// the input with them. Returns the exit code.
 int distance(const Common_options& common, const Distance_options& options);
 
 struct Operators_options
@@ -101,8 +101,8 @@ struct Flatten_options
   bool is_modulus_wanted = false; // of a torus or annulus without cones
 };
 
-// Maps the surface to the plane, discretely conformally, and writes the common subdivision of its three
-// triangulations with texture coordinates. Returns the exit code.
+// Maps the surface to the plane, discretely conformally, and writes the common subdivision of its
+// three triangulations with texture coordinates. Returns the exit code.
 int flatten(const Common_options& common, const Flatten_options& options);
 
 struct Hyperbolic_options
@@ -115,12 +115,13 @@ struct Hyperbolic_options
   int depth = 3;       // of the tiling in the picture
 };
 
-// Gives the surface curvature -1, maps it to the hyperbolic plane, and writes the common subdivision with texture
-// coordinates in the disk, and a picture of the tiling. Returns the exit code.
+// Gives the surface curvature -1, maps it to the hyperbolic plane, and writes the common
+// subdivision with texture coordinates in the disk, and a picture of the tiling. Returns the exit
+// code.
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options);
 
-// Gives the surface the constant curvature of its topology: as `flatten()` or `hyperbolic()`, of whose options the
-// latter serve for both. Returns the exit code.
+// Gives the surface the constant curvature of its topology: as `flatten()` or `hyperbolic()`, of
+// whose options the latter serve for both. Returns the exit code.
 int uniformize(const Common_options& common, const Hyperbolic_options& options);
 
 struct Sphere_options
@@ -130,8 +131,8 @@ struct Sphere_options
   std::string precise;        // positions in all digits; empty if not wanted
 };
 
-// Maps the surface to the sphere or a hemisphere, discretely conformally, and writes the common subdivision of its
-// three triangulations there. Returns the exit code.
+// Maps the surface to the sphere or a hemisphere, discretely conformally, and writes the common
+// subdivision of its three triangulations there. Returns the exit code.
 int sphere(const Common_options& common, const Sphere_options& options);
 
 struct Simplify_options
@@ -148,9 +149,9 @@ struct Simplify_options
   double minimum_angle = 0; // of the refined triangulation, in degrees; 0 for no refinement
 };
 
-// Removes vertices from the intrinsic Delaunay triangulation, refined if that is wanted, and writes its common
-// subdivision with the coarse triangulation, and the matrices that take functions from coarse vertices to those of
-// the level before. Returns the exit code.
+// Removes vertices from the intrinsic Delaunay triangulation, refined if that is wanted, and writes
+// its common subdivision with the coarse triangulation, and the matrices that take functions from
+// coarse vertices to those of the level before. Returns the exit code.
 int simplify(const Common_options& common, const Simplify_options& options);
 
 #endif // INTRINSIC_COMMANDS_H

@@ -49,7 +49,8 @@ public:
   // the corners of the domain, counterclockwise
   const std::vector<Complex>& corners() const { return m_corners; }
 
-  // The domain comes first. An image farther away than a pixel from the boundary of the disk is left out.
+  // The domain comes first. An image farther away than a pixel from the boundary of the disk is
+  // left out.
   std::vector<Tile> tiles(int depth) const
   {
     std::vector<Tile> result{{Motion(), 0}};
@@ -96,8 +97,8 @@ private:
   std::vector<Motion> m_sides;
 };
 
-// Continues a path along the geodesic from `from` to `to`, an arc of a circle that meets the unit circle at right
-// angles: its center c has 2 Re(c conj(z)) = 1 + |z|^2 for both points z.
+// Continues a path along the geodesic from `from` to `to`, an arc of a circle that meets the unit
+// circle at right angles: its center c has 2 Re(c conj(z)) = 1 + |z|^2 for both points z.
 void add_geodesic(std::ostream& out, const Complex& from, const Complex& to)
 {
   const double det = from.real() * to.imag() - to.real() * from.imag();

@@ -9,8 +9,9 @@
 
 #include <string>
 
-// An SVG picture of the Poincare disk for each component: the fundamental domain, and its images across `depth` sides,
-// as far as they can be seen. With cones only the domain, since its images overlap.
+// An SVG picture of the Poincare disk for each component: the fundamental domain, and its images
+// across `depth` sides, as far as they can be seen. With cones only the domain, since its images
+// overlap.
 std::string disk_picture(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
                          int depth);
 

@@ -114,8 +114,8 @@ private:
     }
   }
 
-  // Of the corner at the target of `h` and those beside it, up to seams: rounding has made them a little
-  // different.
+  // Of the corner at the target of `h` and those beside it, up to seams: rounding has made them a
+  // little different.
   void add_coordinates(Halfedge_index h)
   {
     Halfedge_index first = h;

@@ -15,36 +15,36 @@
 
 #include <vector>
 
-// The common subdivision of the three triangulations of a map, as far as it belongs to the input, with the
-// map as texture: in homogeneous coordinates (x w, y w, w), which are linear on each face, or as positions
-// (x, y), between which the map is projective, not linear. The vertices of the input come first. -1 stands
-// for none:
-// - of a vertex: the number of the input vertex, whether a cone is there, and the logarithmic scale factor
-//   (linear on faces of the input);
-// - of an edge: the edges of the three triangulations of which it is a part, and whether its two faces are
-//   apart in the plane;
+// The common subdivision of the three triangulations of a map, as far as it belongs to the input,
+// with the map as texture: in homogeneous coordinates (x w, y w, w), which are linear on each face,
+// or as positions (x, y), between which the map is projective, not linear. The vertices of the
+// input come first. -1 stands for none:
+// - of a vertex: the number of the input vertex, whether a cone is there, and the logarithmic scale
+//   factor (linear on faces of the input);
+// - of an edge: the edges of the three triangulations of which it is a part, and whether its two
+//   faces are apart in the plane;
 // - of a face: the faces of the three of which it is a part.
-// In the edges and faces of the input, these have their numbers; those of the other two are of the double,
-// if there is a boundary.
+// In the edges and faces of the input, these have their numbers; those of the other two are of the
+// double, if there is a boundary.
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
                       const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);
 
-// The same for a map to the hyperbolic plane: homogeneous coordinates are those of Klein's disk, positions those in the
-// Poincare disk.
+// The same for a map to the hyperbolic plane: homogeneous coordinates are those of Klein's disk,
+// positions those in the Poincare disk.
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
                       const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);
 
-// The weights of the vertices of the input (columns) in those of the same mesh (rows): functions that are
-// linear on the faces of the input are interpolated by it.
+// The weights of the vertices of the input (columns) in those of the same mesh (rows): functions
+// that are linear on the faces of the input are interpolated by it.
 Eigen::SparseMatrix<double>
 interpolation_matrix(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
                      const Mesh& input);
 
-// Adds how many triangles are flipped in the plane or have no area there, with linear texture coordinates.
-// Polygons are cut into triangles from their first corners. A triangle that rounding of its points may have
-// taken all area in space does not count.
+// Adds how many triangles are flipped in the plane or have no area there, with linear texture
+// coordinates. Polygons are cut into triangles from their first corners. A triangle that rounding
+// of its points may have taken all area in space does not count.
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh);
 
 #endif // INTRINSIC_FLAT_MESH_H

@@ -14,9 +14,10 @@
 
 using Conditions = std::vector<CGAL::Discrete_conformal_maps::Vertex_condition>;
 
-// What the options prescribe at each vertex of the mesh, as far as it does not depend on the result: the
-// boundary of a disk has the exterior angles of a circle with the lengths that edges have in space.
-// Throws Program_error if the files are wrong, or the mesh is not for this boundary; names `path`.
+// What the options prescribe at each vertex of the mesh, as far as it does not depend on the
+// result: the boundary of a disk has the exterior angles of a circle with the lengths that edges
+// have in space. Throws Program_error if the files are wrong, or the mesh is not for this boundary;
+// names `path`.
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh,
                                  const std::string& path);
 
@@ -24,9 +25,9 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
 // Throws Program_error if the file is wrong.
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
-// Makes the exterior angles of each component those of a polygon in a circle whose edges have these lengths;
-// each belongs to the vertex at the start of the edge. Returns the greatest change of an angle.
-// Precondition: each component has one boundary loop.
+// Makes the exterior angles of each component those of a polygon in a circle whose edges have these
+// lengths; each belongs to the vertex at the start of the edge. Returns the greatest change of an
+// angle. Precondition: each component has one boundary loop.
 double set_circle(Conditions& conditions, const Mesh& mesh, const std::vector<double>& length);
 
 // Throws Program_error if the words after --boundary make no sense.

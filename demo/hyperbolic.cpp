@@ -96,8 +96,8 @@ private:
       statistics["groups"].push_back(description(map.group(c)));
   }
 
-  // Generators as real and imaginary parts of a and b; the relation as numbers of generators, from 1, negative for
-  // inverse ones.
+  // Generators as real and imaginary parts of a and b; the relation as numbers of generators, from
+  // 1, negative for inverse ones.
   static Statistics description(const CM::Fuchsian_group& group)
   {
     Statistics result{{"genus", group.genus}, {"area", group.area}};

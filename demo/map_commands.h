@@ -34,8 +34,8 @@ Mesh_format format_with_texture(const std::string& path, const std::string& form
 // Throws std::runtime_error if the minimization of a map has not converged.
 void check_convergence(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
 
-// Adds the range of the logarithmic scale factors, which vertices without faces have not, the numbers of flips and the size
-// of the output.
+// Adds the range of the logarithmic scale factors, which vertices without faces have not, the
+// numbers of flips and the size of the output.
 void describe_sizes(Statistics& statistics,
                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
                     const Mesh& input, const Output_mesh& result);

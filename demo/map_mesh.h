@@ -13,8 +13,9 @@
 #include <string>
 #include <vector>
 
-// The common subdivision of the three triangulations of a map, as far as it belongs to the input. The vertices of the
-// input come first. This is what the meshes of all kinds of maps have in common.
+// The common subdivision of the three triangulations of a map, as far as it belongs to the input.
+// The vertices of the input come first. This is what the meshes of all kinds of maps have in
+// common.
 class Map_mesh_builder
 {
 protected:

@@ -11,13 +11,14 @@
 #include <string>
 #include <vector>
 
-// The weights of curvature, of area and its change, and of functions on the vertices in the cost of a removal, by their
-// names.
+// The weights of curvature, of area and its change, and of functions on the vertices in the cost of
+// a removal, by their names.
 class Cost_weights
 {
 public:
   // From texts "name=value"; curvature, area and its change have their defaults.
-  // Throws Program_error if a text is not of this form, a value is negative, or no weight but that of the change is positive.
+  // Throws Program_error if a text is not of this form, a value is negative, or no weight but that
+  // of the change is positive.
   explicit Cost_weights(const std::vector<std::string>& texts);
 
   // Reads the functions that have weights, from the file of the mesh.

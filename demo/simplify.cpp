@@ -174,7 +174,8 @@ private:
                     [&](Mesh::Vertex_index v) { return mesh.is_isolated(v); }));
   }
 
-  // How many vertices are to be left on a level, those without faces included; zero if something else is the target.
+  // How many vertices are to be left on a level, those without faces included; zero if something
+  // else is the target.
   std::size_t target(std::size_t level)
   {
     if(m_options.maximum_cost)

@@ -15,7 +15,8 @@ Vertex_kind kind(const Subdivision& subdivision, IT::Vertex_index v)
   return subdivision.is_intrinsic_vertex(v) ? Vertex_kind::inserted : Vertex_kind::crossing;
 }
 
-// The place on the first halfedge of the edge of `side` inside which `v` lies; null if there is none.
+// The place on the first halfedge of the edge of `side` inside which `v` lies; null if there is
+// none.
 IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Side side,
                                          IT::Vertex_index v)
 {

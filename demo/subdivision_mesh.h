@@ -13,9 +13,9 @@ using Subdivision = CGAL::Intrinsic_triangulations::Common_subdivision<
   CGAL::Intrinsic_triangulations::Euclidean_geometry_traits<double>, Point>;
 
 // The subdivision with the origin of its elements, where -1 stands for none:
-// - of a vertex: its kind (0 for a vertex of the input, 1 for a crossing, 2 for an inserted vertex), the
-//   number of the input vertex, and the edges of the input and of the intrinsic triangulation inside
-//   which it lies, with its place on the first halfedge of each;
+// - of a vertex: its kind (0 for a vertex of the input, 1 for a crossing, 2 for an inserted
+//   vertex), the number of the input vertex, and the edges of the input and of the intrinsic
+//   triangulation inside which it lies, with its place on the first halfedge of each;
 // - of an edge: the edges of both triangulations of which it is a part;
 // - of a face: the faces of both triangulations of which it is a part.
 Output_mesh subdivision_mesh(const Subdivision& subdivision);

@@ -16,14 +16,17 @@ using Triangulation = CGAL::Intrinsic_triangulations::Intrinsic_triangulation<>;
 
 using Edge_length_map = Mesh::Property_map<Mesh::Edge_index, double>;
 
-// The lengths of the edges of the input, mollified if that is wanted; what was added in the statistics.
+// The lengths of the edges of the input, mollified if that is wanted; what was added in the
+// statistics.
 Edge_length_map edge_lengths(Command_run& run);
 
-// The stages "build" and "flip": the intrinsic Delaunay triangulation of the input, mollified if that is
-// wanted. Edges at which the normals differ by `constrained_angle` degrees or more stay; zero for none.
+// The stages "build" and "flip": the intrinsic Delaunay triangulation of the input, mollified if
+// that is wanted. Edges at which the normals differ by `constrained_angle` degrees or more stay;
+// zero for none.
 Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle = 0);
 
-// The stage "refine": inserts vertices until the faces obey the bounds; how it went in the statistics.
+// The stage "refine": inserts vertices until the faces obey the bounds; how it went in the
+// statistics.
 void refine_triangulation(Command_run& run, Triangulation& triangulation,
                           const Refinement_bounds& bounds);
 

@@ -2,8 +2,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What g++ accepts, clang++ compiles too, with the same warnings as errors. Not optimised, since only the
-# diagnostics matter, and without precompiled headers, which could hide that an #include is missing.
+# What g++ accepts, clang++ compiles too, with the same warnings as errors. Not optimised, since
+# only the diagnostics matter, and without precompiled headers, which could hide that an #include is
+# missing.
 find_program(CLANGXX clang++)
 if(NOT CLANGXX OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   return()

@@ -2,7 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Every header that users include compiles on its own: one object per header that includes nothing else.
+# Every header that users include compiles on its own: one object per header that includes nothing
+# else.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS
   RELATIVE "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/include/*.h")
 list(FILTER headers EXCLUDE REGEX "/internal/")

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where the time of flattening goes (Figure 4.24), in seconds of CPU time and in percent, how it grows (with
-// the number of vertices to the power printed last), and the greatest memory. Arguments are names of meshes,
-// or numbers of vertices of the largest spheres and tori to be generated.
+// Where the time of flattening goes (Figure 4.24), in seconds of CPU time and in percent, how it
+// grows (with the number of vertices to the power printed last), and the greatest memory. Arguments
+// are names of meshes, or numbers of vertices of the largest spheres and tori to be generated.
 
 #include "stages.h"
 

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How often there are scale factors with flips, and in the triangulation of the input, as Figure 4.20 has it:
-// on near-degenerate meshes, with cones where the greedy choice puts them, and for hard cones. Both get the
-// same cones. The numbers of meshes and of sets of cones can be given; they are those of the tests.
+// How often there are scale factors with flips, and in the triangulation of the input, as Figure
+// 4.20 has it: on near-degenerate meshes, with cones where the greedy choice puts them, and for
+// hard cones. Both get the same cones. The numbers of meshes and of sets of cones can be given;
+// they are those of the tests.
 
 #include "../../test/Discrete_conformal_maps/hard_cones.h"
 #include "../Intrinsic_triangulations/measure.h"

@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Geodesic distances on coarse surfaces, prolonged: error against speed-up, beside the heat method on the fine surface
-// and exact distances after edge collapses with quadrics (Figures 5.8 and 5.9); and all pairs (Figure 5.10).
-// Of connected meshes on the command line, or of some of CGAL's. Errors are means over five sources, relative to the
-// mean distance; truth are exact distances on the fine surface. Times are for one source, without simplification.
+// Geodesic distances on coarse surfaces, prolonged: error against speed-up, beside the heat method
+// on the fine surface and exact distances after edge collapses with quadrics (Figures 5.8 and 5.9);
+// and all pairs (Figure 5.10). Of connected meshes on the command line, or of some of CGAL's.
+// Errors are means over five sources, relative to the mean distance; truth are exact distances on
+// the fine surface. Times are for one source, without simplification.
 
 #include "../Intrinsic_triangulations/measure.h"
 #include "quadric_simplification.h"

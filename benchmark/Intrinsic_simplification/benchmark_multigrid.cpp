@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Poisson problem by multigrid on a hierarchy of surfaces, and by Eigen's Cholesky factorization: CPU seconds, and
-// bytes of matrix entries. Of the meshes on the command line, or of some of CGAL's and of tori of growing size.
+// A Poisson problem by multigrid on a hierarchy of surfaces, and by Eigen's Cholesky factorization:
+// CPU seconds, and bytes of matrix entries. Of the meshes on the command line, or of some of CGAL's
+// and of tori of growing size.
 
 #include "../Intrinsic_triangulations/measure.h"
 #include "surfaces.h"

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How well a Poisson equation is solved on a coarse surface (see Poisson_comparison.h): simplified by edge collapses
-// with quadrics, and intrinsically with several weights of area beside curvature, and by the default cost. Of the meshes
-// on the command line, or of some of CGAL's and generated ones.
+// How well a Poisson equation is solved on a coarse surface (see Poisson_comparison.h): simplified
+// by edge collapses with quadrics, and intrinsically with several weights of area beside curvature,
+// and by the default cost. Of the meshes on the command line, or of some of CGAL's and generated
+// ones.
 
 #include "Poisson_comparison.h"
 #include "quadric_simplification.h"

@@ -68,7 +68,8 @@ inline Mesh bumpy_torus(unsigned n)
   return mesh;
 }
 
-// A cylinder of radius one and length four along the third axis, with half a sphere at each end: `n` vertices around.
+// A cylinder of radius one and length four along the third axis, with half a sphere at each end:
+// `n` vertices around.
 inline Mesh capsule(unsigned n)
 {
   const unsigned cap = n / 4, wall = 2 * n / 3, rings = 2 * cap + wall - 1;

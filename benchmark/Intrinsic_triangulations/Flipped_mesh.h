@@ -15,8 +15,8 @@
 
 namespace Methods {
 
-// T1, and T2 with its lengths and nothing else. The decisions and lengths are those of the library, so
-// that methods differ in their correspondence alone.
+// T1, and T2 with its lengths and nothing else. The decisions and lengths are those of the library,
+// so that methods differ in their correspondence alone.
 class Flipped_mesh
 {
 public:

@@ -16,9 +16,10 @@
 
 namespace Methods {
 
-// The explicit overlay (Fisher, Springborn, Schroeder, Bobenko 2006): the common subdivision is there all
-// the time, and every flip changes it. Which curves of T1 the new edge crosses, and in which order,
-// follows from the connectivity alone. A flip takes time linear in the crossings of its quadrangle.
+// The explicit overlay (Fisher, Springborn, Schroeder, Bobenko 2006): the common subdivision is
+// there all the time, and every flip changes it. Which curves of T1 the new edge crosses, and in
+// which order, follows from the connectivity alone. A flip takes time linear in the crossings of
+// its quadrangle.
 class Overlay_baseline
 {
 public:
@@ -77,8 +78,9 @@ private:
 
   // ---- Insertion ----
 
-  // The quadrangle k-i-l-j around the new edge of T2 from k to l, with curves of T1 in it and nothing
-  // else. Its boundary from k by way of i to l is before l, that from l by way of j to k after l.
+  // The quadrangle k-i-l-j around the new edge of T2 from k to l, with curves of T1 in it and
+  // nothing else. Its boundary from k by way of i to l is before l, that from l by way of j to k
+  // after l.
   struct Quadrangle
   {
     Halfedge_index kl, lk, ki, il, lj, jk;

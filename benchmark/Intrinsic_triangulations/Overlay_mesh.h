@@ -12,9 +12,9 @@
 
 namespace Methods {
 
-// The mesh into which the edges of T1 and T2 cut the surface, as halfedges that change. A halfedge knows
-// the halfedges of T1 and of T2 along which it runs, if any; its twin has the number with the last bit
-// changed.
+// The mesh into which the edges of T1 and T2 cut the surface, as halfedges that change. A halfedge
+// knows the halfedges of T1 and of T2 along which it runs, if any; its twin has the number with the
+// last bit changed.
 class Overlay_mesh
 {
 public:

@@ -22,8 +22,8 @@
 
 namespace Methods {
 
-// Signposts (Sharp, Soliman, Crane 2019): every halfedge of T2 knows its direction in the tangent space
-// of T1 at its source. An edge is found on T1 by walking in this direction for its length.
+// Signposts (Sharp, Soliman, Crane 2019): every halfedge of T2 knows its direction in the tangent
+// space of T1 at its source. An edge is found on T1 by walking in this direction for its length.
 class Signpost_baseline
 {
 public:

@@ -25,9 +25,9 @@ struct Traced_curve
 };
 
 // Finds out whether traced curves are the edges of a triangulation with the connectivity of T2, and
-// counts the pieces into which they cut T1. The curves must start and end at the right vertices, must
-// not meet each other, and must leave every vertex in the order of T2. T1 has no loops and no parallel
-// edges.
+// counts the pieces into which they cut T1. The curves must start and end at the right vertices,
+// must not meet each other, and must leave every vertex in the order of T2. T1 has no loops and no
+// parallel edges.
 class Traced_curves
 {
 public:

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How costs grow where degrees or crossings are extreme: bipyramids over ever more points, and thin
-// cylinders sheared by ever more twists. Constant time per flip and linear time per crossing show as
-// columns that stay the same.
+// cylinders sheared by ever more twists. Constant time per flip and linear time per crossing show
+// as columns that stay the same.
 
 #include "measure.h"
 
@@ -44,8 +44,8 @@ Mesh bipyramid(unsigned n)
   return mesh;
 }
 
-// The lengths of a strip of `n` quadrangles around a cylinder of circumference 1 and the given height,
-// whose diagonals lead `twists` times around it.
+// The lengths of a strip of `n` quadrangles around a cylinder of circumference 1 and the given
+// height, whose diagonals lead `twists` times around it.
 struct Sheared_cylinder
 {
   Mesh mesh;

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Delaunay refinement: on meshes named as arguments or on CGAL's own; against CGAL's planar mesher, which
-// has no correspondence, on one domain; and how the time for an insertion grows with the size of the mesh,
-// the degree of vertices and the length of input edges.
+// Delaunay refinement: on meshes named as arguments or on CGAL's own; against CGAL's planar mesher,
+// which has no correspondence, on one domain; and how the time for an insertion grows with the size
+// of the mesh, the degree of vertices and the length of input edges.
 
 #include "measure.h"
 

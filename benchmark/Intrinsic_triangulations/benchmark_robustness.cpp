@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How often three ways to keep the correspondence survive flips to Delaunay on near-degenerate meshes, as
-// Table 3.1 has it: the explicit overlay, signposts, and integer coordinates. The number of meshes can be
-// given; meshes are those of the tests. A subdivision counts as found if its connectivity is that of a
-// subdivision of T1 by curves with the connectivity of T2.
+// How often three ways to keep the correspondence survive flips to Delaunay on near-degenerate
+// meshes, as Table 3.1 has it: the explicit overlay, signposts, and integer coordinates. The number
+// of meshes can be given; meshes are those of the tests. A subdivision counts as found if its
+// connectivity is that of a subdivision of T1 by curves with the connectivity of T2.
 
 #include "../../test/Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "Integer_coordinate_method.h"

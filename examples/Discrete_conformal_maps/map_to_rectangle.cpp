@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Maps a disk to a rectangle: four vertices of the boundary get right angles, the rest of it becomes straight.
+// Maps a disk to a rectangle: four vertices of the boundary get right angles, the rest of it
+// becomes straight.
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>

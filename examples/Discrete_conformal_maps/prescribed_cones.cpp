@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Makes a tetrahedron with equal faces of a closed surface without handles: four cones of curvature pi, flat
-// everywhere else.
+// Makes a tetrahedron with equal faces of a closed surface without handles: four cones of curvature
+// pi, flat everywhere else.
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Simple_cartesian.h>

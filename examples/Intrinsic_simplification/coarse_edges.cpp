@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Draws the edges of a coarse surface on the input: traces one of them, and writes the common subdivision of both
-// levels with the coarse face of each of its faces.
+// Draws the edges of a coarse surface on the input: traces one of them, and writes the common
+// subdivision of both levels with the coarse face of each of its faces.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>

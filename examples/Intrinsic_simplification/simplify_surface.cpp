@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplifies a surface to a twentieth of its vertices, takes a point there and back, solves a Poisson equation on
-// the coarse surface, and takes the solution to the input, where it is compared with the fine solution.
+// Simplifies a surface to a twentieth of its vertices, takes a point there and back, solves a
+// Poisson equation on the coarse surface, and takes the solution to the input, where it is compared
+// with the fine solution.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
@@ -22,7 +23,8 @@ namespace IS = CGAL::Intrinsic_simplification;
 namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
-// The solution of a Poisson equation on a level, given the integrals of the right-hand side against hat functions.
+// The solution of a Poisson equation on a level, given the integrals of the right-hand side against
+// hat functions.
 Eigen::VectorXd solution(const IS::Surface_level& level, const Eigen::VectorXd& moments)
 {
   return IT::Poisson_solver<>(level.mesh(), level.length_map()).solve(moments);

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Writes an intrinsic Delaunay triangulation to a file, reads it again, and flips it back to the input.
+// Writes an intrinsic Delaunay triangulation to a file, reads it again, and flips it back to the
+// input.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>

@@ -111,8 +111,8 @@ private:
   std::vector<Eigen::Triplet<double>> m_triplets;
 };
 
-// Base of the functions below: a model of ConvexEnergy out of `Derived::add_terms()`, less the linear
-// function that puts the minimum at `minimum`.
+// Base of the functions below: a model of ConvexEnergy out of `Derived::add_terms()`, less the
+// linear function that puts the minimum at `minimum`.
 template <typename Derived>
 class Function
 {

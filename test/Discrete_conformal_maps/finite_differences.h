@@ -9,8 +9,8 @@
 
 #include <cstddef>
 
-// The derivatives of `function()`, a range of precise numbers, by central differences from the origin of an energy: a
-// column for each of its variables.
+// The derivatives of `function()`, a range of precise numbers, by central differences from the
+// origin of an energy: a column for each of its variables.
 template <typename Energy, typename Function>
 Eigen::MatrixXd central_differences(Energy& energy, double step, const Function& function)
 {

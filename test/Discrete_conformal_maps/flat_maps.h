@@ -218,7 +218,8 @@ inline double log_scale(const Planar_conformal_map& map, std::size_t v)
   return map.log_scale(Vertex_index(static_cast<Delta_complex::size_type>(v)));
 }
 
-// The flat surface has what is prescribed on `input`, by the cosine law; on the boundary twice that.
+// The flat surface has what is prescribed on `input`, by the cosine law; on the boundary twice
+// that.
 inline void check_conditions(const Planar_conformal_map& map, const Delta_complex& input,
                              const Conditions& condition, double tolerance)
 {
@@ -238,7 +239,8 @@ inline void check_conditions(const Planar_conformal_map& map, const Delta_comple
   }
 }
 
-// Faces in the plane are what the lengths make of them, beside each other but at seams, and not turned over.
+// Faces in the plane are what the lengths make of them, beside each other but at seams, and not
+// turned over.
 inline void check_layout(const Planar_conformal_map& map, double tolerance = 1e-9)
 {
   const Delta_complex& mesh = mesh_C(map);

@@ -59,7 +59,8 @@ Eigen::MatrixXd columns(const Eigen::MatrixXd& m, const std::vector<Eigen::Index
   return m(c, c);
 }
 
-// The minimum of a small form under bounds: the one active set of all whose point and multipliers are allowed.
+// The minimum of a small form under bounds: the one active set of all whose point and multipliers
+// are allowed.
 Vector brute_force_minimum(const Quadratic_form& form, const Vector& lower)
 {
   const Eigen::Index n = lower.size();

@@ -130,8 +130,8 @@ TEST(Concepts, minimizer)
                          cones, DCM::parameters::minimizer(Minimizer_archetype(1e-13))));
   const auto reference = DCM::flatten(mesh, DCM::parameters::vertex_condition_map(cones));
   EXPECT_LE(map.max_curvature_error(), 1e-13);
-  // The scale factors are those of the same area. What curvatures of some 1e-13 do to them is bounded by
-  // the inverse of the Hessian, a Laplacian of six vertices with weights of about one.
+  // The scale factors are those of the same area. What curvatures of some 1e-13 do to them is
+  // bounded by the inverse of the Hessian, a Laplacian of six vertices with weights of about one.
   for(Mesh::Vertex_index v : mesh.vertices())
     EXPECT_NEAR(map.log_scale(v), reference.log_scale(v), 1e-11);
 }

@@ -34,8 +34,8 @@ using Numbers = Eigen::VectorXd;
 
 // ---- Lobachevsky's function ----
 
-// The integral from 0 to theta <= pi / 2, the singularity by hand: the rest is analytic up to pi, and
-// Gauss' rule with 30 points has 45 digits.
+// The integral from 0 to theta <= pi / 2, the singularity by hand: the rest is analytic up to pi,
+// and Gauss' rule with 30 points has 45 digits.
 Precise integral(const Precise& theta)
 {
   if(theta == 0)
@@ -51,8 +51,8 @@ Precise true_Lobachevsky_function(const Precise& theta)
   return 2 * theta <= pi ? integral(theta) : Precise(-integral(pi - theta));
 }
 
-// Some units in the last place of the value, and what an argument that is off by that much changes; near
-// pi, which is no number of type FT, the distance to it counts.
+// Some units in the last place of the value, and what an argument that is off by that much changes;
+// near pi, which is no number of type FT, the distance to it counts.
 template <typename FT>
 void check_Lobachevsky_function(const FT& theta)
 {
@@ -306,7 +306,8 @@ TYPED_TEST(Conformal_energy, gradient_is_the_derivative_of_the_value)
   });
 }
 
-// Where four points are on a circle, the Hessian has a kink: what central differences miss is of order 1e-14.
+// Where four points are on a circle, the Hessian has a kink: what central differences miss is of
+// order 1e-14.
 TYPED_TEST(Conformal_energy, Hessian_is_the_derivative_of_the_gradient)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;

@@ -66,7 +66,8 @@ Numbers random_numbers(Eigen::Index n, double bound, unsigned int seed)
   return Eigen::Map<const Numbers>(u.data(), n);
 }
 
-// By how much the scaled lengths in a face obey the triangle inequality, relative to the longest: the least.
+// By how much the scaled lengths in a face obey the triangle inequality, relative to the longest:
+// the least.
 double least_slack(const Planar_conformal_map& map)
 {
   const std::vector<double> length = scaled_lengths(map);
@@ -195,7 +196,8 @@ TEST(Fixed_triangulation, takes_scaling_back)
   }
 }
 
-// On a surface with boundary, the faces of the input in the plane are flat triangles with scaled sides.
+// On a surface with boundary, the faces of the input in the plane are flat triangles with scaled
+// sides.
 TEST(Fixed_triangulation, lays_out_the_faces_of_a_disk)
 {
   const Mesh disk =
@@ -228,7 +230,8 @@ TEST(Fixed_triangulation, is_that_which_flips_if_nothing_is_to_flip)
 
 // ---- Failure ----
 
-// Three faces have at most an angle of three pi around their vertex. A face with an angle of pi has no inside.
+// Three faces have at most an angle of three pi around their vertex. A face with an angle of pi has
+// no inside.
 TEST(Fixed_triangulation, a_vertex_may_need_more_angle_than_its_faces_have)
 {
   const Triangulation t(tetrahedron());

@@ -63,7 +63,8 @@ std::vector<double> random_numbers(std::size_t n, double bound, unsigned int see
   return result;
 }
 
-// The discretely conformal metric with scale factors `u`, in the triangulation that is Delaunay with them.
+// The discretely conformal metric with scale factors `u`, in the triangulation that is Delaunay
+// with them.
 Metric scaled(Triangulation t, const std::vector<double>& u)
 {
   IT::make_Delaunay(t);

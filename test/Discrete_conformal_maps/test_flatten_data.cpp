@@ -98,7 +98,8 @@ std::string test_name(const testing::TestParamInfo<std::string>& info)
 class Flattened_data_mesh : public testing::TestWithParam<std::string>
 {};
 
-// Three cones for each component, as few as spheres and disks allow; everything else is flat or straight.
+// Three cones for each component, as few as spheres and disks allow; everything else is flat or
+// straight.
 Conditions three_cones(const Delta_complex& mesh)
 {
   const IT::internal::Mesh_components component(mesh);

@@ -43,8 +43,8 @@ TEST_P(Hard_cones, are_reached)
 
 INSTANTIATE_TEST_SUITE_P(Genus, Hard_cones, testing::Range(0, 5));
 
-// Flat with greedy cones, or an exception that says what is wrong: a triangle whose lengths have no area in
-// double precision cannot be doubled along its boundary.
+// Flat with greedy cones, or an exception that says what is wrong: a triangle whose lengths have no
+// area in double precision cannot be doubled along its boundary.
 TEST(Near_degenerate_meshes, are_flattened_or_refused)
 {
   std::size_t refused = 0;

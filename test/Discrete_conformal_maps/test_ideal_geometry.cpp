@@ -31,8 +31,8 @@ using Exact_traits = IT::Ideal_geometry_traits<Rational>;
 
 // ---- The light cone ----
 
-// The light-like vector w^2 (1 - p^2, 2p, 1 + p^2). Every ray of the light cone but one is that of a p, in
-// this order, and -<q,r>/2 is a square: Penner lengths are rational.
+// The light-like vector w^2 (1 - p^2, 2p, 1 + p^2). Every ray of the light cone but one is that of
+// a p, in this order, and -<q,r>/2 is a square: Penner lengths are rational.
 struct Ideal_point
 {
   Rational p, w;
@@ -107,8 +107,8 @@ TEST(Ideal_geometry, flip_is_exact_there_and_back)
   }
 }
 
-// positive if the polyhedron with faces ijk and jil is strictly convex along ij: then the corner l is on the
-// side of the plane ijk away from the origin
+// positive if the polyhedron with faces ijk and jil is strictly convex along ij: then the corner l
+// is on the side of the plane ijk away from the origin
 CGAL::Sign convexity(const std::vector<Ideal_point>& p)
 {
   const Vector_3 i = p[0].vector(), l = p[1].vector(), j = p[2].vector(), k = p[3].vector();
@@ -589,8 +589,8 @@ TEST(Ideal_geometry, points_go_there_and_back_exactly)
 
 // ---- Points across by central projection ----
 
-// A triangle of T1 laid out in the light cone; h is its first side. Any basis of space will do, for instance
-// the corners of the first triangle.
+// A triangle of T1 laid out in the light cone; h is its first side. Any basis of space will do, for
+// instance the corners of the first triangle.
 struct Lifted_triangle
 {
   Halfedge_index h;
@@ -793,7 +793,8 @@ TEST(Ideal_geometry, scaled_meshes_become_delaunay)
 // The same with exact numbers is the truth.
 TEST(Ideal_geometry, rounded_crossings_keep_their_digits)
 {
-  // every edge comes from a few flips, each with three roundings, and every strip is a few triangles long
+  // every edge comes from a few flips, each with three roundings, and every strip is a few
+  // triangles long
   const double digits = 1e-13;
   std::size_t crossings = 0;
   for(const auto& [name, regular] : meshes())

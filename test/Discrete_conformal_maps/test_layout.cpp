@@ -127,8 +127,8 @@ double area_on_A(const Planar_conformal_map& map, Face_index f)
   return doubled_area(corners);
 }
 
-// A point of a face of the subdivision with its image, linear between the homogeneous coordinates of the
-// corners.
+// A point of a face of the subdivision with its image, linear between the homogeneous coordinates
+// of the corners.
 Sample random_point(const Planar_conformal_map& map, Face_index f, CGAL::Random& random)
 {
   const auto& s = map.subdivision();
@@ -368,8 +368,9 @@ TEST(Planar_conformal_map, takes_vertices_to_vertices)
   }
 }
 
-// Where all three triangulations have a face in common: the projective map of two triangles that takes one
-// circumcircle to the other (Springborn, Schroeder, Pinkall 2008) has the weights exp(-u).
+// Where all three triangulations have a face in common: the projective map of two triangles that
+// takes one circumcircle to the other (Springborn, Schroeder, Pinkall 2008) has the weights
+// exp(-u).
 TEST(Planar_conformal_map, is_projective_with_the_circumcircles)
 {
   const Mesh mesh = bipyramid(12, 0.5);
@@ -391,8 +392,8 @@ TEST(Planar_conformal_map, is_projective_with_the_circumcircles)
       ++s;
     }
     const Complex z = place[apex], x = place[(apex + 1) % 3], y = place[(apex + 2) % 3];
-    // Along the bisector the point with height h of the old triangle goes to a point with the same cross
-    // ratio to apex, foot, and the second intersection with the circumcircle.
+    // Along the bisector the point with height h of the old triangle goes to a point with the same
+    // cross ratio to apex, foot, and the second intersection with the circumcircle.
     const double spoke = std::hypot(1, 0.5), ring = 2 * std::sin(pi / 12);
     const double old_foot = std::sqrt(spoke * spoke - ring * ring / 4),
                  old_end = spoke * spoke / old_foot;

@@ -54,7 +54,8 @@ Problem with_greedy_cones(const std::string& name, const Mesh& mesh)
   return {name, t, default_conditions(t.mesh()), 2};
 }
 
-// A tube, `rings` times as long as its sides, closed at both ends. All curvature is put on the four corners of one end.
+// A tube, `rings` times as long as its sides, closed at both ends. All curvature is put on the four
+// corners of one end.
 Problem tube(int rings)
 {
   std::vector<Point> points;
@@ -201,7 +202,8 @@ void check_layouts_agree(const Problem& problem)
 
 // ---- A chart that is not flat ----
 
-// A grid with the distances it has on a dome, as faces of a chart: they cannot be put together in the plane.
+// A grid with the distances it has on a dome, as faces of a chart: they cannot be put together in
+// the plane.
 struct Dome
 {
   static constexpr std::size_t side = 6, size = side * side;
@@ -245,7 +247,8 @@ struct Dome
   std::vector<std::array<std::size_t, 2>> boundary;
 };
 
-// Twice Dirichlet's energy by cotangents, less twice the area by the boundary, and B, all as z^* M z.
+// Twice Dirichlet's energy by cotangents, less twice the area by the boundary, and B, all as z^* M
+// z.
 Eigen::MatrixXcd conformal_energy(const Dome& dome)
 {
   Eigen::MatrixXcd result = Eigen::MatrixXcd::Zero(Dome::size, Dome::size);

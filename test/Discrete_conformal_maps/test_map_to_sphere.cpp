@@ -154,8 +154,8 @@ Mesh without_a_face(const Mesh& mesh) { return punctured(mesh, {0}); }
 
 } // namespace
 
-// Vertices on the sphere, in convex position, are their own image, whatever is done to the intrinsic geometry
-// by scaling and flips.
+// Vertices on the sphere, in convex position, are their own image, whatever is done to the
+// intrinsic geometry by scaling and flips.
 TEST(map_to_sphere, brings_inscribed_polyhedra_back)
 {
   for(unsigned int seed = 1; seed <= 8; ++seed) {

@@ -40,7 +40,8 @@ std::vector<Link> singles(std::size_t size)
   return result;
 }
 
-// How far from the minimum a point may be whose gradient is known up to an error: first order, twice.
+// How far from the minimum a point may be whose gradient is known up to an error: first order,
+// twice.
 template <typename Energy>
 double error_of_point(Energy energy, const Minimization_result& result)
 {
@@ -227,7 +228,8 @@ TEST(Newton_minimizer, Badly_scaled_variables)
   }
 }
 
-// Curvatures from 1e-12 to 1e12 that are coupled. Positions are rounded by more than the gradient allows.
+// Curvatures from 1e-12 to 1e12 that are coupled. Positions are rounded by more than the gradient
+// allows.
 TEST(Newton_minimizer, Badly_scaled_links)
 {
   for(unsigned seed = 1; seed <= 10; ++seed) {

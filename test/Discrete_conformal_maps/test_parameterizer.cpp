@@ -42,7 +42,8 @@ Mesh bent_triangles(std::size_t n)
   const auto place = [](double x, double y) {
     return Point(x + y / 2, std::sqrt(0.75) * y, 0.05 * std::sin(x) * std::cos(y));
   };
-  // the diagonals of grid() lead from (0, 0) to (1, 1); those of a rhombus of two equilateral triangles do not
+  // the diagonals of grid() lead from (0, 0) to (1, 1); those of a rhombus of two equilateral
+  // triangles do not
   Mesh mesh = grid(n, n, [&](double x, double y) { return place(double(n) - x, y); });
   CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
   return mesh;
@@ -101,8 +102,9 @@ void check_isometric(const Parameterization<Mesh>& p, const Mesh& mesh,
                   std::abs(image(v) - image(w)), 1e-12);
 }
 
-// Each triangle has sides in the plane of length l e^((u_i + u_j) / 2): solves for u of its corners. They must
-// agree in all triangles, which is discrete conformal equivalence, and vanish on the boundary.
+// Each triangle has sides in the plane of length l e^((u_i + u_j) / 2): solves for u of its
+// corners. They must agree in all triangles, which is discrete conformal equivalence, and vanish on
+// the boundary.
 template <typename Graph>
 void check_conformal(const Parameterization<Graph>& p, const Graph& g)
 {
@@ -165,7 +167,8 @@ TEST(Parameterizer, takes_other_graphs)
   EXPECT_EQ(uv.size(), polyhedron.size_of_vertices());
 }
 
-// A regular tetrahedron, cut open along the edges of a vertex, is a triangle with sides twice as long.
+// A regular tetrahedron, cut open along the edges of a vertex, is a triangle with sides twice as
+// long.
 TEST(Parameterizer, unfolds_a_tetrahedron)
 {
   Mesh mesh;

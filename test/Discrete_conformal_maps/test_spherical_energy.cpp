@@ -55,7 +55,8 @@ Numbers random_numbers(std::size_t n, double bound, unsigned int seed)
   return result;
 }
 
-// Calls f(triangulation, energy, vertex at infinity, point) at points far enough apart for many flips.
+// Calls f(triangulation, energy, vertex at infinity, point) at points far enough apart for many
+// flips.
 template <typename Function>
 void for_each_point(const Function& f)
 {
@@ -88,8 +89,8 @@ std::vector<Quad> precise_gradient(const Energy& energy)
   return result;
 }
 
-// The shortest lengths from a vertex to all others of geodesics that cross at most `depth` edges, from one
-// triangle to the next.
+// The shortest lengths from a vertex to all others of geodesics that cross at most `depth` edges,
+// from one triangle to the next.
 class Geodesics
 {
 public:
@@ -164,8 +165,8 @@ TEST(Peacock_triangulation, distances_are_those_of_shortest_geodesics)
     }
 }
 
-// Limbs are a hundred times as long as wide: some edges would have lengths beyond all numbers if they were
-// flipped in any order.
+// Limbs are a hundred times as long as wide: some edges would have lengths beyond all numbers if
+// they were flipped in any order.
 TEST(Peacock_triangulation, long_surfaces)
 {
   const Triangulation t = [] {
@@ -233,7 +234,8 @@ TEST(Spherical_energy, is_convex_and_continuous_along_segments)
       slope = next;
       integral += next * (i == 0 || i == steps ? 0.5 : 1.) / steps;
     }
-    // The trapezoid rule: slopes like roots, where edges turn to infinity, leave an error of order h^1.5.
+    // The trapezoid rule: slopes like roots, where edges turn to infinity, leave an error of order
+    // h^1.5.
     EXPECT_NEAR(energy.value() - first, integral, 1e-3);
     flips += energy.surface().flips().size();
   }

@@ -541,8 +541,8 @@ TEST(Triple_subdivision, is_that_of_two_if_two_are_equal)
   }
 }
 
-// All flips are undone: edges of A and C that are not in B are the same, and have their marks at the
-// same places, up to rounding.
+// All flips are undone: edges of A and C that are not in B are the same, and have their marks at
+// the same places, up to rounding.
 TEST(Triple_subdivision, of_coinciding_edges)
 {
   for(const Named_surface& surface : flat_surfaces())
@@ -583,8 +583,9 @@ TEST(Triple_subdivision, copies_and_moved_ones_are_independent)
   check_measures(moved, three, 1e-8);
 }
 
-// With light-like vectors of the corners, products of points are products of weights. If those of all
-// corners of a face are the same in B and in C, the two layouts in the light cone are congruent.
+// With light-like vectors of the corners, products of points are products of weights. If those of
+// all corners of a face are the same in B and in C, the two layouts in the light cone are
+// congruent.
 TEST(Triple_subdivision, in_ideal_geometry)
 {
   std::size_t tested = 0;
@@ -629,8 +630,8 @@ TEST(Triple_subdivision, positions_in_space)
     }
 }
 
-// Each of the edges of A that wind one way around a cylinder crosses those of C that wind the other way
-// around it, again and again.
+// Each of the edges of A that wind one way around a cylinder crosses those of C that wind the other
+// way around it, again and again.
 TEST(Triple_subdivision, of_twisted_edges)
 {
   for(const int twists : {1, 3, 30}) {

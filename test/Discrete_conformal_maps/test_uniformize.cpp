@@ -103,8 +103,8 @@ TEST(Uniformize, cylinders_have_their_modulus)
   }
 }
 
-// Conformally, a torus with circles of radius 1 around one of radius 3 is flat with a quotient of sides
-// sqrt(3^2 - 1); squares of a mesh of it that is coarse are only nearly so.
+// Conformally, a torus with circles of radius 1 around one of radius 3 is flat with a quotient of
+// sides sqrt(3^2 - 1); squares of a mesh of it that is coarse are only nearly so.
 TEST(Uniformize, tori_of_revolution_have_almost_their_modulus)
 {
   const DC::Uniformization result = DC::uniformize(embedded_torus(120, 60));

@@ -56,7 +56,8 @@ double angle_at_source(const Hyperbolic_surface& s, Halfedge_index h)
                                  (std::sinh(half) * std::sinh(half - a))));
 }
 
-// Flips in the hyperbolic plane; the condition for lengths is the same as that of an ideal polyhedron.
+// Flips in the hyperbolic plane; the condition for lengths is the same as that of an ideal
+// polyhedron.
 void make_Delaunay(Hyperbolic_surface& s)
 {
   const IT::Ideal_geometry_traits<double> traits;
@@ -79,8 +80,8 @@ void make_Delaunay(Hyperbolic_surface& s)
   }
 }
 
-// The regular polygon with 4 g sides and angles pi / 2g, opposite sides glued (the Bolza surface for g = 2).
-// Vertices are the middle, the corners, which are all one, and a point in each sector.
+// The regular polygon with 4 g sides and angles pi / 2g, opposite sides glued (the Bolza surface
+// for g = 2). Vertices are the middle, the corners, which are all one, and a point in each sector.
 Hyperbolic_surface regular_surface(int g, unsigned int seed)
 {
   const int n = 4 * g;
@@ -232,7 +233,8 @@ void check_map(const Hyperbolic_conformal_map& map, std::size_t genus)
   check_group(map.group(0), genus);
 }
 
-// A point of the disk and its images across the seams are one point of the surface: continuity of the map.
+// A point of the disk and its images across the seams are one point of the surface: continuity of
+// the map.
 void check_subdivision(const Hyperbolic_conformal_map& map)
 {
   const auto& subdivision = map.subdivision();
@@ -339,8 +341,8 @@ TEST(Uniformize_hyperbolic, regular_surfaces_come_back)
   }
 }
 
-// cosh(x/2) for a closed geodesic of length x on the Bolza surface is m + n sqrt(2) with integers, m odd and as
-// close to n sqrt(2) as it can be (Aurich, Bogomolny, Steiner 1991).
+// cosh(x/2) for a closed geodesic of length x on the Bolza surface is m + n sqrt(2) with integers,
+// m odd and as close to n sqrt(2) as it can be (Aurich, Bogomolny, Steiner 1991).
 TEST(Uniformize_hyperbolic, generators_of_the_Bolza_surface_have_its_lengths)
 {
   const Hyperbolic_surface regular = regular_surface(2, 5);
@@ -407,8 +409,8 @@ TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
   }
 }
 
-// Any triangulation of the same surface with the same vertices, from few flips to a thorough mix. The edges of the
-// result are those of the hyperbolic Delaunay triangulation, in any order.
+// Any triangulation of the same surface with the same vertices, from few flips to a thorough mix.
+// The edges of the result are those of the hyperbolic Delaunay triangulation, in any order.
 TEST(Uniformize_hyperbolic, does_not_depend_on_the_triangulation)
 {
   for(int g = 2; g <= 4; ++g) {
@@ -429,7 +431,8 @@ TEST(Uniformize_hyperbolic, does_not_depend_on_the_triangulation)
   }
 }
 
-// The metric of a surface, lifted to a covering surface, is discretely conformal there, and there is only one.
+// The metric of a surface, lifted to a covering surface, is discretely conformal there, and there
+// is only one.
 TEST(Uniformize_hyperbolic, covers_get_the_lifted_metric)
 {
   const Triangulation base(plate_with_holes(2));
@@ -486,8 +489,8 @@ TEST(Uniformize_hyperbolic, boundaries_are_geodesics)
 
 // ---- Points ----
 
-// The middle of three corners of a face of the subdivision, found on T^A and then by the map, and by averaging the
-// homogeneous coordinates of the corners.
+// The middle of three corners of a face of the subdivision, found on T^A and then by the map, and
+// by averaging the homogeneous coordinates of the corners.
 TEST(Uniformize_hyperbolic, maps_points_as_the_subdivision_does)
 {
   const Mesh input = plate_with_holes(2);

@@ -92,8 +92,8 @@ TEST(Surface_hierarchy, OfManyLevels)
   EXPECT_EQ(read.history.size(), surface.history().size());
 }
 
-// A triangulation with inserted vertices, and what has been simplified from it, in one stream: points of the input go to the
-// coarse surface and back.
+// A triangulation with inserted vertices, and what has been simplified from it, in one stream:
+// points of the input go to the coarse surface and back.
 TEST(Surface_hierarchy, FollowsARefinement)
 {
   const Mesh mesh = punctured(random_sphere(60, 9), {3});

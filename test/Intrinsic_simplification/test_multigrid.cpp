@@ -97,8 +97,9 @@ Vector random_vector(Eigen::Index size, unsigned int seed)
 
 double energy(const Vector& x, const Matrix& a) { return std::sqrt(x.dot(a * x)); }
 
-// The condition of the matrices is below 1e5, so that a direct solution is exact to 1e-10. The estimated error is a
-// mean of the true one with weights that differ by the factor 2 at most for such cycles.
+// The condition of the matrices is below 1e5, so that a direct solution is exact to 1e-10. The
+// estimated error is a mean of the true one with weights that differ by the factor 2 at most for
+// such cycles.
 void expect_solution(const Multigrid_result& result, const Vector& exact, const Matrix& a)
 {
   EXPECT_EQ(result.status, Multigrid_status::converged);
@@ -179,7 +180,8 @@ TEST(Multigrid, CycleIsSymmetric)
   EXPECT_LE((inverse - inverse.transpose()).norm(), 1e-12 * inverse.norm());
   const Eigen::MatrixXd symmetric = (inverse + inverse.transpose()) / 2;
   EXPECT_GT(symmetric.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0);
-  // A cycle reduces every error: the eigenvalues of its product with the matrix are between 0 and 1.
+  // A cycle reduces every error: the eigenvalues of its product with the matrix are between 0 and
+  // 1.
   const Vector eigenvalues = (symmetric * a).eigenvalues().real();
   EXPECT_GT(eigenvalues.minCoeff(), 0.25);
   EXPECT_LE(eigenvalues.maxCoeff(), 1 + 1e-10);

@@ -46,8 +46,8 @@ double area(Level side, const Projective_piece& p)
   return sum;
 }
 
-// At every corner it turns left, and its area is positive, on both sides. Where an edge passes a vertex, areas are as small as
-// rounding; that of coordinates is greater in thin faces.
+// At every corner it turns left, and its area is positive, on both sides. Where an edge passes a
+// vertex, areas are as small as rounding; that of coordinates is greater in thin faces.
 void expect_convex(const Projective_piece& p, double rounding = 1e-15)
 {
   const std::size_t size = p.corners.size();
@@ -105,7 +105,8 @@ Coordinates random_coordinates(CGAL::Random& random)
   return b;
 }
 
-// Points carried through all operations come where the piece says. Returns how many have been inside of a piece.
+// Points carried through all operations come where the piece says. Returns how many have been
+// inside of a piece.
 std::size_t expect_mapped(const Pieces& pieces, const Surface_map& map, double tolerance)
 {
   std::size_t found = 0;
@@ -180,8 +181,8 @@ TEST(Projective_pieces, OfOneLevel)
   }
 }
 
-// Projective maps are determined by the circumcircle, where the sum of l_ij^2 b_i b_j is zero, and the corners: squared
-// lengths at the tip become a third, so its coordinate is multiplied by three.
+// Projective maps are determined by the circumcircle, where the sum of l_ij^2 b_i b_j is zero, and
+// the corners: squared lengths at the tip become a third, so its coordinate is multiplied by three.
 TEST(Projective_pieces, OfATip)
 {
   Evolving_surface s(tetrahedron());
@@ -341,8 +342,8 @@ double distance(const Projective_piece& p, const Projective_piece& q)
   return result;
 }
 
-// No two pieces could be one: on surfaces in general position maps are different that are not the same. Each polygon of the
-// common subdivision is made of pieces.
+// No two pieces could be one: on surfaces in general position maps are different that are not the
+// same. Each polygon of the common subdivision is made of pieces.
 TEST(Projective_pieces, AreAsFewAsPossible)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {

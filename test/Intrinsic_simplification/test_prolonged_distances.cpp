@@ -61,8 +61,8 @@ double distance(Vertex_index v, Vertex_index w, const Mesh& mesh)
   return std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
 }
 
-// Nothing is distorted in the plane. Distances change by no more than a point is moved, and interpolation takes
-// values from corners of the same face.
+// Nothing is distorted in the plane. Distances change by no more than a point is moved, and
+// interpolation takes values from corners of the same face.
 TEST(Prolonged_distances, OnASquare)
 {
   const Mesh mesh = square(4);

@@ -190,7 +190,8 @@ bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-// In the plane every vertex is at the same place on both levels, and brute force counts the crossings.
+// In the plane every vertex is at the same place on both levels, and brute force counts the
+// crossings.
 TEST(Subdivision, OfAFlatPolygon)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {

@@ -172,8 +172,8 @@ TEST(Surface_map, LevelsOfAHierarchy)
   EXPECT_TRUE(IT::is_Delaunay(middle.triangulation()));
 }
 
-// The squared lengths at the tip become a third, so its coordinate is multiplied by three: circumcircles, where
-// the sum of l_ij^2 b_i b_j is zero, become circumcircles.
+// The squared lengths at the tip become a third, so its coordinate is multiplied by three:
+// circumcircles, where the sum of l_ij^2 b_i b_j is zero, become circumcircles.
 TEST(Surface_map, ChangesOfScaleKeepCircumcircles)
 {
   Evolving_surface s(tetrahedron());

@@ -91,7 +91,8 @@ TEST(Tangent_prolongation, OfAConstantFieldOnAFlatTorusIsExact)
   }
 }
 
-// On a sphere, fields that rotate it are smooth: what comes out is close to the field of the same rotation.
+// On a sphere, fields that rotate it are smooth: what comes out is close to the field of the same
+// rotation.
 TEST(Tangent_prolongation, OfARotationFieldOnASphere)
 {
   const Mesh mesh = subdivided(octahedron(), 4);

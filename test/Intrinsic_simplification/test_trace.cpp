@@ -83,7 +83,8 @@ Coordinates between(const Trace_piece& piece, double x)
   return result;
 }
 
-// Whether a point lies on the edge of h, or near one of its ends, at a place between `low` and `high`.
+// Whether a point lies on the edge of h, or near one of its ends, at a place between `low` and
+// `high`.
 bool is_on_edge(const Location& p, Halfedge_index h, double low, double high,
                 const Delta_complex& mesh)
 {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Replaces operator new of the test program by one that counts. In a file of its own, since compilers
-// that see new and delete together warn of free().
+// Replaces operator new of the test program by one that counts. In a file of its own, since
+// compilers that see new and delete together warn of free().
 
 #include <cstddef>
 #include <cstdlib>

@@ -20,8 +20,8 @@
 
 namespace Test_surfaces {
 
-// Calls `visit(mesh)` for CGAL's triangle meshes up to a size of files in bytes. What is no surface may be refused with a
-// reason, which is printed; but most must not be.
+// Calls `visit(mesh)` for CGAL's triangle meshes up to a size of files in bytes. What is no surface
+// may be refused with a reason, which is printed; but most must not be.
 template <typename Visit>
 void for_each_data_mesh(std::uintmax_t largest_file, const Visit& visit)
 {

@@ -75,9 +75,9 @@ inline bool is_fat(const Vector& u, const Vector& v)
   return static_cast<double>(det(u, v)) > 0.01 * longest * longest;
 }
 
-// The relative error of distances on a surface whose edge lengths have been rounded, to first order. A
-// relative error e of the sides a, b, c of a triangle changes squares of distances in it by up to
-// e a b c (a + b + c) / (2 area^2) of themselves.
+// The relative error of distances on a surface whose edge lengths have been rounded, to first
+// order. A relative error e of the sides a, b, c of a triangle changes squares of distances in it
+// by up to e a b c (a + b + c) / (2 area^2) of themselves.
 inline double rounding_of_distances(const Flat_surface& s)
 {
   double worst = 0;
@@ -215,8 +215,8 @@ public:
     return true;
   }
 
-  // Takes away what flips have added to the errors of lengths. Places on T1 are rounded too, so that a
-  // short edge has a larger relative error.
+  // Takes away what flips have added to the errors of lengths. Places on T1 are rounded too, so
+  // that a short edge has a larger relative error.
   void recompute_lengths()
   {
     m_tri.recompute_lengths();

@@ -295,8 +295,8 @@ struct Vector
 
 inline double length(const Vector& v) { return std::sqrt(static_cast<double>(dot(v, v))); }
 
-// A triangulation of a part of the plane modulo the lattice of a and b; a lattice wider than that part
-// changes nothing.
+// A triangulation of a part of the plane modulo the lattice of a and b; a lattice wider than that
+// part changes nothing.
 struct Flat_surface
 {
   Delta_complex mesh;

@@ -281,8 +281,8 @@ Polygon layout(Side side, Face_index f, const Subdivision& s, const Flat_faces& 
   return result;
 }
 
-// The sum of the areas of all faces that can be laid out, and of those parts of it whose orientation is
-// wrong; both relative to the area of T1.
+// The sum of the areas of all faces that can be laid out, and of those parts of it whose
+// orientation is wrong; both relative to the area of T1.
 template <typename Subdivision>
 std::pair<double, double> relative_areas(Side side, const Subdivision& s, const Triangulation& t)
 {

@@ -19,7 +19,8 @@
 #include <vector>
 
 // Meshes as bad as they come from scanners, boolean operations and CAD, with 30 to 900 faces, in
-// families of which each has its own way to be bad. All are manifold and have no edge of zero length.
+// families of which each has its own way to be bad. All are manifold and have no edge of zero
+// length.
 namespace Test_surfaces {
 
 // ---- Random numbers ----
@@ -71,8 +72,8 @@ auto random_part(const Range& range, double part, CGAL::Random& random)
 
 // ---- Surfaces to spoil ----
 
-// The surface of a plate of square blocks with a row of square holes, as many as its genus. The blocks
-// between the holes are `strut` wide, the holes 1: small struts make it a frame of wire.
+// The surface of a plate of square blocks with a row of square holes, as many as its genus. The
+// blocks between the holes are `strut` wide, the holes 1: small struts make it a frame of wire.
 inline Mesh frame(std::size_t holes, double strut)
 {
   const std::size_t columns = 2 * holes + 1;
@@ -114,7 +115,8 @@ inline Mesh frame(std::size_t holes, double strut)
   return make_mesh(points, triangles);
 }
 
-// With and without boundary, of genus 0 to 3, half of them with many cocircular and coplanar vertices.
+// With and without boundary, of genus 0 to 3, half of them with many cocircular and coplanar
+// vertices.
 inline Mesh good_mesh(CGAL::Random& random)
 {
   const auto in_plane = [](double x, double y) { return Point(x, y, 0); };
@@ -183,7 +185,8 @@ struct Plane
   double height(const Point& p) const { return (p - origin) * normal; }
 };
 
-// Puts vertices where a plane meets the edges, but no closer than `gap` to those that they are joined to.
+// Puts vertices where a plane meets the edges, but no closer than `gap` to those that they are
+// joined to.
 inline void cut(Mesh& mesh, const Plane& plane, double gap, CGAL::Random& random)
 {
   const auto is_far = [&](const Point& p, Halfedge_index h) {
@@ -245,8 +248,8 @@ enum class Tube_ends
   joined
 };
 
-// Rings of `n` points along a segment or a circle, at unit distance. The edges from ring to ring turn
-// by `twist` points.
+// Rings of `n` points along a segment or a circle, at unit distance. The edges from ring to ring
+// turn by `twist` points.
 inline Mesh tube(std::size_t rings, std::size_t n, double radius, std::size_t twist, Tube_ends ends)
 {
   const double turn = 2 * std::acos(-1.), whole = static_cast<double>(rings);
@@ -280,8 +283,8 @@ inline Mesh tube(std::size_t rings, std::size_t n, double radius, std::size_t tw
   return make_mesh(points, triangles);
 }
 
-// A prism over a polygon with `n` corners on an ellipse, bottom and top cut into fans from a corner;
-// without top if it is open.
+// A prism over a polygon with `n` corners on an ellipse, bottom and top cut into fans from a
+// corner; without top if it is open.
 inline Mesh fan_prism(std::size_t n, double flatness, double height, bool is_open)
 {
   std::vector<Point> points;
@@ -405,8 +408,8 @@ constexpr std::array<Mesh_family, 12> near_degenerate_families{
    {"swept polygons", swept_polygons},
    {"stretched slivers", stretched_slivers}}};
 
-// Cycles through the families. Half of the meshes are turned in space, so that nothing is flat, straight
-// or symmetric to the last bit. Named after the family.
+// Cycles through the families. Half of the meshes are turned in space, so that nothing is flat,
+// straight or symmetric to the last bit. Named after the family.
 inline Named_mesh near_degenerate_mesh(unsigned int seed)
 {
   CGAL::Random random(seed);

@@ -74,8 +74,8 @@ void check_kept(const Angles& kept, const Triangulation& t, double tolerance)
 
 // ---- Inserted vertices ----
 
-// Flips, insertions into faces and edges, and removals at random, of which visitors hear. Only those are made
-// that give faces fat enough for nine digits.
+// Flips, insertions into faces and edges, and removals at random, of which visitors hear. Only
+// those are made that give faces fat enough for nine digits.
 template <typename Visitor>
 class Random_changes
 {
@@ -276,7 +276,8 @@ double angle_in_plane(Halfedge_index h, const Plane_vectors& vectors,
                                                     : positive;
 }
 
-// Walking over T1 from an inserted vertex in the direction of `h`, for its length, leads to its other end.
+// Walking over T1 from an inserted vertex in the direction of `h`, for its length, leads to its
+// other end.
 void check_by_walking(const Triangulation& t, const Angles& angles)
 {
   const Flat_faces faces(Side::input, t);
@@ -513,7 +514,8 @@ TEST(Angular_coordinates, tangent_vectors_across_at_inserted_vertices)
 
 namespace {
 
-// The angles between neighbors around `v`, as the angular coordinates and as the corners of T2 have them.
+// The angles between neighbors around `v`, as the angular coordinates and as the corners of T2 have
+// them.
 void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
 {
   const Triangulation& t = angles.triangulation();

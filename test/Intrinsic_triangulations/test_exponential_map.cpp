@@ -412,7 +412,8 @@ TEST(Exponential_map, from_a_vertex_inserted_in_a_face)
   EXPECT_GT(count, 5);
 }
 
-// The directions along the two halfedges of T1 lead to their ends, and transport is that of the frames.
+// The directions along the two halfedges of T1 lead to their ends, and transport is that of the
+// frames.
 TEST(Exponential_map, from_a_vertex_inserted_on_an_edge)
 {
   Triangulation t(punctured(random_sphere(40, 6), {0, 20, 50}));

@@ -234,8 +234,8 @@ TEST(Heat_distance, bad_triangulation_of_a_good_shape)
   }
 }
 
-// Slivers that sweep over random points, against distances in the plane. Where points are random and the
-// boundary is a hull, flips cannot do better than some percent.
+// Slivers that sweep over random points, against distances in the plane. Where points are random
+// and the boundary is a hull, flips cannot do better than some percent.
 TEST(Heat_distance, swept_triangles)
 {
   const Mesh mesh = planar_mesh(random_points(3000, 100000, 8));

@@ -240,7 +240,8 @@ TEST(Insertion, at_a_vertex_that_is_there)
   EXPECT_EQ(t.number_of_inserted_vertices(), 0u);
 }
 
-// A vertex on an edge, and then in the middle of its parts: places and lengths are dyadic, to the bit.
+// A vertex on an edge, and then in the middle of its parts: places and lengths are dyadic, to the
+// bit.
 TEST(Insertion, exact_places_on_input_edges)
 {
   Triangulation t(octahedron());

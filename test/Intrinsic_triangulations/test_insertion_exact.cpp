@@ -438,8 +438,8 @@ TEST(Insertion_exact, overflow_changes_nothing)
 
 // ---- Rounding ----
 
-// Points at crossings, and as close to them as numbers can be: some valid triangulation comes out. Strips
-// that start as good as on the first edge they cross do not lose half of the digits.
+// Points at crossings, and as close to them as numbers can be: some valid triangulation comes out.
+// Strips that start as good as on the first edge they cross do not lose half of the digits.
 TEST(Insertion_exact, points_on_curves)
 {
   for(const Named_mesh& m : meshes())

@@ -39,8 +39,8 @@ double shortest(const Complex& d, const Flat_surface& surface)
   return result;
 }
 
-// The line along the logarithm ends at its point. Close to a vertex with curvature a line that is off
-// by rounding can be on the wrong side. A path can touch the boundary.
+// The line along the logarithm ends at its point. Close to a vertex with curvature a line that is
+// off by rounding can be on the wrong side. A path can touch the boundary.
 template <typename Source>
 void expect_end(Side side, const Source& source, const Location& target, const Logarithm& logarithm,
                 const Triangulation& t, double tolerance)

@@ -321,7 +321,8 @@ TEST(Make_Delaunay, sheared_cylinders_come_back_to_short_edges)
   }
 }
 
-// The long edges determine the height of the cylinder only to about (k L)^2 / h^2 units in the last place.
+// The long edges determine the height of the cylinder only to about (k L)^2 / h^2 units in the last
+// place.
 TEST(Make_Delaunay, cylinder_of_a_thousand_twists)
 {
   Triangulation t = triangulation(flat_cylinder(8, 1000, 5000));

@@ -58,8 +58,8 @@ Real uncertainty_of_area(const Flat_faces& faces, Real u)
   return sum;
 }
 
-// The surface keeps its area. A cap as low as 1e-8 of its side has lost half its digits in the lengths
-// already.
+// The surface keeps its area. A cap as low as 1e-8 of its side has lost half its digits in the
+// lengths already.
 void check_area(const Triangulation& t)
 {
   const Flat_faces input(Side::input, t), intrinsic(Side::intrinsic, t);
@@ -101,8 +101,8 @@ void check_subdivision(const Triangulation& t)
   EXPECT_GT(wrong, -1e-9);
 }
 
-// Short edges of T2 across long needles keep all their digits. The lengths of T1 are the same numbers
-// in both precisions, but every rounding is 2000 times as fine in the longer one.
+// Short edges of T2 across long needles keep all their digits. The lengths of T1 are the same
+// numbers in both precisions, but every rounding is 2000 times as fine in the longer one.
 void check_recomputed_lengths(const Mesh& mesh)
 {
   Triangulation t(mesh);
@@ -134,8 +134,8 @@ void check_Delaunay(const Mesh& mesh)
   check_subdivision(t);
 }
 
-// A face that stays without an excuse has no area as far as its lengths can tell: a vertex lies on the
-// boundary, by rounding.
+// A face that stays without an excuse has no area as far as its lengths can tell: a vertex lies on
+// the boundary, by rounding.
 void check_remaining(const Triangulation& t, const IT::Refinement_result& result)
 {
   for(const IT::Remaining_face& r : result.remaining)

@@ -175,8 +175,8 @@ void check_flat(const Flat_triangulation& flat)
 
 // ---- Geodesics from vertices ----
 
-// The angles between the halfedges of T2 and the first spoke of T1 around every vertex, kept up to date
-// by flips: signposts, which know nothing of integer coordinates.
+// The angles between the halfedges of T2 and the first spoke of T1 around every vertex, kept up to
+// date by flips: signposts, which know nothing of integer coordinates.
 class Signposts
 {
 public:

@@ -377,8 +377,8 @@ TEST(Refine, narrow_cone)
 
 // ---- Constraints ----
 
-// Each constrained edge of the input is a chain of shared, constrained edges of T2, in order and without
-// gaps, as is each border edge.
+// Each constrained edge of the input is a chain of shared, constrained edges of T2, in order and
+// without gaps, as is each border edge.
 void check_chains(const Triangulation& t, const std::set<std::size_t>& constrained)
 {
   std::map<std::size_t, Real> covered;
@@ -416,7 +416,8 @@ TEST(Refine, constrained_edges_stay)
   }
 }
 
-// Edges are split in the middle only, so every vertex on the boundary is at a dyadic place, to the bit.
+// Edges are split in the middle only, so every vertex on the boundary is at a dyadic place, to the
+// bit.
 TEST(Refine, vertices_on_the_boundary_are_at_dyadic_places)
 {
   Triangulation t(unit_square(1, 0));

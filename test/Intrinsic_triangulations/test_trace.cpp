@@ -300,8 +300,8 @@ TEST(Trace, exact_crossings_with_slivers)
   }
 }
 
-// A torus that is the plane modulo a lattice with a vertex at every lattice point: an edge w of T2 and
-// an edge v of T1 meet at the multiples of 1 / det(v, w), in units of the lattice.
+// A torus that is the plane modulo a lattice with a vertex at every lattice point: an edge w of T2
+// and an edge v of T1 meet at the multiples of 1 / det(v, w), in units of the lattice.
 TEST(Trace, closed_form_on_a_torus_with_one_vertex)
 {
   for(unsigned int seed = 0; seed < 30; ++seed) {

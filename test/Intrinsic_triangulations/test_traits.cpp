@@ -74,7 +74,8 @@ std::vector<Quadrangle> random_quadrangles(std::size_t n, int size, unsigned int
   return result;
 }
 
-// Four points with integer coordinates on a circle of radius 65, whose distances are not all rational.
+// Four points with integer coordinates on a circle of radius 65, whose distances are not all
+// rational.
 std::vector<Quadrangle> cocircular_quadrangles()
 {
   const std::vector<Vector> circle{{65, 0},  {63, 16},  {56, 33},  {39, 52}, {25, 60},

@@ -61,7 +61,8 @@ void check_matrices(const Triangulation& t)
   }
 }
 
-// The integral of the product of functions on both sides, by summing over the triangulated subdivision.
+// The integral of the product of functions on both sides, by summing over the triangulated
+// subdivision.
 double integral_of_product(const Values& on_input, const Values& on_intrinsic,
                            const Correspondence& c)
 {
@@ -108,8 +109,8 @@ void check_closest(const Triangulation& t)
   }
 }
 
-// The transfers are orthogonal projections between two spaces: each is the adjoint of the other, and
-// neither makes a function larger.
+// The transfers are orthogonal projections between two spaces: each is the adjoint of the other,
+// and neither makes a function larger.
 void check_adjoint(const Triangulation& t)
 {
   const Correspondence c(t);

@@ -6,8 +6,8 @@
 # Distances, their files, statistics and exit codes of the command distance.
 source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
-# is_euclidean FILE SOURCE: on a flat convex mesh the last property of the vertices is the distance to
-# vertex SOURCE, up to what the heat method is known to miss: three percent on average.
+# is_euclidean FILE SOURCE: on a flat convex mesh the last property of the vertices is the distance
+# to vertex SOURCE, up to what the heat method is known to miss: three percent on average.
 is_euclidean()
 {
   vertices "$1" | awk -v s="$2" '
@@ -35,14 +35,15 @@ for source in 0 840 1100; do
   done
 done
 
-# The input again, with one more number for each vertex; the subdivision has the same numbers there, and
-# between two of them on the edges.
+# The input again, with one more number for each vertex; the subdivision has the same numbers there,
+# and between two of them on the edges.
 vertices a.ply | awk '{ print $1, $2, $3 }' | cmp - <(sed -n 3,1683p sheared.mesh.off)
 sed '1,/^end_header/d' a.ply | tail -n +1682 | cmp - <(tail -n +1684 sheared.mesh.off)
 vertices b.ply | awk 'NR <= 1681 { print $NF }' | cmp - <(vertices a.ply | awk '{ print $NF }')
 [ "$(vertices b.ply | wc -l)" -gt 1681 ] || fail 'no crossings'
 
-# Mirrored in the diagonal, the square is itself, and so are the distances to a vertex on the diagonal.
+# Mirrored in the diagonal, the square is itself, and so are the distances to a vertex on the
+# diagonal.
 expect 0 distance square.mesh.off --source 0 -o a.ply
 vertices a.ply | awk '
   { distance[NR - 1] = $NF }

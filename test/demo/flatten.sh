@@ -115,7 +115,8 @@ read -r space plane <<<"$(areas a.obj)"
 near "$plane" "$(awk -v a="$width" -v b="$height" 'BEGIN { printf "%.17g", a * b }')" 1e-11
 near "$plane" 1 1e-11
 
-# A square with equal quarters becomes a disk with its boundary vertices on a circle around the middle.
+# A square with equal quarters becomes a disk with its boundary vertices on a circle around the
+# middle.
 expect 0 flatten square.mesh.off -o a.ply --boundary disk --stats a.json
 is_conformal a.json
 awk '/^end_header/ { body = 1; next } body && $1 > 2 && NF > 6 { # faces
@@ -143,7 +144,8 @@ read -r space plane <<<"$(areas a.obj)"
 near "$space" 13.856406460551018 1e-12 # sqrt(3) times the squared length of an edge
 near "$plane" 13.856406460551018 1e-12
 
-# Nine digits of them miss the sum by 2.4e-9, which is no minimum: the failure is told, nothing is written.
+# Nine digits of them miss the sum by 2.4e-9, which is no minimum: the failure is told, nothing is
+# written.
 rm a.obj
 printf '%s 3.141592653\n' 0 1 2 3 >digits
 expect 1 flatten regular.mesh.off -o a.obj --cones digits --stats b.json
@@ -151,8 +153,9 @@ says 'the minimization has not converged: unbounded, with an error of curvatures
 [ ! -e a.obj ] && [ ! -e b.json ] || fail 'files after a failure'
 rm digits
 
-# Three cones of 4 pi / 3 leave no curvature at the fourth vertex: by symmetry its edges, which three equal
-# triangles share, have lengths in the ratio 1 / sqrt(3) to the others, so its scale factor is 1 / 3.
+# Three cones of 4 pi / 3 leave no curvature at the fourth vertex: by symmetry its edges, which
+# three equal triangles share, have lengths in the ratio 1 / sqrt(3) to the others, so its scale
+# factor is 1 / 3.
 third=$(awk -v pi=$pi 'BEGIN { printf "%.17g", 4 * pi / 3 }')
 printf '0 %s\n1 %s\n2 %s\n' "$third" "$third" "$third" >cones
 expect 0 flatten regular.mesh.off -o a.obj --cones cones --stats a.json
@@ -243,8 +246,8 @@ done
 expect_files a.obj a.ply a.vtp statistics.json texture
 rm a.* statistics.json texture
 
-# interpolates MATRIX OBJ MESH: the matrix takes the points of the mesh, which come first in the OBJ file, to
-# all of its points, with weights that sum to one.
+# interpolates MATRIX OBJ MESH: the matrix takes the points of the mesh, which come first in the OBJ
+# file, to all of its points, with weights that sum to one.
 interpolates()
 {
   awk -v n="$(awk 'NR == 2 { print $1 }' "$3")" '

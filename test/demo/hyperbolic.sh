@@ -3,8 +3,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Hyperbolic metrics, flat tori and cylinders: files, statistics and exit codes of the commands hyperbolic and
-# uniformize.
+# Hyperbolic metrics, flat tori and cylinders: files, statistics and exit codes of the commands
+# hyperbolic and uniformize.
 source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
 pi=3.14159265358979324
@@ -22,8 +22,8 @@ near()
     fail "$1 is not $2"
 }
 
-# plate NAME HOLES: unit cubes, three rows of 2 HOLES + 1, those in the middle of the second, fourth, ... column
-# left out.
+# plate NAME HOLES: unit cubes, three rows of 2 HOLES + 1, those in the middle of the second,
+# fourth, ... column left out.
 plate()
 {
   awk -v holes="$2" '
@@ -88,7 +88,8 @@ expect 0 hyperbolic more.mesh.off -o plate.obj --stats plate.json
 near "$(number plate.json area)" "$(awk -v pi=$pi 'BEGIN { printf "%.17g", 4 * pi }')" 1e-9
 near "$(number plate.json max_curvature_error)" 0 1e-10
 
-# A regular tetrahedron with four cones of pi / 2 has the area 2 pi; without cones it cannot be hyperbolic.
+# A regular tetrahedron with four cones of pi / 2 has the area 2 pi; without cones it cannot be
+# hyperbolic.
 off regular '1 1 1,1 -1 -1,-1 1 -1,-1 -1 1' '0 1 2,0 2 3,0 3 1,1 3 2'
 for v in 0 1 2 3; do echo "$v $(awk -v pi=$pi 'BEGIN { printf "%.17g", 1.5 * pi }')"; done >cones.mesh.txt
 expect 0 hyperbolic regular.mesh.off -o plate.obj --cones cones.mesh.txt --stats plate.json

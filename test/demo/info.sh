@@ -18,7 +18,8 @@ says 'note: degenerate face: 1, first at face 2'
 expect 0 info needle.mesh.off
 says 'note: needle face: 1, first at face 0'
 
-# broken NAME TEXT: refused by both commands, which name the file and the defect; nothing is written.
+# broken NAME TEXT: refused by both commands, which name the file and the defect; nothing is
+# written.
 broken()
 {
   expect 2 info "$1"

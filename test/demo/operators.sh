@@ -103,8 +103,8 @@ apply g_gradient.mtx square >field
 apply g_divergence.mtx field | awk '{ printf "%.17g\n", -$1 }' >product
 are_close product <(apply g_laplacian.mtx square) 1e-14
 
-# Where no two vertices have two edges, the entries of the connection Laplacian have the absolute values
-# of those of the Laplacian, at the same places. It is Hermitian.
+# Where no two vertices have two edges, the entries of the connection Laplacian have the absolute
+# values of those of the Laplacian, at the same places. It is Hermitian.
 cmp <(sed 1d g_laplacian.mtx | cut -d ' ' -f 1,2) <(sed 1d g_connection_laplacian.mtx | cut -d ' ' -f 1,2)
 moduli='NR > 2 { printf "%.17g\n", sqrt($3 ^ 2 + $4 ^ 2) }'
 are_close <(awk "$moduli" g_laplacian.mtx) <(awk "$moduli" g_connection_laplacian.mtx) 1e-14

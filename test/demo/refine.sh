@@ -6,9 +6,9 @@
 # Bounds, files, statistics and exit codes of the command refine.
 source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
-# shape FILE: the least angle in degrees and the greatest circumradius of the intrinsic faces, measured in
-# space. The length of an intrinsic edge is that of its parts in the common subdivision; its sides are
-# among those of the parts of the face.
+# shape FILE: the least angle in degrees and the greatest circumradius of the intrinsic faces,
+# measured in space. The length of an intrinsic edge is that of its parts in the common subdivision;
+# its sides are among those of the parts of the face.
 shape()
 {
   awk '
@@ -62,8 +62,8 @@ is_at_least()
     fail "$2 has the angle and radius $(shape "$2")"
 }
 
-# has_kinds PLY JSON: the kinds of vertices are as many as the statistics say, inserted vertices come between
-# the other two, and those on an input edge end a part of it.
+# has_kinds PLY JSON: the kinds of vertices are as many as the statistics say, inserted vertices
+# come between the other two, and those on an input edge end a part of it.
 has_kinds()
 {
   vertices "$1" | awk -v input="$(number "$2" vertices)" \

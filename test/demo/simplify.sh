@@ -126,7 +126,8 @@ cell_values()
     cells && index($0, name) { on = 1 }' "$2"
 }
 
-# is_colored FILE: the faces of a PLY file have one color for each coarse face, and another on the other side of its edges.
+# is_colored FILE: the faces of a PLY file have one color for each coarse face, and another on the
+# other side of its edges.
 is_colored()
 {
   awk '
@@ -202,7 +203,8 @@ cmp <(cell_values coarse_face a.vtp | tail -n "+$((n + 1))") \
 [ "$(sed -n '2s/ 0$//p' a.off)" = "$(vertices a.ply | wc -l) $(grep -c '^f' a.obj)" ] || fail 'faces in .off'
 rm a.* b.*
 
-# A parallelogram, in six decimals: coarse edges cross fine ones, and are its sides and the shorter diagonal.
+# A parallelogram, in six decimals: coarse edges cross fine ones, and are its sides and the shorter
+# diagonal.
 grid sheared 7 0.3
 expect 0 simplify sheared.mesh.off -o a.ply --vertices 4 --weight area=0
 [ "$(coarse_areas a.ply | awk '{ printf "%d %.5f,", $1, $2 }')" = '0 0.50000,1 0.50000,' ] ||
@@ -228,8 +230,8 @@ expect 0 simplify slivers.mesh.off -o a.ply --vertices 5000 --stats a.json
 [ "$(number a.json removed)" = 0 ] || fail 'something removed'
 rm a.*
 
-# Colors: a square that is black, and on the right half of it striped. With a weight, hardly a vertex is left where it is
-# black, and the other way round where the properties of a .ply file are.
+# Colors: a square that is black, and on the right half of it striped. With a weight, hardly a
+# vertex is left where it is black, and the other way round where the properties of a .ply file are.
 grid plain 16 0
 awk 'NR == 1 { print "COFF"; next } NR > 2 && NF == 3 { c = $1 > 0.5 ? 255 * (int(16 * $1) % 2) : 0; print $0, c, c / 5, 0, 255; next } { print }' \
   plain.mesh.off >striped.mesh.off
@@ -314,8 +316,9 @@ expect 2 simplify slivers.mesh.off -o a.ply --error 1 --levels 3
 says '--levels'
 rm a* b.*
 
-# Refinement before: the vertices of the mesh keep their numbers, and its rows are those of the prolongation. Coarse edges
-# lie on the mesh, so faces have its area together; the saved form has the mesh with more vertices, then the levels.
+# Refinement before: the vertices of the mesh keep their numbers, and its rows are those of the
+# prolongation. Coarse edges lie on the mesh, so faces have its area together; the saved form has
+# the mesh with more vertices, then the levels.
 expect 0 simplify slivers.mesh.off -o b.ply --ratio 1
 expect 0 simplify slivers.mesh.off -o a.ply --refine 25 --vertices 200 --prolongation a.mtx --stats a.json --save a.txt
 [ "$(area a.ply)" = "$(area b.ply)" ] || fail "area $(area a.ply) instead of $(area b.ply)"

@@ -92,7 +92,8 @@ expect 2 sphere regular.mesh.off
 expect 2 sphere regular.mesh.off -o sphere.xyz
 expect_files
 
-# Long limbs: more digits than double has are needed, and the statistics say what the output has lost.
+# Long limbs: more digits than double has are needed, and the statistics say what the output has
+# lost.
 if [ -n "$data" ] && [ -f "$data/meshes/dino.off" ]; then
   expect 0 sphere "$data/meshes/dino.off" -o dino.ply --stats dino.json
   is_convex dino.json

@@ -5,8 +5,8 @@
 /// \ingroup PkgDiscreteConformalMapsConcepts
 /// \cgalConcept
 ///
-/// sees the progress of `CGAL::Discrete_conformal_maps::flatten()`: to show it, to take times, or to stop
-/// the work by an exception.
+/// sees the progress of `CGAL::Discrete_conformal_maps::flatten()`: to show it, to take times, or
+/// to stop the work by an exception.
 ///
 /// \cgalRefines{MinimizationVisitor}
 ///
@@ -14,11 +14,12 @@
 class FlatteningVisitor
 {
 public:
-  /// is called when a stage of the work begins, once for each stage and in their order. What happens before the
-  /// first, the making of \f$T^B\f$, has no stage. `after_iteration()` is called in
-  /// `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only; where the minimization is repeated
-  /// (after a further cone, or in extended precision), iterations are counted from one again. In
-  /// `CGAL::Discrete_conformal_maps::map_to_sphere()` the stages of optimization and layout come first, and more than once if
-  /// the first result is not good. An exception leaves `flatten()`.
+  /// is called when a stage of the work begins, once for each stage and in their order. What
+  /// happens before the first, the making of \f$T^B\f$, has no stage. `after_iteration()` is called
+  /// in `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only; where the minimization is
+  /// repeated (after a further cone, or in extended precision), iterations are counted from one
+  /// again. In `CGAL::Discrete_conformal_maps::map_to_sphere()` the stages of optimization and
+  /// layout come first, and more than once if the first result is not good. An exception leaves
+  /// `flatten()`.
   void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
 };

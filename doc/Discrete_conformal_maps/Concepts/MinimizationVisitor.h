@@ -11,8 +11,8 @@
 class MinimizationVisitor
 {
 public:
-  /// is called after every step. An exception leaves the minimizer; the caller has the best point so
-  /// far then.
+  /// is called after every step. An exception leaves the minimizer; the caller has the best point
+  /// so far then.
   /// \param iteration the number of steps taken
   /// \param gradient_norm the greatest entry of the gradient
   /// \param step_length the length of the step, in the norm of the minimizer

@@ -5,15 +5,16 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// sees every flip that `CGAL::Intrinsic_triangulations::make_Delaunay()` makes: to show progress, to
-/// record the flips, or to stop them by an exception.
+/// sees every flip that `CGAL::Intrinsic_triangulations::make_Delaunay()` makes: to show progress,
+/// to record the flips, or to stop them by an exception.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Default_flip_visitor`
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Angular_coordinates`
 class FlipVisitor
 {
 public:
-  /// is called after the edge of `h` has been turned: `h` leads along the new edge. The triangulation is
-  /// valid then, and must not be changed here. An exception leaves `make_Delaunay()`.
+  /// is called after the edge of `h` has been turned: `h` leads along the new edge. The
+  /// triangulation is valid then, and must not be changed here. An exception leaves
+  /// `make_Delaunay()`.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 };

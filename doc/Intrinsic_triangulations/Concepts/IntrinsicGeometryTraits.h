@@ -5,8 +5,8 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// is what an intrinsic triangulation needs to know of its geometry: numbers, how the length of an edge
-/// comes out of a flip, when an edge is Delaunay, and how a strip of triangles is laid out.
+/// is what an intrinsic triangulation needs to know of its geometry: numbers, how the length of an
+/// edge comes out of a flip, when an edge is Delaunay, and how a strip of triangles is laid out.
 ///
 /// A model is default constructible, copy constructible and assignable. The function objects are
 /// obtained from a constant object and called through a constant reference. `Diamond<FT>` holds the
@@ -23,10 +23,10 @@ public:
   /// \name Types
   /// @{
 
-  /// the type of lengths and barycentric coordinates: a model of `Field` and `RealEmbeddable`, with an
-  /// implicit conversion from `int`. Square roots are taken only where lengths come from positions; what
-  /// the geometry needs itself is documented with the model. Only saving and loading asks for a floating
-  /// point type.
+  /// the type of lengths and barycentric coordinates: a model of `Field` and `RealEmbeddable`, with
+  /// an implicit conversion from `int`. Square roots are taken only where lengths come from
+  /// positions; what the geometry needs itself is documented with the model. Only saving and
+  /// loading asks for a floating point type.
   typedef unspecified_type FT;
 
   /// the signed integer type of normal coordinates. If `std::numeric_limits<Integer>::is_bounded`,
@@ -36,28 +36,29 @@ public:
   /// a model of `GeodesicStrip` with the same `FT`.
   typedef unspecified_type Geodesic_strip;
 
-  /// provides `FT operator()(const Diamond<FT>& length) const`, which returns the length of the edge
+  /// provides `FT operator()(const Diamond<FT>& length) const`, which returns the length of the
+  /// edge
   /// \f$kl\f$ that replaces \f$ij\f$. A result that is no length is allowed; it is refused later.
   typedef unspecified_type Compute_flipped_length;
 
   /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the edge
-  /// \f$ij\f$ satisfies the local Delaunay condition. It must hold of ties, and of an edge that has just
-  /// been made by flipping one for which it does not hold; otherwise `make_Delaunay()` may use up its
-  /// flips. Further `bool is_certain(const Diamond<FT>& length) const`, which returns `true` only if the
-  /// first does, and `false` if it would take long to tell; lengths of edges on the boundary come with two
-  /// that mean nothing.
+  /// \f$ij\f$ satisfies the local Delaunay condition. It must hold of ties, and of an edge that has
+  /// just been made by flipping one for which it does not hold; otherwise `make_Delaunay()` may use
+  /// up its flips. Further `bool is_certain(const Diamond<FT>& length) const`, which returns `true`
+  /// only if the first does, and `false` if it would take long to tell; lengths of edges on the
+  /// boundary come with two that mean nothing.
   typedef unspecified_type Is_locally_Delaunay;
 
-  /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the union of
-  /// the two triangles is strictly convex at \f$i\f$ and \f$j\f$.
+  /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the union
+  /// of the two triangles is strictly convex at \f$i\f$ and \f$j\f$.
   typedef unspecified_type Is_convex;
 
-  /// provides `bool operator()(const FT& length) const`, which returns whether a number can be the length
-  /// of an edge.
+  /// provides `bool operator()(const FT& length) const`, which returns whether a number can be the
+  /// length of an edge.
   typedef unspecified_type Is_length;
 
-  /// provides `bool operator()(const FT& a, const FT& b, const FT& c) const`, which returns whether three
-  /// lengths can be those of the sides of a triangle.
+  /// provides `bool operator()(const FT& a, const FT& b, const FT& c) const`, which returns whether
+  /// three lengths can be those of the sides of a triangle.
   typedef unspecified_type Is_triangle;
 
   /// @}

@@ -5,20 +5,22 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// is a geometry in which points inside triangles have distances too, so that vertices can be inserted
-/// into the intrinsic triangulation. Barycentric coordinates are linear along geodesics: a crossing of
-/// `Geodesic_strip` has no scale.
+/// is a geometry in which points inside triangles have distances too, so that vertices can be
+/// inserted into the intrinsic triangulation. Barycentric coordinates are linear along geodesics: a
+/// crossing of `Geodesic_strip` has no scale.
 ///
 /// The geodesics of `Geodesic_strip` start and end at such points too. It has three more functions:
-/// - `void start(const FT& ai, const FT& ij, const FT& ja, const std::array<FT, 3>& p)` starts at the point
-///   of the triangle \f$aij\f$ with barycentric coordinates `p`, which belong to \f$a\f$, \f$i\f$,
+/// - `void start(const FT& ai, const FT& ij, const FT& ja, const std::array<FT, 3>& p)` starts at
+///   the point of the triangle \f$aij\f$ with barycentric coordinates `p`, which belong to \f$a\f$,
+///   \f$i\f$,
 ///   \f$j\f$;
-/// - `void finish(const FT& ij, const FT& jl, const FT& li, const std::array<FT, 3>& q)` ends at the point
-///   of the triangle \f$jil\f$ with barycentric coordinates `q`, which belong to \f$l\f$, \f$j\f$,
+/// - `void finish(const FT& ij, const FT& jl, const FT& li, const std::array<FT, 3>& q)` ends at
+///   the point of the triangle \f$jil\f$ with barycentric coordinates `q`, which belong to \f$l\f$,
+///   \f$j\f$,
 ///   \f$i\f$;
-/// - `Crossing crossing(std::size_t m, const FT& least) const` returns the crossing with inner edge `m`, not
-///   before `least` on the geodesic. Where triangles have no area, both can run along each other: then it
-///   is a point that they share.
+/// - `Crossing crossing(std::size_t m, const FT& least) const` returns the crossing with inner edge
+///   `m`, not before `least` on the geodesic. Where triangles have no area, both can run along each
+///   other: then it is a point that they share.
 ///
 /// \cgalRefines{IntrinsicGeometryTraits}
 ///
@@ -33,8 +35,8 @@ public:
 
   /// provides `FT operator()(const std::array<FT, 3>& side, const std::array<FT, 3>& p,
   /// const std::array<FT, 3>& q) const`, which returns the distance of the points with barycentric
-  /// coordinates `p` and `q` in a triangle whose side `s` leads from corner `s` to the next and has length
-  /// `side[s]`.
+  /// coordinates `p` and `q` in a triangle whose side `s` leads from corner `s` to the next and has
+  /// length `side[s]`.
   typedef unspecified_type Compute_distance;
 
   /// @}

@@ -5,11 +5,12 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// sees every change that `CGAL::Intrinsic_triangulations::refine()` makes: to show progress, to keep data
-/// up to date, or to stop by an exception.
+/// sees every change that `CGAL::Intrinsic_triangulations::refine()` makes: to show progress, to
+/// keep data up to date, or to stop by an exception.
 ///
-/// When a function is called, the triangulation is valid, but may have elements marked as removed; it must
-/// not be changed. An exception leaves `refine()`, and the triangulation is then valid and without garbage.
+/// When a function is called, the triangulation is valid, but may have elements marked as removed;
+/// it must not be changed. An exception leaves `refine()`, and the triangulation is then valid and
+/// without garbage.
 ///
 /// Every model is a model of `FlipVisitor`.
 ///
@@ -18,8 +19,8 @@
 class RefinementVisitor
 {
 public:
-  /// is called after the edge of `h` has been turned, also by a removal and by `make_Delaunay()`: `h` leads
-  /// along the new edge.
+  /// is called after the edge of `h` has been turned, also by a removal and by `make_Delaunay()`:
+  /// `h` leads along the new edge.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
   /// is called after the vertex `v` has been inserted by `inserter`, before any edge is flipped.

@@ -24,11 +24,11 @@ namespace Discrete_conformal_maps {
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by the L-BFGS method of the Ceres Solver, which needs no Hessian.
 ///
-/// It converges linearly, with hundreds of evaluations where `Newton_minimizer` needs ten, the more the
-/// finer the mesh is. Its line search compares values of the energy, and these cancel near the minimum:
-/// about half of the digits of the gradient are reached, 1e-7 to 1e-6 for a thousand variables with
-/// terms of order one, less for more. What is reached is in the result; if it is above the tolerance,
-/// the status is `Minimization_status::rounding_limit`.
+/// It converges linearly, with hundreds of evaluations where `Newton_minimizer` needs ten, the more
+/// the finer the mesh is. Its line search compares values of the energy, and these cancel near the
+/// minimum: about half of the digits of the gradient are reached, 1e-7 to 1e-6 for a thousand
+/// variables with terms of order one, less for more. What is reached is in the result; if it is
+/// above the tolerance, the status is `Minimization_status::rounding_limit`.
 ///
 /// The header needs the Ceres Solver.
 ///

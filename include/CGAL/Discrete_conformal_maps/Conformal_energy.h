@@ -30,22 +30,23 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
-/// the convex energy whose minimum are the scale factors that give a surface prescribed angle defects
-/// (Section 4.3.2).
+/// the convex energy whose minimum are the scale factors that give a surface prescribed angle
+/// defects (Section 4.3.2).
 ///
-/// Faces are Euclidean triangles with the scaled lengths, or hyperbolic triangles with sides \f$x\f$ for
-/// scaled lengths \f$\sinh(x/2)\f$. Both have the same ideal Delaunay triangulation. See
-/// `Hyperbolic_conformal_energy` for the latter: it is strictly convex, also along constants.
+/// Faces are Euclidean triangles with the scaled lengths, or hyperbolic triangles with sides
+/// \f$x\f$ for scaled lengths \f$\sinh(x/2)\f$. Both have the same ideal Delaunay triangulation.
+/// See `Hyperbolic_conformal_energy` for the latter: it is strictly convex, also along constants.
 ///
-/// It is twice continuously differentiable on the whole space: whoever minimizes it sees nothing of the
-/// flips behind it. In a fixed triangulation, with Euclidean faces, it is the energy of Springborn, Schr&ouml;der and
-/// Pinkall (2008): where the scaled lengths of a face violate the triangle inequality, its part of the energy is
-/// linear, as if its angles were 0, 0 and \f$\pi\f$. This is convex, but has no second derivatives where faces
-/// become flat; a minimum with such faces gives no metric, and there may be no minimum at all.
+/// It is twice continuously differentiable on the whole space: whoever minimizes it sees nothing of
+/// the flips behind it. In a fixed triangulation, with Euclidean faces, it is the energy of
+/// Springborn, Schr&ouml;der and Pinkall (2008): where the scaled lengths of a face violate the
+/// triangle inequality, its part of the energy is linear, as if its angles were 0, 0 and \f$\pi\f$.
+/// This is convex, but has no second derivatives where faces become flat; a minimum with such faces
+/// gives no metric, and there may be no minimum at all.
 ///
 /// Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and
-/// a variable \f$x\f$ in that of `double`. So a minimum can be approached to any precision by a minimizer
-/// that knows only `double`, which moves the origin from time to time.
+/// a variable \f$x\f$ in that of `double`. So a minimum can be approached to any precision by a
+/// minimizer that knows only `double`, which moves the origin from time to time.
 ///
 /// \tparam FT_ the floating point type in which gradients are computed
 /// \tparam Triangle the geometry of faces
@@ -65,8 +66,8 @@ public:
   /// the energy of a surface.
   /// \param mesh the connectivity, without boundary; intrinsic Delaunay, unless it is fixed
   /// \param length a readable property map from the edges to positive lengths
-  /// \param target_defect the angle defects \f$\Omega^*\f$ of the minimum, in radians, by the numbers of
-  ///        vertices
+  /// \param target_defect the angle defects \f$\Omega^*\f$ of the minimum, in radians, by the
+  ///        numbers of vertices
   /// \param flipping whether the triangulation follows the scale factors
   template <typename EdgeLengthMap>
   Conformal_energy(const Delta_complex& mesh, const EdgeLengthMap& length,
@@ -84,8 +85,8 @@ public:
   /// the number of variables, one for each vertex.
   std::size_t size() const { return m_origin.size(); }
 
-  /// moves to the point `x`; where a scaled length is too great or small for a number, the gradient is not a
-  /// number. Complexity: linear in the vertices, edges and flips.
+  /// moves to the point `x`; where a scaled length is too great or small for a number, the gradient
+  /// is not a number. Complexity: linear in the vertices, edges and flips.
   void evaluate(const Vector& x)
   {
     for(std::size_t i = 0; i < m_origin.size(); ++i)
@@ -113,11 +114,12 @@ public:
   /// the angle at the source of `h` in its face, in the scaled metric.
   FT angle(Halfedge_index h) const { return m_corner[h.idx()].angle(); }
 
-  /// the number of faces whose scaled lengths do not obey the triangle inequality strictly. In a triangulation
-  /// that is Delaunay only rounding makes them.
+  /// the number of faces whose scaled lengths do not obey the triangle inequality strictly. In a
+  /// triangulation that is Delaunay only rounding makes them.
   std::size_t number_of_flat_faces() const { return m_flat_faces; }
 
-  /// the energy: Equation 4.12, with the volume of Leibon (2002) for hyperbolic faces. Complexity: linear.
+  /// the energy: Equation 4.12, with the volume of Leibon (2002) for hyperbolic faces. Complexity:
+  /// linear.
   FT value() const;
 
   /// the derivatives of the energy: the angle defects minus their targets (Equation 4.13).
@@ -126,9 +128,9 @@ public:
   /// a bound for the rounding errors in the gradient.
   double gradient_error() const { return m_gradient_error; }
 
-  /// the second derivatives: the cotan Laplacian (Section 4.3.2), and for hyperbolic faces what Bobenko,
-  /// Pinkall and Springborn (2015) have in Section 6. Complexity: linear at the first call after
-  /// `evaluate()`.
+  /// the second derivatives: the cotan Laplacian (Section 4.3.2), and for hyperbolic faces what
+  /// Bobenko, Pinkall and Springborn (2015) have in Section 6. Complexity: linear at the first call
+  /// after `evaluate()`.
   const Matrix& Hessian() const
   {
     if(!m_has_Hessian)

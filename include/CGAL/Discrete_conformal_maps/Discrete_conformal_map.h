@@ -27,13 +27,13 @@ class Map_builder;
 }
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// what all discrete conformal maps have: three triangulations with the correspondence of each to the next,
-/// and scale factors (Section 4.2).
+/// what all discrete conformal maps have: three triangulations with the correspondence of each to
+/// the next, and scale factors (Section 4.2).
 ///
-/// \f$T^A\f$ is the input. A component with boundary is doubled: the faces of its second copy follow those of
-/// the input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay
-/// triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay triangulation of \f$T^B\f$ with the
-/// scale factors.
+/// \f$T^A\f$ is the input. A component with boundary is doubled: the faces of its second copy
+/// follow those of the input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is
+/// the intrinsic Delaunay triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay
+/// triangulation of \f$T^B\f$ with the scale factors.
 class Discrete_conformal_map
 {
 public:
@@ -50,7 +50,8 @@ public:
 
   /// \f$T^A\f$ (as `input_mesh()`) and \f$T^B\f$.
   const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
-  /// \f$T^B\f$ (as `input_mesh()`) and \f$T^C\f$, both with the lengths that belong to scale factors of zero.
+  /// \f$T^B\f$ (as `input_mesh()`) and \f$T^C\f$, both with the lengths that belong to scale
+  /// factors of zero.
   const Ideal_triangulation& ideal() const { return m_data->bc; }
   /// the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
   const Subdivision& subdivision() const { return *m_data->subdivision; }
@@ -70,7 +71,8 @@ public:
   /// the greatest difference of a curvature from what was prescribed, in radians.
   double max_curvature_error() const { return m_data->max_curvature_error; }
 
-  /// the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of \f$T^A\f$, or
+  /// the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of \f$T^A\f$,
+  /// or
   /// \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
   std::size_t number_of_flips(Layer layer) const
   {

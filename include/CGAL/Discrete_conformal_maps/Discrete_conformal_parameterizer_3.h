@@ -28,7 +28,8 @@ namespace Discrete_conformal_maps {
 
 namespace internal {
 
-// The component of a face as a mesh of its own. Of a `Seam_mesh`, that is the mesh that is cut open.
+// The component of a face as a mesh of its own. Of a `Seam_mesh`, that is the mesh that is cut
+// open.
 template <typename Graph, typename Point>
 class Component_copy
 {
@@ -73,17 +74,18 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// lets `Surface_mesh_parameterization::parameterize()` map a disk to the plane, discretely conformally, as
-/// `flatten()` does it, with vertices on the boundary that are not scaled.
+/// lets `Surface_mesh_parameterization::parameterize()` map a disk to the plane, discretely
+/// conformally, as `flatten()` does it, with vertices on the boundary that are not scaled.
 ///
 /// One position for each vertex says what the map is only if no edge is flipped. By default
-/// (`Flipping::to_Delaunay`), the map is that of the surface and does not depend on its triangulation; then
-/// `mesh` must be its intrinsic Delaunay triangulation and stay Delaunay with the scale factors, and no angle
-/// opposite to the boundary may be obtuse. Otherwise the error tells to use `flatten()`, whose result has a
-/// common subdivision. With `Flipping::none`, the map belongs to the given triangulation and exists for meshes
-/// with triangles that are not too bad.
+/// (`Flipping::to_Delaunay`), the map is that of the surface and does not depend on its
+/// triangulation; then `mesh` must be its intrinsic Delaunay triangulation and stay Delaunay with
+/// the scale factors, and no angle opposite to the boundary may be obtuse. Otherwise the error
+/// tells to use `flatten()`, whose result has a common subdivision. With `Flipping::none`, the map
+/// belongs to the given triangulation and exists for meshes with triangles that are not too bad.
 ///
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with points, such as `Surface_mesh` or `Seam_mesh`
+/// \tparam TriangleMesh_ a model of `FaceListGraph` with points, such as `Surface_mesh` or
+///   `Seam_mesh`
 ///
 /// \cgalModels `Parameterizer_3`
 template <typename TriangleMesh_>
@@ -109,7 +111,8 @@ public:
     : m_flipping(flipping)
   {}
 
-  /// whether the faces of the component of `bhd` have images with the same orientation that do not overlap.
+  /// whether the faces of the component of `bhd` have images with the same orientation that do not
+  /// overlap.
   template <typename VertexUVMap>
   bool is_one_to_one_mapping(const Triangle_mesh& mesh, halfedge_descriptor bhd,
                              const VertexUVMap uvmap) const
@@ -121,17 +124,19 @@ public:
   ///
   /// \param mesh a triangle mesh
   /// \param bhd a border halfedge
-  /// \param uvmap a writable property map from vertices to points of the plane; nothing is written in case
-  ///        of an error
+  /// \param uvmap a writable property map from vertices to points of the plane; nothing is written
+  ///        in case of an error
   ///
-  /// The property maps of indices and of parameterized vertices, which the concept asks for, are not used.
+  /// The property maps of indices and of parameterized vertices, which the concept asks for, are
+  /// not used.
   /// \return
   ///   - `OK`;
-  ///   - `ERROR_NO_1_TO_1_MAPPING` if no map is one-to-one and projective on the faces of `mesh`: with
-  ///     `Flipping::to_Delaunay` an edge had to be flipped; with `Flipping::none` there are no scale factors;
-  ///     or faces in the plane are smaller than rounding;
+  ///   - `ERROR_NO_1_TO_1_MAPPING` if no map is one-to-one and projective on the faces of `mesh`:
+  ///     with `Flipping::to_Delaunay` an edge had to be flipped; with `Flipping::none` there are no
+  ///     scale factors; or faces in the plane are smaller than rounding;
   ///   - `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_TOPOLOGICAL_DISC` as their names say;
-  ///   - `ERROR_WRONG_PARAMETER` if `flatten()` refuses the input, because an edge has no length, for example;
+  ///   - `ERROR_WRONG_PARAMETER` if `flatten()` refuses the input, because an edge has no length,
+  ///     for example;
   ///   - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if numbers had not enough digits.
   template <typename VertexUVMap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,

@@ -17,11 +17,12 @@ namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// a motion of the hyperbolic plane in the Poincare disk, the Moebius transformation
-/// \f$ z \mapsto (a z + b) / (\bar b z + \bar a) \f$ with \f$|a|^2 - |b|^2 = 1\f$. The opposite matrix is the
-/// same motion.
+/// \f$ z \mapsto (a z + b) / (\bar b z + \bar a) \f$ with \f$|a|^2 - |b|^2 = 1\f$. The opposite
+/// matrix is the same motion.
 ///
-/// The relative errors of entries add up in products: a motion that moves the origin by the distance \f$d\f$
-/// is known up to a distance of some \f$\epsilon e^d\f$ there, for a rounding unit \f$\epsilon\f$.
+/// The relative errors of entries add up in products: a motion that moves the origin by the
+/// distance \f$d\f$ is known up to a distance of some \f$\epsilon e^d\f$ there, for a rounding unit
+/// \f$\epsilon\f$.
 ///
 /// \tparam FT_ a floating point type, of any precision
 template <typename FT_ = double>
@@ -40,7 +41,8 @@ public:
     : m_entry{real_a, imaginary_a, real_b, imaginary_b}
   {}
 
-  /// the translation along the real axis that takes the origin to the distance \f$x\f$, to the right if
+  /// the translation along the real axis that takes the origin to the distance \f$x\f$, to the
+  /// right if
   /// \f$x > 0\f$. \param sinh the hyperbolic sine of \f$x/2\f$
   static Disk_motion translation(const FT& sinh)
   {

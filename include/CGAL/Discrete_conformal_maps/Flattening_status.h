@@ -11,7 +11,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// how `flatten()` has ended. `triangle_inequality` and `no_minimum` occur in fixed triangulations only.
+/// how `flatten()` has ended. `triangle_inequality` and `no_minimum` occur in fixed triangulations
+/// only.
 enum class Flattening_status
 {
   success,       ///< the map has what is prescribed

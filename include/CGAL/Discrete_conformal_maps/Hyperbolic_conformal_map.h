@@ -26,8 +26,8 @@ class Hyperbolic_uniformization;
 }
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// the group of motions of the hyperbolic plane that belongs to one component of a closed hyperbolic surface:
-/// the images of its fundamental domain cover the plane.
+/// the group of motions of the hyperbolic plane that belongs to one component of a closed
+/// hyperbolic surface: the images of its fundamental domain cover the plane.
 struct Fuchsian_group
 {
   /// a generator or its inverse.
@@ -40,12 +40,12 @@ struct Fuchsian_group
   std::size_t genus = 0; ///< the genus of the surface
   double area = 0;       ///< its area
 
-  /// two motions per handle. Each takes the fundamental domain to a place beside it, across one of the edges that
-  /// are open. Without cones, they generate the group.
+  /// two motions per handle. Each takes the fundamental domain to a place beside it, across one of
+  /// the edges that are open. Without cones, they generate the group.
   std::vector<Disk_motion<>> generators;
 
-  /// The product of these letters, from left to right, is the identity: each generator is there once, and
-  /// once inverse. Empty if there are cones.
+  /// The product of these letters, from left to right, is the identity: each generator is there
+  /// once, and once inverse. Empty if there are cones.
   std::vector<Letter> relation;
 
   /// how far that product is from the identity, in the precision in which the surface was laid out.
@@ -53,14 +53,15 @@ struct Fuchsian_group
 };
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// a discrete conformal map of a surface to the hyperbolic plane: the faces of \f$T^C\f$ are hyperbolic
-/// triangles, those of each component are laid out beside each other in the Poincare disk except at seams, and
-/// motions glue the seams. A component with boundary is doubled, and its boundary is a geodesic.
+/// a discrete conformal map of a surface to the hyperbolic plane: the faces of \f$T^C\f$ are
+/// hyperbolic triangles, those of each component are laid out beside each other in the Poincare
+/// disk except at seams, and motions glue the seams. A component with boundary is doubled, and its
+/// boundary is a geodesic.
 ///
 /// All components have the middle of their domain at the origin.
 ///
-/// Points far from the origin are close to the boundary of the disk: at a distance \f$d\f$, coordinates of type
-/// `double` are good for a distance of \f$10^{-16} e^d\f$.
+/// Points far from the origin are close to the boundary of the disk: at a distance \f$d\f$,
+/// coordinates of type `double` are good for a distance of \f$10^{-16} e^d\f$.
 class Hyperbolic_conformal_map : public Discrete_conformal_map
 {
 public:
@@ -90,7 +91,8 @@ public:
     return 2 * std::asinh(ideal().length(e) * std::exp(u / 2));
   }
 
-  /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the hyperboloid
+  /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the
+  /// hyperboloid
   /// \f$x^2 + y^2 - t^2 = -1\f$, as \f$(x, y, t)\f$.
   const std::array<double, 3>& hyperboloid_position(Halfedge_index h) const
   {
@@ -103,8 +105,8 @@ public:
   /// whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other.
   bool is_seam(Edge_index e) const { return m_seam[e.idx()] != no_seam; }
 
-  /// the motion that takes the face beyond the halfedge `h` of \f$T^C\f$ to its place beside the face of `h`;
-  /// the identity where there is no seam.
+  /// the motion that takes the face beyond the halfedge `h` of \f$T^C\f$ to its place beside the
+  /// face of `h`; the identity where there is no seam.
   Disk_motion<> gluing(Halfedge_index h) const
   {
     if(!is_seam(Edge_index(h)))
@@ -113,8 +115,8 @@ public:
     return h.idx() % 2 == 0 ? motion : motion.inverse();
   }
 
-  /// how far faces are from closing up around vertices without cones, seen from the origin: the greatest distance
-  /// of a product of gluing motions from the identity.
+  /// how far faces are from closing up around vertices without cones, seen from the origin: the
+  /// greatest distance of a product of gluing motions from the identity.
   double max_gluing_error() const { return m_max_gluing_error; }
 
   /// the greatest distance of a vertex from the origin.
@@ -126,8 +128,9 @@ public:
     return std::acosh(greatest);
   }
 
-  /// the homogeneous coordinates of a point, as a vector \f$(x, y, t)\f$ in the cone over the hyperboloid. They
-  /// are linear on the faces of the common subdivision, \f$(x/t, y/t)\f$ is the point in Klein's disk.
+  /// the homogeneous coordinates of a point, as a vector \f$(x, y, t)\f$ in the cone over the
+  /// hyperboloid. They are linear on the faces of the common subdivision, \f$(x/t, y/t)\f$ is the
+  /// point in Klein's disk.
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
   ///        `Triple_subdivision::place_on_C()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
@@ -150,10 +153,9 @@ public:
     return std::complex<double>(p[0], p[1]) / (p[2] + std::sqrt((std::max)(square, 0.)));
   }
 
-  /// the image of a point of the input in the Poincare disk, by piecewise projective interpolation: on every
-  /// face, the coordinates in Klein's disk are a projective map. This is the map of Section 4.2.3 for a
-  /// hyperbolic target.
-  /// Complexity: that of `place_on_C()`.
+  /// the image of a point of the input in the Poincare disk, by piecewise projective interpolation:
+  /// on every face, the coordinates in Klein's disk are a projective map. This is the map of
+  /// Section 4.2.3 for a hyperbolic target. Complexity: that of `place_on_C()`.
   std::complex<double> operator()(const Face_location& p) const
   {
     return to_disk(homogeneous_coordinates(place_on_C(p)));

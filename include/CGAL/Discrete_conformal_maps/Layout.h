@@ -11,7 +11,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// how flat faces, cut open, are laid out in the plane. But for rounding, all give the same up to motions.
+/// how flat faces, cut open, are laid out in the plane. But for rounding, all give the same up to
+/// motions.
 enum class Layout
 {
   least_squares, ///< face by face; then points are shifted such that the sum of squared relative errors of

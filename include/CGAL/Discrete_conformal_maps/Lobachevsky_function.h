@@ -20,8 +20,8 @@ namespace Discrete_conformal_maps {
 
 namespace internal {
 
-// The coefficients |B_2k| / (2k (2k + 1)!) of Clausen's function, for k = 1, 2, ... The next ones do not
-// count for arguments up to 2 pi / 3, where each term is a ninth of the one before.
+// The coefficients |B_2k| / (2k (2k + 1)!) of Clausen's function, for k = 1, 2, ... The next ones
+// do not count for arguments up to 2 pi / 3, where each term is a ninth of the one before.
 template <typename FT>
 std::vector<FT> Clausen_coefficients()
 {
@@ -50,9 +50,9 @@ FT odd_series(const FT& x, const Factor& factor)
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFormulas
-/// Milnor's Lobachevsky function \f$Л(\theta) = -\int_0^\theta \log |2 \sin u|\,du\f$ for an angle of a
-/// triangle, \f$0 \le \theta \le \pi\f$, to full precision: half of Clausen's function of the double angle,
-/// by its expansions around 0 and \f$\pi\f$.
+/// Milnor's Lobachevsky function \f$Л(\theta) = -\int_0^\theta \log |2 \sin u|\,du\f$ for an angle
+/// of a triangle, \f$0 \le \theta \le \pi\f$, to full precision: half of Clausen's function of the
+/// double angle, by its expansions around 0 and \f$\pi\f$.
 /// \tparam FT a floating point type, of any precision
 template <typename FT>
 FT Lobachevsky_function(const FT& theta)

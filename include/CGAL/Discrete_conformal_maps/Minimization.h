@@ -65,8 +65,8 @@ struct Minimization_domain
   /// for each variable, whether it stays as it is; empty if all move
   std::vector<char> is_fixed;
   /// for each variable the number of its component, from 0 on. On a component where no variable is
-  /// fixed, the energy does not change when the same number is added to all its variables, and changes
-  /// in all other directions. Empty if the energy changes in every direction.
+  /// fixed, the energy does not change when the same number is added to all its variables, and
+  /// changes in all other directions. Empty if the energy changes in every direction.
   std::vector<std::size_t> component;
 };
 

@@ -24,15 +24,16 @@ namespace Discrete_conformal_maps {
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by Newton's method with a sparse Cholesky factorization.
 ///
-/// Steps are judged by the slope of the energy along them, never by its values, which cancel near the
-/// minimum. Where the Hessian is singular or almost so (an energy may become linear far from its
-/// minimum), it is damped there, so that no step is out of proportion; the damping vanishes at the
-/// minimum, where convergence is quadratic. The fill-reducing order of the factorization is kept while
-/// it is good, the symbolic factorization while the pattern of the Hessian stays. If the macro
-/// `CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD` is defined, CHOLMOD factorizes, otherwise Eigen.
+/// Steps are judged by the slope of the energy along them, never by its values, which cancel near
+/// the minimum. Where the Hessian is singular or almost so (an energy may become linear far from
+/// its minimum), it is damped there, so that no step is out of proportion; the damping vanishes at
+/// the minimum, where convergence is quadratic. The fill-reducing order of the factorization is
+/// kept while it is good, the symbolic factorization while the pattern of the Hessian stays. If the
+/// macro `CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD` is defined, CHOLMOD factorizes, otherwise
+/// Eigen.
 ///
-/// Some ten iterations are usual. An energy whose slopes change sharply in many places, far below the
-/// distance between start and minimum, is almost a linear program: it can take hundreds.
+/// Some ten iterations are usual. An energy whose slopes change sharply in many places, far below
+/// the distance between start and minimum, is almost a linear program: it can take hundreds.
 ///
 /// The same input gives the same result, bit by bit.
 ///
@@ -52,8 +53,9 @@ public:
     CGAL_precondition(gradient_tolerance >= 0);
   }
 
-  /// minimizes `energy` from `u` on. Complexity of an iteration: a sparse Cholesky factorization (two
-  /// where the Hessian has to be damped) and an evaluation of the energy, rarely more, at most 40.
+  /// minimizes `energy` from `u` on. Complexity of an iteration: a sparse Cholesky factorization
+  /// (two where the Hessian has to be damped) and an evaluation of the energy, rarely more, at most
+  /// 40.
   /// \tparam Energy a model of `ConvexEnergy`
   /// \tparam Visitor a model of `MinimizationVisitor`
   /// \param energy the energy; afterwards it has been evaluated at `u`

@@ -35,13 +35,13 @@ enum class Flipping
 };
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
-/// a closed ideal hyperbolic polyhedron in the triangulation that is Delaunay for given scale factors
-/// (Section 4.1.2), or in a fixed one: connectivity and Penner lengths \f$\ell = e^{\lambda/2}\f$, without
-/// correspondence.
+/// a closed ideal hyperbolic polyhedron in the triangulation that is Delaunay for given scale
+/// factors (Section 4.1.2), or in a fixed one: connectivity and Penner lengths
+/// \f$\ell = e^{\lambda/2}\f$, without correspondence.
 ///
-/// Ptolemy flips and scaling commute, so the triangulation goes from one set of scale factors to the next
-/// by few flips, whatever the steps between them. All that is computed from lengths are sums, products and
-/// quotients of positive numbers: flips lose no digits.
+/// Ptolemy flips and scaling commute, so the triangulation goes from one set of scale factors to
+/// the next by few flips, whatever the steps between them. All that is computed from lengths are
+/// sums, products and quotients of positive numbers: flips lose no digits.
 ///
 /// \tparam FT_ a floating point type, of any precision
 template <typename FT_ = double>
@@ -84,13 +84,12 @@ public:
   /// the number of flips of all calls of `scale()`.
   std::size_t number_of_flips() const { return m_flips; }
 
-  /// takes other scale factors and, unless the triangulation is fixed, flips to the one that is Delaunay with
-  /// them.
-  /// Complexity: linear in the vertices, edges and flips.
+  /// takes other scale factors and, unless the triangulation is fixed, flips to the one that is
+  /// Delaunay with them. Complexity: linear in the vertices, edges and flips.
   /// \param u the logarithmic scale factors, by the numbers of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
-  /// \post unless the triangulation is fixed, the scaled lengths obey Equation 4.5 but for rounding, hence the
-  ///       triangle inequality
+  /// \post unless the triangulation is fixed, the scaled lengths obey Equation 4.5 but for
+  ///       rounding, hence the triangle inequality
   void scale(const std::vector<FT>& u)
   {
     using std::exp;

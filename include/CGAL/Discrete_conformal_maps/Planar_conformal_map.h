@@ -24,14 +24,15 @@ class Flattening;
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// a discrete conformal map of a surface to the plane: three triangulations with the correspondence of
-/// each to the next, scale factors, and the faces of the last in the plane (Section 4.3). With a fixed
-/// triangulation, all three are the same. The faces of \f$T^C\f$ are flat, and can be laid out beside each other
-/// except at seams.
+/// a discrete conformal map of a surface to the plane: three triangulations with the correspondence
+/// of each to the next, scale factors, and the faces of the last in the plane (Section 4.3). With a
+/// fixed triangulation, all three are the same. The faces of \f$T^C\f$ are flat, and can be laid
+/// out beside each other except at seams.
 ///
-/// Every component of the input is one chart. Where no scale factors are prescribed and no cones placed,
-/// it has the same area as the component. Charts stand side by side and do not overlap each other; the
-/// smallest rectangle around each is parallel to the axes, and the first starts at the origin.
+/// Every component of the input is one chart. Where no scale factors are prescribed and no cones
+/// placed, it has the same area as the component. Charts stand side by side and do not overlap each
+/// other; the smallest rectangle around each is parallel to the axes, and the first starts at the
+/// origin.
 class Planar_conformal_map : public Discrete_conformal_map
 {
 public:
@@ -41,23 +42,24 @@ public:
   /// the vertices of the input at which cones were placed.
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
-  /// whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not if scaled lengths
-  /// violate the triangle inequality.
+  /// whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not if
+  /// scaled lengths violate the triangle inequality.
   bool is_laid_out() const { return m_has_layout; }
 
-  /// whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it belongs to the input.
+  /// whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it belongs
+  /// to the input.
   bool is_laid_out(Face_index f) const { return m_is_laid_out[f.idx()] != 0; }
 
   /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
   /// \pre The face is laid out.
   std::complex<double> position(Halfedge_index h) const { return m_position[h.idx()]; }
 
-  /// whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the plane; also where a
-  /// face is not laid out, since it is no part of the input.
+  /// whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the plane;
+  /// also where a face is not laid out, since it is no part of the input.
   bool is_seam(Edge_index e) const { return m_is_seam[e.idx()] != 0; }
 
-  /// the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear on the faces of the
-  /// common subdivision.
+  /// the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear on the
+  /// faces of the common subdivision.
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
   ///        `Triple_subdivision::place_on_C()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const

@@ -27,27 +27,30 @@ class Sphere_mapping;
 }
 
 /// \ingroup PkgDiscreteConformalMapsSphere
-/// a discrete conformal map of a sphere, or of a disk to a hemisphere: three triangulations with the
-/// correspondence of each to the next, scale factors, and positions on the unit sphere (Section 4.4).
+/// a discrete conformal map of a sphere, or of a disk to a hemisphere: three triangulations with
+/// the correspondence of each to the next, scale factors, and positions on the unit sphere (Section
+/// 4.4).
 ///
-/// \f$T^A\f$ is the input. A disk is doubled: the faces of its second copy follow those of the input, and so do
-/// edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay triangulation of
-/// \f$T^A\f$. \f$T^C\f$ has the same ideal polyhedron as \f$T^B\f$, and its faces are those of a convex
-/// polyhedron with vertices on the unit sphere, whose lengths are \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This
-/// polyhedron is unique up to Moebius transformations. It is the one in which the vertices, each with a third
-/// of the area of its faces in the input as mass, have their center of mass in the center of the sphere; so it
-/// is unique up to rotations. The vertex from which the sphere was unfolded has the position (0, 0, -1).
+/// \f$T^A\f$ is the input. A disk is doubled: the faces of its second copy follow those of the
+/// input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay
+/// triangulation of
+/// \f$T^A\f$. \f$T^C\f$ has the same ideal polyhedron as \f$T^B\f$, and its faces are those of a
+/// convex polyhedron with vertices on the unit sphere, whose lengths are
+/// \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This polyhedron is unique up to Moebius transformations. It is
+/// the one in which the vertices, each with a third of the area of its faces in the input as mass,
+/// have their center of mass in the center of the sphere; so it is unique up to rotations. The
+/// vertex from which the sphere was unfolded has the position (0, 0, -1).
 ///
-/// The image of a disk is the upper hemisphere, and its boundary is on the equator; a vertex of the boundary has
-/// the position (-1, 0, 0).
+/// The image of a disk is the upper hemisphere, and its boundary is on the equator; a vertex of the
+/// boundary has the position (-1, 0, 0).
 ///
-/// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the logarithmic scale
-/// factor zero, which mean nothing.
+/// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
+/// logarithmic scale factor zero, which mean nothing.
 ///
-/// Where limbs of the input are long, their images are small, and `double` may have too few digits for the
-/// differences of positions: `lost_in_output()` says how many triangles suffer. The map itself knows positions
-/// in 34 digits, relative to the image of infinity even those of differences. Logarithmic scale factors do
-/// not lose anything.
+/// Where limbs of the input are long, their images are small, and `double` may have too few digits
+/// for the differences of positions: `lost_in_output()` says how many triangles suffer. The map
+/// itself knows positions in 34 digits, relative to the image of infinity even those of
+/// differences. Logarithmic scale factors do not lose anything.
 class Spherical_conformal_map : public Discrete_conformal_map
 {
 public:
@@ -75,8 +78,8 @@ public:
     return turned({2 * x * scale, 2 * y * scale, (1 - square) * scale});
   }
 
-  /// the position of `v` in the plane: the stereographic projection, from the vertex at infinity, of its
-  /// position on the sphere. That of the vertex at infinity has no meaning.
+  /// the position of `v` in the plane: the stereographic projection, from the vertex at infinity,
+  /// of its position on the sphere. That of the vertex at infinity has no meaning.
   const std::array<Extended, 2>& stereographic_position(Vertex_index v) const
   {
     return m_in_plane[v.idx()];
@@ -85,23 +88,25 @@ public:
   /// what exact predicates say about the polyhedron, with positions in the plane as above.
   const Convexity_certificate& certificate() const { return m_certificate; }
 
-  /// the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped as seen from the
-  /// center, if they have their vertices at `position()`: exact for these numbers, whose rounding is to
-  /// blame. Edges between faces that are parts of one flat face can have any side, and count.
+  /// the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped as seen
+  /// from the center, if they have their vertices at `position()`: exact for these numbers, whose
+  /// rounding is to blame. Edges between faces that are parts of one flat face can have any side,
+  /// and count.
   std::size_t lost_in_output() const { return m_lost_in_output; }
 
   /// the greatest distance of a `position()` from the sphere.
   double max_inscribed_error() const;
 
-  /// the number of vertices that break a bound of Section 4.4.3: their scale factors are too small, or they
-  /// are neighbors of the vertex at infinity and their scale factors are greater than they may be.
+  /// the number of vertices that break a bound of Section 4.4.3: their scale factors are too small,
+  /// or they are neighbors of the vertex at infinity and their scale factors are greater than they
+  /// may be.
   std::size_t bound_violations() const { return m_bound_violations; }
 
   /// whether more digits than those of `double` were needed.
   bool is_extended() const { return m_is_extended; }
 
-  /// the homogeneous coordinates of a point of the polyhedron, as a vector `(x w, y w, z w, w)`. They are
-  /// linear on the faces of the common subdivision (Section 4.4.6).
+  /// the homogeneous coordinates of a point of the polyhedron, as a vector `(x w, y w, z w, w)`.
+  /// They are linear on the faces of the common subdivision (Section 4.4.6).
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
   ///        `Triple_subdivision::place_on_C()` gives
   std::array<double, 4> homogeneous_coordinates(const Face_location& on_C) const
@@ -126,8 +131,8 @@ public:
     return {homogeneous[0] / norm, homogeneous[1] / norm, homogeneous[2] / norm};
   }
 
-  /// the image of a point of the sphere in the plane, by stereographic projection from (0, 0, -1): the image
-  /// of a disk is the unit disk. \pre the third coordinate of `p` is greater than -1
+  /// the image of a point of the sphere in the plane, by stereographic projection from (0, 0, -1):
+  /// the image of a disk is the unit disk. \pre the third coordinate of `p` is greater than -1
   static std::complex<double> to_plane(const Point& p)
   {
     return std::complex<double>(p[0], p[1]) / (1 + p[2]);

@@ -42,18 +42,20 @@ enum class Layer
 };
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// the polygon mesh into which the edges of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$ together cut the surface
-/// (Section 4.2.2). Every face of it is part of one face of each.
+/// the polygon mesh into which the edges of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$ together cut the
+/// surface (Section 4.2.2). Every face of it is part of one face of each.
 ///
 /// All three have the same vertices; these come first, with their numbers. They are followed by the
-/// crossings of edges of \f$T^A\f$ and \f$T^B\f$ and of \f$T^B\f$ and \f$T^C\f$, with the numbers of the
-/// two correspondences, and then by those of \f$T^A\f$ and \f$T^C\f$ inside faces of \f$T^B\f$.
+/// crossings of edges of \f$T^A\f$ and \f$T^B\f$ and of \f$T^B\f$ and \f$T^C\f$, with the numbers
+/// of the two correspondences, and then by those of \f$T^A\f$ and \f$T^C\f$ inside faces of
+/// \f$T^B\f$.
 ///
-/// In each face of \f$T^B\f$, edges of \f$T^A\f$ and edges of \f$T^C\f$ are straight lines. The order of
-/// their ends around the face alone decides which of them cross, and in which order. Hence the connectivity
-/// is always valid. It is exact unless rounding has exchanged an end of an edge of \f$T^A\f$ and an end of
-/// an edge of \f$T^C\f$ on an edge of \f$T^B\f$. Where the two are at one place, they remain two vertices.
-/// Places of crossings are rounded; along every edge they do not decrease.
+/// In each face of \f$T^B\f$, edges of \f$T^A\f$ and edges of \f$T^C\f$ are straight lines. The
+/// order of their ends around the face alone decides which of them cross, and in which order. Hence
+/// the connectivity is always valid. It is exact unless rounding has exchanged an end of an edge of
+/// \f$T^A\f$ and an end of an edge of \f$T^C\f$ on an edge of \f$T^B\f$. Where the two are at one
+/// place, they remain two vertices. Places of crossings are rounded; along every edge they do not
+/// decrease.
 ///
 /// \tparam FT_ the type of coordinates
 /// \tparam Point the point type of the mesh
@@ -119,7 +121,8 @@ public:
   /// whether `v` is a vertex of the three triangulations.
   bool is_input_vertex(Vertex_index v) const { return v.idx() < m_number_of_input_vertices; }
 
-  /// whether `v` is a crossing of an edge of `layer` with one of another triangulation. Edges that are in
+  /// whether `v` is a crossing of an edge of `layer` with one of another triangulation. Edges that
+  /// are in
   /// \f$T^B\f$ too count as edges of \f$T^B\f$ alone.
   bool is_crossing(Layer layer, Vertex_index v) const
   {
@@ -142,12 +145,13 @@ public:
   /// the place of `v` on \f$T^B\f$. The null face if `v` is isolated.
   const Face_location<FT>& place_on_B(Vertex_index v) const { return m_place_on_B[v]; }
 
-  /// the place of the target of `h` in `parent_face(Layer::C, mesh().face(h))`, as homogeneous coordinates:
-  /// nonnegative weights of its corners, in the order of `Face_location`, for the decoration of the ideal
-  /// polyhedron that the correspondence has. They are linear in each face of the subdivision, seen in
-  /// \f$T^B\f$, and continuous across its edges: the weights in two faces around a vertex belong to the
-  /// same vertices of \f$T^C\f$ or are zero. They do not sum up to one, except in Euclidean geometry.
-  /// The null face if `h` is a border halfedge.
+  /// the place of the target of `h` in `parent_face(Layer::C, mesh().face(h))`, as homogeneous
+  /// coordinates: nonnegative weights of its corners, in the order of `Face_location`, for the
+  /// decoration of the ideal polyhedron that the correspondence has. They are linear in each face
+  /// of the subdivision, seen in
+  /// \f$T^B\f$, and continuous across its edges: the weights in two faces around a vertex belong to
+  /// the same vertices of \f$T^C\f$ or are zero. They do not sum up to one, except in Euclidean
+  /// geometry. The null face if `h` is a border halfedge.
   const Face_location<FT>& place_on_C(Halfedge_index h) const { return m_place_on_C[h]; }
 
 private:
@@ -197,8 +201,8 @@ private:
   std::array<Map<Edge_index, Edge_index>, 3> m_parent_edge;
 };
 
-// Cuts each face of B along its chords. An edge of B with n marks becomes n + 1 edges, its "pieces"; these
-// come first. A chord with n crossings becomes n + 1 pieces too.
+// Cuts each face of B along its chords. An edge of B with n marks becomes n + 1 edges, its
+// "pieces"; these come first. A chord with n crossings becomes n + 1 pieces too.
 template <typename FT, typename Point>
 class Triple_subdivision<FT, Point>::Builder
 {
@@ -358,8 +362,8 @@ private:
     }
   }
 
-  // From the side after the corner to the side before it. Each region between chords is in the face on
-  // the left of the last spoke passed.
+  // From the side after the corner to the side before it. Each region between chords is in the face
+  // on the left of the last spoke passed.
   void link_corner(std::size_t s)
   {
     const Halfedge_index before = m_chords.sides()[(s + 2) % 3], after = m_chords.sides()[s];

@@ -24,8 +24,8 @@ struct Vertex_condition
   Quantity quantity = Quantity::curvature; ///< what is prescribed
   double value = 0;                        ///< its value
 
-  /// prescribes a curvature: \f$2\pi\f$ less the sum of angles inside the surface, \f$\pi\f$ less that on the
-  /// boundary.
+  /// prescribes a curvature: \f$2\pi\f$ less the sum of angles inside the surface, \f$\pi\f$ less
+  /// that on the boundary.
   static Vertex_condition curvature(double value) { return {Quantity::curvature, value}; }
 
   /// prescribes a logarithmic scale factor.

@@ -20,10 +20,12 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// returns how far a map is from being discretely conformal: the greatest relative error of a length cross
-/// ratio \f$\ell_{jk}\ell_{im} / (\ell_{ki}\ell_{mj})\f$ of an edge \f$ij\f$ of \f$T^C\f$ with faces
-/// \f$ijk\f$ and \f$jim\f$, between the lengths in the plane and those of the ideal polyhedron, which the
-/// scale factors do not change. Edges with a face that is not laid out do not count. Complexity: linear.
+/// returns how far a map is from being discretely conformal: the greatest relative error of a
+/// length cross ratio \f$\ell_{jk}\ell_{im} / (\ell_{ki}\ell_{mj})\f$ of an edge \f$ij\f$ of
+/// \f$T^C\f$ with faces
+/// \f$ijk\f$ and \f$jim\f$, between the lengths in the plane and those of the ideal polyhedron,
+/// which the scale factors do not change. Edges with a face that is not laid out do not count.
+/// Complexity: linear.
 inline double max_cross_ratio_error(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
@@ -45,9 +47,9 @@ inline double max_cross_ratio_error(const Planar_conformal_map& map)
 }
 
 /// \ingroup PkgDiscreteConformalMapsSphere
-/// returns the greatest relative error of a length cross ratio of an edge of \f$T^C\f$, between the lengths on
-/// the sphere and those of the ideal polyhedron. Positions have all digits that the map knows. Complexity:
-/// linear.
+/// returns the greatest relative error of a length cross ratio of an edge of \f$T^C\f$, between the
+/// lengths on the sphere and those of the ideal polyhedron. Positions have all digits that the map
+/// knows. Complexity: linear.
 inline double max_cross_ratio_error(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();

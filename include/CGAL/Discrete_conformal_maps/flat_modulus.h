@@ -21,8 +21,8 @@ namespace Discrete_conformal_maps {
 
 namespace internal {
 
-// The translations that glue the seams of a flat surface without cones, the shortest first; rounding errors of
-// none do not count.
+// The translations that glue the seams of a flat surface without cones, the shortest first;
+// rounding errors of none do not count.
 inline std::vector<std::complex<double>> seam_translations(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
@@ -81,9 +81,10 @@ inline double boundary_length(const Planar_conformal_map& map)
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// returns the modulus of a flat torus: the quotient \f$\tau\f$ of two translations that generate its lattice,
-/// with \f$|\tau| \ge 1\f$, \f$-\frac12 \le \mathrm{Re}\,\tau \le \frac12\f$ and \f$\mathrm{Im}\,\tau > 0\f$. It
-/// is unique but on the boundary of this domain. Complexity: \f$O(n \log n)\f$.
+/// returns the modulus of a flat torus: the quotient \f$\tau\f$ of two translations that generate
+/// its lattice, with \f$|\tau| \ge 1\f$, \f$-\frac12 \le \mathrm{Re}\,\tau \le \frac12\f$ and
+/// \f$\mathrm{Im}\,\tau > 0\f$. It is unique but on the boundary of this domain. Complexity:
+/// \f$O(n \log n)\f$.
 /// \pre `map` is that of one torus without cones.
 inline std::complex<double> torus_modulus(const Planar_conformal_map& map)
 {
@@ -105,8 +106,8 @@ inline std::complex<double> torus_modulus(const Planar_conformal_map& map)
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// returns the modulus of a flat annulus with straight boundaries, a cylinder: its height, divided by its
-/// circumference. Complexity: linear.
+/// returns the modulus of a flat annulus with straight boundaries, a cylinder: its height, divided
+/// by its circumference. Complexity: linear.
 /// \pre `map` is that of one annulus with curvature zero everywhere.
 inline double annulus_modulus(const Planar_conformal_map& map)
 {

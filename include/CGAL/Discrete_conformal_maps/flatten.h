@@ -105,7 +105,8 @@ private:
         m_map.m_is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
   }
 
-  // the vertices around which faces do not close up: those with prescribed values, and ends of walls
+  // the vertices around which faces do not close up: those with prescribed values, and ends of
+  // walls
   std::vector<char> terminals() const
   {
     std::vector<char> result = m_problem.is_fixed();
@@ -124,8 +125,8 @@ private:
     return m_problem.components()[mesh().target(mesh().halfedge(f)).idx()];
   }
 
-  // What is to be added to the scale factors at each vertex: nothing, or where none are prescribed, what
-  // keeps the area of the component.
+  // What is to be added to the scale factors at each vertex: nothing, or where none are prescribed,
+  // what keeps the area of the component.
   std::vector<double> area_correction() const
   {
     const std::vector<double> flat =
@@ -241,26 +242,28 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// maps a surface to the plane, discretely conformally (Section 4.3).
 ///
-/// The faces of the result are flat. Its cones are the vertices with a curvature that is not zero. There are
-/// none on a torus without conditions; elsewhere there must be some, which are prescribed or placed
-/// greedily.
+/// The faces of the result are flat. Its cones are the vertices with a curvature that is not zero.
+/// There are none on a torus without conditions; elsewhere there must be some, which are prescribed
+/// or placed greedily.
 ///
-/// The result says how that has ended (`Planar_conformal_map::status()`); without convergence, it has the best
-/// scale factors that have been found.
+/// The result says how that has ended (`Planar_conformal_map::status()`); without convergence, it
+/// has the best scale factors that have been found.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
-/// \param g a manifold triangle mesh of any genus, with or without boundary, with any number of components
+/// \param g a manifold triangle mesh of any genus, with or without boundary, with any number of
+///   components
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_condition_map}
 ///     \cgalParamDescription{what is prescribed at each vertex}
-///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as value}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
+///       value}
 ///     \cgalParamDefault{curvature zero inside, a logarithmic scale factor of zero on the boundary}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
-///     \cgalParamDescription{cones without scaling are placed until all logarithmic scale factors are at most
-///                           so great; infinity for none}
+///     \cgalParamDescription{cones without scaling are placed until all logarithmic scale factors
+///                           are at most so great; infinity for none}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{5 if there is no `vertex_condition_map`, otherwise infinity}
 ///   \cgalParamNEnd
@@ -270,15 +273,17 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
 ///     \cgalParamDefault{`Newton_minimizer`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{initial_log_scale_map}
-///     \cgalParamDescription{where the minimization starts: the nearer the result, the fewer steps it takes}
+///     \cgalParamDescription{where the minimization starts: the nearer the result, the fewer steps
+///       it takes}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `double` as value}
 ///     \cgalParamDefault{zero everywhere}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{flipping}
-///     \cgalParamDescription{whether triangulations follow the scale factors. In a fixed triangulation, the scale
-///                           factors are those of Springborn, Schr&ouml;der and Pinkall (2008): they exist only
-///                           sometimes, which `Planar_conformal_map::status()` tells, and depend on how the
-///                           surface is triangulated}
+///     \cgalParamDescription{whether triangulations follow the scale factors. In a fixed
+///                           triangulation, the scale factors are those of Springborn,
+///                           Schr&ouml;der and Pinkall (2008): they exist only sometimes, which
+///                           `Planar_conformal_map::status()` tells, and depend on how the surface
+///                           is triangulated}
 ///     \cgalParamType{`Flipping`}
 ///     \cgalParamDefault{`Flipping::to_Delaunay`}
 ///   \cgalParamNEnd
@@ -289,17 +294,19 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
-///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
+///       state}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond that
+/// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
+/// that
 /// \f$O(n \log n)\f$ in the vertices and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or what is prescribed cannot
-///         be: the error says where, and for curvatures the excess
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error where numbers
-///         have not enough digits
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or what is prescribed
+///         cannot be: the error says where, and for curvatures the excess
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
+///         where numbers have not enough digits
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map flatten(const Graph& g,
                              const NamedParameters& np = CGAL::parameters::default_values())

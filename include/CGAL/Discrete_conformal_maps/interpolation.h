@@ -15,16 +15,16 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
-/// pulls a function that is linear on the faces of \f$T^A\f$ (such as the positions in space) onto the
-/// subdivision, on which it is piecewise linear too. At vertices of \f$T^A\f$ the values are the same, to
-/// the bit. Complexity: linear.
+/// pulls a function that is linear on the faces of \f$T^A\f$ (such as the positions in space) onto
+/// the subdivision, on which it is piecewise linear too. At vertices of \f$T^A\f$ the values are
+/// the same, to the bit. Complexity: linear.
 ///
 /// \param subdivision the subdivision
 /// \param input the connectivity of \f$T^A\f$
-/// \param value a readable property map from the vertices of \f$T^A\f$ to the values of the function:
-///        numbers, or points or vectors of a kernel
-/// \param result a writable property map from the vertices of the subdivision to values; isolated vertices
-///        of \f$T^A\f$ keep their values
+/// \param value a readable property map from the vertices of \f$T^A\f$ to the values of the
+///        function: numbers, or points or vectors of a kernel
+/// \param result a writable property map from the vertices of the subdivision to values; isolated
+///        vertices of \f$T^A\f$ keep their values
 template <typename FT, typename Point, typename ValueMap, typename ResultMap>
 void interpolate(const Triple_subdivision<FT, Point>& subdivision, const Delta_complex& input,
                  const ValueMap& value, ResultMap result)

@@ -97,8 +97,8 @@ private:
     return result;
   }
 
-  // Vertices with much area are best at infinity: all others can be seen from there. Of a disk, they are on the
-  // boundary.
+  // Vertices with much area are best at infinity: all others can be seen from there. Of a disk,
+  // they are on the boundary.
   std::vector<Vertex_index> candidates() const
   {
     std::vector<Vertex_index> all, on_boundary;
@@ -186,31 +186,35 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsSphere
-/// maps a surface of genus zero to the unit sphere, discretely conformally, or a disk to a hemisphere
-/// (Section 4.4).
+/// maps a surface of genus zero to the unit sphere, discretely conformally, or a disk to a
+/// hemisphere (Section 4.4).
 ///
-/// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result is a convex
-/// polyhedron is decided exactly. If it is none, or length cross ratios are not what they should be, the work
-/// goes on with 113 binary digits, and if that is not enough with other vertices at infinity. The map says
-/// what has been reached.
+/// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result
+/// is a convex polyhedron is decided exactly. If it is none, or length cross ratios are not what
+/// they should be, the work goes on with 113 binary digits, and if that is not enough with other
+/// vertices at infinity. The map says what has been reached.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
-/// \param g a connected manifold triangle mesh, a sphere or a disk, and perhaps isolated vertices, which do not count
+/// \param g a connected manifold triangle mesh, a sphere or a disk, and perhaps isolated vertices,
+///   which do not count
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
-///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
+///       state}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: for each step of the minimization, that of a few sparse Cholesky factorizations; beyond that
+/// Complexity: for each step of the minimization, that of a few sparse Cholesky factorizations;
+/// beyond that
 /// \f$O(n \log n)\f$ in the vertices, flips and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or neither a sphere nor a disk
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error where numbers
-///         have not enough digits
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or neither a sphere
+///   nor a disk
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
+///         where numbers have not enough digits
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Spherical_conformal_map
 map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())

@@ -110,7 +110,8 @@ auto flipping(const Flipping& value, const NamedParameters& np)
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// names a readable property map from the vertices of the input to the logarithmic scale factors to start from.
+/// names a readable property map from the vertices of the input to the logarithmic scale factors to
+/// start from.
 template <typename Map>
 auto initial_log_scale_map(const Map& map)
 {

@@ -22,7 +22,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// the faces of an input have no texture coordinates: a map is not projective on them, or is not laid out.
+/// the faces of an input have no texture coordinates: a map is not projective on them, or is not
+/// laid out.
 class No_texture_coordinates : public Intrinsic_triangulations::Error
 {
 public:
@@ -71,7 +72,8 @@ private:
     }
   }
 
-  // whether the edges of a face of the subdivision, from `h` on, are those of one of T^A from `x` on
+  // whether the edges of a face of the subdivision, from `h` on, are those of one of T^A from `x`
+  // on
   bool has_edges(Halfedge_index h, Halfedge_index x) const
   {
     const auto& mesh = m_map.subdivision().mesh();
@@ -90,9 +92,9 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// whether no face of the input is cut by edges of \f$T^B\f$ or \f$T^C\f$. Then the map is projective on each
-/// of them, and corners of the input suffice to tell it. Only the subdivision tells it otherwise.
-/// Complexity: linear in the faces of the subdivision.
+/// whether no face of the input is cut by edges of \f$T^B\f$ or \f$T^C\f$. Then the map is
+/// projective on each of them, and corners of the input suffice to tell it. Only the subdivision
+/// tells it otherwise. Complexity: linear in the faces of the subdivision.
 inline bool has_whole_faces(const Planar_conformal_map& map)
 {
   std::vector<char> is_met(map.Delaunay().input_mesh().num_faces(), 0);
@@ -107,7 +109,8 @@ inline bool has_whole_faces(const Planar_conformal_map& map)
 
 namespace internal {
 
-// Calls `write` with the halfedges of the faces of a graph and the homogeneous coordinates of their targets.
+// Calls `write` with the halfedges of the faces of a graph and the homogeneous coordinates of their
+// targets.
 template <typename Graph, typename Function>
 void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Function& write)
 {
@@ -128,15 +131,16 @@ void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Func
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// writes homogeneous texture coordinates \f$(xw, yw, w)\f$ of the corners of a mesh. Interpolated linearly and
-/// then divided by the third, they give the exact map. Complexity: linear.
+/// writes homogeneous texture coordinates \f$(xw, yw, w)\f$ of the corners of a mesh. Interpolated
+/// linearly and then divided by the third, they give the exact map. Complexity: linear.
 ///
 /// \param map the result of `flatten()` for `g`
 /// \param g the mesh
-/// \param uvw a writable property map with a halfedge of `g` as key, for the corner at its target in its
-///        face, and a value type that is made of three `double`. Border halfedges get no value.
-/// \throws No_texture_coordinates if faces of `g` are cut (see `has_whole_faces()`) or are not laid out;
-///         nothing is written then
+/// \param uvw a writable property map with a halfedge of `g` as key, for the corner at its target
+///        in its face, and a value type that is made of three `double`. Border halfedges get no
+///        value.
+/// \throws No_texture_coordinates if faces of `g` are cut (see `has_whole_faces()`) or are not laid
+///         out; nothing is written then
 template <typename Graph, typename HalfedgeMap>
 void homogeneous_texture_coordinates(const Planar_conformal_map& map, const Graph& g,
                                      HalfedgeMap uvw)
@@ -148,16 +152,17 @@ void homogeneous_texture_coordinates(const Planar_conformal_map& map, const Grap
 }
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// writes texture coordinates \f$(x, y)\f$ of the corners of a mesh. Interpolated linearly, they give the map
-/// at vertices and, on each edge and face, its image; in between they approximate it. Complexity: linear.
+/// writes texture coordinates \f$(x, y)\f$ of the corners of a mesh. Interpolated linearly, they
+/// give the map at vertices and, on each edge and face, its image; in between they approximate it.
+/// Complexity: linear.
 ///
 /// \param map the result of `flatten()` for `g`
 /// \param g the mesh
-/// \param uv a writable property map with a halfedge of `g` as key, for the corner at its target in its
-///        face, and a value type that is made of two `double`, such as `Point_2` of a kernel. Border halfedges
-///        get no value.
-/// \throws No_texture_coordinates if faces of `g` are cut (see `has_whole_faces()`) or are not laid out;
-///         nothing is written then
+/// \param uv a writable property map with a halfedge of `g` as key, for the corner at its target in
+///        its face, and a value type that is made of two `double`, such as `Point_2` of a kernel.
+///        Border halfedges get no value.
+/// \throws No_texture_coordinates if faces of `g` are cut (see `has_whole_faces()`) or are not laid
+///         out; nothing is written then
 template <typename Graph, typename HalfedgeMap>
 void texture_coordinates(const Planar_conformal_map& map, const Graph& g, HalfedgeMap uv)
 {

@@ -35,22 +35,23 @@ struct Uniformization
   std::optional<Spherical_conformal_map> spherical;
   /// the map of all other surfaces
   std::optional<Hyperbolic_conformal_map> hyperbolic;
-  /// the modulus of a torus (see `torus_modulus()`); the imaginary unit times that of an annulus (see
-  /// `annulus_modulus()`)
+  /// the modulus of a torus (see `torus_modulus()`); the imaginary unit times that of an annulus
+  /// (see `annulus_modulus()`)
   std::complex<double> modulus;
 };
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// gives a surface the discretely conformal metric of constant curvature that its topology allows: a sphere becomes
-/// round, a disk a hemisphere, a torus flat, an annulus a flat cylinder, and all surfaces with more handles or boundaries hyperbolic, the
-/// boundaries geodesics.
+/// gives a surface the discretely conformal metric of constant curvature that its topology allows:
+/// a sphere becomes round, a disk a hemisphere, a torus flat, an annulus a flat cylinder, and all
+/// surfaces with more handles or boundaries hyperbolic, the boundaries geodesics.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param g a connected manifold triangle mesh
 /// \param np the parameters of `uniformize_hyperbolic()` other than `vertex_condition_map`
 ///
-/// Complexity and exceptions: those of `map_to_sphere()`, `flatten()` and `uniformize_hyperbolic()`.
+/// Complexity and exceptions: those of `map_to_sphere()`, `flatten()` and
+/// `uniformize_hyperbolic()`.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not connected
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Uniformization uniformize(const Graph& g,

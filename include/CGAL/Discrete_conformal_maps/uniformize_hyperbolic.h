@@ -29,8 +29,8 @@ namespace Discrete_conformal_maps {
 
 namespace internal {
 
-// Scale factors, the same for all vertices of a component, with which small hyperbolic triangles would have the
-// area that a component must have by Gauss and Bonnet.
+// Scale factors, the same for all vertices of a component, with which small hyperbolic triangles
+// would have the area that a component must have by Gauss and Bonnet.
 inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
 {
   const auto& t = problem.triangulation();
@@ -254,10 +254,12 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// gives a surface the discretely conformal metric of curvature -1, and maps it to the hyperbolic plane.
+/// gives a surface the discretely conformal metric of curvature -1, and maps it to the hyperbolic
+/// plane.
 ///
-/// Every component must allow such a metric: a surface without boundary and cones needs a genus of two or more.
-/// A component with boundary is doubled; its boundary is a geodesic, unless exterior angles are prescribed.
+/// Every component must allow such a metric: a surface without boundary and cones needs a genus of
+/// two or more. A component with boundary is doubled; its boundary is a geodesic, unless exterior
+/// angles are prescribed.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -265,9 +267,10 @@ private:
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_condition_map}
-///     \cgalParamDescription{what is prescribed at each vertex: a curvature, \f$2\pi\f$ less the angle of a cone,
-///                           or a logarithmic scale factor}
-///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as value}
+///     \cgalParamDescription{what is prescribed at each vertex: a curvature, \f$2\pi\f$ less the
+///                           angle of a cone, or a logarithmic scale factor}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
+///       value}
 ///     \cgalParamDefault{curvature zero everywhere}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimizer}
@@ -277,17 +280,19 @@ private:
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
-///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
+///       state}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond that
+/// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
+/// that
 /// \f$O(n \log n)\f$ in the vertices and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or a component cannot be
-///         hyperbolic with what is prescribed
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error where numbers
-///         have not enough digits
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or a component cannot
+///         be hyperbolic with what is prescribed
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
+///         where numbers have not enough digits
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Hyperbolic_conformal_map
 uniformize_hyperbolic(const Graph& g,

@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a surface from which vertices are removed, with the history that maps points of the surface as it was to
-/// points of the surface as it is.
+/// a surface from which vertices are removed, with the history that maps points of the surface as
+/// it was to points of the surface as it is.
 ///
 /// Elements keep their numbers; removed ones leave gaps. Vertices have the numbers of the input.
 class Evolving_surface
@@ -69,15 +69,16 @@ public:
   bool is_protected(Vertex_index v) const { return m_is_protected[v] != 0; }
 
   /// the star of `v` as it would be if `v` was removed. Complexity: linear in the degree of `v`.
-  /// \returns whether `v` can be removed, as far as can be told without trying: a vertex with a loop may turn out
-  ///          to be not separable.
+  /// \returns whether `v` can be removed, as far as can be told without trying: a vertex with a
+  ///          loop may turn out to be not separable.
   Removal_status flatten(Vertex_index v, Flattened_star& star) const
   {
     return is_protected(v) ? Removal_status::protected_vertex : star.flatten(v, m_surface);
   }
 
   /// flips edges until all are Delaunay. Complexity: linear in the edges and flips.
-  /// \throws Intrinsic_triangulations::Flip_limit_exceeded if there are more than a thousand flips for each edge
+  /// \throws Intrinsic_triangulations::Flip_limit_exceeded if there are more than a thousand flips
+  ///   for each edge
   /// \throws Intrinsic_triangulations::Numerical_error if an edge has no positive finite length
   /// After an exception the surface is valid.
   void make_Delaunay()
@@ -87,14 +88,15 @@ public:
     flip_waiting_edges([](Vertex_index) {});
   }
 
-  /// removes the center of `star`: changes its scale, flips its edges until three are left, takes it away, and
-  /// makes the edges Delaunay that have changed (Section 5.1). Complexity: linear in the degree of the center and
-  /// the flips, for degrees that are bounded.
+  /// removes the center of `star`: changes its scale, flips its edges until three are left, takes
+  /// it away, and makes the edges Delaunay that have changed (Section 5.1). Complexity: linear in
+  /// the degree of the center and the flips, for degrees that are bounded.
   /// \param star the flattened star, whose scale factor is made more exact
   /// \param touch is called with the vertices whose stars may have changed, some of them repeatedly
   /// \returns whether the vertex has been removed. If not, nothing has changed.
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
-  ///         Intrinsic_triangulations::Numerical_error as `make_Delaunay()`; the vertex has been removed then
+  ///         Intrinsic_triangulations::Numerical_error as `make_Delaunay()`; the vertex has been
+  ///         removed then
   /// \pre `flatten(star.center(), star) == Removal_status::possible`, and nothing has changed since
   template <typename Touch>
   Removal_status remove(Flattened_star& star, const Touch& touch)

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// an edge that leaves the center of a star. What is said of lengths and directions holds before the center
-/// is flattened.
+/// an edge that leaves the center of a star. What is said of lengths and directions holds before
+/// the center is flattened.
 struct Star_spoke
 {
   Halfedge_index halfedge;             ///< leaves the center
@@ -33,11 +33,11 @@ struct Star_spoke
   double length;                       ///< the length of the edge
   std::complex<double> direction;      ///< its direction at the center, of length one
   std::complex<double> direction_back; ///< that of the opposite halfedge at the neighbor
-  /// the change of the angle at the neighbor in the two faces of the spoke, by flattening; the curvature of
-  /// the neighbor changes by its negative
+  /// the change of the angle at the neighbor in the two faces of the spoke, by flattening; the
+  /// curvature of the neighbor changes by its negative
   double angle_change;
-  /// the share of the change at this spoke in that at all of them (Equation 5.7); equal shares if the center is flat
-  /// already, and none for a loop
+  /// the share of the change at this spoke in that at all of them (Equation 5.7); equal shares if
+  /// the center is flat already, and none for a loop
   double weight;
   /// the number of the first spoke with this neighbor
   std::size_t first_with_neighbor;
@@ -46,17 +46,18 @@ struct Star_spoke
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the faces around a vertex, and the scale of the vertex that makes them flat (Section 5.1.1).
 ///
-/// The center gets the scale factor \f$u\f$: the length of an edge is multiplied by \f$e^{u/2}\f$ for each
-/// end at the center. The other edges of the star keep their lengths. The sum of angles at the center
-/// decreases strictly with \f$u\f$, so there is one solution at most. It is \f$2\pi\f$ at an interior
-/// vertex, and \f$\pi\f$ on the boundary, which becomes straight.
+/// The center gets the scale factor \f$u\f$: the length of an edge is multiplied by \f$e^{u/2}\f$
+/// for each end at the center. The other edges of the star keep their lengths. The sum of angles at
+/// the center decreases strictly with \f$u\f$, so there is one solution at most. It is \f$2\pi\f$
+/// at an interior vertex, and \f$\pi\f$ on the boundary, which becomes straight.
 ///
 /// An object can be used for one vertex after the other; it keeps its memory.
 class Flattened_star
 {
 public:
-  /// finds the spokes of `v` and its scale factor, to about half of its digits if they have to be searched for:
-  /// enough for a cost. Complexity: linear in the degree of `v`, for each step of Newton's method.
+  /// finds the spokes of `v` and its scale factor, to about half of its digits if they have to be
+  /// searched for: enough for a cost. Complexity: linear in the degree of `v`, for each step of
+  /// Newton's method.
   /// \returns whether `v` can be flattened; if it can, the functions below tell the result
   Removal_status flatten(Vertex_index v, const Intrinsic_surface& surface)
   {
@@ -70,7 +71,8 @@ public:
     return Removal_status::possible;
   }
 
-  /// finds the scale factor to within rounding. Angle changes and weights stay. Complexity: as `flatten()`.
+  /// finds the scale factor to within rounding. Angle changes and weights stay. Complexity: as
+  /// `flatten()`.
   /// \returns whether the center can be flattened after all
   bool sharpen() { return solve(rounding()); }
 
@@ -104,7 +106,8 @@ public:
   /// the length of a spoke after flattening.
   double flat_length(std::size_t n) const { return m_spokes[n].length * m_power[ends(n)]; }
 
-  /// the length of the edge across from the center, between the spokes `n` and `next(n)`, after flattening.
+  /// the length of the edge across from the center, between the spokes `n` and `next(n)`, after
+  /// flattening.
   double flat_opposite_length(std::size_t n) const
   {
     return m_opposite[n] * m_power[opposite_ends(n)];
@@ -237,9 +240,9 @@ private:
   // where one more step leaves an excess of about half of all digits
   static constexpr double nearly_flat() { return 1e-4; }
 
-  // Newton's method, kept in the interval where the excess changes its sign; with a last step that squares an
-  // excess of `tolerance`. Beyond the triangle inequality an angle counts as 0 or pi, so that the excess is
-  // continuous and decreases everywhere.
+  // Newton's method, kept in the interval where the excess changes its sign; with a last step that
+  // squares an excess of `tolerance`. Beyond the triangle inequality an angle counts as 0 or pi, so
+  // that the excess is continuous and decreases everywhere.
   bool solve(double tolerance)
   {
     double low = -std::numeric_limits<double>::infinity(), high = -low;
@@ -255,7 +258,8 @@ private:
     return false;
   }
 
-  // A small excess that hardly changes any more is no solution: it vanishes in the limit of length zero.
+  // A small excess that hardly changes any more is no solution: it vanishes in the limit of length
+  // zero.
   static bool is_solution(const Excess& e)
   {
     return e.is_valid && std::abs(e.value) <= 0.1 * std::abs(e.derivative);

@@ -40,13 +40,14 @@ constexpr double pi = 3.14159265358979323846;
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a Delta-complex with edge lengths, and with a direction for every halfedge in the tangent space of
-/// its source. Unlike those of `Intrinsic_triangulations::Intrinsic_triangulation`, its lengths can be
-/// changed.
+/// a Delta-complex with edge lengths, and with a direction for every halfedge in the tangent space
+/// of its source. Unlike those of `Intrinsic_triangulations::Intrinsic_triangulation`, its lengths
+/// can be changed.
 ///
-/// Directions are complex numbers. At first they are those of `Intrinsic_triangulations::Tangent_frames`. When
-/// an edge takes the place of another, or lengths change, a halfedge goes between its two neighbors in the
-/// proportion of the two corners: the frame of a vertex stays what it is.
+/// Directions are complex numbers. At first they are those of
+/// `Intrinsic_triangulations::Tangent_frames`. When an edge takes the place of another, or lengths
+/// change, a halfedge goes between its two neighbors in the proportion of the two corners: the
+/// frame of a vertex stays what it is.
 ///
 /// Memory besides the connectivity: 8 bytes for each edge and 16 for each halfedge.
 class Intrinsic_surface
@@ -162,8 +163,8 @@ public:
   /// changes the direction of `h`.
   void set_direction(Halfedge_index h, const std::complex<double>& z) { m_direction[h] = z; }
 
-  /// directs `h` between its neighbors at its source in the proportion of the two corners. That of a border
-  /// edge stays. Complexity: constant.
+  /// directs `h` between its neighbors at its source in the proportion of the two corners. That of
+  /// a border edge stays. Complexity: constant.
   void place_between_neighbors(Halfedge_index h)
   {
     const Halfedge_index o = m_mesh.opposite(h);

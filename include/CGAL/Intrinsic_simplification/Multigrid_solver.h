@@ -52,23 +52,26 @@ struct Multigrid_result
 {
   Eigen::VectorXd solution;   ///< the last iterate
   std::size_t iterations = 0; ///< how many iterations have been made
-  /// the estimated error of the solution, relative, in the energy norm \f$\sqrt{x^T A x}\f$: from the residual of the
-  /// solution and the preconditioner
+  /// the estimated error of the solution, relative, in the energy norm \f$\sqrt{x^T A x}\f$: from
+  /// the residual of the solution and the preconditioner
   double error = 0;
   Multigrid_status status = Multigrid_status::no_progress; ///< how the iteration has ended
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// solves equations \f$A x = b\f$ of Laplace and Poisson problems with many unknowns, by the conjugate gradient method
-/// with one V-cycle on a hierarchy of surfaces as preconditioner: a sweep of the method of Gauss and Seidel on each level on
-/// the way down, one in reverse on the way up, a Cholesky factorization on the coarsest. Matrices of coarse levels
-/// are \f$P^T A P\f$. The number of iterations hardly depends on the number of unknowns.
+/// solves equations \f$A x = b\f$ of Laplace and Poisson problems with many unknowns, by the
+/// conjugate gradient method with one V-cycle on a hierarchy of surfaces as preconditioner: a sweep
+/// of the method of Gauss and Seidel on each level on the way down, one in reverse on the way up, a
+/// Cholesky factorization on the coarsest. Matrices of coarse levels are \f$P^T A P\f$. The number
+/// of iterations hardly depends on the number of unknowns.
 ///
-/// The matrix is that of a Dirichlet energy plus any diagonal that is not negative, as \f$L + \alpha M\f$ or \f$L\f$ alone:
-/// on each of its connected components it is positive definite, or maps the constants, and no others, to zero, to within
-/// rounding. On components of the latter kind there is a solution only if the sum of \f$b\f$ vanishes, and it
-/// can be shifted: \f$b\f$ is replaced by \f$b - m \sum b / \sum m\f$ there with the masses \f$m\f$, and the mean of the
-/// solution, weighted with the masses, is zero. `Intrinsic_triangulations::Poisson_solver` does the same.
+/// The matrix is that of a Dirichlet energy plus any diagonal that is not negative, as
+/// \f$L + \alpha M\f$ or \f$L\f$ alone: on each of its connected components it is positive
+/// definite, or maps the constants, and no others, to zero, to within rounding. On components of
+/// the latter kind there is a solution only if the sum of \f$b\f$ vanishes, and it can be shifted:
+/// \f$b\f$ is replaced by \f$b - m \sum b / \sum m\f$ there with the masses \f$m\f$, and the mean
+/// of the solution, weighted with the masses, is zero. `Intrinsic_triangulations::Poisson_solver`
+/// does the same.
 ///
 /// Memory: 12 bytes for each entry of the matrices and prolongations, see `number_of_entries()`.
 class Multigrid_solver
@@ -80,14 +83,15 @@ public:
   typedef Eigen::VectorXd Vector;
 
   /// multiplies matrices and factorizes that of the coarsest level.
-  /// Complexity: for hierarchies of surfaces in which each level is smaller by a factor, linear, plus a Cholesky
-  /// factorization on the coarsest.
+  /// Complexity: for hierarchies of surfaces in which each level is smaller by a factor, linear,
+  /// plus a Cholesky factorization on the coarsest.
   /// \param matrix the symmetric matrix \f$A\f$
-  /// \param masses a number for each unknown, not negative and not all zero on a component; those of
-  ///        `Intrinsic_triangulations::lumped_mass_matrix()`, for example
-  /// \param prolongations from each level to the next finer one, the finest first, as of `prolongation_hierarchy()`; may be
-  ///        empty
-  /// \throws Intrinsic_triangulations::Numerical_error if rounding leaves the coarsest matrix without a factorization
+  /// \param masses a number for each unknown, not negative and not all zero on a component; those
+  ///        of `Intrinsic_triangulations::lumped_mass_matrix()`, for example
+  /// \param prolongations from each level to the next finer one, the finest first, as of
+  ///        `prolongation_hierarchy()`; may be empty
+  /// \throws Intrinsic_triangulations::Numerical_error if rounding leaves the coarsest matrix
+  ///   without a factorization
   Multigrid_solver(const Matrix& matrix, const Vector& masses,
                    const std::vector<Matrix>& prolongations)
     : m_components(matrix), m_masses(masses), m_cycle(matrix, m_components, prolongations)
@@ -120,8 +124,8 @@ public:
 private:
   typedef std::vector<double> Component_sums;
 
-  // The conjugate gradient method, started again with the true residual where that is larger than the one which is
-  // carried along.
+  // The conjugate gradient method, started again with the true residual where that is larger than
+  // the one which is carried along.
   void iterate(const Vector& b, double scale, double tolerance, std::size_t limit,
                Multigrid_result& result) const
   {
@@ -184,7 +188,8 @@ private:
     return result;
   }
 
-  // For each unknown the first sum over the second; zero on components where the matrix is positive definite.
+  // For each unknown the first sum over the second; zero on components where the matrix is positive
+  // definite.
   Vector quotients(const Component_sums& numerator) const
   {
     const Component_sums denominator = sums(m_masses);

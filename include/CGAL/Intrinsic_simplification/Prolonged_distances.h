@@ -40,9 +40,10 @@ Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& le
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// approximates the geodesic distances from a vertex of the fine level to all of them: computes those from its image to
-/// the vertices of the coarse level, exactly, and prolongs them. Vertices out of reach get infinity.
-/// Complexity: that of exact geodesic distances on the coarse level, about linear in practice, plus linear in the fine one.
+/// approximates the geodesic distances from a vertex of the fine level to all of them: computes
+/// those from its image to the vertices of the coarse level, exactly, and prolongs them. Vertices
+/// out of reach get infinity. Complexity: that of exact geodesic distances on the coarse level,
+/// about linear in practice, plus linear in the fine one.
 /// \param source the vertex
 /// \param map the map between the levels
 /// \param prolongation the matrix `prolongation_matrix(map)`
@@ -58,10 +59,10 @@ prolonged_distances_from(Vertex_index source, const Surface_map& map,
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// approximates the geodesic distances between all pairs of vertices of a fine level by \f$P D P^T\f$ with the
-/// distances \f$D\f$ between those of a coarse level, which are exact. The value for a vertex and itself is not
-/// zero if it is no vertex of the coarse level, and distances that are short compared to coarse edges come out
-/// too large.
+/// approximates the geodesic distances between all pairs of vertices of a fine level by
+/// \f$P D P^T\f$ with the distances \f$D\f$ between those of a coarse level, which are exact. The
+/// value for a vertex and itself is not zero if it is no vertex of the coarse level, and distances
+/// that are short compared to coarse edges come out too large.
 ///
 /// Memory: \f$8 n_c^2\f$ bytes for \f$n_c\f$ coarse vertices, plus those of the prolongation.
 class Prolonged_distances
@@ -71,7 +72,8 @@ public:
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Prolongation;
 
   /// computes the distances on the coarse level.
-  /// Complexity: that of exact geodesic distances from each coarse vertex, about quadratic in practice.
+  /// Complexity: that of exact geodesic distances from each coarse vertex, about quadratic in
+  /// practice.
   /// \param coarse the coarse level
   /// \param prolongation the prolongation from it
   Prolonged_distances(const Surface_level& coarse, const Prolongation& prolongation)

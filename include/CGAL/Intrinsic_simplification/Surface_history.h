@@ -36,23 +36,24 @@ struct Surface_operation
   };
 
   Kind kind; ///< what is done
-  /// the places of corners in the barycentric coordinates of faces. Flip: of the source and the target of the
-  /// halfedge, in the faces on its left and right. Removal: of the vertex in each face.
+  /// the places of corners in the barycentric coordinates of faces. Flip: of the source and the
+  /// target of the halfedge, in the faces on its left and right. Removal: of the vertex in each
+  /// face.
   std::array<std::uint8_t, 3> corner;
-  /// scaling: the vertex, and the first and number of its corners. Flip: the halfedge, and the faces on its left
-  /// and right. Removal: the faces around the vertex, of which the first stays.
+  /// scaling: the vertex, and the first and number of its corners. Flip: the halfedge, and the
+  /// faces on its left and right. Removal: the faces around the vertex, of which the first stays.
   std::array<std::uint32_t, 3> id;
-  /// scaling: the factor \f$e^{-u}\f$ of the barycentric coordinate. Flip of \f$ij\f$ to \f$lk\f$: the places of
-  /// the crossing on \f$ij\f$ and \f$lk\f$. Removal: the first two barycentric coordinates of the vertex
-  /// in the new face.
+  /// scaling: the factor \f$e^{-u}\f$ of the barycentric coordinate. Flip of \f$ij\f$ to \f$lk\f$:
+  /// the places of the crossing on \f$ij\f$ and \f$lk\f$. Removal: the first two barycentric
+  /// coordinates of the vertex in the new face.
   std::array<double, 2> x;
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the operations that have changed a surface, in their order (Section 5.2).
 ///
-/// They say of each point where it is afterwards, and before. Memory: 32 bytes for each operation, and 4 for each
-/// corner of a scaling.
+/// They say of each point where it is afterwards, and before. Memory: 32 bytes for each operation,
+/// and 4 for each corner of a scaling.
 class Surface_history
 {
 public:
@@ -79,7 +80,8 @@ public:
   }
 
   /// appends the scaling of the center of `star`, without corners if the center is flat.
-  /// \throws Intrinsic_triangulations::Overflow_error if there are more corners than can be numbered
+  /// \throws Intrinsic_triangulations::Overflow_error if there are more corners than can be
+  ///   numbered
   void add_scaling(const Flattened_star& star, const Delta_complex& mesh)
   {
     add_scaling(star.center(), std::exp(-star.scale_factor()), star.scale_factor() != 0, mesh);
@@ -90,7 +92,8 @@ public:
   /// \param factor the factor of the barycentric coordinate
   /// \param has_corners whether the scaling shall tell the corners; it has no effect otherwise
   /// \param mesh the mesh
-  /// \throws Intrinsic_triangulations::Overflow_error if there are more corners than can be numbered
+  /// \throws Intrinsic_triangulations::Overflow_error if there are more corners than can be
+  ///   numbered
   void add_scaling(Vertex_index v, double factor, bool has_corners, const Delta_complex& mesh)
   {
     const std::size_t first = m_corners.size();
@@ -122,7 +125,8 @@ public:
   /// appends the removal of an interior vertex of degree three, which is about to happen.
   /// \param a its first spoke
   /// \param mesh the mesh
-  /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and the next spoke
+  /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and
+  ///   the next spoke
   void add_removal(Halfedge_index a, const Delta_complex& mesh, double w_a, double w_b)
   {
     using Intrinsic_triangulations::next_spoke;

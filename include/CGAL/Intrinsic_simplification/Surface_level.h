@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a copy of an evolving surface as it is at one time, with elements numbered without gaps, in the same order.
-/// Several make a hierarchy.
+/// a copy of an evolving surface as it is at one time, with elements numbered without gaps, in the
+/// same order. Several make a hierarchy.
 class Surface_level
 {
 public:
@@ -82,12 +82,12 @@ public:
     return m_surface_face.empty() ? 0 : m_surface_face.back().idx() + 1;
   }
 
-  /// the number that the vertex `v` of the evolving surface has in this level; null if it has been removed before.
-  /// Complexity: logarithmic.
+  /// the number that the vertex `v` of the evolving surface has in this level; null if it has been
+  /// removed before. Complexity: logarithmic.
   Vertex_index level_vertex(Vertex_index v) const { return find(m_surface_vertex, v); }
 
-  /// the number that the face `f` of the evolving surface has in this level; null if it has been removed before.
-  /// Complexity: logarithmic.
+  /// the number that the face `f` of the evolving surface has in this level; null if it has been
+  /// removed before. Complexity: logarithmic.
   Face_index level_face(Face_index f) const { return find(m_surface_face, f); }
 
 private:

@@ -28,11 +28,13 @@ namespace Intrinsic_simplification {
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the bijective map between two levels of an evolving surface (Section 5.2.1).
 ///
-/// A point is carried through the operations between the levels that involve the face in which it is, and through no
-/// others: they are found by a list for each face. The map is continuous, and projective on pieces.
-/// A vertex that both levels have is mapped to itself, exactly, and a point of a boundary to a point of the boundary.
+/// A point is carried through the operations between the levels that involve the face in which it
+/// is, and through no others: they are found by a list for each face. The map is continuous, and
+/// projective on pieces. A vertex that both levels have is mapped to itself, exactly, and a point
+/// of a boundary to a point of the boundary.
 ///
-/// The object refers to the history and to both levels. Memory: 4 bytes for each face and operation on it.
+/// The object refers to the history and to both levels. Memory: 4 bytes for each face and operation
+/// on it.
 class Surface_map
 {
 public:
@@ -40,7 +42,8 @@ public:
   typedef Intrinsic_triangulations::Face_location<double> Location;
 
   /// prepares the map. Complexity: linear in the faces of the fine level and the operations.
-  /// \throws Intrinsic_triangulations::Overflow_error if there are more operations than can be numbered
+  /// \throws Intrinsic_triangulations::Overflow_error if there are more operations than can be
+  ///   numbered
   /// \pre both levels are of the surface with this history, and `coarse` is not earlier than `fine`
   Surface_map(const Surface_history& history, const Surface_level& fine,
               const Surface_level& coarse)
@@ -72,8 +75,8 @@ public:
   /// the level on whose surface the map ends.
   const Surface_level& coarse() const { return m_coarse; }
 
-  /// maps a point of the fine surface to the coarse surface. Complexity: linear in the operations that move the point,
-  /// times the logarithm of the number of operations on a face.
+  /// maps a point of the fine surface to the coarse surface. Complexity: linear in the operations
+  /// that move the point, times the logarithm of the number of operations on a face.
   Location to_coarse(Location p) const
   {
     p.first = m_fine.surface_face(p.first);
@@ -100,16 +103,18 @@ public:
   /// the operations.
   const Surface_history& history() const { return m_history; }
 
-  /// the first operation between the levels on the face `f` of the evolving surface that is not before `t`; if there is
-  /// none, the time of the coarse level. Complexity: logarithmic in the operations on the face.
+  /// the first operation between the levels on the face `f` of the evolving surface that is not
+  /// before `t`; if there is none, the time of the coarse level. Complexity: logarithmic in the
+  /// operations on the face.
   Surface_history::Time next_operation(Face_index f, Surface_history::Time t) const
   {
     const auto* next = first_not_before(f, t);
     return next == end(f) ? m_coarse.time() : *next;
   }
 
-  /// one more than the last operation between the levels on the face `f` of the evolving surface that is before `t`; if
-  /// there is none, the time of the fine level. Complexity: as `next_operation()`.
+  /// one more than the last operation between the levels on the face `f` of the evolving surface
+  /// that is before `t`; if there is none, the time of the fine level. Complexity: as
+  /// `next_operation()`.
   Surface_history::Time end_of_operation(Face_index f, Surface_history::Time t) const
   {
     const auto* next = first_not_before(f, t);

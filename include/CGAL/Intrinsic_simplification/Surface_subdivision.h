@@ -35,23 +35,25 @@ enum class Level
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the polygon mesh into which the edges of the fine and the coarse level together cut the surface. Each face is part of one
-/// face of both levels.
+/// the polygon mesh into which the edges of the fine and the coarse level together cut the surface.
+/// Each face is part of one face of both levels.
 ///
-/// The vertices are those of the fine level, with their numbers; then the points where edges of the coarse level cross
-/// those of the fine level or bend on its surface; then, if they are wanted, those where edges of the
-/// fine level bend on the coarse surface. So the polygons have straight sides on the fine surface, and with the last
-/// on the coarse surface too. They need not be convex.
+/// The vertices are those of the fine level, with their numbers; then the points where edges of the
+/// coarse level cross those of the fine level or bend on its surface; then, if they are wanted,
+/// those where edges of the fine level bend on the coarse surface. So the polygons have straight
+/// sides on the fine surface, and with the last on the coarse surface too. They need not be convex.
 ///
-/// The map from a polygon on one level to the polygon on the other is continuous and one-to-one. It is made of projective pieces
-/// that are smaller in general, one for each sequence of faces through which points have gone; where nothing has been
-/// scaled it is an isometry.
+/// The map from a polygon on one level to the polygon on the other is continuous and one-to-one. It
+/// is made of projective pieces that are smaller in general, one for each sequence of faces through
+/// which points have gone; where nothing has been scaled it is an isometry.
 ///
-/// The connectivity is that of a subdivision of both levels, always: in which order edges of the coarse level cross an edge of the
-/// fine level is told by how these curves separate on their ways, not by the places of the crossings. Those are rounded, and in
-/// order along every edge. An edge of the coarse level that comes to a vertex within rounding runs through it, and along
-/// an edge of the fine level if it comes to both ends. Where edges nearly coincide otherwise, polygons can have an area as small as
-/// rounding, of either sign, and may have two sides only: `signed_area()` tells.
+/// The connectivity is that of a subdivision of both levels, always: in which order edges of the
+/// coarse level cross an edge of the fine level is told by how these curves separate on their ways,
+/// not by the places of the crossings. Those are rounded, and in order along every edge. An edge of
+/// the coarse level that comes to a vertex within rounding runs through it, and along an edge of
+/// the fine level if it comes to both ends. Where edges nearly coincide otherwise, polygons can
+/// have an area as small as rounding, of either sign, and may have two sides only: `signed_area()`
+/// tells.
 ///
 /// \tparam Point the point type of the mesh
 template <typename Point = Intrinsic_triangulations::No_point>
@@ -70,12 +72,13 @@ public:
     of_all_edges     ///< those of edges of the fine level on the coarse surface too
   };
 
-  /// builds the subdivision; it refers to the levels of `map`. Complexity: that of tracing the edges, and the time to
-  /// sort the crossings on every edge.
-  /// \throws Intrinsic_triangulations::Numerical_error if two edges of the coarse level have crossed each other by
-  ///   rounding, or if a vertex is not in or next to the coarse face that the edges around it tell. On which side of a removed vertex or of
-  ///   a bend an edge passes is decided by a rounded number, for each edge by itself; so this needs
-  ///   vertices that are as near to each other as rounding.
+  /// builds the subdivision; it refers to the levels of `map`. Complexity: that of tracing the
+  /// edges, and the time to sort the crossings on every edge.
+  /// \throws Intrinsic_triangulations::Numerical_error if two edges of the coarse level have
+  ///   crossed each other by rounding, or if a vertex is not in or next to the coarse face that the
+  ///   edges around it tell. On which side of a removed vertex or of a bend an edge passes is
+  ///   decided by a rounded number, for each edge by itself; so this needs vertices that are as
+  ///   near to each other as rounding.
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
     : m_levels{&map.fine(), &map.coarse()}
   {
@@ -127,8 +130,8 @@ public:
     return parent.is_valid() && h.idx() % 2 == 1 ? level(side).mesh().opposite(parent) : parent;
   }
 
-  /// the halfedges that are the parts of the edge `e` of the coarse level, each beginning where the one before ends, from
-  /// the source of its first halfedge to the target. Complexity: constant.
+  /// the halfedges that are the parts of the edge `e` of the coarse level, each beginning where the
+  /// one before ends, from the source of its first halfedge to the target. Complexity: constant.
   Iterator_range<std::vector<Halfedge_index>::const_iterator>
   parts_of_coarse_edge(Edge_index e) const
   {
@@ -136,8 +139,8 @@ public:
     return {begin + m_first_coarse_part[e.idx()], begin + m_first_coarse_part[e.idx() + 1]};
   }
 
-  /// the barycentric coordinates of the target of `h` in the parent of its face. Complexity: constant, or linear in the
-  /// degree of the target if it is a vertex of `side`.
+  /// the barycentric coordinates of the target of `h` in the parent of its face. Complexity:
+  /// constant, or linear in the degree of the target if it is a vertex of `side`.
   /// \pre `h` is no border halfedge
   std::array<double, 3> coordinates(Level side, Halfedge_index h) const
   {
@@ -152,7 +155,8 @@ public:
     return is_vertex ? at_source(side, spoke) : on_side(side, spoke, v);
   }
 
-  /// the area of `f` on one of the surfaces, from the places of its vertices. Complexity: linear in its vertices.
+  /// the area of `f` on one of the surfaces, from the places of its vertices. Complexity: linear in
+  /// its vertices.
   double signed_area(Level side, Face_index f) const
   {
     const Halfedge_index first = m_mesh.halfedge(f);
@@ -219,8 +223,9 @@ private:
   std::vector<std::ptrdiff_t> m_first_coarse_part;              // of each edge, and the end
 };
 
-// Lays out the edges: those of the fine level are cut by marks, those of the coarse level are chains of pieces in fine
-// faces. The edges around each vertex, in their order, then give the faces.
+// Lays out the edges: those of the fine level are cut by marks, those of the coarse level are
+// chains of pieces in fine faces. The edges around each vertex, in their order, then give the
+// faces.
 template <typename Point>
 class Surface_subdivision<Point>::Builder
 {
@@ -350,7 +355,8 @@ private:
     return m_mesh.face(m_mesh.opposite(h));
   }
 
-  // A face beside an edge of the coarse level has its parent from there, and hands it on across other edges.
+  // A face beside an edge of the coarse level has its parent from there, and hands it on across
+  // other edges.
   void set_coarse_parents()
   {
     std::vector<Face_index>& parents = m_result.m_parent_face[1];
@@ -388,7 +394,8 @@ private:
     }
   }
 
-  // A point inside a coarse face, by what is around it, may have come to the other side of an edge by rounding.
+  // A point inside a coarse face, by what is around it, may have come to the other side of an edge
+  // by rounding.
   void move_into_parent(Vertex_index v, Surface_map::Location& p) const
   {
     const Halfedge_index in = m_mesh.halfedge(v);

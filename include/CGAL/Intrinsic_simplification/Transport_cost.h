@@ -24,15 +24,17 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the cost of removing a vertex: how far curvature, area, or other data on the vertices would have been
-/// moved then (Section 5.3).
+/// the cost of removing a vertex: how far curvature, area, or other data on the vertices would have
+/// been moved then (Section 5.3).
 ///
-/// Each signed quantity is split into two positive masses. A vertex carries its mass and, as a tangent vector,
-/// the sum of all mass times the way back to where it came from. A vertex that is removed leaves both to its neighbors, in
-/// the shares of Equation 5.7. Its cost is the sum of the lengths of the vectors that its neighbors would have
-/// (Equation 5.5), which approximates the optimal transport of the masses to their present places.
+/// Each signed quantity is split into two positive masses. A vertex carries its mass and, as a
+/// tangent vector, the sum of all mass times the way back to where it came from. A vertex that is
+/// removed leaves both to its neighbors, in the shares of Equation 5.7. Its cost is the sum of the
+/// lengths of the vectors that its neighbors would have (Equation 5.5), which approximates the
+/// optimal transport of the masses to their present places.
 ///
-/// All masses are divided by their sum over the surface, so that costs are lengths whatever the unit of the data.
+/// All masses are divided by their sum over the surface, so that costs are lengths whatever the
+/// unit of the data.
 ///
 /// Memory: for each vertex three numbers for each mass.
 ///
@@ -45,8 +47,8 @@ public:
     : m_number_of_vertices(surface.mesh().num_vertices())
   {}
 
-  /// adds the curvature of the vertices (Section 5.3.2): what the angles lack of \f$2\pi\f$, or \f$\pi\f$ on the
-  /// boundary. Complexity: linear.
+  /// adds the curvature of the vertices (Section 5.3.2): what the angles lack of \f$2\pi\f$, or
+  /// \f$\pi\f$ on the boundary. Complexity: linear.
   /// \param surface the surface
   /// \param weight the factor of this part of the cost
   void add_curvature(const Evolving_surface& surface, double weight = 1)
@@ -72,8 +74,9 @@ public:
     add_quantity(area, weight);
   }
 
-  /// adds the area that flattening makes or takes away: it costs as much as if it was moved along the edges in
-  /// the shares of Equation 5.7, as a part of the area of the surface. It moves no mass. Complexity: linear.
+  /// adds the area that flattening makes or takes away: it costs as much as if it was moved along
+  /// the edges in the shares of Equation 5.7, as a part of the area of the surface. It moves no
+  /// mass. Complexity: linear.
   /// \param surface the surface
   /// \param weight the factor of this part of the cost
   void add_area_change(const Evolving_surface& surface, double weight = 1)
@@ -86,14 +89,16 @@ public:
       m_area_change_factor += 4 * weight / quadrupled;
   }
 
-  /// adds the Laplacian of a function that is linear on the faces, integrated over the hat function of each vertex: what the
-  /// cotan Laplacian makes of it. It is zero where the function is linear already, so that vertices are left where its
-  /// gradient changes, and the prolongation of its values at them is close to it. For a color call it once for
-  /// each component. Complexity: linear.
+  /// adds the Laplacian of a function that is linear on the faces, integrated over the hat function
+  /// of each vertex: what the cotan Laplacian makes of it. It is zero where the function is linear
+  /// already, so that vertices are left where its gradient changes, and the prolongation of its
+  /// values at them is close to it. For a color call it once for each component. Complexity:
+  /// linear.
   /// \param surface the surface, Delaunay at best (`Evolving_surface::make_Delaunay()`)
   /// \param value a range of numbers, one for each vertex
   /// \param weight the factor of this part of the cost
-  /// \throws Intrinsic_triangulations::Numerical_error if a face is so thin that it has no cotangents
+  /// \throws Intrinsic_triangulations::Numerical_error if a face is so thin that it has no
+  ///   cotangents
   /// \pre nothing has been removed yet
   template <typename Range>
   void add_function(const Evolving_surface& surface, const Range& value, double weight = 1)
@@ -111,8 +116,8 @@ public:
     add_quantity(laplacian, weight);
   }
 
-  /// adds a signed quantity on the vertices, which counts for what it is: where it is great, vertices are left.
-  /// Complexity: linear.
+  /// adds a signed quantity on the vertices, which counts for what it is: where it is great,
+  /// vertices are left. Complexity: linear.
   /// \param value a range of numbers, one for each vertex
   /// \param weight the factor of this part of the cost
   /// \pre nothing has been removed yet
@@ -162,15 +167,15 @@ public:
   /// the mass number `c` of a vertex.
   double mass(Vertex_index v, std::size_t c) const { return m_state[v * m_channels + c].mass; }
 
-  /// the mass number `c` of a vertex times the vector to the center of where it came from, in the frame of the
-  /// vertex.
+  /// the mass number `c` of a vertex times the vector to the center of where it came from, in the
+  /// frame of the vertex.
   std::complex<double> moment(Vertex_index v, std::size_t c) const
   {
     return m_state[v * m_channels + c].moment;
   }
 
-  /// the sum over all vertices and masses of the lengths of the vectors: roughly the mean distance over which the
-  /// masses have been moved, for weights that sum up to one. Complexity: linear.
+  /// the sum over all vertices and masses of the lengths of the vectors: roughly the mean distance
+  /// over which the masses have been moved, for weights that sum up to one. Complexity: linear.
   double total() const
   {
     double sum = 0;
@@ -256,7 +261,8 @@ private:
     ++m_channels;
   }
 
-  // The moments that the neighbors would have (Equations 5.6 and 5.8, times the mass): each at its first spoke.
+  // The moments that the neighbors would have (Equations 5.6 and 5.8, times the mass): each at its
+  // first spoke.
   void find_moments(const Flattened_star& star)
   {
     m_moment.resize(star.size() * m_channels);

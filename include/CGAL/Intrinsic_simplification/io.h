@@ -200,9 +200,10 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// writes levels of an evolving surface and the operations between them, exactly: what `read_surface_hierarchy()` makes of
-/// it has the same elements with the same numbers, and the same lengths and maps to the bit. The format is described in the
-/// user manual (\ref Intrinsic_simplification_file_format). Complexity: linear.
+/// writes levels of an evolving surface and the operations between them, exactly: what
+/// `read_surface_hierarchy()` makes of it has the same elements with the same numbers, and the same
+/// lengths and maps to the bit. The format is described in the user manual (\ref
+/// Intrinsic_simplification_file_format). Complexity: linear.
 /// \param os the stream
 /// \param history the history of the surface
 /// \param levels its levels, in their order
@@ -230,11 +231,12 @@ inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& his
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// reads what `write_surface_hierarchy()` has written, and checks it: the operations are done once more.
-/// Complexity: linear in the operations, and in the first level for each level.
-/// \throws Intrinsic_triangulations::File_format_error if the text does not follow the format, or an operation is not possible;
-///         the line is named
-/// \throws Intrinsic_triangulations::Invalid_input if the first level is no triangulation of a surface
+/// reads what `write_surface_hierarchy()` has written, and checks it: the operations are done once
+/// more. Complexity: linear in the operations, and in the first level for each level.
+/// \throws Intrinsic_triangulations::File_format_error if the text does not follow the format, or
+///         an operation is not possible; the line is named
+/// \throws Intrinsic_triangulations::Invalid_input if the first level is no triangulation of a
+///   surface
 inline Surface_hierarchy read_surface_hierarchy(std::istream& is)
 {
   return internal::Hierarchy_reader(is).read();

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a convex polygon inside one face of both levels on which the map between them is one projective map.
+/// a convex polygon inside one face of both levels on which the map between them is one projective
+/// map.
 struct Projective_piece
 {
   /// barycentric coordinates.
@@ -36,10 +37,12 @@ struct Projective_piece
   Face_index fine_face;        ///< the face of the fine level
   Face_index coarse_face;      ///< the face of the coarse level
   std::vector<Corner> corners; ///< counterclockwise; no two sides that meet are on a line
-  /// the matrix that takes homogeneous coordinates on the fine face to those on the coarse face, by rows.
+  /// the matrix that takes homogeneous coordinates on the fine face to those on the coarse face, by
+  /// rows.
   std::array<Coordinates, 3> matrix;
 
-  /// maps a point of the piece to the coarse face. Its coordinates need not sum up to one, those of the result do.
+  /// maps a point of the piece to the coarse face. Its coordinates need not sum up to one, those of
+  /// the result do.
   Coordinates to_coarse(const Coordinates& b) const
   {
     Coordinates result{};
@@ -112,23 +115,25 @@ OutputIterator write_pieces(Face_index f, const Surface_map& map, Face_cutter& c
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// writes the pieces of a face of the fine level: the convex polygons on each of which the map to the coarse level is
-/// one projective map (Section 5.2).
+/// writes the pieces of a face of the fine level: the convex polygons on each of which the map to
+/// the coarse level is one projective map (Section 5.2).
 ///
-/// The face is carried through the operations and is cut by every edge that crosses it at any time. In the end parts are
-/// joined again, unless they are in different faces of the coarse level, or the scale was changed beside an edge while it was
-/// between them. So where nothing is scaled, the pieces are the polygons into which the edges of the coarse level cut the face.
+/// The face is carried through the operations and is cut by every edge that crosses it at any time.
+/// In the end parts are joined again, unless they are in different faces of the coarse level, or
+/// the scale was changed beside an edge while it was between them. So where nothing is scaled, the
+/// pieces are the polygons into which the edges of the coarse level cut the face.
 ///
-/// The pieces are a subdivision of the face whatever rounding does. Edges that come to a point of another within rounding run through
-/// it; what has no more area than rounding on both levels is left out. A point carried by a matrix and by `Surface_map`
-/// comes to the same place up to the rounding of a product of as many matrices as there are operations: mostly 1e-13, and
-/// worse where a face has been part of long slivers.
+/// The pieces are a subdivision of the face whatever rounding does. Edges that come to a point of
+/// another within rounding run through it; what has no more area than rounding on both levels is
+/// left out. A point carried by a matrix and by `Surface_map` comes to the same place up to the
+/// rounding of a product of as many matrices as there are operations: mostly 1e-13, and worse where
+/// a face has been part of long slivers.
 /// \param f a face of the fine level
 /// \param map the map
 /// \param out an output iterator to which `Projective_piece` can be assigned
 /// \returns the end of the output
-/// Complexity: linear in the parts into which edges of any time cut the face, times the operations that move a part and
-/// the logarithms of both numbers.
+/// Complexity: linear in the parts into which edges of any time cut the face, times the operations
+/// that move a part and the logarithms of both numbers.
 template <typename OutputIterator>
 OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIterator out)
 {

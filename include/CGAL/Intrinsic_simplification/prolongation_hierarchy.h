@@ -24,13 +24,15 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// simplifies a surface step by step, each time to a fourth of the vertices, and returns the prolongation from each level
-/// to the one before; the first leads to the surface as it was. The cost is
-/// `default_cost()`, carried on from level to level.
+/// simplifies a surface step by step, each time to a fourth of the vertices, and returns the
+/// prolongation from each level to the one before; the first leads to the surface as it was. The
+/// cost is `default_cost()`, carried on from level to level.
 ///
-/// Complexity: as `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides the result.
+/// Complexity: as `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides
+/// the result.
 /// \param surface the surface, which is as coarse as the last level afterwards
-/// \param number_of_vertices the levels end at so many vertices or less, or when no vertex can be removed any more
+/// \param number_of_vertices the levels end at so many vertices or less, or when no vertex can be
+///   removed any more
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded,
 ///         Intrinsic_triangulations::Numerical_error and
 ///         Intrinsic_triangulations::Overflow_error as `simplify()` and `Surface_map`

@@ -34,7 +34,8 @@ struct Default_simplification_visitor
 {
   /// is called before a vertex is removed, with its flattened star and its cost.
   void before_removal(const Flattened_star& /* star */, double /* cost */) {}
-  /// is called after the vertex `v` has been removed and the triangulation has become Delaunay again.
+  /// is called after the vertex `v` has been removed and the triangulation has become Delaunay
+  /// again.
   void after_removal(Vertex_index /* v */) {}
 };
 
@@ -44,8 +45,9 @@ struct Simplification_result
 {
   std::size_t removed = 0;  ///< the number of vertices that have been removed
   double greatest_cost = 0; ///< the greatest cost of a removal
-  /// how many vertices could not be removed in the end, for each reason. Vertices that have not been looked at since
-  /// their star changed, because the simplification stopped before, are not counted.
+  /// how many vertices could not be removed in the end, for each reason. Vertices that have not
+  /// been looked at since their star changed, because the simplification stopped before, are not
+  /// counted.
   std::array<std::size_t, number_of_removal_statuses> skipped{};
 };
 
@@ -89,8 +91,8 @@ private:
       m_heap.remove(v);
   }
 
-  // Costs in the heap may be old. Most have only grown since, so that it is enough to look again at what comes out
-  // on top.
+  // Costs in the heap may be old. Most have only grown since, so that it is enough to look again at
+  // what comes out on top.
   void remove_top()
   {
     m_prefetcher(m_heap, m_surface.surface(), m_cost);
@@ -153,19 +155,21 @@ private:
 ///     \cgalParamDefault{no bound}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told every removal; an exception that it throws stops the simplification and leaves
-///                           `surface` valid}
-///     \cgalParamType{a model of `SimplificationVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamDescription{is told every removal; an exception that it throws stops the
+///                           simplification and leaves `surface` valid}
+///     \cgalParamType{a model of `SimplificationVisitor`; use `std::ref()` to pass an object with a
+///       state}
 ///     \cgalParamDefault{`Default_simplification_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \returns what has been done
 ///
-/// Complexity: for bounded degrees and numbers of flips, linear in the removed vertices times the logarithm of all,
-/// plus linear in the size of the surface. Memory besides the history: 21 bytes for each vertex.
+/// Complexity: for bounded degrees and numbers of flips, linear in the removed vertices times the
+/// logarithm of all, plus linear in the size of the surface. Memory besides the history: 21 bytes
+/// for each vertex.
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
-///         Intrinsic_triangulations::Numerical_error as `Evolving_surface::remove()`; `surface` is valid then, but
-///         may not be Delaunay.
+///         Intrinsic_triangulations::Numerical_error as `Evolving_surface::remove()`; `surface` is
+///         valid then, but may not be Delaunay.
 template <typename Cost, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Simplification_result simplify(Evolving_surface& surface, Cost& cost,
                                const NamedParameters& np = CGAL::parameters::default_values())
@@ -184,19 +188,19 @@ Simplification_result simplify(Evolving_surface& surface, Cost& cost,
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the weight of area in the default cost, where curvature has weight one. Solutions of Poisson problems on coarse
-/// surfaces come out best with it, all in all.
+/// the weight of area in the default cost, where curvature has weight one. Solutions of Poisson
+/// problems on coarse surfaces come out best with it, all in all.
 constexpr double default_area_weight = 2;
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the weight of the change of area in the default cost. Distances on coarse surfaces become better with it, and
-/// solutions of Poisson problems not worse.
+/// the weight of the change of area in the default cost. Distances on coarse surfaces become better
+/// with it, and solutions of Poisson problems not worse.
 constexpr double default_area_change_weight = 6;
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the transport of curvature and area as cost, with weights one and `default_area_weight`, and the change of
-/// area with weight `default_area_change_weight`. Curvature alone places few vertices on flat parts, area alone few
-/// where the surface is most curved. Complexity: linear.
+/// returns the transport of curvature and area as cost, with weights one and `default_area_weight`,
+/// and the change of area with weight `default_area_change_weight`. Curvature alone places few
+/// vertices on flat parts, area alone few where the surface is most curved. Complexity: linear.
 inline Transport_cost default_cost(const Evolving_surface& surface)
 {
   Transport_cost cost(surface);

@@ -30,7 +30,8 @@ namespace Intrinsic_simplification {
 
 namespace internal {
 
-// Finds how the map turns the tangent spaces of fine vertices, from the directions of the images of their edges.
+// Finds how the map turns the tangent spaces of fine vertices, from the directions of the images of
+// their edges.
 class Tangent_map
 {
   typedef std::complex<double> Complex;
@@ -122,7 +123,8 @@ private:
     m_turn[m_fine.source(h)] += m_weight[h] * direction * std::polar(1., -m_fine_frames.angle(h));
   }
 
-  // the normalized angle of a vector at a corner of a coarse face, given in the frame of the side after the corner
+  // the normalized angle of a vector at a corner of a coarse face, given in the frame of the side
+  // after the corner
   double vertex_angle(Face_index f, std::size_t corner, const Complex& vector) const
   {
     const Halfedge_index side = Intrinsic_triangulations::internal::sides(f, m_coarse)[corner];
@@ -170,18 +172,20 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the complex matrix that takes tangent vectors at the vertices of the coarse level to tangent vectors at the vertices of the
-/// fine level.
+/// the complex matrix that takes tangent vectors at the vertices of the coarse level to tangent
+/// vectors at the vertices of the fine level.
 ///
-/// For a fine vertex, the vectors at the corners of the coarse face are transported straight to its image and
-/// interpolated there; then they are turned as the map turns its tangent space: by the rotation that is closest, over
-/// all directions, to the differential of the map. So no vector becomes longer than the longest; a parallel field
-/// keeps its length, and where nothing is scaled it is reproduced. The absolute values of the entries are
-/// those of `prolongation_matrix()`, or less where a coarse face has a vertex twice.
+/// For a fine vertex, the vectors at the corners of the coarse face are transported straight to its
+/// image and interpolated there; then they are turned as the map turns its tangent space: by the
+/// rotation that is closest, over all directions, to the differential of the map. So no vector
+/// becomes longer than the longest; a parallel field keeps its length, and where nothing is scaled
+/// it is reproduced. The absolute values of the entries are those of `prolongation_matrix()`, or
+/// less where a coarse face has a vertex twice.
 /// \param map the map
-/// \param fine_frames, coarse_frames the frames of both levels, by which tangent vectors are complex numbers
-/// Complexity: that of tracing all fine edges.
-/// \throws Intrinsic_triangulations::Numerical_error if rounding leaves no direction around a vertex
+/// \param fine_frames, coarse_frames the frames of both levels, by which tangent vectors are
+/// complex numbers Complexity: that of tracing all fine edges.
+/// \throws Intrinsic_triangulations::Numerical_error if rounding leaves no direction around a
+///   vertex
 inline Eigen::SparseMatrix<std::complex<double>>
 tangent_prolongation_matrix(const Surface_map& map,
                             const Intrinsic_triangulations::Tangent_frames<double>& fine_frames,

@@ -37,7 +37,8 @@ struct Trace_end
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a straight piece of a traced edge, inside one face of the other surface or along one of its edges.
+/// a straight piece of a traced edge, inside one face of the other surface or along one of its
+/// edges.
 struct Trace_piece
 {
   Face_index face;               ///< the face
@@ -76,17 +77,19 @@ inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& s
 /// \ingroup PkgIntrinsicSimplificationRef
 /// traces an edge of the coarse level over the fine level (Section 5.2.2).
 ///
-/// The curve is straight on the coarse surface. On the fine one it is a sequence of pieces, each of them straight, that
-/// starts and ends at vertices. It runs through other vertices where it comes to them within rounding. It may bend on edges, and inside faces: changes of scale bend a curve on the
-/// edges that it crosses at that time. Where nothing is scaled, it is a geodesic, and all its pieces end on
-/// edges.
+/// The curve is straight on the coarse surface. On the fine one it is a sequence of pieces, each of
+/// them straight, that starts and ends at vertices. It runs through other vertices where it comes
+/// to them within rounding. It may bend on edges, and inside faces: changes of scale bend a curve
+/// on the edges that it crosses at that time. Where nothing is scaled, it is a geodesic, and all
+/// its pieces end on edges.
 /// \param h a halfedge of the coarse level
 /// \param map the map
-/// \returns the pieces from the source of `h` to its target. One begins where the other ends; if that is on an edge,
-///   they are in the faces on its two sides. What is a vertex, on which edges the curve is and in which order is consistent,
-///   whatever the rounding, and the places on `h` never decrease.
-/// Complexity: linear in the points where the curve crosses an edge at any time, times the operations that move
-/// such a point and the logarithm of the number of operations on a face.
+/// \returns the pieces from the source of `h` to its target. One begins where the other ends; if
+///   that is on an edge, they are in the faces on its two sides. What is a vertex, on which edges
+///   the curve is and in which order is consistent, whatever the rounding, and the places on `h`
+///   never decrease.
+/// Complexity: linear in the points where the curve crosses an edge at any time, times the
+/// operations that move such a point and the logarithm of the number of operations on a face.
 inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surface_map& map)
 {
   return internal::trace_pieces(internal::Curve_tracer(map, false).trace_through_near_vertices(h),
@@ -94,8 +97,8 @@ inline std::vector<Trace_piece> trace_coarse_edge(Halfedge_index h, const Surfac
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// traces an edge of the fine level over the coarse level; otherwise as `trace_coarse_edge()`. An end is inside a
-/// face, or on a boundary edge, if it is a vertex that has been removed.
+/// traces an edge of the fine level over the coarse level; otherwise as `trace_coarse_edge()`. An
+/// end is inside a face, or on a boundary edge, if it is a vertex that has been removed.
 /// \param h a halfedge of the fine level
 /// \param map the map
 inline std::vector<Trace_piece> trace_fine_edge(Halfedge_index h, const Surface_map& map)

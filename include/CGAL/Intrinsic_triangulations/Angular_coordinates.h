@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the directions of all halfedges of \f$T_2\f$ in frames that do not change when edges are flipped:
-/// those of \f$T_1\f$.
+/// the directions of all halfedges of \f$T_2\f$ in frames that do not change when edges are
+/// flipped: those of \f$T_1\f$.
 ///
 /// The angular coordinate of a halfedge is its normalized angle at its source (Section 2.3.2), as
 /// `angle_on_input()` gives it. The object is a visitor that keeps the angles up to date:
@@ -40,11 +40,12 @@ namespace Intrinsic_triangulations {
 /// refine(tri, CGAL::parameters::visitor(std::ref(angles)));
 /// \endcode
 /// A new halfedge goes between its two neighbors in the proportion of the two corners, so that the
-/// errors of angles do not grow with the number of flips, but for the rounding of each. Whoever changes
-/// `tri` by other means calls the functions below, and `recompute()` after
+/// errors of angles do not grow with the number of flips, but for the rounding of each. Whoever
+/// changes `tri` by other means calls the functions below, and `recompute()` after
 /// `Intrinsic_triangulation::collect_garbage()`, which gives halfedges other numbers.
 ///
-/// The object refers to the triangulation. Memory: two numbers for each halfedge and one for each vertex.
+/// The object refers to the triangulation. Memory: two numbers for each halfedge and one for each
+/// vertex.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits` with a floating point type `FT`
 /// \cgalModels `RefinementVisitor`, `FlipVisitor`
@@ -62,8 +63,8 @@ public:
 
   /// computes the angles from the integer coordinates and the lengths of \f$T_1\f$.
   /// Complexity: linear in the vertices, edges and crossings.
-  /// \throws Numerical_error if the angles at a vertex have no positive finite sum, or if the layout of
-  ///         an edge has no positive finite length
+  /// \throws Numerical_error if the angles at a vertex have no positive finite sum, or if the
+  ///         layout of an edge has no positive finite length
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
   explicit Angular_coordinates(const Triangulation& tri) : m_tri(tri), m_frames(Side::input, tri)
   {
@@ -75,8 +76,8 @@ public:
   /// the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
-  /// the normalized angle \f$\varphi\f$ of the direction in which the halfedge `h` of \f$T_2\f$ leaves
-  /// its source, in the frame of \f$T_1\f$: between 0 and \f$2\pi\f$, but for rounding.
+  /// the normalized angle \f$\varphi\f$ of the direction in which the halfedge `h` of \f$T_2\f$
+  /// leaves its source, in the frame of \f$T_1\f$: between 0 and \f$2\pi\f$, but for rounding.
   const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
 
   /// the parallel transport \f$R_{ij}\f$ along the halfedge `h` of \f$T_2\f$ between the frames of
@@ -86,11 +87,12 @@ public:
     return -std::polar(FT(1), angle(m_tri.mesh().opposite(h)) - angle(h));
   }
 
-  /// the frames of \f$T_1\f$ at its vertices; for those at inserted vertices see `angle_on_input()`.
+  /// the frames of \f$T_1\f$ at its vertices; for those at inserted vertices see
+  /// `angle_on_input()`.
   const Tangent_frames<FT>& frames() const { return m_frames; }
 
-  /// computes all angles afresh, as the constructor does. Afterwards \f$T_2\f$ may have been changed in any way,
-  /// and its elements have other numbers.
+  /// computes all angles afresh, as the constructor does. Afterwards \f$T_2\f$ may have been
+  /// changed in any way, and its elements have other numbers.
   void recompute()
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -106,7 +108,8 @@ public:
     }
   }
 
-  /// computes the angles of the edge of `h`, which has just been flipped, from its two faces; those of
+  /// computes the angles of the edge of `h`, which has just been flipped, from its two faces; those
+  /// of
   /// \f$T_1\f$ if it is shared. Complexity: constant.
   void after_flip(Halfedge_index h)
   {
@@ -114,10 +117,10 @@ public:
     set_angle(m_tri.mesh().opposite(h));
   }
 
-  /// computes the angles of all edges at `v`, which has just been inserted. The direction of one of them
-  /// comes from the triangles of \f$T_1\f$ that it passes: a shared one, one
-  /// that passes a single triangle, or else the longest.
-  /// Complexity: linear in the degree of `v` and the crossings on this edge.
+  /// computes the angles of all edges at `v`, which has just been inserted. The direction of one of
+  /// them comes from the triangles of \f$T_1\f$ that it passes: a shared one, one that passes a
+  /// single triangle, or else the longest. Complexity: linear in the degree of `v` and the
+  /// crossings on this edge.
   /// \param v the vertex
   /// \param inserter the object that has inserted it
   /// \throws Numerical_error if the layout of the edge has no positive finite length
@@ -133,8 +136,8 @@ public:
     internal::for_each_spoke(v, mesh, [&](Halfedge_index h) { set_angle(mesh.opposite(h)); });
   }
 
-  /// gives the sides of the face `f`, which has taken the place of the vertex `v`, the angles of \f$T_1\f$ if
-  /// they are shared. Complexity: constant.
+  /// gives the sides of the face `f`, which has taken the place of the vertex `v`, the angles of
+  /// \f$T_1\f$ if they are shared. Complexity: constant.
   void after_removal(Vertex_index /* v */, Face_index f)
   {
     for(Halfedge_index h : internal::sides(f, m_tri.mesh()))
@@ -181,8 +184,8 @@ private:
     m_angle[h.idx()] = is_shared(h) ? angle_of_spoke_before(h) : angle_between_neighbors(h);
   }
 
-  // a shared one if there is any, or one inside a face of T1; of several the longest, whose direction has
-  // the smallest error
+  // a shared one if there is any, or one inside a face of T1; of several the longest, whose
+  // direction has the smallest error
   Halfedge_index spoke_to_start_with(Vertex_index v) const
   {
     const auto rank = [this](Halfedge_index h) {
@@ -197,7 +200,8 @@ private:
     return best;
   }
 
-  // The spokes of the inserted vertex `v` in the proportion of the corners, from the one that is known.
+  // The spokes of the inserted vertex `v` in the proportion of the corners, from the one that is
+  // known.
   void set_angles_around(Vertex_index v, Halfedge_index start, const FT& angle_of_start)
   {
     const Delta_complex& mesh = m_tri.mesh();

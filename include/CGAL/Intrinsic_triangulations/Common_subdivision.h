@@ -21,9 +21,9 @@ namespace Intrinsic_triangulations {
 /// (Section 3.3). Its faces are convex polygons with three to six corners, each part of one face of
 /// \f$T_1\f$ and one face of \f$T_2\f$.
 ///
-/// Vertices 0 to \f$|V| - 1\f$ are those of \f$T_2\f$, with their numbers, among them those of \f$T_1\f$;
-/// vertex \f$|V| + c\f$ is crossing \f$c\f$ of the correspondence. The connectivity is exact; the places of
-/// crossings are rounded, and in order along every edge.
+/// Vertices 0 to \f$|V| - 1\f$ are those of \f$T_2\f$, with their numbers, among them those of
+/// \f$T_1\f$; vertex \f$|V| + c\f$ is crossing \f$c\f$ of the correspondence. The connectivity is
+/// exact; the places of crossings are rounded, and in order along every edge.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 /// \tparam Point the point type of the mesh
@@ -88,9 +88,9 @@ public:
   /// the number of vertices of \f$T_2\f$.
   size_type number_of_intrinsic_vertices() const { return m_number_of_intrinsic_vertices; }
 
-  /// the place of `v` on edges of both triangulations. Both halfedges are null if `v` is an isolated
-  /// vertex; that of \f$T_1\f$ is null if `v` has been inserted inside a face of \f$T_1\f$ (see
-  /// `Intrinsic_triangulation::inserted_vertex()`).
+  /// the place of `v` on edges of both triangulations. Both halfedges are null if `v` is an
+  /// isolated vertex; that of \f$T_1\f$ is null if `v` has been inserted inside a face of \f$T_1\f$
+  /// (see `Intrinsic_triangulation::inserted_vertex()`).
   const Trace_point<FT>& place(Vertex_index v) const { return m_place[v]; }
 
   /// the place of `v` on one of them.

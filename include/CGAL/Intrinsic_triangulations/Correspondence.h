@@ -25,18 +25,19 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// all crossings of edges of \f$T_1\f$ with edges of \f$T_2\f$, in order along both, with their places.
+/// all crossings of edges of \f$T_1\f$ with edges of \f$T_2\f$, in order along both, with their
+/// places.
 ///
-/// The roles of the two triangulations are symmetric: every query takes the side on which it is asked.
-/// Orders and incidences are exact. Places are rounded, but never out of order: along every edge of
-/// either side they do not decrease.
+/// The roles of the two triangulations are symmetric: every query takes the side on which it is
+/// asked. Orders and incidences are exact. Places are rounded, but never out of order: along every
+/// edge of either side they do not decrease.
 ///
-/// An edge of \f$T_1\f$ consists of one or more parts: vertices that have been inserted on it lie between
-/// them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
+/// An edge of \f$T_1\f$ consists of one or more parts: vertices that have been inserted on it lie
+/// between them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
 ///
 /// The object refers to the triangulation and is valid until that changes.
-/// Memory: 36 bytes for each crossing (with `double`), 44 in a geometry where crossings have scales, and
-/// 28 for each edge.
+/// Memory: 36 bytes for each crossing (with `double`), 44 in a geometry where crossings have
+/// scales, and 28 for each edge.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 template <typename Traits_ = Euclidean_geometry_traits<double>>
@@ -76,8 +77,9 @@ public:
 
   /// traces all edges of \f$T_1\f$ over \f$T_2\f$.
   /// Complexity: linear in the vertices, edges and crossings, whatever the degrees.
-  /// \throws Numerical_error if the layout of an edge has no positive finite length, or rounding has brought
-  ///         vertices out of order that were inserted next to each other on an edge of \f$T_1\f$
+  /// \throws Numerical_error if the layout of an edge has no positive finite length, or rounding
+  ///         has brought vertices out of order that were inserted next to each other on an edge of
+  ///         \f$T_1\f$
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
   /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
   explicit Correspondence(const Triangulation& tri)
@@ -108,7 +110,8 @@ public:
   /// the number of all crossings.
   size_type number_of_crossings() const { return static_cast<size_type>(m_records.size()); }
 
-  /// whether the edge `e` of `side` is in the other triangulation too, or for \f$T_2\f$, a part of one.
+  /// whether the edge `e` of `side` is in the other triangulation too, or for \f$T_2\f$, a part of
+  /// one.
   bool is_shared(Side side, Edge_index e) const
   {
     if(side == Side::intrinsic)
@@ -131,8 +134,9 @@ public:
     return m_parts.empty() ? 0 : end_of_pieces(m_parts.back());
   }
 
-  /// the number of the piece that ends at crossing `id` in the direction of the first halfedge of its edge
-  /// of \f$T_1\f$; the next one starts there. Complexity: logarithmic in the number of parts of the edge.
+  /// the number of the piece that ends at crossing `id` in the direction of the first halfedge of
+  /// its edge of \f$T_1\f$; the next one starts there. Complexity: logarithmic in the number of
+  /// parts of the edge.
   size_type piece_before(size_type id) const
   {
     const Record& r = m_records[id];
@@ -170,8 +174,8 @@ public:
     return {{even(record.input), record.s}, {first_halfedge(record.intrinsic), record.t}};
   }
 
-  /// the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$ that its place
-  /// there stands for is so many times that of \f$T_2\f$. It is 1 in Euclidean geometry.
+  /// the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$ that its
+  /// place there stands for is so many times that of \f$T_2\f$. It is 1 in Euclidean geometry.
   FT scale([[maybe_unused]] size_type id) const
   {
     if constexpr(internal::Has_scale<Traits>::value)
@@ -180,7 +184,8 @@ public:
       return FT(1);
   }
 
-  /// the number of crossing `id` on the halfedge `h` of \f$T_2\f$ that it is on, counted from its source.
+  /// the number of crossing `id` on the halfedge `h` of \f$T_2\f$ that it is on, counted from its
+  /// source.
   size_type rank_on_intrinsic(size_type id, Halfedge_index h) const
   {
     const Edge_index e(h);
@@ -194,8 +199,8 @@ public:
   }
 
   /// the halfedge of the other side that is the last spoke at or clockwise from the halfedge `h` of
-  /// `side` around its source: `h` itself if its edge is shared, otherwise it starts in the same corner.
-  /// Null if the source lies inside a face of the other side.
+  /// `side` around its source: `h` itself if its edge is shared, otherwise it starts in the same
+  /// corner. Null if the source lies inside a face of the other side.
   Halfedge_index spoke_before(Side side, Halfedge_index h) const
   {
     if(side == Side::input)
@@ -392,8 +397,8 @@ private:
     }
   }
 
-  // Edges of T1 at a face without area can run along `e`, and each crosses it where rounding says. Laid out
-  // in one strip, they cross it in order.
+  // Edges of T1 at a face without area can run along `e`, and each crosses it where rounding says.
+  // Laid out in one strip, they cross it in order.
   void place_along_intrinsic(Edge_index e)
   {
     const size_type first = m_first_on_intrinsic[e], n = number_of_crossings(Side::intrinsic, e);
@@ -464,8 +469,8 @@ void add_inserted_vertices(Halfedge_index h, const Correspondence<Traits>& corre
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// the trace of the halfedge `h` of `side` over the other triangulation, as `trace_input_edge()` and
-/// `trace_intrinsic_edge()` give it. Complexity: linear in its crossings.
+/// the trace of the halfedge `h` of `side` over the other triangulation, as `trace_input_edge()`
+/// and `trace_intrinsic_edge()` give it. Complexity: linear in its crossings.
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
 trace_edge(Side side, Halfedge_index h, const Correspondence<Traits>& correspondence)

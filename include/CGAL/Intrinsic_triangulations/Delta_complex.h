@@ -93,8 +93,8 @@ Halfedge_index previous_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns the first outgoing halfedge of `v`; at a boundary vertex the one with the boundary on its
-/// right, so that `next_spoke()` visits all of them.
+/// returns the first outgoing halfedge of `v`; at a boundary vertex the one with the boundary on
+/// its right, so that `next_spoke()` visits all of them.
 /// \pre `v` is not isolated
 template <typename P>
 Halfedge_index first_spoke(Vertex_index v, const Surface_mesh<P>& mesh)
@@ -143,8 +143,8 @@ Halfedge_index add_directed_edge(Vertex_index source, Vertex_index target, Surfa
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// says whether the edge of `h` can be flipped. The edge of a degree-1 vertex cannot: its two sides are
-/// in one face. Complexity: constant.
+/// says whether the edge of `h` can be flipped. The edge of a degree-1 vertex cannot: its two sides
+/// are in one face. Complexity: constant.
 template <typename P>
 Operation_status flip_status(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
@@ -155,9 +155,10 @@ Operation_status flip_status(Halfedge_index h, const Surface_mesh<P>& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// turns the edge \f$ij\f$ of `h` counterclockwise into the other diagonal \f$kl\f$ of its two faces
-/// \f$ijk\f$ and \f$jil\f$: afterwards `h` leads from \f$l\f$ to \f$k\f$ and \f$i\f$ is on its left.
-/// Complexity: constant.
+/// turns the edge \f$ij\f$ of `h` counterclockwise into the other diagonal \f$kl\f$ of its two
+/// faces
+/// \f$ijk\f$ and \f$jil\f$: afterwards `h` leads from \f$l\f$ to \f$k\f$ and \f$i\f$ is on its
+/// left. Complexity: constant.
 /// \pre `flip_status(h, mesh) == Operation_status::possible`
 template <typename P>
 void flip_edge(Halfedge_index h, Surface_mesh<P>& mesh)
@@ -217,10 +218,9 @@ void cut_ear(Halfedge_index h, Surface_mesh<P>& mesh)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// inserts a vertex into the edge of `h` and joins it to the opposite corner of each incident face. If
-/// both sides are in one face, which then winds around a degree-1 vertex, that vertex is cut off by a
-/// loop and the quadrangle that remains by a diagonal.
-/// Complexity: constant.
+/// inserts a vertex into the edge of `h` and joins it to the opposite corner of each incident face.
+/// If both sides are in one face, which then winds around a degree-1 vertex, that vertex is cut off
+/// by a loop and the quadrangle that remains by a diagonal. Complexity: constant.
 /// \returns the halfedge from the source of `h` to the new vertex; `h` leads on from there.
 template <typename P>
 Halfedge_index split_edge(Halfedge_index h, Surface_mesh<P>& mesh)
@@ -323,8 +323,9 @@ Face_index remove_boundary_vertex(Vertex_index v, Surface_mesh<P>& mesh)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// removes `v` with its three edges: an interior vertex leaves one face instead of three, a boundary
-/// vertex one face instead of two, with one border edge instead of two. Complexity: constant.
+/// removes `v` with its three edges: an interior vertex leaves one face instead of three, a
+/// boundary vertex one face instead of two, with one border edge instead of two. Complexity:
+/// constant.
 /// \returns the face that takes the place.
 /// \pre `removal_status(v, mesh) == Operation_status::possible`
 template <typename P>
@@ -410,8 +411,8 @@ std::string Delta_complex_defect(const Surface_mesh<P>& mesh)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// checks whether `mesh` is a triangulated surface: links in order, faces triangles, one umbrella at
-/// every vertex, border vertices with a border halfedge. Loops and parallel edges are allowed.
+/// checks whether `mesh` is a triangulated surface: links in order, faces triangles, one umbrella
+/// at every vertex, border vertices with a border halfedge. Loops and parallel edges are allowed.
 /// Complexity: linear.
 /// \param mesh the mesh
 /// \param verbose whether the first defect is written to `std::cerr`

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// a point on an edge of a triangulation: \f$(1-t)\f$ times the source plus \f$t\f$ times the target of
-/// a halfedge. The ends of the edge are `t == 0` and `t == 1`, exactly.
+/// a point on an edge of a triangulation: \f$(1-t)\f$ times the source plus \f$t\f$ times the
+/// target of a halfedge. The ends of the edge are `t == 0` and `t == 1`, exactly.
 template <typename FT>
 struct Edge_point
 {
@@ -47,8 +47,9 @@ Edge_point<FT> reversed_if_valid(const Edge_point<FT>& p, const Delta_complex& m
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// a point in a face, with barycentric coordinates that sum up to one and belong to the source of
-/// `halfedge(f)`, its target, and the target of the next halfedge, as in `CGAL::Polygon_mesh_processing`.
-/// A point on an edge or at a vertex has coordinates that are exactly zero.
+/// `halfedge(f)`, its target, and the target of the next halfedge, as in
+/// `CGAL::Polygon_mesh_processing`. A point on an edge or at a vertex has coordinates that are
+/// exactly zero.
 template <typename FT>
 using Face_location = std::pair<Face_index, std::array<FT, 3>>;
 
@@ -80,8 +81,8 @@ enum class Side
 
 namespace internal {
 
-// the halfedges of a face in the order of its barycentric coordinates: side s leads from corner s to
-// corner s + 1
+// the halfedges of a face in the order of its barycentric coordinates: side s leads from corner s
+// to corner s + 1
 inline std::array<Halfedge_index, 3> sides(Face_index f, const Delta_complex& mesh)
 {
   const Halfedge_index h = mesh.halfedge(f);

@@ -25,8 +25,8 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsTraits
 /// the geometry of triangles that are flat and Euclidean.
 ///
-/// With an exact number type every decision is exact. With a floating point type a decision is taken
-/// only where its sign is certain for the stored lengths; see `Is_locally_Delaunay`.
+/// With an exact number type every decision is exact. With a floating point type a decision is
+/// taken only where its sign is certain for the stored lengths; see `Is_locally_Delaunay`.
 ///
 /// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`
 /// \tparam Integer_ the signed integer type of normal coordinates
@@ -43,8 +43,8 @@ public:
   /// the layout of triangle strips.
   typedef Euclidean_strip<FT> Geodesic_strip;
 
-  /// computes the length of the edge \f$kl\f$ that replaces \f$ij\f$. Both triangles are laid out in the
-  /// plane along \f$ij\f$, with all lengths multiplied by \f$2 \ell_{ij}\f$ until the end.
+  /// computes the length of the edge \f$kl\f$ that replaces \f$ij\f$. Both triangles are laid out
+  /// in the plane along \f$ij\f$, with all lengths multiplied by \f$2 \ell_{ij}\f$ until the end.
   struct Compute_flipped_length
   {
     /// returns the length of \f$kl\f$.
@@ -53,14 +53,15 @@ public:
       const FT x = scaled_distance_of_feet(length);
       const FT height_k = squared_quadrupled_area(length.ij, length.jk, length.ki);
       const FT height_l = squared_quadrupled_area(length.ij, length.lj, length.il);
-      // what is known before the first root stands first, and the quotient needs no root: roots are slow
+      // what is known before the first root stands first, and the quotient needs no root: roots are
+      // slow
       const FT scaled_square = x * x + (height_k + height_l) + 2 * CGAL::sqrt(height_k * height_l);
       return CGAL::sqrt(scaled_square) * (FT(1) / (2 * length.ij));
     }
 
   private:
-    // There are two ways to pair the four squares. One loses no digits if i and j are next to each other,
-    // the other if k and l are: the one with the smaller differences is taken.
+    // There are two ways to pair the four squares. One loses no digits if i and j are next to each
+    // other, the other if k and l are: the one with the smaller differences is taken.
     static FT scaled_distance_of_feet(const Diamond<FT>& length)
     {
       const FT at_k = scaled_foot(length.jk, length.ki), at_l = scaled_foot(length.lj, length.il);
@@ -118,18 +119,19 @@ private:
 public:
   /// decides whether the edge \f$ij\f$ satisfies the local Delaunay condition (Equation 2.6).
   ///
-  /// The angles at \f$k\f$ and \f$l\f$ add up to more than \f$\pi\f$ if one of them, at \f$k\f$ say, is
-  /// obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In floating point an edge
-  /// counts as non-Delaunay only if it is so for all lengths within `rounding_unit()` of the stored
-  /// ones. So four cocircular points are a tie and ties are kept, an edge that has just been flipped is
-  /// never flipped back, and a triangle of zero area over its long side gives way.
+  /// The angles at \f$k\f$ and \f$l\f$ add up to more than \f$\pi\f$ if one of them, at \f$k\f$
+  /// say, is obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In floating
+  /// point an edge counts as non-Delaunay only if it is so for all lengths within `rounding_unit()`
+  /// of the stored ones. So four cocircular points are a tie and ties are kept, an edge that has
+  /// just been flipped is never flipped back, and a triangle of zero area over its long side gives
+  /// way.
   struct Is_locally_Delaunay
   {
     /// returns whether the edge is Delaunay.
     bool operator()(const Diamond<FT>& length) const
     {
-      // away from equality the cosines tell, which are cheap; where they hardly change, near 0 and pi,
-      // only the sines do
+      // away from equality the cosines tell, which are cheap; where they hardly change, near 0 and
+      // pi, only the sines do
       if(is_certain(length))
         return true;
       if(is_surely_less(outer(length), inner(length)))
@@ -139,15 +141,16 @@ public:
                                  rounding_unit<FT>()) != POSITIVE;
     }
 
-    /// returns whether the edge is Delaunay and far from a tie. No jump depends on it: where answers are
-    /// irregular, this is several times faster.
+    /// returns whether the edge is Delaunay and far from a tie. No jump depends on it: where
+    /// answers are irregular, this is several times faster.
     bool is_certain(const Diamond<FT>& length) const
     {
       return is_surely_less(inner(length), outer(length));
     }
 
   private:
-    // the sum of the cosines at k and l, times twice the product of the outer sides, is outer - inner
+    // the sum of the cosines at k and l, times twice the product of the outer sides, is outer -
+    // inner
     static FT outer(const Diamond<FT>& length)
     {
       return (length.jk * length.jk + length.ki * length.ki) * (length.il * length.lj) +
@@ -166,8 +169,8 @@ public:
   };
 
   /// decides whether the diamond is strictly convex at \f$i\f$ and \f$j\f$, so that \f$ij\f$ can be
-  /// flipped; in floating point, whether it is so for all lengths within `rounding_unit()` of the stored
-  /// ones.
+  /// flipped; in floating point, whether it is so for all lengths within `rounding_unit()` of the
+  /// stored ones.
   struct Is_convex
   {
     /// returns whether the diamond is convex.
@@ -181,8 +184,8 @@ public:
     }
   };
 
-  /// decides whether a number can be the length of an edge: it is positive, and the formulas above, which
-  /// go up to its eighth power, stay in the range of the type. For `double` it is between
+  /// decides whether a number can be the length of an edge: it is positive, and the formulas above,
+  /// which go up to its eighth power, stay in the range of the type. For `double` it is between
   /// \f$2^{-127}\f$ and \f$2^{127}\f$.
   struct Is_length
   {
@@ -201,8 +204,8 @@ public:
   /// computes the distance of two points of a triangle (Equation 3.7).
   struct Compute_distance
   {
-    /// returns the distance of the points with barycentric coordinates `p` and `q`; side `s` leads from
-    /// corner `s` to the next and has length `side[s]`.
+    /// returns the distance of the points with barycentric coordinates `p` and `q`; side `s` leads
+    /// from corner `s` to the next and has length `side[s]`.
     FT operator()(const std::array<FT, 3>& side, const std::array<FT, 3>& p,
                   const std::array<FT, 3>& q) const
     {

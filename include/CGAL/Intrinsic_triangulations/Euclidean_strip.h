@@ -19,16 +19,16 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// lays out a strip of Euclidean triangles in the plane and intersects its inner edges with the straight
-/// line between its ends (Algorithm 3).
+/// lays out a strip of Euclidean triangles in the plane and intersects its inner edges with the
+/// straight line between its ends (Algorithm 3).
 ///
 /// The strip leaves the corner \f$a\f$ of a first triangle through the opposite side
-/// \f$\overrightarrow{ij}\f$, goes on from triangle to triangle and ends at a corner \f$b\f$. It can also
-/// start and end at other points of the first and last triangle. Directions
-/// of edges are turned by corner angles instead of being taken from differences of positions, so that a
-/// short edge in the strip does not spoil what follows. Every corner is placed along the edges that lead
-/// to it on the shorter way, so that a short line between long edges keeps all its digits. An object can
-/// be used again; it then allocates no memory.
+/// \f$\overrightarrow{ij}\f$, goes on from triangle to triangle and ends at a corner \f$b\f$. It
+/// can also start and end at other points of the first and last triangle. Directions of edges are
+/// turned by corner angles instead of being taken from differences of positions, so that a short
+/// edge in the strip does not spoil what follows. Every corner is placed along the edges that lead
+/// to it on the shorter way, so that a short line between long edges keeps all its digits. An
+/// object can be used again; it then allocates no memory.
 ///
 /// \cgalModels `GeodesicStrip`
 template <typename FT>
@@ -57,8 +57,9 @@ class Euclidean_strip
   };
 
 public:
-  /// a crossing of the line with an inner edge: `along_line` is the barycentric coordinate on the line
-  /// from \f$a\f$ to \f$b\f$, `along_edge` that on \f$\overrightarrow{ij}\f$ (Equation 3.6). Both are in
+  /// a crossing of the line with an inner edge: `along_line` is the barycentric coordinate on the
+  /// line from \f$a\f$ to \f$b\f$, `along_edge` that on \f$\overrightarrow{ij}\f$ (Equation 3.6).
+  /// Both are in
   /// \f$[0,1]\f$.
   struct Crossing
   {
@@ -77,9 +78,9 @@ public:
     m_way_to_target = ja;
   }
 
-  /// the same for a line that starts in this triangle at the point with barycentric coordinates `p`, which
-  /// belong to \f$a\f$, \f$i\f$, \f$j\f$. The point may be as close to \f$\overrightarrow{ij}\f$ as it
-  /// likes.
+  /// the same for a line that starts in this triangle at the point with barycentric coordinates
+  /// `p`, which belong to \f$a\f$, \f$i\f$, \f$j\f$. The point may be as close to
+  /// \f$\overrightarrow{ij}\f$ as it likes.
   void start(const FT& ai, const FT& ij, const FT& ja, const std::array<FT, 3>& p)
   {
     start(ai, ij, ja);
@@ -90,8 +91,8 @@ public:
     m_way_to_target = p[0] * ja + p[1] * ij;
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
-  /// through \f$\overrightarrow{il}\f$.
+  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
+  /// leaves it through \f$\overrightarrow{il}\f$.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li)
   {
     const Vector i = m_edges.back().source, l = apex(ij, jl, li);
@@ -100,8 +101,8 @@ public:
     m_edges.push_back({i, l});
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
-  /// through \f$\overrightarrow{lj}\f$.
+  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
+  /// leaves it through \f$\overrightarrow{lj}\f$.
   void turn_around_target(const FT& ij, const FT& jl, const FT& li)
   {
     const Vector j = m_edges.back().target, l = apex(ij, jl, li);
@@ -114,8 +115,8 @@ public:
   /// \f$\overrightarrow{ij}\f$.
   void finish(const FT& ij, const FT& jl, const FT& li) { set_end(apex(ij, jl, li)); }
 
-  /// the same for a line that ends in this triangle at the point with barycentric coordinates `q`, which
-  /// belong to \f$l\f$, \f$j\f$, \f$i\f$.
+  /// the same for a line that ends in this triangle at the point with barycentric coordinates `q`,
+  /// which belong to \f$l\f$, \f$j\f$, \f$i\f$.
   void finish(const FT& ij, const FT& jl, const FT& li, const std::array<FT, 3>& q)
   {
     const Segment& edge = m_edges.back();
@@ -131,16 +132,17 @@ public:
   /// the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
 
-  /// the angle at the start of the line from the direction to the first \f$i\f$ counterclockwise to the
-  /// line; `FT` is a floating point type. \pre `finish()` has been called
+  /// the angle at the start of the line from the direction to the first \f$i\f$ counterclockwise to
+  /// the line; `FT` is a floating point type. \pre `finish()` has been called
   FT angle() const
   {
     const Vector& i = m_edges.front().source;
     return std::atan2(cross(i, m_end), dot(i, m_end));
   }
 
-  /// the crossing of the line with inner edge `m`, not before `least` on the line. Where both run along each
-  /// other, any point that they share will do, but not a point that only one of them has.
+  /// the crossing of the line with inner edge `m`, not before `least` on the line. Where both run
+  /// along each other, any point that they share will do, but not a point that only one of them
+  /// has.
   /// \pre `finish()` has been called
   Crossing crossing(std::size_t m, const FT& least = FT(0)) const
   {

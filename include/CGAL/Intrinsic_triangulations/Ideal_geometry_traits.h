@@ -18,13 +18,14 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// the geometry of ideal hyperbolic triangles whose corners are decorated with horocycles. The length of
-/// an edge is its Penner length \f$\ell = e^{\lambda/2}\f$, where \f$\lambda\f$ is the signed distance of
-/// the two horocycles (Section 4.1.2). Any positive numbers are the lengths of a decorated triangle.
+/// the geometry of ideal hyperbolic triangles whose corners are decorated with horocycles. The
+/// length of an edge is its Penner length \f$\ell = e^{\lambda/2}\f$, where \f$\lambda\f$ is the
+/// signed distance of the two horocycles (Section 4.1.2). Any positive numbers are the lengths of a
+/// decorated triangle.
 ///
-/// Four operations suffice: with an exact number type, for instance `CGAL::Exact_rational`, every length
-/// and every decision is exact. With a floating point type an edge is flipped only where that is certain
-/// for the stored lengths; see `Is_locally_Delaunay`. There are no square roots.
+/// Four operations suffice: with an exact number type, for instance `CGAL::Exact_rational`, every
+/// length and every decision is exact. With a floating point type an edge is flipped only where
+/// that is certain for the stored lengths; see `Is_locally_Delaunay`. There are no square roots.
 ///
 /// Barycentric coordinates are those in the triangle of the light-like vectors of the corners, with
 /// \f$\langle q_i, q_j\rangle = -2\ell_{ij}^2\f$. One point has different coordinates in different
@@ -55,16 +56,18 @@ public:
     }
   };
 
-  /// decides whether the edge \f$ij\f$ satisfies the local ideal Delaunay condition: the polyhedron with
-  /// the two faces is convex in the light cone. Equality is a tie and kept.
+  /// decides whether the edge \f$ij\f$ satisfies the local ideal Delaunay condition: the polyhedron
+  /// with the two faces is convex in the light cone. Equality is a tie and kept.
   ///
-  /// Both sides of Equation 4.5 are divided by the product of the four outer lengths. The condition is
-  /// then \f$ \frac{\ell_{ij}^2}{\ell_{jk}\ell_{ki}} + \frac{\ell_{ij}^2}{\ell_{il}\ell_{lj}} \leq
+  /// Both sides of Equation 4.5 are divided by the product of the four outer lengths. The condition
+  /// is then \f$ \frac{\ell_{ij}^2}{\ell_{jk}\ell_{ki}} + \frac{\ell_{ij}^2}{\ell_{il}\ell_{lj}}
+  /// \leq
   /// \frac{\ell_{jk}^2 + \ell_{ki}^2}{\ell_{jk}\ell_{ki}} +
-  /// \frac{\ell_{il}^2 + \ell_{lj}^2}{\ell_{il}\ell_{lj}} \f$. All terms are positive. In floating point an
-  /// edge counts as non-Delaunay only if it is so for all lengths within `rounding_unit()` of the stored ones:
-  /// these change a term on the left by four such units and one on the right, which is a sum of quotients
-  /// of two lengths, by two. So an edge that has just been flipped is never flipped back.
+  /// \frac{\ell_{il}^2 + \ell_{lj}^2}{\ell_{il}\ell_{lj}} \f$. All terms are positive. In floating
+  /// point an edge counts as non-Delaunay only if it is so for all lengths within `rounding_unit()`
+  /// of the stored ones: these change a term on the left by four such units and one on the right,
+  /// which is a sum of quotients of two lengths, by two. So an edge that has just been flipped is
+  /// never flipped back.
   struct Is_locally_Delaunay
   {
     /// returns whether the edge is Delaunay.
@@ -83,15 +86,16 @@ public:
     bool is_certain(const Diamond<FT>& length) const { return (*this)(length); }
   };
 
-  /// says that every edge can be flipped: the union of two ideal triangles is always strictly convex.
+  /// says that every edge can be flipped: the union of two ideal triangles is always strictly
+  /// convex.
   struct Is_convex
   {
     /// returns `true`.
     bool operator()(const Diamond<FT>&) const { return true; }
   };
 
-  /// decides whether a number can be the length of an edge: it is positive and finite, and so are sums
-  /// of two products of two such numbers.
+  /// decides whether a number can be the length of an edge: it is positive and finite, and so are
+  /// sums of two products of two such numbers.
   struct Is_length
   {
     /// returns whether `length` can be the length of an edge.

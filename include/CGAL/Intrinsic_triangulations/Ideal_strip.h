@@ -14,15 +14,16 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// intersects the inner edges of a strip of decorated ideal triangles with the geodesic between its ends.
+/// intersects the inner edges of a strip of decorated ideal triangles with the geodesic between its
+/// ends.
 ///
 /// This computes what a layout in the light cone would give (Equations 4.6 to 4.9), but from Penner
 /// lengths alone: those between the ends of the strip and the ends of its inner edges follow from
 /// Ptolemy's relation, and the four light-like vectors of a crossing satisfy
 /// \f$ \alpha_a q_a + \alpha_b q_b = \alpha_i q_i + \alpha_j q_j \f$,
-/// where \f$\alpha_x\f$ is the product of the three Penner lengths among the other three. All terms are
-/// positive: no digit is cancelled, and with an exact number type every result is exact. An object can
-/// be used again; it then allocates no memory.
+/// where \f$\alpha_x\f$ is the product of the three Penner lengths among the other three. All terms
+/// are positive: no digit is cancelled, and with an exact number type every result is exact. An
+/// object can be used again; it then allocates no memory.
 ///
 /// \cgalModels `GeodesicStrip`
 template <typename FT>
@@ -37,8 +38,8 @@ class Ideal_strip
   };
 
 public:
-  /// a crossing of the geodesic with an inner edge: \f$(1-s) q_a + s q_b = \mu ((1-t) q_i + t q_j)\f$
-  /// in the light cone.
+  /// a crossing of the geodesic with an inner edge:
+  /// \f$(1-s) q_a + s q_b = \mu ((1-t) q_i + t q_j)\f$ in the light cone.
   struct Crossing
   {
     FT along_line, ///< \f$s\f$, in \f$[0,1]\f$
@@ -53,8 +54,8 @@ public:
     add_edge(ai, ja, ij);
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
-  /// through \f$\overrightarrow{il}\f$.
+  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
+  /// leaves it through \f$\overrightarrow{il}\f$.
   void turn_around_source(const FT& ij, const FT& jl, const FT& li)
   {
     const FT ai = m_edges.back().from_a_to_source, al = from_a_to_apex(ij, jl, li);
@@ -63,8 +64,8 @@ public:
     add_edge(ai, al, li);
   }
 
-  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and leaves it
-  /// through \f$\overrightarrow{lj}\f$.
+  /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
+  /// leaves it through \f$\overrightarrow{lj}\f$.
   void turn_around_target(const FT& ij, const FT& jl, const FT& li)
   {
     const FT aj = m_edges.back().from_a_to_target, al = from_a_to_apex(ij, jl, li);
@@ -108,8 +109,8 @@ private:
     m_edges.push_back({ai, aj, ij, FT(0), FT(0), FT(0), false});
   }
 
-  // Ptolemy's relation (Equation 4.4): the length between the corners opposite to ij of the triangles aij
-  // and jil
+  // Ptolemy's relation (Equation 4.4): the length between the corners opposite to ij of the
+  // triangles aij and jil
   static FT opposite_length(const FT& ij, const FT& ai, const FT& aj, const FT& jl, const FT& li)
   {
     return (ai * jl + aj * li) / ij;

@@ -178,7 +178,8 @@ public:
     return out.str();
   }
 
-  /// returns one sentence per kind of fatal defect, separated by semicolons; empty if there is none.
+  /// returns one sentence per kind of fatal defect, separated by semicolons; empty if there is
+  /// none.
   std::string message() const
   {
     std::string result;

@@ -43,9 +43,9 @@ struct Face_split
 };
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the normal coordinates \f$n\f$ and roundabouts \f$r\f$ of Section 3.1, as property maps on the edges
-/// and halfedges of a triangulation \f$T_2\f$, which encode how the edges of a triangulation \f$T_1\f$
-/// of the same surface run over it. They know no lengths; all their answers are exact.
+/// the normal coordinates \f$n\f$ and roundabouts \f$r\f$ of Section 3.1, as property maps on the
+/// edges and halfedges of a triangulation \f$T_2\f$, which encode how the edges of a triangulation
+/// \f$T_1\f$ of the same surface run over it. They know no lengths; all their answers are exact.
 ///
 /// The curves of \f$T_1\f$ that cross a halfedge are numbered from its source, starting with 0.
 ///
@@ -63,8 +63,8 @@ public:
   /// the type of the map of roundabouts.
   typedef Delta_complex::Property_map<Halfedge_index, size_type> Roundabout_map;
 
-  /// a crossing \f$\zeta\f$ of a curve of \f$T_1\f$ that leaves the face of `halfedge` through it; it is
-  /// crossing `number` as counted from the source of `halfedge`.
+  /// a crossing \f$\zeta\f$ of a curve of \f$T_1\f$ that leaves the face of `halfedge` through it;
+  /// it is crossing `number` as counted from the source of `halfedge`.
   struct Crossing
   {
     Halfedge_index halfedge; ///< the halfedge that is crossed
@@ -82,9 +82,9 @@ public:
   /// creates coordinates that are attached to no mesh.
   Integer_coordinates() = default;
 
-  /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`. When the mesh has none they
-  /// are created, with every edge shared; if `mesh` is \f$T_1\f$, its roundabouts are the numbers of its
-  /// own spokes.
+  /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`. When the mesh has none
+  /// they are created, with every edge shared; if `mesh` is \f$T_1\f$, its roundabouts are the
+  /// numbers of its own spokes.
   explicit Integer_coordinates(Delta_complex& mesh)
     : m_n(mesh.template add_property_map<Edge_index, Integer>("e:normal_coordinate", -1).first),
       m_r(mesh.template add_property_map<Halfedge_index, size_type>("h:roundabout", 0).first)
@@ -93,12 +93,12 @@ public:
   /// \name Access
   /// @{
 
-  /// the normal coordinate \f$n\f$ of `e`: -1 if the edge is in \f$T_1\f$ too, otherwise the number of
-  /// its crossings with edges of \f$T_1\f$.
+  /// the normal coordinate \f$n\f$ of `e`: -1 if the edge is in \f$T_1\f$ too, otherwise the number
+  /// of its crossings with edges of \f$T_1\f$.
   const Integer& normal_coordinate(Edge_index e) const { return m_n[e]; }
 
-  /// the roundabout \f$r\f$ of `h`: the number of the first spoke of \f$T_1\f$ at or counterclockwise
-  /// from `h` around its source.
+  /// the roundabout \f$r\f$ of `h`: the number of the first spoke of \f$T_1\f$ at or
+  /// counterclockwise from `h` around its source.
   size_type roundabout(Halfedge_index h) const { return m_r[h]; }
 
   /// whether the edge of `h` is in \f$T_1\f$ too.
@@ -119,7 +119,8 @@ public:
   /// \name Corners
   /// @{
 
-  /// the number \f$e\f$ of curves that start at the corner opposite to `h` and cross `h` (Equation 3.1).
+  /// the number \f$e\f$ of curves that start at the corner opposite to `h` and cross `h` (Equation
+  /// 3.1).
   /// \pre `h` is not a border halfedge
   Integer curves_leaving(Halfedge_index h, const Delta_complex& mesh) const
   {
@@ -150,8 +151,8 @@ public:
   /// Algorithms 1 and 2.
   /// @{
 
-  /// the first crossing of the curve that leaves the source of `spoke`, counted from `spoke` as number
-  /// `k` of those that start inside its corner. \pre `k < curves_leaving(next(spoke))`
+  /// the first crossing of the curve that leaves the source of `spoke`, counted from `spoke` as
+  /// number `k` of those that start inside its corner. \pre `k < curves_leaving(next(spoke))`
   Crossing first_crossing(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh) const
   {
     const Halfedge_index opposite_side = mesh.next(spoke);
@@ -187,8 +188,8 @@ public:
                            mesh, spokes);
   }
 
-  /// the spoke of \f$T_1\f$ that is number `k` of those that start inside the corner at the source of
-  /// `spoke`.
+  /// the spoke of \f$T_1\f$ that is number `k` of those that start inside the corner at the source
+  /// of `spoke`.
   Halfedge_index spoke_in_corner(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh,
                                  const Vertex_spokes& spokes) const
   {
@@ -198,8 +199,8 @@ public:
                            wrap(m_r[spoke] + along + static_cast<size_type>(k), spokes.degree(v)));
   }
 
-  /// calls `visit(spoke, k, start)` for every end of every curve that is no edge of \f$T_2\f$: it is
-  /// number `k` in the corner of `spoke` and runs along the spoke `start` of \f$T_1\f$.
+  /// calls `visit(spoke, k, start)` for every end of every curve that is no edge of \f$T_2\f$: it
+  /// is number `k` in the corner of `spoke` and runs along the spoke `start` of \f$T_1\f$.
   /// Complexity: linear, whatever the degrees.
   template <typename Visit>
   void for_each_curve_end(const Delta_complex& mesh, const Vertex_spokes& spokes,
@@ -225,8 +226,8 @@ public:
   /// \name Modification
   /// @{
 
-  /// turns the edge of `h` as `flip_edge()` does and updates its normal coordinate (Equation 3.4) and
-  /// the roundabouts of its halfedges (Equation 3.5). Complexity: constant.
+  /// turns the edge of `h` as `flip_edge()` does and updates its normal coordinate (Equation 3.4)
+  /// and the roundabouts of its halfedges (Equation 3.5). Complexity: constant.
   /// \throws Overflow_error if the new normal coordinate is out of range; nothing has changed then.
   /// \pre `flip_status(h, mesh) == Operation_status::possible`
   void flip(Halfedge_index h, Delta_complex& mesh, const Vertex_spokes& spokes)
@@ -244,9 +245,10 @@ public:
   /// inserts a vertex into the face of `h` as `split_face()` does (Section 3.5.1).
   /// Complexity: constant.
   /// \param h a halfedge that is no border halfedge
-  /// \param at the coordinates of the edges from the new vertex to the source of `h`, its target, and the
-  ///        target of the next halfedge; at most one of them is shared
-  /// \param spoke the first spoke of the new vertex if it is on an edge of \f$T_1\f$, otherwise null
+  /// \param at the coordinates of the edges from the new vertex to the source of `h`, its target,
+  ///        and the target of the next halfedge; at most one of them is shared
+  /// \param spoke the first spoke of the new vertex if it is on an edge of \f$T_1\f$, otherwise
+  ///   null
   /// \param mesh the mesh
   /// \param spokes the spokes of \f$T_1\f$, to which those of the new vertex are added
   /// \returns the new vertex
@@ -302,8 +304,8 @@ public:
     return m;
   }
 
-  /// makes the edge of `h` shared: its ends are joined by an edge of \f$T_1\f$ that starts along the spoke
-  /// with number `r_source` of one and `r_target` of the other.
+  /// makes the edge of `h` shared: its ends are joined by an edge of \f$T_1\f$ that starts along
+  /// the spoke with number `r_source` of one and `r_target` of the other.
   void set_shared(Halfedge_index h, size_type r_source, size_type r_target)
   {
     m_n[edge_of(h)] = Integer(-1);
@@ -318,8 +320,8 @@ public:
 
   /// @}
 
-  /// checks the numbers against each other: crossings possible in each face, boundary edges shared, and
-  /// the spokes of both triangulations in step around every vertex. Complexity: linear.
+  /// checks the numbers against each other: crossings possible in each face, boundary edges shared,
+  /// and the spokes of both triangulations in step around every vertex. Complexity: linear.
   bool is_valid(const Delta_complex& mesh, const Vertex_spokes& spokes) const
   {
     for(Edge_index e : mesh.edges())
@@ -343,8 +345,8 @@ private:
     return position < degree ? position : position - degree;
   }
 
-  // Equation 3.5: the roundabout of k->l, from the spoke k->i before it and the normal coordinates of
-  // their face
+  // Equation 3.5: the roundabout of k->l, from the spoke k->i before it and the normal coordinates
+  // of their face
   size_type following_roundabout(Halfedge_index ki, const Integer& n_ki, const Integer& n_il,
                                  const Integer& n_kl, size_type degree) const
   {
@@ -355,7 +357,8 @@ private:
     return wrap(m_r[ki] + static_cast<size_type>(leaving) + along, degree);
   }
 
-  // The coordinates of the edge mk after a vertex m has split an edge: k is on the left of its part `im`.
+  // The coordinates of the edge mk after a vertex m has split an edge: k is on the left of its part
+  // `im`.
   void set_cut(Halfedge_index im, const Integer& n_mk, size_type r_mk, const Delta_complex& mesh,
                const Vertex_spokes& spokes)
   {

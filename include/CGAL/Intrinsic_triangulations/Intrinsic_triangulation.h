@@ -48,17 +48,19 @@ class Input_splitter;
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// a triangulation \f$T_2\f$ of a surface that is given by an input triangulation \f$T_1\f$ with edge
-/// lengths, and the correspondence between the two.
+/// a triangulation \f$T_2\f$ of a surface that is given by an input triangulation \f$T_1\f$ with
+/// edge lengths, and the correspondence between the two.
 ///
-/// The edges of \f$T_2\f$ are geodesics on the surface of \f$T_1\f$. The class owns the connectivity and
-/// edge lengths of both, and the integer coordinates (normal coordinates and roundabouts) that say how
-/// the edges of \f$T_1\f$ run over \f$T_2\f$. Its operations keep them consistent. \f$T_1\f$ never
-/// changes, and the mesh that it was made from is only read.
+/// The edges of \f$T_2\f$ are geodesics on the surface of \f$T_1\f$. The class owns the
+/// connectivity and edge lengths of both, and the integer coordinates (normal coordinates and
+/// roundabouts) that say how the edges of \f$T_1\f$ run over \f$T_2\f$. Its operations keep them
+/// consistent. \f$T_1\f$ never changes, and the mesh that it was made from is only read.
 ///
-/// Vertices of both triangulations, and edges and faces of \f$T_1\f$, have the numbers of their order in
-/// the ranges `vertices(g)`, `edges(g)`, `faces(g)` of the input; `halfedge(e, g)` becomes halfedge
-/// \f$2e\f$. Isolated vertices are kept. \f$T_2\f$ can have more vertices (Section 3.5), whose places on
+/// Vertices of both triangulations, and edges and faces of \f$T_1\f$, have the numbers of their
+/// order in the ranges `vertices(g)`, `edges(g)`, `faces(g)` of the input; `halfedge(e, g)` becomes
+/// halfedge
+/// \f$2e\f$. Isolated vertices are kept. \f$T_2\f$ can have more vertices (Section 3.5), whose
+/// places on
 /// \f$T_1\f$ are kept too; they come after those of the input.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
@@ -89,11 +91,11 @@ public:
 
   /// creates the triangulation \f$T_2 = T_1\f$ of the surface of `g`.
   ///
-  /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`; a Delta-complex, with loops and
-  ///         parallel edges, is welcome
+  /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`; a Delta-complex, with loops
+  ///         and parallel edges, is welcome
   /// \tparam NamedParameters a sequence of named parameters
-  /// \param g the input; every face a triangle, with or without boundary, of any genus and number of
-  ///        components
+  /// \param g the input; every face a triangle, with or without boundary, of any genus and number
+  ///        of components
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{vertex_point_map}
@@ -117,8 +119,9 @@ public:
   /// \cgalNamedParamsEnd
   ///
   /// Complexity: linear.
-  /// \throws Invalid_input if a face is not a triangle, an edge has no face, a vertex has more than one
-  ///         umbrella, a length is not positive and finite, or the triangle inequality fails in a face
+  /// \throws Invalid_input if a face is not a triangle, an edge has no face, a vertex has more than
+  ///         one umbrella, a length is not positive and finite, or the triangle inequality fails in
+  ///         a face
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
                                    const NamedParameters& np = CGAL::parameters::default_values())
@@ -138,10 +141,10 @@ public:
     internal::with_numbering(g, [&](const auto& numbering) { copy_constraints(g, numbering, np); });
   }
 
-  /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the property
-  /// map "e:length", `mesh` has this map and "e:normal_coordinate", "h:roundabout", "e:is_constrained",
-  /// and `inserted` has the places of the vertices that only `mesh` has, in their order.
-  /// Complexity: linear in the elements and crossings.
+  /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the
+  /// property map "e:length", `mesh` has this map and "e:normal_coordinate", "h:roundabout",
+  /// "e:is_constrained", and `inserted` has the places of the vertices that only `mesh` has, in
+  /// their order. Complexity: linear in the elements and crossings.
   /// \throws Invalid_input if they do not fit together.
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
                           std::vector<Inserted_vertex<FT>> inserted = {},
@@ -222,23 +225,25 @@ public:
   /// \name Flipping
   /// @{
 
-  /// whether the edge of `h` is not constrained, lies in two faces, and their union is strictly convex,
-  /// so that `flip()` gives a triangulation of the surface again.
+  /// whether the edge of `h` is not constrained, lies in two faces, and their union is strictly
+  /// convex, so that `flip()` gives a triangulation of the surface again.
   bool is_flippable(Halfedge_index h) const
   {
     return can_be_turned(h) && m_traits.is_convex_object()(diamond(m_length, h, m_mesh));
   }
 
   /// whether the edge `e` of \f$T_2\f$ satisfies the local Delaunay condition (Equation 2.6), or is
-  /// constrained, or has not two faces. Decision: exact for exact traits, filtered for floating point.
+  /// constrained, or has not two faces. Decision: exact for exact traits, filtered for floating
+  /// point.
   bool is_Delaunay(Edge_index e) const
   {
     const Halfedge_index h = m_mesh.halfedge(e);
     return m_traits.is_locally_Delaunay_object()(diamond(m_length, h, m_mesh)) || !can_be_turned(h);
   }
 
-  /// turns the edge of `h` counterclockwise into the other diagonal of its two faces (see `flip_edge()`)
-  /// and updates its length and integer coordinates. The coordinates are exact, and an edge that is in
+  /// turns the edge of `h` counterclockwise into the other diagonal of its two faces (see
+  /// `flip_edge()`) and updates its length and integer coordinates. The coordinates are exact, and
+  /// an edge that is in
   /// \f$T_1\f$ too has its length there, to the bit. Complexity: constant; no
   /// memory is allocated.
   /// \throws Numerical_error if the new length is not positive and finite
@@ -257,9 +262,9 @@ public:
     m_length[e] = m_coordinates.is_shared(e) ? shared_length(h) : length;
   }
 
-  /// computes the length of every edge of \f$T_2\f$ afresh, from the lengths of \f$T_1\f$ in the strip of
-  /// triangles that the edge passes. Where many flips have let rounding add up, this takes it away: the
-  /// strips are known exactly. Complexity: linear in the edges and crossings.
+  /// computes the length of every edge of \f$T_2\f$ afresh, from the lengths of \f$T_1\f$ in the
+  /// strip of triangles that the edge passes. Where many flips have let rounding add up, this takes
+  /// it away: the strips are known exactly. Complexity: linear in the edges and crossings.
   /// \throws Numerical_error if a length is not positive and finite
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
   /// After an exception nothing has changed.
@@ -283,11 +288,12 @@ public:
       m_length[e] = lengths[e];
   }
 
-  /// turns \f$T_2\f$ back into \f$T_1\f$ by flips that follow the integer coordinates alone (Mosher's
-  /// algorithm, Algorithm 4). Constraints stay, for they are on edges of \f$T_1\f$.
+  /// turns \f$T_2\f$ back into \f$T_1\f$ by flips that follow the integer coordinates alone
+  /// (Mosher's algorithm, Algorithm 4). Constraints stay, for they are on edges of \f$T_1\f$.
   /// Complexity: finite; in practice below the number of crossings.
   /// \returns the number of flips
-  /// \throws Overflow_error if a normal coordinate on the way is out of range; nothing has changed then.
+  /// \throws Overflow_error if a normal coordinate on the way is out of range; nothing has changed
+  ///   then.
   /// \pre no vertex has been inserted
   std::size_t flip_to_input()
   {
@@ -303,8 +309,8 @@ public:
 
   /// @}
   /// \name Inserted Vertices
-  /// Section 3.5. `Vertex_inserter` calls these operations with the right arguments. Vertices can be
-  /// inserted if `Traits` is a model of `IntrinsicGeometryTraitsWithDistance`.
+  /// Section 3.5. `Vertex_inserter` calls these operations with the right arguments. Vertices can
+  /// be inserted if `Traits` is a model of `IntrinsicGeometryTraitsWithDistance`.
   /// @{
 
   /// the number of vertices that only \f$T_2\f$ has.
@@ -325,8 +331,8 @@ public:
   /// inserts a vertex into a face of \f$T_2\f$ and joins it to the corners (see
   /// `Integer_coordinates::split_face()`). Complexity: constant.
   /// \param p the point on \f$T_2\f$
-  /// \param at the integer coordinates of the edges from the new vertex to the corners of the face, in the
-  ///        order of the coordinates of `p`
+  /// \param at the integer coordinates of the edges from the new vertex to the corners of the face,
+  ///        in the order of the coordinates of `p`
   /// \param q the same point on \f$T_1\f$
   /// \returns the new vertex
   /// \throws Numerical_error if an edge has no positive finite length
@@ -349,8 +355,9 @@ public:
   }
 
   /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` in \f$T_2\f$ (see
-  /// `Integer_coordinates::split_edge()`). The parts of a shared edge have the lengths of those parts of
-  /// the edge of \f$T_1\f$; both parts of a constrained edge are constrained. Complexity: constant.
+  /// `Integer_coordinates::split_edge()`). The parts of a shared edge have the lengths of those
+  /// parts of the edge of \f$T_1\f$; both parts of a constrained edge are constrained. Complexity:
+  /// constant.
   /// \param h the halfedge from \f$i\f$ to \f$j\f$; afterwards it leads from \f$m\f$ to \f$j\f$
   /// \param t the place of \f$m\f$ on it, between 0 and 1
   /// \param n the normal coordinates of the new edges
@@ -428,8 +435,8 @@ public:
     return f;
   }
 
-  /// gives the elements of \f$T_2\f$ consecutive numbers again after vertices have been removed; those of
-  /// the input keep theirs. Complexity: linear.
+  /// gives the elements of \f$T_2\f$ consecutive numbers again after vertices have been removed;
+  /// those of the input keep theirs. Complexity: linear.
   void collect_garbage()
   {
     typedef Inserted_vertex<FT> Place;
@@ -458,16 +465,16 @@ public:
       side_lengths(m_input.halfedge(p.first), m_input, m_input_length), p.second, q.second);
   }
 
-  /// the place of the source of the halfedge `h` of \f$T_2\f$ on `input_spoke_before(h)`, if that is not
-  /// null.
+  /// the place of the source of the halfedge `h` of \f$T_2\f$ on `input_spoke_before(h)`, if that
+  /// is not null.
   Edge_point<FT> start_on_spoke(Halfedge_index h) const
   {
     const Halfedge_index spoke = input_spoke_before(h);
     return {spoke, spoke.is_valid() ? place_along(spoke, m_mesh.source(h)) : FT(0)};
   }
 
-  /// the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose source it is
-  /// unless it has been inserted. \pre it lies on the edge of `input`
+  /// the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose source it
+  /// is unless it has been inserted. \pre it lies on the edge of `input`
   FT place_along(Halfedge_index input, Vertex_index v) const
   {
     if(!is_inserted(v))
@@ -477,8 +484,9 @@ public:
     return input == m.along ? t : FT(1 - t);
   }
 
-  /// the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of `at.halfedge`, which
-  /// contains `v`, unless `v` lies inside a face. If `v` is a vertex of \f$T_1\f$, its place is `at`.
+  /// the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of `at.halfedge`,
+  /// which contains `v`, unless `v` lies inside a face. If `v` is a vertex of \f$T_1\f$, its place
+  /// is `at`.
   Face_location<FT> input_location(Vertex_index v, const Edge_point<FT>& at) const
   {
     if(!is_inserted(v))
@@ -489,8 +497,8 @@ public:
                                    m_input);
   }
 
-  /// the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into which `h`
-  /// leads, or which lies on its left if its edge is shared. \pre `h` is no border halfedge
+  /// the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into which
+  /// `h` leads, or which lies on its left if its edge is shared. \pre `h` is no border halfedge
   Face_location<FT> input_location(Halfedge_index h) const
   {
     return input_location(m_mesh.source(h), {input_spoke_before(h), FT(0)});
@@ -499,8 +507,8 @@ public:
   /// lays out the triangles of \f$T_1\f$ through which the halfedge `h` of \f$T_2\f$ runs.
   /// \param strip the strip to be laid out
   /// \param h the halfedge
-  /// \param exit a function: exit(m) is the halfedge of \f$T_1\f$ through which `h` leaves a face as its
-  ///        number m
+  /// \param exit a function: exit(m) is the halfedge of \f$T_1\f$ through which `h` leaves a face
+  ///        as its number m
   /// \param n the number of crossings, positive
   /// \returns the length of `h`
   template <typename Exit>
@@ -525,8 +533,8 @@ public:
     return m_coordinates.shared_halfedge(h, m_mesh, m_spokes);
   }
 
-  /// the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around its source; null
-  /// if the source lies inside a face of \f$T_1\f$.
+  /// the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around its
+  /// source; null if the source lies inside a face of \f$T_1\f$.
   Halfedge_index input_spoke_before(Halfedge_index h) const
   {
     const Vertex_index v = m_mesh.source(h);
@@ -538,8 +546,9 @@ public:
     return m_spokes.halfedge(v, (r == 0 ? m_spokes.degree(v) : r) - 1);
   }
 
-  /// checks everything: connectivity, lengths, integer coordinates, and that every edge of \f$T_1\f$ runs
-  /// over \f$T_2\f$ to its other end. Complexity: linear in the elements and crossings.
+  /// checks everything: connectivity, lengths, integer coordinates, and that every edge of
+  /// \f$T_1\f$ runs over \f$T_2\f$ to its other end. Complexity: linear in the elements and
+  /// crossings.
   bool is_valid(bool verbose = false) const
   {
     std::string defect = internal::Delta_complex_defect(m_mesh);
@@ -581,7 +590,8 @@ private:
     return part_length(start_on_spoke(h), start_on_spoke(m_mesh.opposite(h)));
   }
 
-  // the length of such an edge from a new vertex at `m` to the vertex `v`, along spoke `r` of the new one
+  // the length of such an edge from a new vertex at `m` to the vertex `v`, along spoke `r` of the
+  // new one
   FT shared_length(const Inserted_vertex<FT>& m, size_type r, Vertex_index v) const
   {
     const Halfedge_index first = first_inserted_spoke(m.along);
@@ -592,8 +602,8 @@ private:
       part_length({spoke, spoke == m.along ? t : FT(1 - t)}, {back, place_along(back, v)}));
   }
 
-  // The length of the part of an edge of T1 between two points, one seen from each of its ends. It is the
-  // same to the bit from both sides.
+  // The length of the part of an edge of T1 between two points, one seen from each of its ends. It
+  // is the same to the bit from both sides.
   FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
   {
     const bool is_even = start.halfedge.idx() % 2 == 0;
@@ -629,13 +639,15 @@ private:
     return checked_length(distance_to_corner(h, internal::barycentric_coordinates(0, t), 2));
   }
 
-  // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side` first
+  // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side`
+  // first
   std::array<FT, 3> coordinates_beyond(Halfedge_index side, const Face_location<FT>& p) const
   {
     return internal::coordinates_from(m_input.prev(side), p, m_input);
   }
 
-  // A distance that is asked for only if vertices have been inserted; otherwise 0, which is no length.
+  // A distance that is asked for only if vertices have been inserted; otherwise 0, which is no
+  // length.
   FT distance_from_inserted([[maybe_unused]] const Face_location<FT>& p,
                             [[maybe_unused]] const Face_location<FT>& q) const
   {

@@ -56,8 +56,8 @@ Integer curves_leaving(const Integer& opposite, const Integer& right, const Inte
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the number \f$c\f$ of curves that cut off a corner of a triangle (Equation 3.2), from the crossings
-/// of the opposite side and of the two sides at the corner.
+/// the number \f$c\f$ of curves that cut off a corner of a triangle (Equation 3.2), from the
+/// crossings of the opposite side and of the two sides at the corner.
 template <typename Integer>
 Integer curves_around(const Integer& opposite, const Integer& right, const Integer& left)
 {
@@ -70,8 +70,8 @@ Integer curves_around(const Integer& opposite, const Integer& right, const Integ
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// says whether three numbers of crossings are possible on the sides of a triangle (Section 3.1.1): if
-/// they obey the triangle inequality, their sum must be even.
+/// says whether three numbers of crossings are possible on the sides of a triangle (Section 3.1.1):
+/// if they obey the triangle inequality, their sum must be even.
 template <typename Integer>
 bool are_valid_crossings(const Integer& a, const Integer& b, const Integer& c)
 {
@@ -81,7 +81,8 @@ bool are_valid_crossings(const Integer& a, const Integer& b, const Integer& c)
 
 namespace internal {
 
-// The numbers e and c (Equations 3.1, 3.2) of all corners of a triangle; corner s is opposite to side s.
+// The numbers e and c (Equations 3.1, 3.2) of all corners of a triangle; corner s is opposite to
+// side s.
 template <typename Integer>
 struct Corner_counts
 {
@@ -125,7 +126,8 @@ Integer flipped_normal_coordinate(const Diamond<Integer>& n)
 
 namespace internal {
 
-// The largest normal coordinate that is stored: the sums of the formulas above stay within the type.
+// The largest normal coordinate that is stored: the sums of the formulas above stay within the
+// type.
 template <typename Integer>
 void check_range(const Integer& n)
 {

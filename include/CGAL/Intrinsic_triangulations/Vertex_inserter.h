@@ -25,12 +25,15 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// inserts vertices into a triangulation \f$T_2\f$, and removes them (Section 3.5).
 ///
-/// The object keeps for every edge of \f$T_2\f$ the edges of \f$T_1\f$ that cross it, in order. So an
-/// insertion looks only at the crossings on the face in which it takes place, however far the edges of
+/// The object keeps for every edge of \f$T_2\f$ the edges of \f$T_1\f$ that cross it, in order. So
+/// an insertion looks only at the crossings on the face in which it takes place, however far the
+/// edges of
 /// \f$T_1\f$ run. The triangulation must not be changed by others while the object is used.
-/// Memory: 40 bytes for each edge, and four and more for each crossing from the fifth on an edge on.
+/// Memory: 40 bytes for each edge, and four and more for each crossing from the fifth on an edge
+/// on.
 ///
-/// \tparam Traits_ a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating point type
+/// \tparam Traits_ a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
+///   point type
 template <typename Traits_ = Euclidean_geometry_traits<double>>
 class Vertex_inserter
 {
@@ -53,9 +56,10 @@ public:
   /// the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
   const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
 
-  /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one coordinate is
-  /// zero. Whatever the rounding, the integer coordinates are those of a point in one region between
-  /// edges of \f$T_1\f$ (Section 3.5.1), and if `p` is on a shared edge, the vertex is on that edge of
+  /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one
+  /// coordinate is zero. Whatever the rounding, the integer coordinates are those of a point in one
+  /// region between edges of \f$T_1\f$ (Section 3.5.1), and if `p` is on a shared edge, the vertex
+  /// is on that edge of
   /// \f$T_1\f$. Complexity: linear in the crossings on the sides of the face.
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
@@ -80,8 +84,8 @@ public:
     return flip_status(h, m_tri.mesh()) != Operation_status::same_face;
   }
 
-  /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` leads on from
-  /// there. Complexity: linear in the crossings on the sides of its faces.
+  /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` leads on
+  /// from there. Complexity: linear in the crossings on the sides of its faces.
   /// \param h the halfedge
   /// \param t the place
   /// \param closeness if the point is closer to a crossing, it is put there
@@ -97,7 +101,8 @@ public:
     return m;
   }
 
-  /// flips the edge of `h`, see `Intrinsic_triangulation::flip()`. Complexity: linear in the crossings.
+  /// flips the edge of `h`, see `Intrinsic_triangulation::flip()`. Complexity: linear in the
+  /// crossings.
   void flip(Halfedge_index h)
   {
     m_tri.flip(h);
@@ -110,8 +115,8 @@ public:
   /// Complexity: in practice quadratic in the degree.
   /// \param v the vertex
   /// \param after_flip a function that is called with a halfedge of every flipped edge
-  /// \returns the face that takes its place; null if no more edges could be flipped: then the vertex
-  ///          stays, and the triangulation is valid, but perhaps not Delaunay
+  /// \returns the face that takes its place; null if no more edges could be flipped: then the
+  ///          vertex stays, and the triangulation is valid, but perhaps not Delaunay
   /// \pre `triangulation().is_inserted(v)`
   template <typename After_flip>
   Face_index remove(Vertex_index v, const After_flip& after_flip);
@@ -190,8 +195,8 @@ private:
     return length;
   }
 
-  // Inserts a vertex where `curve` comes closest to `p`. One spoke of the new vertex leads to the mark
-  // where the curve leaves the face, and one back.
+  // Inserts a vertex where `curve` comes closest to `p`. One spoke of the new vertex leads to the
+  // mark where the curve leaves the face, and one back.
   Vertex_index split_face_on_curve(const Face_location<FT>& p,
                                    const internal::Face_regions::Curve& curve,
                                    const Face_map& face_map)
@@ -210,8 +215,9 @@ private:
                             {place.halfedge, internal::face_location(place, m_tri.input_mesh())});
   }
 
-  // The place of the point closest to `p` on the way from `begin` to `end`. The distance is that on the
-  // surface: in a thin face any other would carry what rounding puts `p` off the curve to along the curve.
+  // The place of the point closest to `p` on the way from `begin` to `end`. The distance is that on
+  // the surface: in a thin face any other would carry what rounding puts `p` off the curve to along
+  // the curve.
   FT foot_on_chord(const Coordinates& begin, const Coordinates& end,
                    const Face_location<FT>& p) const
   {
@@ -339,8 +345,8 @@ private:
 
   // ---- Removal ----
 
-  // The excess over pi of the angle at the source of `h` in the diamond around its edge. Where it is not
-  // positive at either end, the edge can be flipped.
+  // The excess over pi of the angle at the source of `h` in the diamond around its edge. Where it
+  // is not positive at either end, the edge can be flipped.
   FT excess_at_source(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -362,9 +368,10 @@ private:
   Marks m_marks;
 };
 
-// A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three spokes
-// gets more by a flip of an edge opposite to it. Angles at `v` exceed pi by rounding only. A flat angle
-// there does no harm, since the face without area goes away with `v`; at the other end it would stay.
+// A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three
+// spokes gets more by a flip of an edge opposite to it. Angles at `v` exceed pi by rounding only. A
+// flat angle there does no harm, since the face without area goes away with `v`; at the other end
+// it would stay.
 template <typename Traits>
 Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
 {

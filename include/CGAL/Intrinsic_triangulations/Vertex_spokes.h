@@ -19,13 +19,14 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex \f$T_1\f$, numbered from 0
-/// in counterclockwise order. Roundabouts are such numbers (Section 3.1.2). At a boundary vertex the
-/// numbering starts at the spoke with the boundary on its right and ends at the border halfedge.
+/// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex \f$T_1\f$, numbered
+/// from 0 in counterclockwise order. Roundabouts are such numbers (Section 3.1.2). At a boundary
+/// vertex the numbering starts at the spoke with the boundary on its right and ends at the border
+/// halfedge.
 ///
-/// A vertex that has been inserted on an edge of \f$T_1\f$ has two spokes, the halfedges of that edge:
-/// each stands for the part that starts at the vertex. One that has been inserted in a face has none.
-/// Memory: eight bytes per vertex and four per halfedge.
+/// A vertex that has been inserted on an edge of \f$T_1\f$ has two spokes, the halfedges of that
+/// edge: each stands for the part that starts at the vertex. One that has been inserted in a face
+/// has none. Memory: eight bytes per vertex and four per halfedge.
 class Vertex_spokes
 {
 public:
@@ -75,8 +76,8 @@ public:
     return number;
   }
 
-  /// gives the inserted vertex `v` its spokes: `spoke` and its opposite, or none if `spoke` is null.
-  /// Complexity: amortized constant.
+  /// gives the inserted vertex `v` its spokes: `spoke` and its opposite, or none if `spoke` is
+  /// null. Complexity: amortized constant.
   void set_inserted(Vertex_index v, Halfedge_index spoke)
   {
     if(v.idx() >= m_range.size())
@@ -129,8 +130,9 @@ private:
 
 namespace internal {
 
-// The first spoke of a vertex inserted on the edge of the halfedge `along`, given whether this and its
-// opposite are border halfedges: the one with the boundary on its right, otherwise the even one.
+// The first spoke of a vertex inserted on the edge of the halfedge `along`, given whether this and
+// its opposite are border halfedges: the one with the boundary on its right, otherwise the even
+// one.
 inline Halfedge_index first_inserted_spoke(Halfedge_index along, bool is_border,
                                            bool opposite_is_border)
 {

@@ -22,18 +22,19 @@ namespace Intrinsic_triangulations {
 /// the normalized angle in which the halfedge `h` of \f$T_2\f$ leaves its source, in the frame of
 /// \f$T_1\f$ there.
 ///
-/// At a vertex of \f$T_1\f$ that is the frame of `Tangent_frames`. At a vertex that has been inserted on an
-/// edge of \f$T_1\f$ the real axis is along its first spoke (see `Vertex_spokes`), and at one inside a face
-/// `f` it is along `halfedge(f)`, as in `trace_geodesic()`; the surface is flat there, and normalized angles are
-/// angles.
+/// At a vertex of \f$T_1\f$ that is the frame of `Tangent_frames`. At a vertex that has been
+/// inserted on an edge of \f$T_1\f$ the real axis is along its first spoke (see `Vertex_spokes`),
+/// and at one inside a face `f` it is along `halfedge(f)`, as in `trace_geodesic()`; the surface is
+/// flat there, and normalized angles are angles.
 ///
-/// The corner of \f$T_1\f$ follows from the integer coordinates and is exact. The place in the corner
-/// comes from the strip of triangles of \f$T_1\f$ that `h` passes, so that the flips that led to
+/// The corner of \f$T_1\f$ follows from the integer coordinates and is exact. The place in the
+/// corner comes from the strip of triangles of \f$T_1\f$ that `h` passes, so that the flips that
+/// led to
 /// \f$T_2\f$ leave no trace in it. A shared edge has the angle of its twin, to the bit.
-/// Complexity: that of `trace_intrinsic_edge()`, and linear in the degree of the source in \f$T_1\f$.
-/// For many halfedges use `Angular_coordinates`.
-/// \throws Numerical_error if the angles at the source have no positive finite sum, or if the layout
-///         has no positive finite length
+/// Complexity: that of `trace_intrinsic_edge()`, and linear in the degree of the source in
+/// \f$T_1\f$. For many halfedges use `Angular_coordinates`.
+/// \throws Numerical_error if the angles at the source have no positive finite sum, or if the
+///         layout has no positive finite length
 template <typename Traits>
 typename Traits::FT angle_on_input(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 {

@@ -48,11 +48,12 @@ Eigen::SparseMatrix<std::complex<FT>> connection_laplacian(const Delta_complex& 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the matrix \f$L^\nabla\f$ of the energy \f$\sum w_{ij} |X_j - R_{ij} X_i|^2\f$ of tangent vectors
+/// the matrix \f$L^\nabla\f$ of the energy \f$\sum w_{ij} |X_j - R_{ij} X_i|^2\f$ of tangent
+/// vectors
 /// \f$X\f$ at the vertices, with the weights \f$w_{ij}\f$ of `cotan_laplacian()` and the parallel
-/// transport of `Tangent_frames`. It is Hermitian, and positive semidefinite if no weight is negative;
-/// a loop adds what transport around it turns. The row of an isolated (or removed) vertex is empty.
-/// Complexity: linear.
+/// transport of `Tangent_frames`. It is Hermitian, and positive semidefinite if no weight is
+/// negative; a loop adds what transport around it turns. The row of an isolated (or removed) vertex
+/// is empty. Complexity: linear.
 /// \param mesh the surface
 /// \param length a readable property map from its edges to their lengths
 /// \param frames the frames of `mesh` with these lengths

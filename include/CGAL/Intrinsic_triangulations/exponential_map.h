@@ -83,7 +83,8 @@ Geodesic<typename boost::property_traits<EdgeLengthMap>::value_type> trace_geode
 
 namespace internal {
 
-// From a vertex that only T2 has, over T1: the frame there is that of its face, or of its first spoke.
+// From a vertex that only T2 has, over T1: the frame there is that of its face, or of its first
+// spoke.
 template <typename Traits, typename OutputIterator>
 Geodesic<typename Traits::FT> trace_from_inserted(Vertex_index v,
                                                   const std::complex<typename Traits::FT>& vector,
@@ -107,8 +108,8 @@ Geodesic<typename Traits::FT> trace_from_inserted(Vertex_index v,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same on one of the two triangulations of `tri`, from a vertex of \f$T_2\f$. On \f$T_1\f$ this may be an
-/// inserted vertex; for the frame there see `angle_on_input()`.
+/// the same on one of the two triangulations of `tri`, from a vertex of \f$T_2\f$. On \f$T_1\f$
+/// this may be an inserted vertex; for the frame there see `angle_on_input()`.
 template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
 Geodesic<typename Traits::FT>
 trace_geodesic(Side side, Vertex_index v, const std::complex<typename Traits::FT>& vector,

@@ -28,8 +28,8 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// the matrix that takes the values of a function that is linear on the faces of `side`, at the
-/// vertices of that triangulation, to its values at the vertices of the subdivision. Rows sum up to one
-/// and have at most three entries, which are not negative. Complexity: linear.
+/// vertices of that triangulation, to its values at the vertices of the subdivision. Rows sum up to
+/// one and have at most three entries, which are not negative. Complexity: linear.
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision
 /// \param tri the triangulation of which it is the subdivision
@@ -55,8 +55,8 @@ namespace internal {
 template <typename FT>
 using Corner_matrix = Eigen::Matrix<FT, 3, 3>;
 
-// The integrals over a triangle of unit area of products of two linear functions with these values at
-// its corners: row a of `f` has the values of the functions f at corner a.
+// The integrals over a triangle of unit area of products of two linear functions with these values
+// at its corners: row a of `f` has the values of the functions f at corner a.
 template <typename FT>
 Corner_matrix<FT> integrals_of_products(const Corner_matrix<FT>& f, const Corner_matrix<FT>& g)
 {
@@ -73,8 +73,8 @@ Corner_matrix<FT> rows(const Barycentric_coordinates<FT>& a, const Barycentric_c
   return m;
 }
 
-// The integrals of products of barycentric coordinates of both triangulations over a region, relative to
-// the area of the face.
+// The integrals of products of barycentric coordinates of both triangulations over a region,
+// relative to the area of the face.
 template <typename FT>
 Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& region)
 {
@@ -105,9 +105,9 @@ void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_ind
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// the integrals \f$\int \varphi_i \psi_j\f$ of products of hat functions \f$\varphi_i\f$ of
-/// \f$T_2\f$ (rows) and \f$\psi_j\f$ of \f$T_1\f$ (columns). They are exact but for rounding, since the
-/// products are integrated over the regions of the common subdivision.
-/// Complexity: linear in the faces and crossings.
+/// \f$T_2\f$ (rows) and \f$\psi_j\f$ of \f$T_1\f$ (columns). They are exact but for rounding, since
+/// the products are integrated over the regions of the common subdivision. Complexity: linear in
+/// the faces and crossings.
 template <typename Traits>
 Eigen::SparseMatrix<typename Traits::FT>
 mixed_mass_matrix(const Correspondence<Traits>& correspondence)
@@ -131,9 +131,9 @@ mixed_mass_matrix(const Correspondence<Traits>& correspondence)
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// finds the function that is linear on the faces of the other triangulation and closest, in the
-/// \f$L^2\f$ norm, to one that is linear on the faces of `from`. It has the same integral, and is the
-/// same function where that is possible. An isolated vertex keeps its value.
-/// Complexity: linear in the faces and crossings, and a sparse Cholesky factorization.
+/// \f$L^2\f$ norm, to one that is linear on the faces of `from`. It has the same integral, and is
+/// the same function where that is possible. An isolated vertex keeps its value. Complexity: linear
+/// in the faces and crossings, and a sparse Cholesky factorization.
 /// \param from the triangulation on whose faces `values` is linear
 /// \param values the values at the vertices
 /// \param correspondence the crossings of both

@@ -35,12 +35,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes geodesic distances on a triangulated surface by the heat method \cgalCite{CWW17}, for one set
-/// of sources after the other; the two matrices are factorized once.
+/// computes geodesic distances on a triangulated surface by the heat method \cgalCite{CWW17}, for
+/// one set of sources after the other; the two matrices are factorized once.
 ///
-/// Distances are approximate: on a Delaunay triangulation with evenly spread vertices they are off by one
-/// to three percent on average, on others they can be far off. Refinement makes the error smaller, but
-/// since the time step shrinks along, not without end; a greater `time_step_factor` on a finer mesh does.
+/// Distances are approximate: on a Delaunay triangulation with evenly spread vertices they are off
+/// by one to three percent on average, on others they can be far off. Refinement makes the error
+/// smaller, but since the time step shrinks along, not without end; a greater `time_step_factor` on
+/// a finer mesh does.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
 ///
@@ -86,12 +87,12 @@ public:
     : Heat_distance(internal::mesh_of(side, tri), internal::lengths_of(side, tri), np)
   {}
 
-  /// computes the distance of every vertex to the nearest source. On each component the least value at
-  /// a source is exactly zero; on a component without a source all values are infinite.
+  /// computes the distance of every vertex to the nearest source. On each component the least value
+  /// at a source is exactly zero; on a component without a source all values are infinite.
   /// Complexity: linear in the size of the factorizations.
   /// \param sources a range of vertices
-  /// \throws Numerical_error if the heat is below the range of `FT` somewhere: with `double` that takes
-  ///         some 1400 mean edge lengths (and less with a factor below one)
+  /// \throws Numerical_error if the heat is below the range of `FT` somewhere: with `double` that
+  ///         takes some 1400 mean edge lengths (and less with a factor below one)
   template <typename VertexRange>
   Vector distances(const VertexRange& sources) const
   {

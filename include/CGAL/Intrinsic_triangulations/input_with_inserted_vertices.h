@@ -30,8 +30,9 @@ namespace Intrinsic_triangulations {
 
 namespace internal {
 
-// Makes the edges of T1, cut where vertices have been inserted, and fills each face of T1 with a triangulation in the
-// plane. There the corners of the face have the places (0, 0), (1, 0) and (0, 1), and everything is exact.
+// Makes the edges of T1, cut where vertices have been inserted, and fills each face of T1 with a
+// triangulation in the plane. There the corners of the face have the places (0, 0), (1, 0) and (0,
+// 1), and everything is exact.
 template <typename Traits>
 class Input_splitter
 {
@@ -291,15 +292,17 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// makes \f$T_1\f$ a triangulation with the vertices of \f$T_2\f$: its edges are cut at the vertices that have been
-/// inserted there, and its faces are triangulated. So no edge of the result crosses one of \f$T_1\f$, and each face lies in one of
-/// them: it is flat in space if the input is. Flipped to be Delaunay, it is a refined triangulation again.
+/// makes \f$T_1\f$ a triangulation with the vertices of \f$T_2\f$: its edges are cut at the
+/// vertices that have been inserted there, and its faces are triangulated. So no edge of the result
+/// crosses one of \f$T_1\f$, and each face lies in one of them: it is flat in space if the input
+/// is. Flipped to be Delaunay, it is a refined triangulation again.
 ///
-/// Vertices keep their numbers and places, and so do edges and faces if nothing has been inserted. No edge is constrained.
-/// Complexity: linear, and \f$O(n \log n)\f$ in the vertices in a face.
+/// Vertices keep their numbers and places, and so do edges and faces if nothing has been inserted.
+/// No edge is constrained. Complexity: linear, and \f$O(n \log n)\f$ in the vertices in a face.
 /// \throws Numerical_error if an inserted vertex cannot be told from another vertex or from an edge
 /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
-/// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating point type
+/// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
+///   point type
 template <typename Traits>
 Intrinsic_triangulation<Traits>
 input_with_inserted_vertices(const Intrinsic_triangulation<Traits>& tri)

@@ -20,7 +20,8 @@ namespace Intrinsic_triangulations {
 
 namespace internal {
 
-// The place of a vertex of the subdivision on `side`: the vertices of an edge or face and their weights.
+// The place of a vertex of the subdivision on `side`: the vertices of an edge or face and their
+// weights.
 template <typename FT>
 struct Interpolation_weights
 {
@@ -54,14 +55,14 @@ interpolation_weights(Side side, Vertex_index v,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// pulls a piecewise linear function from one triangulation onto the common subdivision, on which it is
-/// piecewise linear too. Complexity: linear.
+/// pulls a piecewise linear function from one triangulation onto the common subdivision, on which
+/// it is piecewise linear too. Complexity: linear.
 ///
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision
 /// \param tri the triangulation of which it is the subdivision
-/// \param value a readable property map from the vertices of that triangulation to the values of the
-///        function: numbers, or points or vectors of a kernel
+/// \param value a readable property map from the vertices of that triangulation to the values of
+///        the function: numbers, or points or vectors of a kernel
 /// \param result a writable property map from the vertices of the subdivision to values
 template <typename Traits, typename Point, typename ValueMap, typename ResultMap>
 void interpolate(Side side, const Common_subdivision<Traits, Point>& subdivision,

@@ -27,7 +27,8 @@ namespace internal {
 
 constexpr const char* file_header = "intrinsic_triangulation 2";
 
-// Numbers in a file follow neither the locale nor the flags of the stream; -1 stands for no element.
+// Numbers in a file follow neither the locale nor the flags of the stream; -1 stands for no
+// element.
 template <typename Number>
 std::string number_text(const Number& number)
 {
@@ -233,10 +234,10 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// writes `tri` with its correspondence, exactly: what `read_intrinsic_triangulation()` makes of it has
-/// the same elements with the same numbers, and the same lengths to the bit. The format is described in
-/// the user manual (\ref Intrinsic_triangulations_file_format).
-/// The number type of the traits must be a floating point type. Complexity: linear.
+/// writes `tri` with its correspondence, exactly: what `read_intrinsic_triangulation()` makes of it
+/// has the same elements with the same numbers, and the same lengths to the bit. The format is
+/// described in the user manual (\ref Intrinsic_triangulations_file_format). The number type of the
+/// traits must be a floating point type. Complexity: linear.
 /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
 /// \returns whether the stream is good after that.
 template <typename Traits>

@@ -140,24 +140,26 @@ auto logarithms_at(const Source& source, const Delta_complex& mesh, const EdgeLe
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the vertex `v`: the shortest tangent vector that leads to `target`, with an
-/// angle normalized as in `Tangent_frames`.
+/// the logarithmic map at the vertex `v`: the shortest tangent vector that leads to `target`, with
+/// an angle normalized as in `Tangent_frames`.
 ///
 /// The shortest path is found among all, by unfolding faces along the views from `v`, from edge
-/// lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at a vertex
-/// with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary. Behind such a vertex
-/// there may be points to which no straight line leads. A straight path may touch the boundary, where
-/// `At_boundary::slide` leads on. Of several shortest paths any one is taken.
+/// lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at a
+/// vertex with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary.
+/// Behind such a vertex there may be points to which no straight line leads. A straight path may
+/// touch the boundary, where `At_boundary::slide` leads on. Of several shortest paths any one is
+/// taken.
 ///
-/// Lengths are accurate to rounding for every face passed. A vector that passes close to a vertex with
-/// curvature may be traced to the wrong side of it (see `trace_geodesic()`).
+/// Lengths are accurate to rounding for every face passed. A vector that passes close to a vertex
+/// with curvature may be traced to the wrong side of it (see `trace_geodesic()`).
 /// \param v the vertex, not isolated
 /// \param target a point with barycentric coordinates that are not negative and sum up to one
-/// \param mesh a triangulated surface; loops, parallel edges and faces that meet themselves are welcome
+/// \param mesh a triangulated surface; loops, parallel edges and faces that meet themselves are
+///   welcome
 /// \param length a readable property map from its edges to their lengths, floating point numbers
-/// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views up to the
-/// distance of `target`; these can be quadratic in the number of faces or more, but tend to be some dozens
-/// for each face within that distance.
+/// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views
+/// up to the distance of `target`; these can be quadratic in the number of faces or more, but tend
+/// to be some dozens for each face within that distance.
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
 template <typename EdgeLengthMap>
 Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type> logarithmic_map(
@@ -170,8 +172,8 @@ Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type> logarithmi
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same at the point `p` of a face, with a vector in the frame of this face, whose real axis is along
-/// `halfedge(p.first)`.
+/// the same at the point `p` of a face, with a vector in the frame of this face, whose real axis is
+/// along `halfedge(p.first)`.
 /// \param p a point that is no vertex, with coordinates as those of `target`
 /// \param target, mesh, length as above
 template <typename EdgeLengthMap>
@@ -185,7 +187,8 @@ Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type> logarithmi
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the vertex `v` of all vertices, in a vector by their index; otherwise as above.
+/// the logarithmic map at the vertex `v` of all vertices, in a vector by their index; otherwise as
+/// above.
 template <typename EdgeLengthMap>
 std::vector<Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type>>
 logarithmic_map(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
@@ -195,7 +198,8 @@ logarithmic_map(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& 
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the point `p` of all vertices, in a vector by their index; otherwise as above.
+/// the logarithmic map at the point `p` of all vertices, in a vector by their index; otherwise as
+/// above.
 template <typename EdgeLengthMap>
 std::vector<Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type>>
 logarithmic_map(const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& p,

@@ -40,8 +40,8 @@ bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// More flips than real data need: each edge is allowed a thousand, and a hundred million are for small
-// triangulations that are sheared far (a ring of n vertices takes n^2 flips for each turn).
+// More flips than real data need: each edge is allowed a thousand, and a hundred million are for
+// small triangulations that are sheared far (a ring of n vertices takes n^2 flips for each turn).
 inline std::size_t default_flip_limit(std::size_t number_of_edges)
 {
   return 100000000 + 1000 * number_of_edges;
@@ -108,9 +108,9 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay. If
-/// there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths are
-/// recomputed from \f$T_1\f$ and flipping goes on.
+/// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
+/// If there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths
+/// are recomputed from \f$T_1\f$ and flipping goes on.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -130,13 +130,13 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: linear in the edges and flips. The number of flips has no bound in the number of edges,
-/// since a geodesic triangulation can be sheared without end; on real meshes it is about the number of
-/// edges. A mark for each edge and a stack of edges are allocated.
+/// Complexity: linear in the edges and flips. The number of flips has no bound in the number of
+/// edges, since a geodesic triangulation can be sheared without end; on real meshes it is about the
+/// number of edges. A mark for each edge and a stack of edges are allocated.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
-/// \throws Numerical_error if a flipped length is not positive and finite, or rounding of the lengths
-///         stands against the postcondition
+/// \throws Numerical_error if a flipped length is not positive and finite, or rounding of the
+///         lengths stands against the postcondition
 /// \throws Overflow_error if a normal coordinate is out of range
 /// After an exception `tri` is a valid triangulation of the same surface.
 /// \post `is_Delaunay(tri)`

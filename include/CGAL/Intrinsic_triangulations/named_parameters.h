@@ -43,8 +43,8 @@ enum maximum_number_of_insertions_t
 namespace parameters {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// names a readable property map from the edges of the input to their lengths; it takes the place of
-/// vertex positions.
+/// names a readable property map from the edges of the input to their lengths; it takes the place
+/// of vertex positions.
 template <typename Map>
 auto edge_length_map(const Map& map)
 {
@@ -61,8 +61,8 @@ auto edge_length_map(const Map& map, const NamedParameters& np)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// names the time for which heat flows, in squared mean edge lengths of the component. Less follows the
-/// surface more closely, more is smoother.
+/// names the time for which heat flows, in squared mean edge lengths of the component. Less follows
+/// the surface more closely, more is smoother.
 template <typename Number>
 auto time_step_factor(const Number& factor)
 {

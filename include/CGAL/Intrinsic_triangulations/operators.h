@@ -47,12 +47,11 @@ auto cotan_weights(const Delta_complex& mesh, const EdgeLengthMap& length)
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// the matrix \f$L\f$ of the Dirichlet energy: \f$u^T L u = \int |\nabla u|^2\f$ for every function
 /// \f$u\f$ that is linear on the faces. An edge that joins two vertices has the weight
-/// \f$\frac{1}{2}(\cot\alpha + \cot\beta)\f$ with the angles opposite to it; parallel edges add up, and
-/// a loop contributes nothing. \f$L\f$ is symmetric and positive semidefinite, its kernel are the
-/// functions that are constant on every component. If the triangulation is Delaunay, weights are not
-/// negative, save those of border edges opposite to an obtuse angle. The row of an isolated (or removed)
-/// vertex is empty.
-/// Complexity: linear.
+/// \f$\frac{1}{2}(\cot\alpha + \cot\beta)\f$ with the angles opposite to it; parallel edges add up,
+/// and a loop contributes nothing. \f$L\f$ is symmetric and positive semidefinite, its kernel are
+/// the functions that are constant on every component. If the triangulation is Delaunay, weights
+/// are not negative, save those of border edges opposite to an obtuse angle. The row of an isolated
+/// (or removed) vertex is empty. Complexity: linear.
 /// \param mesh the surface
 /// \param length a readable property map from its edges to their lengths
 /// \throws Numerical_error if the area of a face is zero, or it or a cotangent is out of range;
@@ -113,9 +112,9 @@ auto mass_matrix(Side side, const Intrinsic_triangulation<Traits>& tri)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the diagonal matrix of the integrals \f$\int \varphi_i\f$ of the hat functions, which are a third of
-/// the areas of the faces around each vertex. The row of an isolated (or removed) vertex is empty.
-/// Complexity: linear.
+/// the diagonal matrix of the integrals \f$\int \varphi_i\f$ of the hat functions, which are a
+/// third of the areas of the faces around each vertex. The row of an isolated (or removed) vertex
+/// is empty. Complexity: linear.
 /// \param mesh the surface; its faces may have zero area
 /// \param length a readable property map from its edges to their lengths
 template <typename EdgeLengthMap>
@@ -140,9 +139,10 @@ auto lumped_mass_matrix(Side side, const Intrinsic_triangulation<Traits>& tri)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the matrix that takes the values of a function at the vertices to its gradients on the faces. Rows
-/// \f$2f\f$ and \f$2f+1\f$ are the components in the frame of face \f$f\f$, whose x-axis leads along
-/// `halfedge(f)` and whose y-axis points into the face. Complexity: linear.
+/// the matrix that takes the values of a function at the vertices to its gradients on the faces.
+/// Rows
+/// \f$2f\f$ and \f$2f+1\f$ are the components in the frame of face \f$f\f$, whose x-axis leads
+/// along `halfedge(f)` and whose y-axis points into the face. Complexity: linear.
 /// \param mesh the surface
 /// \param length a readable property map from its edges to their lengths
 /// \throws Numerical_error if the area of a face is zero or out of range
@@ -174,8 +174,8 @@ auto gradient_matrix(Side side, const Intrinsic_triangulation<Traits>& tri)
 /// the matrix that takes a vector field that is constant on every face, with components as in
 /// `gradient_matrix()`, to its divergence integrated against the hat functions:
 /// \f$-\int \langle X, \nabla\varphi_i\rangle\f$. Its product with the gradient is
-/// \f$-L\f$, up to rounding (`cotan_laplacian()`). At the boundary, what flows out of the surface is
-/// subtracted. Complexity: linear.
+/// \f$-L\f$, up to rounding (`cotan_laplacian()`). At the boundary, what flows out of the surface
+/// is subtracted. Complexity: linear.
 /// \param mesh the surface; its faces may have zero area
 /// \param length a readable property map from its edges to their lengths
 template <typename EdgeLengthMap>

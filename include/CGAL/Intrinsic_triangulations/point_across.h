@@ -85,14 +85,15 @@ private:
 /// finds the point `p` of one triangulation on the other.
 ///
 /// The map is linear on the regions of the common subdivision, or projective in a geometry whose
-/// crossings have scales (see the concept `GeodesicStrip`), and continuous; a vertex goes to the vertex,
-/// exactly, and a point of a shared edge to that edge. There and back is the identity but for rounding.
+/// crossings have scales (see the concept `GeodesicStrip`), and continuous; a vertex goes to the
+/// vertex, exactly, and a point of a shared edge to that edge. There and back is the identity but
+/// for rounding.
 /// \param side the triangulation on which `p` lies
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
 /// \param correspondence the crossings of both
-/// Complexity: logarithmic in the number of crossings on the sides of the face. In a face of \f$T_1\f$ that
-/// contains inserted vertices: linear in the regions of the subdivision on the way from a corner, and
-/// logarithmic in their crossings.
+/// Complexity: logarithmic in the number of crossings on the sides of the face. In a face of
+/// \f$T_1\f$ that contains inserted vertices: linear in the regions of the subdivision on the way
+/// from a corner, and logarithmic in their crossings.
 template <typename Traits>
 Face_location<typename Traits::FT> point_across(Side side,
                                                 const Face_location<typename Traits::FT>& p,
@@ -110,7 +111,8 @@ Face_location<typename Traits::FT> point_across(Side side,
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// the same for a single point, without a correspondence: the sides of the face of `p` are traced.
-/// Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for these sides; if `p` is on
+/// Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for these sides; if `p` is
+/// on
 /// \f$T_1\f$ and vertices have been inserted, that of `Correspondence`.
 template <typename Traits>
 Face_location<typename Traits::FT> point_across(Side side,

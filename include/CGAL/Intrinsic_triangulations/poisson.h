@@ -28,13 +28,14 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// solves \f$-\Delta u = f\f$ on a triangulated surface for one right-hand side after the other; the
-/// matrix is factorized once.
+/// solves \f$-\Delta u = f\f$ on a triangulated surface for one right-hand side after the other;
+/// the matrix is factorized once.
 ///
-/// Values can be prescribed at vertices (Dirichlet). On the rest of the boundary the normal derivative
-/// is zero. On a component where nothing is prescribed there is a solution only if the integral of
-/// \f$f\f$ vanishes, and it can be shifted: there \f$f\f$ is replaced by \f$f\f$ less its mean, and the
-/// solution has mean zero.
+/// Values can be prescribed at vertices (Dirichlet). On the rest of the boundary the normal
+/// derivative is zero. On a component where nothing is prescribed there is a solution only if the
+/// integral of
+/// \f$f\f$ vanishes, and it can be shifted: there \f$f\f$ is replaced by \f$f\f$ less its mean, and
+/// the solution has mean zero.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
 ///
@@ -52,18 +53,19 @@ public:
   /// Complexity: a sparse Cholesky factorization.
   /// \param mesh the surface, with any number of components; isolated vertices are components
   /// \param length a readable property map from its edges to their lengths
-  /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves the
-  ///         matrix without a factorization
+  /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves
+  ///         the matrix without a factorization
   template <typename EdgeLengthMap>
   Poisson_solver(const Delta_complex& mesh, const EdgeLengthMap& length)
     : Poisson_solver(mesh, length, boost::static_property_map<bool>(false))
   {}
 
-  /// factorizes the matrix of a surface on which values are prescribed at some vertices; otherwise as
-  /// above.
+  /// factorizes the matrix of a surface on which values are prescribed at some vertices; otherwise
+  /// as above.
   /// \param mesh the surface
   /// \param length a readable property map from its edges to their lengths
-  /// \param is_fixed a readable property map from its vertices to `bool`: where values are prescribed
+  /// \param is_fixed a readable property map from its vertices to `bool`: where values are
+  ///   prescribed
   template <typename EdgeLengthMap, typename VertexIsFixedMap>
   Poisson_solver(const Delta_complex& mesh, const EdgeLengthMap& length,
                  const VertexIsFixedMap& is_fixed)
@@ -132,8 +134,8 @@ private:
     return result;
   }
 
-  // The matrix that places the unknowns among all vertices. On a component where nothing is prescribed,
-  // all but its first vertex are unknown.
+  // The matrix that places the unknowns among all vertices. On a component where nothing is
+  // prescribed, all but its first vertex are unknown.
   Matrix select_unknowns() const
   {
     std::vector<char> is_anchored(m_is_anchored);
@@ -148,8 +150,8 @@ private:
     return assembly.matrix(m_is_fixed.size(), count);
   }
 
-  // For each vertex the mean over its component of a density with these moments, zero where values are
-  // prescribed.
+  // For each vertex the mean over its component of a density with these moments, zero where values
+  // are prescribed.
   Vector free_means(const Vector& moments) const
   {
     const auto component = [&](Eigen::Index v) {

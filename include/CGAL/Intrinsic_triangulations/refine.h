@@ -57,7 +57,8 @@ public:
       m_predicate(predicate)
   {}
 
-  // whether `f` violates the bound on angles; its least angle has the sine shortest * area / (2 product)
+  // whether `f` violates the bound on angles; its least angle has the sine shortest * area / (2
+  // product)
   bool is_too_thin(Face_index f) const
   {
     const std::array<FT, 3> side = sides_of(f);
@@ -147,7 +148,8 @@ void insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   }
 }
 
-// Lengths that come from many roundings are computed afresh, and what that brings to light is mended.
+// Lengths that come from many roundings are computed afresh, and what that brings to light is
+// mended.
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                          std::size_t limit, Visitor& visitor)
@@ -171,17 +173,20 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// inserts vertices into `tri` and flips it to Delaunay until every face obeys the bounds: Chew's second
-/// algorithm (Algorithm 5), in which a circumcenter is inserted, or the boundary or constrained edge that
-/// hides it is split in the middle. The surface and the vertices of the input stay as they are.
+/// inserts vertices into `tri` and flips it to Delaunay until every face obeys the bounds: Chew's
+/// second algorithm (Algorithm 5), in which a circumcenter is inserted, or the boundary or
+/// constrained edge that hides it is split in the middle. The surface and the vertices of the input
+/// stay as they are.
 ///
-/// With bounds on the angle of up to 25 degrees, and on closed surfaces without constraints up to 30, it
-/// ends on all surfaces; in practice higher bounds work too. Vertices with less than 60 degrees around
-/// them, or between two boundary or constrained edges, are narrow: no triangulation has large angles
-/// there. A face with exactly one narrow corner is excused, and so is one that lies in faces of \f$T_1\f$ at
-/// a narrow vertex (Section 3.6, where it must lie in one such face). Only the bound on angles is excused.
+/// With bounds on the angle of up to 25 degrees, and on closed surfaces without constraints up to
+/// 30, it ends on all surfaces; in practice higher bounds work too. Vertices with less than 60
+/// degrees around them, or between two boundary or constrained edges, are narrow: no triangulation
+/// has large angles there. A face with exactly one narrow corner is excused, and so is one that
+/// lies in faces of \f$T_1\f$ at a narrow vertex (Section 3.6, where it must lie in one such face).
+/// Only the bound on angles is excused.
 ///
-/// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating point type
+/// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
+///   point type
 /// \tparam NamedParameters a sequence of named parameters
 /// \param tri the triangulation
 /// \param np
@@ -195,7 +200,8 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 ///     \cgalParamDefault{infinite}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_predicate}
-///     \cgalParamDescription{a function that says of a face of \f$T_2\f$ whether it shall be refined}
+///     \cgalParamDescription{a function that says of a face of \f$T_2\f$ whether it shall be
+///       refined}
 ///     \cgalParamType{callable with a `Face_index`, returns `bool`}
 ///     \cgalParamDefault{no face}
 ///   \cgalParamNEnd
@@ -205,16 +211,18 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 ///     \cgalParamDefault{10,000,000}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told every change of `tri`; an exception that it throws stops the refinement and
-///                           leaves `tri` valid}
-///     \cgalParamType{a model of `RefinementVisitor`; use `std::ref()` to pass an object with a state}
+///     \cgalParamDescription{is told every change of `tri`; an exception that it throws stops the
+///                           refinement and leaves `tri` valid}
+///     \cgalParamType{a model of `RefinementVisitor`; use `std::ref()` to pass an object with a
+///       state}
 ///     \cgalParamDefault{`Default_refinement_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// Complexity: an insertion takes time that depends on the faces around the new vertex and the crossings
-/// on them; beyond that linear in the elements and crossings.
-/// \returns what has been done, how it ended, and the faces that violate the bounds, with the reason
+/// Complexity: an insertion takes time that depends on the faces around the new vertex and the
+/// crossings on them; beyond that linear in the elements and crossings.
+/// \returns what has been done, how it ended, and the faces that violate the bounds, with the
+///   reason
 /// \throws Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
 /// \post `tri` is Delaunay and has no garbage

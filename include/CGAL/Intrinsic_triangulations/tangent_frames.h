@@ -26,9 +26,9 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// a frame of the tangent space at every vertex of a triangulated surface (Section 2.3.2).
 ///
-/// A tangent vector at a vertex is a complex number. Its argument is a normalized angle: the angle on
-/// the surface, counterclockwise from `first_spoke()`, scaled so that once around is \f$2\pi\f$, or from
-/// one border edge to the other \f$\pi\f$.
+/// A tangent vector at a vertex is a complex number. Its argument is a normalized angle: the angle
+/// on the surface, counterclockwise from `first_spoke()`, scaled so that once around is \f$2\pi\f$,
+/// or from one border edge to the other \f$\pi\f$.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
 /// Memory: a number for each vertex and halfedge.
@@ -62,24 +62,25 @@ public:
     : Tangent_frames(internal::mesh_of(side, tri), internal::lengths_of(side, tri))
   {}
 
-  /// the normalized angle \f$\varphi\f$ of the direction in which `h` leaves its source: between 0 and
+  /// the normalized angle \f$\varphi\f$ of the direction in which `h` leaves its source: between 0
+  /// and
   /// \f$2\pi\f$, and exactly \f$\pi\f$ for a border halfedge.
   const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
 
   /// the sum \f$\Theta\f$ of the angles of the surface at `v`; zero if `v` is isolated.
   const FT& angle_sum(Vertex_index v) const { return m_angle_sum[v.idx()]; }
 
-  /// what the angle sum lacks of \f$2\pi\f$, or of \f$\pi\f$ on the boundary: the Gaussian curvature of
-  /// `v`, or the geodesic curvature of the boundary there. The sum over a surface without isolated
-  /// vertices is \f$2\pi\f$ times its Euler characteristic.
+  /// what the angle sum lacks of \f$2\pi\f$, or of \f$\pi\f$ on the boundary: the Gaussian
+  /// curvature of `v`, or the geodesic curvature of the boundary there. The sum over a surface
+  /// without isolated vertices is \f$2\pi\f$ times its Euler characteristic.
   FT angle_defect(Vertex_index v) const { return normalized_sum(v) - angle_sum(v); }
 
   /// the factor that makes angles of the surface at `v` normalized angles: \f$2\pi/\Theta\f$, or
   /// \f$\pi/\Theta\f$ on the boundary. \pre `v` is not isolated
   FT scale(Vertex_index v) const { return normalized_sum(v) / angle_sum(v); }
 
-  /// the parallel transport \f$R_{ij} = e^{\mathbf{i}((\varphi_{ji} + \pi) - \varphi_{ij})}\f$ from the
-  /// source of `h` to its target: a tangent vector is multiplied with it.
+  /// the parallel transport \f$R_{ij} = e^{\mathbf{i}((\varphi_{ji} + \pi) - \varphi_{ij})}\f$ from
+  /// the source of `h` to its target: a tangent vector is multiplied with it.
   std::complex<FT> transport(Halfedge_index h) const
   {
     const Halfedge_index o = internal::opposite(h);

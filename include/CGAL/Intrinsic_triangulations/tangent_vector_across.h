@@ -33,8 +33,9 @@ std::complex<FT> turned_across(Side side, const std::complex<FT>& vector, const 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// takes a tangent vector at the vertex `v` of \f$T_2\f$ from the frame of one triangulation to that of the
-/// other. The frame of \f$T_2\f$ is that of `Tangent_frames`, for that of \f$T_1\f$ see `angle_on_input()`.
+/// takes a tangent vector at the vertex `v` of \f$T_2\f$ from the frame of one triangulation to
+/// that of the other. The frame of \f$T_2\f$ is that of `Tangent_frames`, for that of \f$T_1\f$ see
+/// `angle_on_input()`.
 ///
 /// Both are frames of one tangent space: the vectors differ by a rotation. On the boundary they are
 /// equal.

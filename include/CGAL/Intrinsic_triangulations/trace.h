@@ -78,8 +78,8 @@ Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index 
   }
 }
 
-// Adds the points on the even halfedge `h` of T1 after the vertex `v` on it, up to the next vertex of T2,
-// which is returned.
+// Adds the points on the even halfedge `h` of T1 after the vertex `v` on it, up to the next vertex
+// of T2, which is returned.
 template <typename Traits>
 Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& tracer,
                         const Intrinsic_triangulation<Traits>& tri, Scaled_trace<Traits>& trace)
@@ -144,12 +144,12 @@ Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// traces the halfedge `h` of \f$T_1\f$ over \f$T_2\f$ (Algorithms 1 to 3).
 ///
-/// \returns the points where it meets edges of \f$T_2\f$, from its source to its target, both included;
-///   the places on `h` never decrease. At a crossing the halfedge of \f$T_2\f$ is the one through which
-///   `h` leaves a face. At the ends, and at inserted vertices, it is one that starts or ends there.
-///   The sequence of crossed edges is exact; their places are rounded.
-/// Complexity: linear in the crossings, and in the degree of the source in \f$T_2\f$. To trace many edges
-/// use `Correspondence`, which is linear in all crossings.
+/// \returns the points where it meets edges of \f$T_2\f$, from its source to its target, both
+///   included; the places on `h` never decrease. At a crossing the halfedge of \f$T_2\f$ is the one
+///   through which `h` leaves a face. At the ends, and at inserted vertices, it is one that starts
+///   or ends there. The sequence of crossed edges is exact; their places are rounded.
+/// Complexity: linear in the crossings, and in the degree of the source in \f$T_2\f$. To trace many
+/// edges use `Correspondence`, which is linear in all crossings.
 /// \throws Numerical_error if the layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
@@ -160,8 +160,8 @@ trace_input_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// The halfedges of T1 through which the halfedge `h` of T2 leaves faces, in order: the curves that cross it
-// are followed to their ends, which tell their edges.
+// The halfedges of T1 through which the halfedge `h` of T2 leaves faces, in order: the curves that
+// cross it are followed to their ends, which tell their edges.
 template <typename Traits>
 std::vector<Halfedge_index> crossed_halfedges(Halfedge_index h,
                                               const Intrinsic_triangulation<Traits>& tri)
@@ -206,13 +206,14 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// traces the halfedge `h` of \f$T_2\f$ over \f$T_1\f$.
 ///
-/// \returns the points where it meets edges of \f$T_1\f$, from its source to its target, both included;
-///   the places on `h` never decrease. At a crossing the halfedge of \f$T_1\f$ is the one through which
-///   `h` leaves a face. At the ends it is one that starts or ends at the vertex, or on which it has been
-///   inserted; it is null if the vertex has been inserted inside a face.
-///   The sequence of crossed edges is exact; their places are rounded.
-/// Complexity: linear in the crossings of all the edges of \f$T_1\f$ that `h` crosses, since these are
-/// recognised by their ends. To trace many edges use `Correspondence`, which is linear in all crossings.
+/// \returns the points where it meets edges of \f$T_1\f$, from its source to its target, both
+///   included; the places on `h` never decrease. At a crossing the halfedge of \f$T_1\f$ is the one
+///   through which `h` leaves a face. At the ends it is one that starts or ends at the vertex, or
+///   on which it has been inserted; it is null if the vertex has been inserted inside a face. The
+///   sequence of crossed edges is exact; their places are rounded.
+/// Complexity: linear in the crossings of all the edges of \f$T_1\f$ that `h` crosses, since these
+/// are recognised by their ends. To trace many edges use `Correspondence`, which is linear in all
+/// crossings.
 /// \throws Numerical_error if a layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>

@@ -34,11 +34,12 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// transports tangent vectors from some vertices to all others by the vector heat method
-/// \cgalCite{SSC19b}: approximately along shortest geodesics from the nearest source. The two matrices
-/// are factorized once.
+/// \cgalCite{SSC19b}: approximately along shortest geodesics from the nearest source. The two
+/// matrices are factorized once.
 ///
-/// Tangent vectors are complex numbers in the frames of `Tangent_frames`. A Delaunay triangulation is
-/// much to be preferred: edges of negative weight (see `cotan_laplacian()`) do not carry vectors.
+/// Tangent vectors are complex numbers in the frames of `Tangent_frames`. A Delaunay triangulation
+/// is much to be preferred: edges of negative weight (see `cotan_laplacian()`) do not carry
+/// vectors.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
 ///
@@ -89,10 +90,10 @@ public:
   /// the frames of the tangent spaces.
   const Tangent_frames<FT>& frames() const { return m_frames; }
 
-  /// transports vectors to all vertices. The direction at a vertex is that of the nearby sources, the
-  /// length an average of theirs: with one source, its length. A vector is zero on a component without
-  /// a source, and where vectors from several sides cancel exactly.
-  /// Complexity: linear in the size of the factorizations.
+  /// transports vectors to all vertices. The direction at a vertex is that of the nearby sources,
+  /// the length an average of theirs: with one source, its length. A vector is zero on a component
+  /// without a source, and where vectors from several sides cancel exactly. Complexity: linear in
+  /// the size of the factorizations.
   /// \param sources a range of `Source`, not two at one vertex
   /// \pre their vectors are finite
   /// \throws Numerical_error if the heat is below the range of `FT` somewhere (see `Heat_distance`)
@@ -132,8 +133,8 @@ private:
     return internal::connection_laplacian(mesh, weights, m_frames);
   }
 
-  // Directions come from the heat of the vectors, lengths from the heat of their lengths over that of
-  // the sources.
+  // Directions come from the heat of the vectors, lengths from the heat of their lengths over that
+  // of the sources.
   Vector_field spread(const Vector_field& vectors, const Vector& is_source) const
   {
     const Vector heat = m_flow.spread_everywhere(is_source);

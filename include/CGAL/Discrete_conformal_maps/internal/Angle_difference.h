@@ -19,8 +19,8 @@ namespace internal {
 
 using Intrinsic_triangulations::internal::Corner;
 
-// What a full turn exceeds an angle and those that are subtracted from it, with as many digits as double has
-// also where that is little.
+// What a full turn exceeds an angle and those that are subtracted from it, with as many digits as
+// double has also where that is little.
 template <typename FT>
 class Angle_difference
 {
@@ -33,7 +33,8 @@ public:
       m_turned = {cos(FT(angle)), sin(FT(angle))};
   }
 
-  // Complex numbers are multiplied: that takes much less time than an inverse tangent of high precision.
+  // Complex numbers are multiplied: that takes much less time than an inverse tangent of high
+  // precision.
   void subtract(const Corner<FT>& corner)
   {
     m_rest -= corner.rounded_angle();

@@ -21,13 +21,14 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// Finds directions that lead to the minimum of a quadratic function under lower bounds, from the gradient and
-// Hessian of a convex function. If the Hessian is damped, then as in `Newton_direction`; the maximum principle
-// holds as well with bounds.
+// Finds directions that lead to the minimum of a quadratic function under lower bounds, from the
+// gradient and Hessian of a convex function. If the Hessian is damped, then as in
+// `Newton_direction`; the maximum principle holds as well with bounds.
 //
-// Which variables reach their bounds is found by block principal pivoting (Judice and Pires 1994): all that
-// break a condition change sides. For a Laplacian that needs few rounds. When there are not fewer and fewer
-// of them, only the last one changes, which always comes to an end (Murty 1974).
+// Which variables reach their bounds is found by block principal pivoting (Judice and Pires 1994):
+// all that break a condition change sides. For a Laplacian that needs few rounds. When there are
+// not fewer and fewer of them, only the last one changes, which always comes to an end (Murty
+// 1974).
 class Bounded_direction
 {
 public:
@@ -41,8 +42,8 @@ public:
 
   const Solver& solver() const { return m_solver; }
 
-  // Returns false if there is no such direction; the Hessian is not positive semidefinite then, even with
-  // regard to rounding.
+  // Returns false if there is no such direction; the Hessian is not positive semidefinite then,
+  // even with regard to rounding.
   bool find(const Matrix& hessian, const Vector& gradient, const Vector& point, double bound)
   {
     m_slack = m_variables.lower_bound() - point;
@@ -72,8 +73,8 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // Minimizes the quadratic function with `diagonal` added to the Hessian. Returns false if that has no
-  // factorization, or if the way seems to be longer than `bound`.
+  // Minimizes the quadratic function with `diagonal` added to the Hessian. Returns false if that
+  // has no factorization, or if the way seems to be longer than `bound`.
   bool minimize(const Matrix& hessian, const Vector& diagonal, const Vector& gradient, double bound)
   {
     start(gradient);
@@ -94,8 +95,8 @@ private:
     return gradient.dot(m_direction) <= 0;
   }
 
-  // First all that are at their bounds are active, later the active set of the last time and what is held by
-  // its bound.
+  // First all that are at their bounds are active, later the active set of the last time and what
+  // is held by its bound.
   void start(const Vector& gradient)
   {
     const bool is_first = m_is_active.empty();
@@ -148,8 +149,8 @@ private:
     return result;
   }
 
-  // The variables that break a condition of the minimum, by more than rounding. Of those below their bounds,
-  // the lowest are enough: others will follow them up.
+  // The variables that break a condition of the minimum, by more than rounding. Of those below
+  // their bounds, the lowest are enough: others will follow them up.
   std::vector<Eigen::Index> violations(const Matrix& hessian, const Vector& diagonal,
                                        const Vector& gradient) const
   {

@@ -41,7 +41,8 @@ public:
   void set_fixed_to_zero(Vector& v) const { m_fixed.set_fixed_to_zero(v); }
   double remove_means(Vector&) const { return 0; }
 
-  // Variables some roundings from their bounds, or below them, are put there: functions may not tell them apart.
+  // Variables some roundings from their bounds, or below them, are put there: functions may not
+  // tell them apart.
   Vector feasible(const Vector& point) const
   {
     Vector result = point;

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// One run of Ceres on the variables that move. Exceptions do not pass through Ceres: they wait until it
-// has returned.
+// One run of Ceres on the variables that move. Exceptions do not pass through Ceres: they wait
+// until it has returned.
 template <typename Energy, typename Visitor>
 class Ceres_iteration
 {
@@ -101,8 +101,8 @@ private:
     return summary;
   }
 
-  // Ceres gives up when no value along a line is less than the last: for rounding, if the values have
-  // hardly changed any more.
+  // Ceres gives up when no value along a line is less than the last: for rounding, if the values
+  // have hardly changed any more.
   Status status(const ceres::GradientProblemSolver::Summary& summary) const
   {
     if(m_descent.best_norm() <= m_descent.tolerance())

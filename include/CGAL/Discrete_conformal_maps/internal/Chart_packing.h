@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// Motions of the plane that put charts beside each other: each lies in the smallest rectangle that holds it,
-// the longer side below, and these stand on shelves, the highest first, with gaps of a hundredth of the
-// width of the whole. The first stands at the origin.
+// Motions of the plane that put charts beside each other: each lies in the smallest rectangle that
+// holds it, the longer side below, and these stand on shelves, the highest first, with gaps of a
+// hundredth of the width of the whole. The first stands at the origin.
 class Chart_packing
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point;

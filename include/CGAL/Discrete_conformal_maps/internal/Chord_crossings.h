@@ -18,25 +18,26 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The crossings of chords of a disk, from the order of their ends on the boundary alone. There are two
-// families; chords of one family do not cross. A chord leads from its first end to its last.
+// The crossings of chords of a disk, from the order of their ends on the boundary alone. There are
+// two families; chords of one family do not cross. A chord leads from its first end to its last.
 //
-// Along the boundary, the open chords of one family are a stack. When a chord closes, it crosses those of
-// the other family that have been opened since it was.
+// Along the boundary, the open chords of one family are a stack. When a chord closes, it crosses
+// those of the other family that have been opened since it was.
 class Chord_crossings
 {
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
 public:
-  // the chord that opens and closes first, and the one that the other crosses from its right to its left
+  // the chord that opens and closes first, and the one that the other crosses from its right to its
+  // left
   struct Crossing
   {
     std::size_t earlier, later;
     std::array<std::size_t, 2> rank; // its number along either
   };
 
-  // Chords 0, ..., n[0] - 1 are the first family, the next n[1] the second; `ends` has the chord of every
-  // end, in counterclockwise order. Complexity: linear in the ends and crossings.
+  // Chords 0, ..., n[0] - 1 are the first family, the next n[1] the second; `ends` has the chord of
+  // every end, in counterclockwise order. Complexity: linear in the ends and crossings.
   void compute(const std::array<std::size_t, 2>& n, const std::vector<std::size_t>& ends)
   {
     m_chords.assign(n[0] + n[1], Chord());
@@ -99,8 +100,8 @@ private:
     ++m_chords[later].count;
   }
 
-  // Of each two chords that cross, one has an end beside the other. Along the latter, crossings are in the
-  // order of these ends.
+  // Of each two chords that cross, one has an end beside the other. Along the latter, crossings are
+  // in the order of these ends.
   void order(const std::vector<std::size_t>& ends)
   {
     std::size_t first = 0;

@@ -23,10 +23,10 @@ namespace internal {
 
 using Intrinsic_triangulations::Vertex_index;
 
-// Greedy cones. The scale factors that make the surface flat are estimated by one linear system; a cone is
-// placed where they are greatest, and the estimate is zero there from then on. For a new cone the system is
-// not factorized again: it takes one column of the inverse, from which what former cones take away is
-// subtracted.
+// Greedy cones. The scale factors that make the surface flat are estimated by one linear system; a
+// cone is placed where they are greatest, and the estimate is zero there from then on. For a new
+// cone the system is not factorized again: it takes one column of the inverse, from which what
+// former cones take away is subtracted.
 class Cone_placement
 {
   typedef Eigen::VectorXd Vector;

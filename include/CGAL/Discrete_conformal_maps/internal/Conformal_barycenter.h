@@ -22,13 +22,13 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The point of hyperbolic space from which masses at infinity are seen in balance: where the weighted sum of
-// directions vanishes (Baden et al. 2018). One mass is at infinity of the upper half-space, the others are in
-// its boundary plane.
+// The point of hyperbolic space from which masses at infinity are seen in balance: where the
+// weighted sum of directions vanishes (Baden et al. 2018). One mass is at infinity of the upper
+// half-space, the others are in its boundary plane.
 //
-// It minimizes the weighted sum of the distances to horospheres, which is convex along geodesics, by Newton's
-// method. A step leads from the center of the sphere of directions; after each the plane is shifted and scaled
-// such that this is the present point.
+// It minimizes the weighted sum of the distances to horospheres, which is convex along geodesics,
+// by Newton's method. A step leads from the center of the sphere of directions; after each the
+// plane is shifted and scaled such that this is the present point.
 template <typename FT>
 class Conformal_barycenter
 {
@@ -37,8 +37,9 @@ class Conformal_barycenter
 public:
   typedef std::array<FT, 2> Point;
 
-  // Complexity: linear for each iteration; there are about five, and more by a tenth of the hyperbolic distance
-  // from the start to the result. \throws Numerical_error if rounding keeps it from an end
+  // Complexity: linear for each iteration; there are about five, and more by a tenth of the
+  // hyperbolic distance from the start to the result. \throws Numerical_error if rounding keeps it
+  // from an end
   // \pre no mass is half of all or more
   Conformal_barycenter(const std::vector<Point>& position, const std::vector<double>& mass,
                        std::size_t at_infinity)
@@ -60,7 +61,8 @@ public:
   const Point& base() const { return m_base; }
   const FT& height() const { return m_height; }
 
-  // the position if the plane is shifted and scaled such that the point is at height one above the origin
+  // the position if the plane is shifted and scaled such that the point is at height one above the
+  // origin
   Point centered(const Point& p) const
   {
     return {(p[0] - m_base[0]) / m_height, (p[1] - m_base[1]) / m_height};

@@ -33,8 +33,8 @@ using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
 // The edges of a short tree that joins all terminals of each component: the shortest paths that a
-// minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at walls are joined already.
-// Complexity: O(n log n).
+// minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at walls are joined
+// already. Complexity: O(n log n).
 class Cone_tree
 {
   typedef Delta_complex::size_type size_type;
@@ -146,14 +146,14 @@ private:
   std::vector<char> m_contains;
 };
 
-// A surface cut into pieces that can be unfolded into the plane: a spanning forest of faces, which are joined
-// through its edges, and the seams, the edges that stay open when all others are closed again from their
-// ends.
+// A surface cut into pieces that can be unfolded into the plane: a spanning forest of faces, which
+// are joined through its edges, and the seams, the edges that stay open when all others are closed
+// again from their ends.
 class Cut_graph
 {
 public:
-  // `length` is that of edges; `is_wall` says which are not passed; `is_used` which faces are wanted; every
-  // vertex where faces cannot close up, a cone or an end of a wall, is a terminal
+  // `length` is that of edges; `is_wall` says which are not passed; `is_used` which faces are
+  // wanted; every vertex where faces cannot close up, a cone or an end of a wall, is a terminal
   Cut_graph(const Delta_complex& mesh, const std::vector<double>& length,
             const std::vector<char>& is_wall, const std::vector<char>& is_used,
             const std::vector<char>& is_terminal)
@@ -164,8 +164,8 @@ public:
     close_ends(mesh, is_terminal, m_is_seam);
   }
 
-  // the halfedges through which faces are reached, in this order, each in the new face; a root has a null
-  // halfedge before it
+  // the halfedges through which faces are reached, in this order, each in the new face; a root has
+  // a null halfedge before it
   struct Step
   {
     Halfedge_index entry;

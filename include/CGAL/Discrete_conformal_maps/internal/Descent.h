@@ -28,8 +28,8 @@ struct Minimization_limits
   std::size_t iterations;
 };
 
-// The way of an energy from point to point. The best one is always in the caller's hands. `Variables` says where
-// points may be, and how far a gradient is from that of a minimum there.
+// The way of an energy from point to point. The best one is always in the caller's hands.
+// `Variables` says where points may be, and how far a gradient is from that of a minimum there.
 template <typename Energy, typename Variables = Free_variables>
 class Descent
 {

@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// Solves systems with a symmetric positive semidefinite matrix from which the rows and columns of some
-// variables are left out; what is left is positive definite, but for rounding. Solutions are as good as
-// estimates and corrections need to be.
+// Solves systems with a symmetric positive semidefinite matrix from which the rows and columns of
+// some variables are left out; what is left is positive definite, but for rounding. Solutions are
+// as good as estimates and corrections need to be.
 class Dirichlet_solver
 {
 public:

@@ -31,8 +31,9 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The surface that is uniformized, without boundary, and what is prescribed at its vertices. A surface with
-// boundary is doubled (Section 4.3.4); the vertices on its boundary have twice the prescribed exterior angle.
+// The surface that is uniformized, without boundary, and what is prescribed at its vertices. A
+// surface with boundary is doubled (Section 4.3.4); the vertices on its boundary have twice the
+// prescribed exterior angle.
 class Doubled_problem
 {
 public:
@@ -147,9 +148,9 @@ public:
     return result;
   }
 
-  // Of each component, how much the prescribed curvatures exceed 2 pi times the Euler characteristic; this
-  // much less must be the curvature of the vertices with prescribed scale factors (Equation 4.11). Zero for an
-  // isolated vertex.
+  // Of each component, how much the prescribed curvatures exceed 2 pi times the Euler
+  // characteristic; this much less must be the curvature of the vertices with prescribed scale
+  // factors (Equation 4.11). Zero for an isolated vertex.
   std::vector<double> curvature_excess() const
   {
     const Delta_complex& mesh = m_double.mesh();
@@ -170,8 +171,8 @@ public:
     return sum;
   }
 
-  // How many vertices with prescribed scale factors a component needs at least, for this excess: each can
-  // have a curvature of less than a full turn.
+  // How many vertices with prescribed scale factors a component needs at least, for this excess:
+  // each can have a curvature of less than a full turn.
   static std::size_t needed_cones(double excess)
   {
     if(std::abs(excess) <= 1e-8)
@@ -199,8 +200,8 @@ public:
         throw Intrinsic_triangulations::Invalid_input(unbalanced(c, excess[c], fixed[c] > 0));
   }
 
-  // \throws Invalid_input if no hyperbolic metric has what is prescribed: the area, by Gauss and Bonnet, must be
-  // positive
+  // \throws Invalid_input if no hyperbolic metric has what is prescribed: the area, by Gauss and
+  // Bonnet, must be positive
   void check_hyperbolic() const
   {
     check_angles();

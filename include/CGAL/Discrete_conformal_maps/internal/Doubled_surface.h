@@ -21,16 +21,16 @@ using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
-// Two copies of a surface, glued along the boundary (Section 4.3.4). The first keeps its numbers; the
-// border halfedges of the surface become those of the second copy. Components without boundary are not
-// copied, nor are isolated vertices.
+// Two copies of a surface, glued along the boundary (Section 4.3.4). The first keeps its numbers;
+// the border halfedges of the surface become those of the second copy. Components without boundary
+// are not copied, nor are isolated vertices.
 class Doubled_surface
 {
   typedef Delta_complex::size_type size_type;
 
 public:
-  // `has_copy` says of each face of `half`, which has no garbage, whether it is to be copied: those of
-  // components with boundary.
+  // `has_copy` says of each face of `half`, which has no garbage, whether it is to be copied: those
+  // of components with boundary.
   Doubled_surface(const Delta_complex& half, const std::vector<char>& has_copy)
     : m_half(half),
       m_mesh(half),
@@ -49,7 +49,8 @@ public:
 
   const Delta_complex& mesh() const { return m_mesh; }
 
-  // what is opposite to an element of the first copy; itself on the boundary and where there is no copy
+  // what is opposite to an element of the first copy; itself on the boundary and where there is no
+  // copy
   Vertex_index mirrored(Vertex_index v) const { return m_vertex[v.idx()]; }
   Edge_index mirrored(Edge_index e) const { return m_edge[e.idx()]; }
 

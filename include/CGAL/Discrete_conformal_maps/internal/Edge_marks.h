@@ -80,8 +80,9 @@ struct Mark
     other; // in the other family's triangulation, its face is left of the halfedge if the edge is shared
 };
 
-// The marks of both families on the edges of B, in one order. That of either family is exact; between the
-// two families their places decide, and where these are equal, A comes first along the first halfedge.
+// The marks of both families on the edges of B, in one order. That of either family is exact;
+// between the two families their places decide, and where these are equal, A comes first along the
+// first halfedge.
 template <typename FT>
 class Edge_marks
 {
@@ -183,7 +184,8 @@ private:
                        {}});
   }
 
-  // Between two marks of one family, or an end of the edge, the edge is straight in that triangulation.
+  // Between two marks of one family, or an end of the edge, the edge is straight in that
+  // triangulation.
   void locate_others(std::size_t family, Edge_index e)
   {
     const Halfedge_index h(2 * e.idx());

@@ -191,8 +191,8 @@ private:
     }
   }
 
-  // The place on the shorter one comes from areas. On the longer one it is where the point so found is
-  // projected to: however flat the angle, the two places are the same point.
+  // The place on the shorter one comes from areas. On the longer one it is where the point so found
+  // is projected to: however flat the angle, the two places are the same point.
   static std::array<FT, 2> intersection(const Chord<FT>& earlier, const Chord<FT>& later)
   {
     if(squared_length(earlier) < squared_length(later)) {
@@ -214,7 +214,8 @@ private:
     return Intrinsic_triangulations::internal::orientation(c.place[0], c.place[1], p);
   }
 
-  // the place of a line on a chord whose ends have these distances from it, which should not be negative
+  // the place of a line on a chord whose ends have these distances from it, which should not be
+  // negative
   static FT place_between(FT first, FT last)
   {
     first = (std::max)(first, FT(0));

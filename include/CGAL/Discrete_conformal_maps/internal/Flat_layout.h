@@ -26,10 +26,11 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The faces of a flat surface with cones, unfolded into the plane one after the other. Directions are
-// turned by the angles of faces, so that small faces beside large ones do not suffer from differences of
-// positions. What does not fit for rounding, where faces meet that were reached on different ways, is then
-// distributed such that the edges of all faces change least, in proportion to their lengths.
+// The faces of a flat surface with cones, unfolded into the plane one after the other. Directions
+// are turned by the angles of faces, so that small faces beside large ones do not suffer from
+// differences of positions. What does not fit for rounding, where faces meet that were reached on
+// different ways, is then distributed such that the edges of all faces change least, in proportion
+// to their lengths.
 template <typename FT>
 class Flat_layout
 {
@@ -104,7 +105,8 @@ private:
     return {-cosine / norm, sine / norm};
   }
 
-  // Corners between which there is no seam are one point: rounding has made them a little different.
+  // Corners between which there is no seam are one point: rounding has made them a little
+  // different.
   void unite_corners(Vertex_index v, const Cut_graph& cut)
   {
     const Halfedge_index start = Intrinsic_triangulations::first_spoke(v, m_mesh);
@@ -123,7 +125,8 @@ private:
     } while(h != first);
   }
 
-  // The sum over all sides of faces of the squared change of the side, relative to its length, is least.
+  // The sum over all sides of faces of the squared change of the side, relative to its length, is
+  // least.
   void distribute_errors(const Cut_graph& cut)
   {
     Least_squares_shift shift(m_united.size());

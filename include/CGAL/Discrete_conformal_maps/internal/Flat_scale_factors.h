@@ -50,7 +50,8 @@ public:
     }
   }
 
-  // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Says whether it has.
+  // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Says whether
+  // it has.
   bool add_cone_if_beyond(double bound)
   {
     Eigen::Index v = 0;
@@ -64,8 +65,8 @@ public:
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  // How far scale factors are from zero. Where none are prescribed, zero may come to be anywhere between the
-  // least and the greatest: then the distance from the farther of both.
+  // How far scale factors are from zero. Where none are prescribed, zero may come to be anywhere
+  // between the least and the greatest: then the distance from the farther of both.
   Vector extents() const
   {
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
@@ -83,7 +84,8 @@ private:
     return result;
   }
 
-  // The Laplacian does not see constants on a component without prescribed scale factors: one vertex is held.
+  // The Laplacian does not see constants on a component without prescribed scale factors: one
+  // vertex is held.
   std::vector<char> with_pins() const
   {
     std::vector<char> result = m_problem.is_fixed();
@@ -111,8 +113,8 @@ private:
     m_cones.push_back(cone);
   }
 
-  // A component without prescribed scale factors gets a cone where the estimate is farthest from its middle,
-  // unless it needs none.
+  // A component without prescribed scale factors gets a cone where the estimate is farthest from
+  // its middle, unless it needs none.
   void place_first_cones(const Conformal_energy<>& energy, double bound)
   {
     const auto& component = m_problem.components();

@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// Solves with matrix after matrix of similar pattern. The order of elimination, the costly part of the
-// analysis, is kept while it is still good. `Cholesky` is `Simplicial_Cholesky` or
+// Solves with matrix after matrix of similar pattern. The order of elimination, the costly part of
+// the analysis, is kept while it is still good. `Cholesky` is `Simplicial_Cholesky` or
 // `Supernodal_Cholesky`.
 template <typename Cholesky>
 class Hessian_solver

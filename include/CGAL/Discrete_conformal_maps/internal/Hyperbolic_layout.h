@@ -41,9 +41,9 @@ inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
   return result;
 }
 
-// The faces of closed hyperbolic surfaces in the Poincare disk, beside each other along a tree. Each corner of a
-// face has a frame: the motion that takes the origin there, and the direction of the real axis to that of
-// the halfedge that starts there.
+// The faces of closed hyperbolic surfaces in the Poincare disk, beside each other along a tree.
+// Each corner of a face has a frame: the motion that takes the origin there, and the direction of
+// the real axis to that of the halfedge that starts there.
 template <typename FT>
 class Hyperbolic_layout
 {
@@ -70,7 +70,8 @@ public:
     return beyond(h) * m_frame[m_mesh.opposite(h).idx()].inverse();
   }
 
-  // How far the motions that take the faces around `v` to their places one after the other are from closing up.
+  // How far the motions that take the faces around `v` to their places one after the other are from
+  // closing up.
   double gluing_error(Vertex_index v) const
   {
     Motion product;

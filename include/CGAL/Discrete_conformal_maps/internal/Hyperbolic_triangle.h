@@ -22,13 +22,14 @@ namespace internal {
 
 using Intrinsic_triangulations::internal::Corner;
 
-// A hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads from corner s to the next.
+// A hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads from corner s to the
+// next.
 //
 // With the law of cosines, at the corner between sides b and c
 //   2 l_b l_c cosh(x_b/2) cosh(x_c/2) cos(angle) = p + 2 l_b^2 l_c^2,   p = l_b^2 + l_c^2 - l_a^2,
-// and the same with the sine is d, where d^2 is 16 times the squared area of the Euclidean triangle with sides
-// l plus 4 (l_a l_b l_c)^2. No term cancels beyond what it does in that triangle, to which all tends where
-// the sides are short.
+// and the same with the sine is d, where d^2 is 16 times the squared area of the Euclidean triangle
+// with sides l plus 4 (l_a l_b l_c)^2. No term cancels beyond what it does in that triangle, to
+// which all tends where the sides are short.
 template <typename FT>
 class Hyperbolic_triangle
 {
@@ -54,10 +55,12 @@ public:
   const Corner<FT>& corner(std::size_t s) const { return m_corner[s]; }
   FT angle(std::size_t s) const { return m_corner[s].angle(); }
 
-  // between the opposite side and the circle through the corners: (pi + a_s - a_t - a_u) / 2 for angles a
+  // between the opposite side and the circle through the corners: (pi + a_s - a_t - a_u) / 2 for
+  // angles a
   FT circle_angle(std::size_t s) const { return Corner<FT>{m_product[s], sine()}.angle(); }
 
-  // of the circle angle; only leads the way to a minimum: those of a flat triangle may be any large number
+  // of the circle angle; only leads the way to a minimum: those of a flat triangle may be any large
+  // number
   FT cotangent(std::size_t s) const { return m_product[s] / divisor(); }
 
   // of half of a side given as l
@@ -69,8 +72,9 @@ public:
   // whether there is no triangle inside its longest side
   bool is_flat() const { return !(sine() > 0); }
 
-  // A bound for the rounding error of an angle, if the sides have an error of a few units in the last place:
-  // twice that of a flat triangle, since derivatives have the additional factor 1 + tanh^2(x/2).
+  // A bound for the rounding error of an angle, if the sides have an error of a few units in the
+  // last place: twice that of a flat triangle, since derivatives have the additional factor 1 +
+  // tanh^2(x/2).
   FT angle_error() const
   {
     return 16 * std::numeric_limits<FT>::epsilon() * (1 + m_squares / divisor());

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// Shifts points in the plane such that the vectors between some of them change as wanted, in the sense of
-// weighted least squares.
+// Shifts points in the plane such that the vectors between some of them change as wanted, in the
+// sense of weighted least squares.
 class Least_squares_shift
 {
   typedef Eigen::VectorXd Vector;
@@ -40,8 +40,8 @@ public:
     m_is_held[static_cast<std::size_t>(i)] = m_is_held[static_cast<std::size_t>(j)] = 0;
   }
 
-  // Point `i` stays; so do those without vectors. One of every connected component must be held, after
-  // all vectors have been added.
+  // Point `i` stays; so do those without vectors. One of every connected component must be held,
+  // after all vectors have been added.
   void hold(int i) { m_is_held[static_cast<std::size_t>(i)] = 1; }
 
   void solve()

@@ -28,9 +28,9 @@ typedef Supernodal_Cholesky Default_Cholesky;
 typedef Simplicial_Cholesky Default_Cholesky;
 #endif
 
-// What is added to the diagonal of a Hessian against steps beyond a bound: see `Newton_direction`. Entries of
-// the gradient that vanish still need a positive diagonal. The lift, relative to the diagonal, is against
-// rounding in the factorization.
+// What is added to the diagonal of a Hessian against steps beyond a bound: see `Newton_direction`.
+// Entries of the gradient that vanish still need a positive diagonal. The lift, relative to the
+// diagonal, is against rounding in the factorization.
 inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
                                const Eigen::VectorXd& gradient, double bound, double lift)
 {
@@ -42,9 +42,9 @@ inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
 //
 // Where the Hessian alone is singular, or gives a step that is too long (max norm), the entries
 // |g_i| / bound are added to its diagonal. For a Hessian with positive diagonal and non-positive
-// off-diagonals, as a Laplacian has, no entry of the step is then above the bound (maximum principle):
-// where the function is almost linear the step has the length allowed, elsewhere it is as before; and
-// what is added vanishes with the gradient.
+// off-diagonals, as a Laplacian has, no entry of the step is then above the bound (maximum
+// principle): where the function is almost linear the step has the length allowed, elsewhere it is
+// as before; and what is added vanishes with the gradient.
 class Newton_direction
 {
 public:
@@ -57,8 +57,8 @@ public:
 
   const Solver& solver() const { return m_solver; }
 
-  // Returns false if there is no such direction; the Hessian is not positive semidefinite then, even
-  // with regard to rounding.
+  // Returns false if there is no such direction; the Hessian is not positive semidefinite then,
+  // even with regard to rounding.
   bool find(const Matrix& hessian, const Eigen::VectorXd& gradient,
             const Eigen::VectorXd& /* point */, double bound)
   {
@@ -88,9 +88,9 @@ public:
   bool is_damped() const { return m_is_damped; }
 
 private:
-  // On a component where constants are in the kernel, one diagonal entry is doubled, as if the variable
-  // were tied to a fixed one. If the gradient sums to zero, that does not change the other entries of
-  // the solution up to a constant. The strongest variable is taken, for accuracy.
+  // On a component where constants are in the kernel, one diagonal entry is doubled, as if the
+  // variable were tied to a fixed one. If the gradient sums to zero, that does not change the other
+  // entries of the solution up to a constant. The strongest variable is taken, for accuracy.
   Eigen::VectorXd grounding(const Matrix& hessian) const
   {
     const Eigen::VectorXd diagonal = hessian.diagonal();

@@ -82,7 +82,8 @@ private:
     return leads_nowhere() ? std::optional(Status::rounding_limit) : std::nullopt;
   }
 
-  // whether some steps in a row were no more than rounding of each variable, although none was damped
+  // whether some steps in a row were no more than rounding of each variable, although none was
+  // damped
   bool leads_nowhere()
   {
     const double unit = 64 * std::numeric_limits<double>::epsilon();
@@ -94,7 +95,8 @@ private:
 
   double slope() const { return m_descent.gradient().dot(m_direction.direction()); }
 
-  // For each entry of the gradient: the error of its computation and that of the rounding of the point.
+  // For each entry of the gradient: the error of its computation and that of the rounding of the
+  // point.
   Eigen::VectorXd rounding_error(const Eigen::SparseMatrix<double>& hessian)
   {
     const double unit = std::numeric_limits<double>::epsilon() / 2;
@@ -111,8 +113,8 @@ private:
     return m_descent.move_to(m_base + t * m_direction.direction());
   }
 
-  // The slope along a line grows from a negative value at its start. A step is good if it does not go
-  // beyond the minimum by so much that the slope is half of that again.
+  // The slope along a line grows from a negative value at its start. A step is good if it does not
+  // go beyond the minimum by so much that the slope is half of that again.
   std::optional<Status> search_line()
   {
     bool is_finite = true;

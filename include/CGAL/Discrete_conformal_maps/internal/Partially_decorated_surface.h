@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// A closed ideal polyhedron, one vertex of which has no horocycle, in the triangulation that is Delaunay for
-// given scale factors of the others (Section 4.4.1). Without that vertex, its edges and its faces it is a
-// disk, the remaining surface.
+// A closed ideal polyhedron, one vertex of which has no horocycle, in the triangulation that is
+// Delaunay for given scale factors of the others (Section 4.4.1). Without that vertex, its edges
+// and its faces it is a disk, the remaining surface.
 template <typename FT>
 class Partially_decorated_surface
 {
@@ -54,8 +54,8 @@ public:
   // With a scale factor of zero at the vertex at infinity. Arcs elsewhere do not depend on it.
   const FT& scaled_length(Edge_index e) const { return m_scaled_length[e.idx()]; }
 
-  // Takes other scale factors, and flips to the triangulation that is Delaunay with them. That of the vertex
-  // at infinity has no influence.
+  // Takes other scale factors, and flips to the triangulation that is Delaunay with them. That of
+  // the vertex at infinity has no influence.
   // \throws Numerical_error if a scaled length is no length
   void scale(const std::vector<FT>& u)
   {
@@ -88,9 +88,9 @@ private:
         "edge " + std::to_string(e.idx()) + " has no positive finite length after scaling");
   }
 
-  // Equation 4.16, where arcs at infinity vanish. A tie is decided in favor of edges to infinity: they are the
-  // limit of triangulations with a horocycle there. The two tolerances differ, so that no edge is flipped
-  // back.
+  // Equation 4.16, where arcs at infinity vanish. A tie is decided in favor of edges to infinity:
+  // they are the limit of triangulations with a horocycle there. The two tolerances differ, so that
+  // no edge is flipped back.
   bool is_Delaunay(Halfedge_index h) const
   {
     const auto is_finite = [this](Vertex_index v) { return v != m_at_infinity; };

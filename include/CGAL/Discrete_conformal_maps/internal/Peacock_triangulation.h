@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The triangulation whose edges join a center to all other vertices by shortest geodesics, and to itself
-// (Section 4.4.3). It is ideal Delaunay if only the center has a horocycle.
+// The triangulation whose edges join a center to all other vertices by shortest geodesics, and to
+// itself (Section 4.4.3). It is ideal Delaunay if only the center has a horocycle.
 //
-// The other horocycles shrink at the same rate, and every edge is flipped when it ceases to be Delaunay. So
-// edges stay short on the way.
+// The other horocycles shrink at the same rate, and every edge is flipped when it ceases to be
+// Delaunay. So edges stay short on the way.
 template <typename FT>
 class Peacock_triangulation
 {
@@ -50,7 +50,8 @@ public:
 
   std::size_t number_of_flips() const { return m_number_of_flips; }
 
-  // the distance of the horocycle of the center to that of each vertex; infinity for the center itself
+  // the distance of the horocycle of the center to that of each vertex; infinity for the center
+  // itself
   std::vector<FT> distances() const
   {
     using std::log;

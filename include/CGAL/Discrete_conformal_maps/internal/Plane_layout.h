@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The positions of the vertices of a sphere in the plane, one vertex of it at infinity. `length` has the lengths
-// of edges in the plane; the remaining surface is flat (Section 4.4.5).
+// The positions of the vertices of a sphere in the plane, one vertex of it at infinity. `length`
+// has the lengths of edges in the plane; the remaining surface is flat (Section 4.4.5).
 template <typename FT>
 class Plane_layout
 {

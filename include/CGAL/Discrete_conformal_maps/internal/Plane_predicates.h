@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// Exact predicates on points of the plane with coordinates of any floating point type: a filter first, then
-// integers.
+// Exact predicates on points of the plane with coordinates of any floating point type: a filter
+// first, then integers.
 template <typename FT>
 class Plane_predicates
 {
@@ -89,7 +89,8 @@ private:
     return abs_of(det) > bound && abs_of(det) > least;
   }
 
-  // The coordinates, multiplied by the least power of two that makes all of them integers. Signs stay.
+  // The coordinates, multiplied by the least power of two that makes all of them integers. Signs
+  // stay.
   template <std::size_t n>
   static std::array<std::array<Integer, 2>, n> scaled(const std::array<Point, n>& points)
   {

@@ -13,7 +13,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// A vector in the plane that is multiplied as a complex number; `std::complex` is for built-in numbers only.
+// A vector in the plane that is multiplied as a complex number; `std::complex` is for built-in
+// numbers only.
 template <typename FT>
 struct Plane_vector
 {

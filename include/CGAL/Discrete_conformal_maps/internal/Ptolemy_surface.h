@@ -26,7 +26,8 @@ using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
-// A closed ideal polyhedron with Penner lengths. Its edges turn by Ptolemy's relation (Equation 4.4).
+// A closed ideal polyhedron with Penner lengths. Its edges turn by Ptolemy's relation (Equation
+// 4.4).
 template <typename FT>
 class Ptolemy_surface
 {
@@ -54,7 +55,8 @@ public:
     return {of(h), of(m_mesh.next(h)), of(m_mesh.prev(h)), of(m_mesh.next(o)), of(m_mesh.prev(o))};
   }
 
-  // Flips edges for which `is_good(h)` is false, and calls `after_flip(h)`. Returns the number of flips.
+  // Flips edges for which `is_good(h)` is false, and calls `after_flip(h)`. Returns the number of
+  // flips.
   template <typename Is_good, typename After_flip>
   std::size_t flip_until(const Is_good& is_good, const After_flip& after_flip)
   {

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The upper triangle of some rows and columns of a symmetric matrix, in a given order. Where each entry
-// goes is remembered for matrices of the same pattern.
+// The upper triangle of some rows and columns of a symmetric matrix, in a given order. Where each
+// entry goes is remembered for matrices of the same pattern.
 class Reordered_matrix
 {
 public:
@@ -49,8 +49,8 @@ public:
     fill_pattern(order, rank);
   }
 
-  // Takes the values of `source`, whose pattern is that of before, and adds `diagonal` (an entry for
-  // each row of `source`).
+  // Takes the values of `source`, whose pattern is that of before, and adds `diagonal` (an entry
+  // for each row of `source`).
   void set_values(const Matrix& source, const Eigen::VectorXd& diagonal, const Order& order)
   {
     double* values = m_upper.valuePtr();

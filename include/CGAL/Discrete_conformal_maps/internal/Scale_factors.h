@@ -91,8 +91,8 @@ public:
       minimize_extended(minimizer, tolerance, visitor);
   }
 
-  // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the values from now
-  // on. The triangulation of the problem may have been moved to `triangulation`.
+  // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the
+  // values from now on. The triangulation of the problem may have been moved to `triangulation`.
   template <typename FT, typename Visitor>
   std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
   {
@@ -169,8 +169,8 @@ private:
     }
   }
 
-  // Whether more digits might give less than the tolerance; not if the minimizer was content with more, or has
-  // not been allowed to go on.
+  // Whether more digits might give less than the tolerance; not if the minimizer was content with
+  // more, or has not been allowed to go on.
   bool is_rounded(double tolerance) const
   {
     const bool has_been_stopped = m_result.status != Minimization_status::converged &&
@@ -198,8 +198,8 @@ private:
                                                              : Flattening_status::not_converged;
   }
 
-  // Far along a direction, every face of a fixed triangulation has the angle pi where its entry is least. A
-  // convex energy that falls even there has no minimum.
+  // Far along a direction, every face of a fixed triangulation has the angle pi where its entry is
+  // least. A convex energy that falls even there has no minimum.
   bool falls_without_end(const Vector& direction) const
   {
     const Delta_complex& mesh = m_problem.triangulation().mesh();

@@ -21,8 +21,9 @@ using Intrinsic_triangulations::Edge_index;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
-// Closes open edges from the ends of their graph on: around a vertex with one open edge that is no terminal,
-// all faces fit. `is_open` says of each edge whether it is open, and then whether it still is.
+// Closes open edges from the ends of their graph on: around a vertex with one open edge that is no
+// terminal, all faces fit. `is_open` says of each edge whether it is open, and then whether it
+// still is.
 inline void close_ends(const Delta_complex& mesh, const std::vector<char>& is_terminal,
                        std::vector<char>& is_open)
 {

@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// Eigen's Cholesky factorization of matrices given by their upper triangles, in the order they have.
+// Eigen's Cholesky factorization of matrices given by their upper triangles, in the order they
+// have.
 class Simplicial_Cholesky
   : Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>
 {

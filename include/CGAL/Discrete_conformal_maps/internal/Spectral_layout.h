@@ -25,15 +25,16 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The spectral conformal layout of one chart (Mullen, Tong, Alliez, Desbrun 2008): the eigenvector of
-// L z = lambda B z with the least eigenvalue beside the constants, where z^* L z is the conformal energy, Dirichlet's
-// energy less the area, and z^* B z the mean square on the boundary.
+// The spectral conformal layout of one chart (Mullen, Tong, Alliez, Desbrun 2008): the eigenvector
+// of L z = lambda B z with the least eigenvalue beside the constants, where z^* L z is the
+// conformal energy, Dirichlet's energy less the area, and z^* B z the mean square on the boundary.
 //
-// L is a sum over faces of |r|^2 / (8 area), where r = side_0 (z_2 - z_1) - side_1 (z_1 - z_0) vanishes if the image
-// is similar to the face. Faces may differ by twenty orders of size, and an eigenvector as a whole has no digits for
-// the small ones. So the inverse iteration z <- L^-1 (lambda B z), with Rayleigh's quotient lambda, is computed
-// as z - L^-1 (L z - lambda B z): what is solved for is the correction of a layout, and r comes from differences.
-// On a flat chart L has one more vector in its kernel, the layout; its scale is left as it is.
+// L is a sum over faces of |r|^2 / (8 area), where r = side_0 (z_2 - z_1) - side_1 (z_1 - z_0)
+// vanishes if the image is similar to the face. Faces may differ by twenty orders of size, and an
+// eigenvector as a whole has no digits for the small ones. So the inverse iteration z <- L^-1
+// (lambda B z), with Rayleigh's quotient lambda, is computed as z - L^-1 (L z - lambda B z): what
+// is solved for is the correction of a layout, and r comes from differences. On a flat chart L has
+// one more vector in its kernel, the layout; its scale is left as it is.
 template <typename FT>
 class Spectral_layout
 {
@@ -60,8 +61,9 @@ public:
     m_boundary.push_back({i, j, length});
   }
 
-  // Improves a layout of the chart as long as corrections get smaller and, but for rounding, the energy does not
-  // rise. The area of the result is that of the faces. A chart with a face without area stays as it is.
+  // Improves a layout of the chart as long as corrections get smaller and, but for rounding, the
+  // energy does not rise. The area of the result is that of the faces. A chart with a face without
+  // area stays as it is.
   // \throws Numerical_error if L has no factorization
   void improve(std::vector<Vector>& z) const
   {

@@ -23,16 +23,17 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The vertices of a sphere in the plane, one at infinity, such that the inverse of the stereographic projection
-// has their center of mass in the center of the sphere; and the triangulation that is convex there.
+// The vertices of a sphere in the plane, one at infinity, such that the inverse of the
+// stereographic projection has their center of mass in the center of the sphere; and the
+// triangulation that is convex there.
 template <typename FT>
 class Sphere_layout
 {
 public:
   typedef std::array<FT, 2> Point;
 
-  // `length` has the lengths in the plane of the edges of `mesh`; `mass` are those of vertices. A doubled
-  // surface becomes symmetric with regard to the real line, with the input above it.
+  // `length` has the lengths in the plane of the edges of `mesh`; `mass` are those of vertices. A
+  // doubled surface becomes symmetric with regard to the real line, with the input above it.
   Sphere_layout(const Delta_complex& mesh, const std::vector<FT>& length, Vertex_index at_infinity,
                 const std::vector<double>& mass, const Doubled_problem& problem)
     : m_problem(problem),
@@ -64,8 +65,8 @@ public:
 private:
   Point& at(Vertex_index v) { return m_position[v.idx()]; }
 
-  // Turns the plane about `origin`, which becomes the origin, such that `direction` becomes that of the real
-  // line.
+  // Turns the plane about `origin`, which becomes the origin, such that `direction` becomes that of
+  // the real line.
   void move(const Point& origin, const Point& direction)
   {
     for(Point& p : m_position) {

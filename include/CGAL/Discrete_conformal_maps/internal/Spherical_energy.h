@@ -27,10 +27,10 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The energy whose minimum under lower bounds are the scale factors that unfold a sphere, without one of its
-// vertices, into the plane (Section 4.4.2). A model of `ConvexEnergy`. Scale factors are the sum of an origin
-// and a variable, as in `Conformal_energy`. The variables of the vertex at infinity and of isolated vertices have no
-// influence.
+// The energy whose minimum under lower bounds are the scale factors that unfold a sphere, without
+// one of its vertices, into the plane (Section 4.4.2). A model of `ConvexEnergy`. Scale factors are
+// the sum of an origin and a variable, as in `Conformal_energy`. The variables of the vertex at
+// infinity and of isolated vertices have no influence.
 template <typename FT_ = double>
 class Spherical_energy
 {
@@ -124,7 +124,8 @@ private:
     }
   }
 
-  // A vertex of the remaining surface begins with two right angles for each half of an edge without a face.
+  // A vertex of the remaining surface begins with two right angles for each half of an edge without
+  // a face.
   void sum_angles()
   {
     const FT pi = boost::math::constants::pi<FT>();

@@ -24,7 +24,8 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-// The scale factors that unfold a sphere, without one of its vertices, into the plane (Section 4.4.4).
+// The scale factors that unfold a sphere, without one of its vertices, into the plane (Section
+// 4.4.4).
 template <typename FT>
 class Spherical_scale_factors
 {
@@ -51,10 +52,10 @@ public:
   const std::vector<FT>& bounds() const { return m_bound; }
   const Minimization_result& result() const { return m_result; }
 
-  // The greatest error of an angle that must be full: at vertices that are not at their bounds. At the others, the slope
-  // of the energy is like a root. There may be no number for where it vanishes, and the bound leaves as much as the
-  // root of a rounding unit in the gradient, before which all else in it is lost; but the sum of angles need not be full
-  // there.
+  // The greatest error of an angle that must be full: at vertices that are not at their bounds. At
+  // the others, the slope of the energy is like a root. There may be no number for where it
+  // vanishes, and the bound leaves as much as the root of a rounding unit in the gradient, before
+  // which all else in it is lost; but the sum of angles need not be full there.
   double angle_error() const
   {
     double result = 0;
@@ -74,9 +75,10 @@ public:
       m_u[v] = other.values()[v] == other.bounds()[v] ? m_bound[v] : FT(other.values()[v]);
   }
 
-  // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to `double` limits only how
-  // far a step can change the scale factors: where they have more digits, a second run finds these. Where they have
-  // not, a second run leaves vertices at their bounds: see `angle_error()`.
+  // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
+  // `double` limits only how far a step can change the scale factors: where they have more digits,
+  // a second run finds these. Where they have not, a second run leaves vertices at their bounds:
+  // see `angle_error()`.
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
   {
@@ -86,7 +88,8 @@ public:
   }
 
 private:
-  // Ten or twenty are usual. Where bounds are active without effect, it may be better to take more digits.
+  // Ten or twenty are usual. Where bounds are active without effect, it may be better to take more
+  // digits.
   static constexpr std::size_t iteration_limit = 100;
   static constexpr double sufficient = 1e-13; // radians
   static constexpr bool is_rounded = std::is_same<FT, double>::value;

@@ -29,8 +29,9 @@ using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
-// A triangulated sphere with vertices in the plane and one at infinity: the stereographic projection of an
-// inscribed polyhedron. It can be made exactly Delaunay, which is convex on the sphere.
+// A triangulated sphere with vertices in the plane and one at infinity: the stereographic
+// projection of an inscribed polyhedron. It can be made exactly Delaunay, which is convex on the
+// sphere.
 template <typename FT>
 class Stereographic_triangulation
 {
@@ -56,8 +57,8 @@ public:
     return true;
   }
 
-  // Flips edges that are not convex, as far as possible; rounding has left a few. There is an end even if
-  // triangles are flipped: the surface of the polyhedron only grows outwards.
+  // Flips edges that are not convex, as far as possible; rounding has left a few. There is an end
+  // even if triangles are flipped: the surface of the polyhedron only grows outwards.
   std::vector<Halfedge_index> make_convex()
   {
     std::vector<Halfedge_index> flips;
@@ -73,7 +74,8 @@ public:
     return flips;
   }
 
-  // A surface without a face in the plane is a flat polygon, seen from both sides, and counts as convex.
+  // A surface without a face in the plane is a flat polygon, seen from both sides, and counts as
+  // convex.
   Convexity_certificate certificate() const
   {
     Convexity_certificate result;
@@ -96,7 +98,8 @@ public:
 private:
   const Point& at(Vertex_index v) const { return m_position[v.idx()]; }
 
-  // Whether the edge ij of the faces ijk and jil is concave from outside: whether l is inside the circle ijk.
+  // Whether the edge ij of the faces ijk and jil is concave from outside: whether l is inside the
+  // circle ijk.
   bool is_concave(Halfedge_index h) const
   {
     const Halfedge_index o = m_mesh.opposite(h);
@@ -119,7 +122,8 @@ private:
     return m_predicates.in_circle(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
   }
 
-  // Of the boundary of the part in the plane. A closed curve that always turns left has as many as turns.
+  // Of the boundary of the part in the plane. A closed curve that always turns left has as many as
+  // turns.
   std::size_t number_of_summits() const
   {
     std::size_t result = 0;

@@ -74,8 +74,8 @@ public:
   Supernodal_Cholesky& operator=(const Supernodal_Cholesky&) = delete;
 
   // The order of elimination that keeps the factor sparse: its k-th entry is the k-th row to go.
-  // Nested dissection costs more than minimum degree; the factorizations repay it from about this size
-  // on.
+  // Nested dissection costs more than minimum degree; the factorizations repay it from about this
+  // size on.
   static Eigen::VectorXi fill_reducing_order(const Matrix& upper)
   {
     Cholmod_workspace workspace;

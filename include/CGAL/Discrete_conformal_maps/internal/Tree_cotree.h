@@ -91,9 +91,10 @@ private:
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
 };
 
-// A closed surface cut into one disk per component: the faces are joined along the shortest ways from a
-// central face. The edges that are open then are a tree with all vertices, and two more edges per handle. Those
-// with the shortest loops through the central face are chosen (Erickson and Whittlesey 2005, on the dual graph).
+// A closed surface cut into one disk per component: the faces are joined along the shortest ways
+// from a central face. The edges that are open then are a tree with all vertices, and two more
+// edges per handle. Those with the shortest loops through the central face are chosen (Erickson and
+// Whittlesey 2005, on the dual graph).
 class Tree_cotree
 {
 public:
@@ -127,7 +128,8 @@ public:
   // the central face of a component
   Face_index root(std::size_t c) const { return m_root[c]; }
 
-  // the halfedges through which faces are reached, in this order, each in the new face; null for a root
+  // the halfedges through which faces are reached, in this order, each in the new face; null for a
+  // root
   struct Step
   {
     Halfedge_index entry;
@@ -143,8 +145,8 @@ public:
   // the open edges of a component that are not in the tree, those with the shortest loops first
   const std::vector<Edge_index>& generators(std::size_t c) const { return m_generators[c]; }
 
-  // The halfedges of the generators of a component, in the order in which a walk clockwise around the tree
-  // crosses them: as if all vertices were one.
+  // The halfedges of the generators of a component, in the order in which a walk clockwise around
+  // the tree crosses them: as if all vertices were one.
   std::vector<Halfedge_index> relation(std::size_t c) const
   {
     std::vector<Halfedge_index> result;
@@ -164,8 +166,8 @@ public:
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  // A face of which no other is very far away: of some faces far from each other the greatest distance is least
-  // there. After a few rounds it gets hardly better.
+  // A face of which no other is very far away: of some faces far from each other the greatest
+  // distance is least there. After a few rounds it gets hardly better.
   static Face_index center(Face_index start, Dual_distances& distance)
   {
     constexpr int rounds = 6;

@@ -123,8 +123,8 @@ private:
     compare(layout.positions(), scale);
   }
 
-  // Of lengths on the sphere: first those of the plane, then those of the stereographic projection. At infinity,
-  // where neighbors have the distance one of horocycles, there is only the latter.
+  // Of lengths on the sphere: first those of the plane, then those of the stereographic projection.
+  // At infinity, where neighbors have the distance one of horocycles, there is only the latter.
   template <typename FT>
   void set_log_scales(const std::vector<FT>& u, const Extended& plane_scale)
   {

@@ -23,8 +23,8 @@ namespace internal {
 // rows and values, of which those in one row add up
 typedef std::vector<std::pair<int, double>> Column_entries;
 
-// Makes `matrix` the one whose column for a vertex has the entries that `collect(v, entries)` adds, in any order. No
-// more than one column is sorted at a time.
+// Makes `matrix` the one whose column for a vertex has the entries that `collect(v, entries)` adds,
+// in any order. No more than one column is sorted at a time.
 template <typename Collect>
 void assemble_columns(const Intrinsic_triangulations::Delta_complex& mesh, const Collect& collect,
                       Eigen::SparseMatrix<double>& matrix)

@@ -22,7 +22,8 @@ using Intrinsic_triangulations::Edge_index;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
-// The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h is ij.
+// The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h
+// is ij.
 template <typename Length>
 double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Length& length)
 {
@@ -31,8 +32,9 @@ double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Len
          (length(mesh.next(o)) / length(mesh.prev(o)));
 }
 
-// The greatest relative error of a length cross ratio of points in the plane, and one at infinity, whose
-// distances are all the same. `length` gives what the length of an edge should be, up to scale factors.
+// The greatest relative error of a length cross ratio of points in the plane, and one at infinity,
+// whose distances are all the same. `length` gives what the length of an edge should be, up to
+// scale factors.
 template <typename FT, typename Length>
 double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
                                            const std::vector<std::array<FT, 2>>& position,

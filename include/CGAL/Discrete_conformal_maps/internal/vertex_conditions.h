@@ -23,8 +23,8 @@ namespace internal {
 using Intrinsic_triangulations::Delta_complex;
 using Intrinsic_triangulations::Vertex_index;
 
-// What is prescribed at the vertices of `g`, by numbers. Where the caller says nothing: flat inside, and
-// `on_boundary` on the boundary.
+// What is prescribed at the vertices of `g`, by numbers. Where the caller says nothing: flat
+// inside, and `on_boundary` on the boundary.
 template <typename Graph, typename NamedParameters>
 std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_complex& mesh,
                                                 const NamedParameters& np,

@@ -23,8 +23,8 @@ namespace internal {
 class Cell_joiner
 {
 public:
-  // Calls `visit(cell, corners)` for each union of cells: with the largest of them, and its corners counterclockwise.
-  // In a cell that is there by rounding only, so is the linear map.
+  // Calls `visit(cell, corners)` for each union of cells: with the largest of them, and its corners
+  // counterclockwise. In a cell that is there by rounding only, so is the linear map.
   template <typename Visit>
   void join(const std::vector<Cell>& cells, const Face_cutter& lines, const Visit& visit)
   {

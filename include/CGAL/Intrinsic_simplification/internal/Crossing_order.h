@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
-// a straight part of an edge of the coarse level, in a face of the fine level, and the numbers of the marks at its ends
+// a straight part of an edge of the coarse level, in a face of the fine level, and the numbers of
+// the marks at its ends
 struct Coarse_piece
 {
   Curve_segment segment;
@@ -39,8 +40,9 @@ inline std::size_t side_number(const Face_point& p)
   return (p.corners & bit(2)) == 0 ? 0 : (p.corners & bit(0)) == 0 ? 1 : 2;
 }
 
-// The order in which curves cross an edge. Curves that do not cross each other go on side by side until they leave a face
-// by different sides or corners: there they tell their order, without any numbers.
+// The order in which curves cross an edge. Curves that do not cross each other go on side by side
+// until they leave a face by different sides or corners: there they tell their order, without any
+// numbers.
 class Crossing_order
 {
 public:
@@ -48,8 +50,8 @@ public:
     : m_pieces(pieces), m_mesh(mesh)
   {}
 
-  // Compares the places on the first halfedge of an edge where two pieces end: negative if that of `a` is before that of `b`,
-  // zero if the curves never separate.
+  // Compares the places on the first halfedge of an edge where two pieces end: negative if that of
+  // `a` is before that of `b`, zero if the curves never separate.
   int compare(std::size_t a, std::size_t b) const
   {
     const Halfedge_index left(2 * (side_of_end(a).idx() / 2));
@@ -98,8 +100,8 @@ private:
       advance(s);
   }
 
-  // Where the curve leaves a face that it has entered by side `n`, counterclockwise: odd at corners, even at sides; zero if it
-  // bends back to that side.
+  // Where the curve leaves a face that it has entered by side `n`, counterclockwise: odd at
+  // corners, even at sides; zero if it bends back to that side.
   std::size_t exit(const Strand& s, std::size_t n) const
   {
     const Face_point& p = end(s);

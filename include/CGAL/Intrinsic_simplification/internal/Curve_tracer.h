@@ -29,17 +29,18 @@ struct Curve_segment
   Face_point from, to;
 };
 
-// Carries an edge of one level through the operations to the other. Homogeneous coordinates make every operation
-// linear on each face. So a segment goes its way alone: it is cut where a new edge crosses it, and the next operation on
-// its face decides what happens next. Segments that meet on an edge agree there to the last bit: the two
-// coordinates of a point on an edge change only by operations that involve the faces on both sides.
+// Carries an edge of one level through the operations to the other. Homogeneous coordinates make
+// every operation linear on each face. So a segment goes its way alone: it is cut where a new edge
+// crosses it, and the next operation on its face decides what happens next. Segments that meet on
+// an edge agree there to the last bit: the two coordinates of a point on an edge change only by
+// operations that involve the faces on both sides.
 class Curve_tracer
 {
 public:
   Curve_tracer(const Surface_map& map, bool forward) : m_map(map), m_is_forward(forward) {}
 
-  // The edge of `h`, a halfedge of the level where the curve starts, from its source to its target. Faces
-  // have the numbers of the evolving surface.
+  // The edge of `h`, a halfedge of the level where the curve starts, from its source to its target.
+  // Faces have the numbers of the evolving surface.
   const std::vector<Curve_segment>& trace(Halfedge_index h)
   {
     carry_edge(h);
@@ -189,7 +190,8 @@ private:
       return add_part(sectors[from.first], from.point, to.point);
     if(to.is_in(from.last))
       return add_part(sectors[from.last], from.point, to.point);
-    // one way around the vertex there is one spoke; where its line is crossed tells which way is right
+    // one way around the vertex there is one spoke; where its line is crossed tells which way is
+    // right
     const bool one_ahead = sectors.is_border() ? from.last == 0 : (from.last + 1) % 3 == to.first;
     const std::size_t spoke = one_ahead ? (from.last + 1) % 3 : from.first;
     auto [point, excess] = sectors.on_line(spoke, x, y);
@@ -227,7 +229,8 @@ private:
     add_part(sectors[n], last, to.point);
   }
 
-  // A point between the ends that is at a corner, within rounding, is a vertex: the curve runs through it.
+  // A point between the ends that is at a corner, within rounding, is a vertex: the curve runs
+  // through it.
   static void move_to_near_corner(Face_point& p)
   {
     if(p.node < 2)
@@ -242,8 +245,9 @@ private:
         *w = 0;
   }
 
-  // Joins what is straight: a point inside a face where the curve does not bend was on an edge once. A piece that leads
-  // from a side back to the same side, or from a corner to itself, is there by rounding only.
+  // Joins what is straight: a point inside a face where the curve does not bend was on an edge
+  // once. A piece that leads from a side back to the same side, or from a corner to itself, is
+  // there by rounding only.
   void join_straight_pieces()
   {
     std::size_t size = 0;

@@ -29,7 +29,8 @@ struct Cell_side
   std::size_t line;
 };
 
-// A polygon inside a face, with the linear map to it from the face where it started: the images of the three corners.
+// A polygon inside a face, with the linear map to it from the face where it started: the images of
+// the three corners.
 struct Cell
 {
   Face_index face;
@@ -44,8 +45,8 @@ inline bool is_on_edge(const Cell& cell, std::size_t n)
   return is_pair(cell.sides[n].from.corners | cell.sides[next].from.corners);
 }
 
-// The area of a polygon with `n` corners in a face, in units of the face: negative if it is clockwise. `at(c)` are the
-// homogeneous coordinates of a corner.
+// The area of a polygon with `n` corners in a face, in units of the face: negative if it is
+// clockwise. `at(c)` are the homogeneous coordinates of a corner.
 template <typename At>
 double polygon_area(std::size_t n, const At& at)
 {
@@ -63,9 +64,10 @@ double polygon_area(std::size_t n, const At& at)
   return sum;
 }
 
-// Carries a face of the fine level through the operations to the coarse level. Like a curve it is cut where it is crossed by a new
-// edge, and its cells go their ways alone. Those on the two sides of a cut know their common points by number, and
-// agree on their coordinates to the last bit. So whatever rounding does, cells are a subdivision of the face.
+// Carries a face of the fine level through the operations to the coarse level. Like a curve it is
+// cut where it is crossed by a new edge, and its cells go their ways alone. Those on the two sides
+// of a cut know their common points by number, and agree on their coordinates to the last bit. So
+// whatever rounding does, cells are a subdivision of the face.
 class Face_cutter
 {
 public:
@@ -92,8 +94,8 @@ public:
     return m_result;
   }
 
-  // Whether the map changes at a line: the line has been on an edge when the scale changed beside it. The first three
-  // are the sides of the face.
+  // Whether the map changes at a line: the line has been on an edge when the scale changed beside
+  // it. The first three are the sides of the face.
   bool is_crease(std::size_t line) const { return m_is_crease[line] != 0; }
 
 private:
@@ -104,7 +106,8 @@ private:
     Surface_history::Time time;
   };
 
-  // a point of a cell before a flip, with the side that it begins, and on which side of the new edge it is
+  // a point of a cell before a flip, with the side that it begins, and on which side of the new
+  // edge it is
   struct Sided_point
   {
     Patch_point point;
@@ -211,8 +214,8 @@ private:
     return true;
   }
 
-  // Points on the edge go with those before them. There are two parts, or more if rounding has bent a side; then the
-  // negative side is cut off part by part.
+  // Points on the edge go with those before them. There are two parts, or more if rounding has bent
+  // a side; then the negative side is cut off part by part.
   void cut_along(const Turned_edge& turn, Surface_history::Time t)
   {
     move_to_front(1); // the last that is not on the edge is negative now

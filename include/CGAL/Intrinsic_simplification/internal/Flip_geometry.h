@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
-// What a flip of ij to lk needs: the new length, and the places where the two cross, measured from i and l.
+// What a flip of ij to lk needs: the new length, and the places where the two cross, measured from
+// i and l.
 struct Flip_geometry
 {
   double length, s, t;

@@ -26,7 +26,8 @@ namespace internal {
 class Loop_flipper
 {
 public:
-  // Whether no loop is left at the center of `star`. The change of scale and the flips are appended to `history`.
+  // Whether no loop is left at the center of `star`. The change of scale and the flips are appended
+  // to `history`.
   bool operator()(const Flattened_star& star, Intrinsic_surface& surface, Surface_history& history)
   {
     m_start = history.size();

@@ -18,7 +18,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
-// The connected components of the graph of a symmetric matrix, and those of them on which constants are mapped to zero.
+// The connected components of the graph of a symmetric matrix, and those of them on which constants
+// are mapped to zero.
 class Matrix_components
 {
 public:
@@ -51,7 +52,8 @@ private:
 
   static std::size_t index(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
-  // A sum of all entries that rounding can have caused counts as zero; each of them is a sum of some ten numbers itself.
+  // A sum of all entries that rounding can have caused counts as zero; each of them is a sum of
+  // some ten numbers itself.
   void explore(int start, const Matrix& matrix)
   {
     double sum = 0, size = 0;

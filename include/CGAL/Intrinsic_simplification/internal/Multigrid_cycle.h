@@ -68,7 +68,8 @@ private:
   Vector m_inverse_diagonal;
 };
 
-// Solves on the coarsest level. On a component where the matrix maps constants to zero, the first value is zero.
+// Solves on the coarsest level. On a component where the matrix maps constants to zero, the first
+// value is zero.
 class Coarse_solver
 {
 public:
@@ -103,8 +104,8 @@ private:
   Intrinsic_triangulations::internal::Factorization<double> m_factorization;
 };
 
-// One V-cycle, an approximate inverse that is symmetric and positive definite where the matrix is. The matrices of the
-// coarser levels are those of Galerkin, P^T A P.
+// One V-cycle, an approximate inverse that is symmetric and positive definite where the matrix is.
+// The matrices of the coarser levels are those of Galerkin, P^T A P.
 class Multigrid_cycle
 {
 public:

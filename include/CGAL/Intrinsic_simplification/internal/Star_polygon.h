@@ -35,16 +35,16 @@ struct Plane_point
   friend double squared_norm(const Plane_point& p) { return p.x * p.x + p.y * p.y; }
 };
 
-// An edge from the center that is to be flipped: its new length, and the places of the crossing on the old
-// and the new edge.
+// An edge from the center that is to be flipped: its new length, and the places of the crossing on
+// the old and the new edge.
 struct Spoke_flip
 {
   Halfedge_index halfedge;
   double length, s, t;
 };
 
-// The flat star of a vertex without loops, laid out in the plane around the origin, and the spokes whose flips
-// leave three. A flip cuts off an ear of the polygon.
+// The flat star of a vertex without loops, laid out in the plane around the origin, and the spokes
+// whose flips leave three. A flip cuts off an ear of the polygon.
 class Star_polygon
 {
 public:
@@ -114,9 +114,9 @@ private:
     return {cosine * p.x - sine * p.y, cosine * p.y + sine * p.x};
   }
 
-  // An ear can be cut off if it is convex and does not contain the center, which may come to lie on the
-  // cut. Those whose circumcircle has the center closest to its inside come first: in a Delaunay star they
-  // are Delaunay.
+  // An ear can be cut off if it is convex and does not contain the center, which may come to lie on
+  // the cut. Those whose circumcircle has the center closest to its inside come first: in a
+  // Delaunay star they are Delaunay.
   void rate(std::size_t n)
   {
     Corner& corner = m_corners[n];

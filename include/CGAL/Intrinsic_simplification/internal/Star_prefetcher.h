@@ -19,9 +19,10 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
-// Brings the stars of the vertices near the top of a heap into the cache, many at once: a walk around a star waits
-// for memory at each spoke, and many walks side by side wait hardly longer. On surfaces larger than the cache a
-// quarter of the time would be such waiting. Nothing else depends on it.
+// Brings the stars of the vertices near the top of a heap into the cache, many at once: a walk
+// around a star waits for memory at each spoke, and many walks side by side wait hardly longer. On
+// surfaces larger than the cache a quarter of the time would be such waiting. Nothing else depends
+// on it.
 class Star_prefetcher
 {
 public:

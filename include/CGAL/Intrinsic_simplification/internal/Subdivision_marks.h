@@ -32,13 +32,14 @@ namespace internal {
 
 using Intrinsic_triangulations::internal::opposite;
 
-// The vertices and edges of a subdivision: the edges of the fine level with marks on them, and those of the coarse level as
-// chains of pieces. Halfedges are those of the subdivision where nothing else is said: an edge of the fine level
-// with n marks becomes n + 1 edges; a piece of the coarse level is another, unless it runs along an edge of the
-// fine level.
+// The vertices and edges of a subdivision: the edges of the fine level with marks on them, and
+// those of the coarse level as chains of pieces. Halfedges are those of the subdivision where
+// nothing else is said: an edge of the fine level with n marks becomes n + 1 edges; a piece of the
+// coarse level is another, unless it runs along an edge of the fine level.
 //
-// Curves that come to a vertex within rounding run through it: where they cross the edges there, their marks are moved to the
-// vertex, in their order along the edge. So what does not cross before does not cross then.
+// Curves that come to a vertex within rounding run through it: where they cross the edges there,
+// their marks are moved to the vertex, in their order along the edge. So what does not cross before
+// does not cross then.
 class Subdivision_marks
 {
 public:
@@ -116,8 +117,8 @@ public:
     return number_of_fine_pieces() + number(m_piece_of_chord.size());
   }
 
-  // A piece that bounds a face together with a piece of a fine edge runs along that, whatever rounding says. Returns
-  // whether there were any; `mesh` does not hold any more then.
+  // A piece that bounds a face together with a piece of a fine edge runs along that, whatever
+  // rounding says. Returns whether there were any; `mesh` does not hold any more then.
   template <typename Mesh>
   bool merge_bigons(const Mesh& mesh)
   {
@@ -157,7 +158,8 @@ public:
   // in the direction of the first halfedge of its edge
   Halfedge_index coarse_piece(size_type p) const { return m_pieces[p].halfedge; }
 
-  // the face of the fine level beside `h`, which is part of its halfedge `parent`, or inside the face
+  // the face of the fine level beside `h`, which is part of its halfedge `parent`, or inside the
+  // face
   Face_index fine_face(Halfedge_index h, Halfedge_index parent) const
   {
     return parent.is_valid()
@@ -219,8 +221,8 @@ private:
       out.push_back(h);
   }
 
-  // A point on an edge of the fine level, with a ratio between nothing and infinity from the source to the target.
-  // Unless it has been moved to an end it is a vertex.
+  // A point on an edge of the fine level, with a ratio between nothing and infinity from the source
+  // to the target. Unless it has been moved to an end it is a vertex.
   struct Mark
   {
     Edge_index edge;
@@ -251,8 +253,9 @@ private:
     return ratio <= rounding() ? End::source : ratio * rounding() >= 1 ? End::target : End::none;
   }
 
-  // A piece that leaves a vertex of the fine level into a corner of a face, and where the face, counterclockwise from
-  // this corner, is met again; at last the order of those along the same edge.
+  // A piece that leaves a vertex of the fine level into a corner of a face, and where the face,
+  // counterclockwise from this corner, is met again; at last the order of those along the same
+  // edge.
   struct Chord_end
   {
     std::size_t corner;
@@ -335,7 +338,8 @@ private:
           mark = place[mark];
   }
 
-  // Sorts the crossings by their places at first, but it is the curves that tell the order. Then places are made to agree.
+  // Sorts the crossings by their places at first, but it is the curves that tell the order. Then
+  // places are made to agree.
   void order_crossings()
   {
     sort_marks();
@@ -357,7 +361,8 @@ private:
 
   static double place_on_edge(double ratio) { return std::isinf(ratio) ? 1 : ratio / (1 + ratio); }
 
-  // Moves what is near to an end of an edge there, and cuts off the corners where that leads from a vertex to itself.
+  // Moves what is near to an end of an edge there, and cuts off the corners where that leads from a
+  // vertex to itself.
   void run_through_near_vertices()
   {
     const std::vector<Coarse_piece> pieces = std::exchange(m_pieces, {});
@@ -434,8 +439,8 @@ private:
     return to == (from + 1) % 3 ? side(s, from) : opposite(side(s, to));
   }
 
-  // An edge of the coarse level that is one of the fine level takes its place. What else runs along that is put into a
-  // face at first, in the order in which it comes.
+  // An edge of the coarse level that is one of the fine level takes its place. What else runs along
+  // that is put into a face at first, in the order in which it comes.
   void number_pieces()
   {
     m_is_taken.assign(number_of_fine_pieces(), 0);
@@ -629,8 +634,8 @@ private:
   std::vector<Surface_map::Location> m_fine_bends;
 };
 
-// A point as a point of the face `f` that is nearest across an edge, or the corner at a vertex that they share; no face if `f`
-// is not next to it.
+// A point as a point of the face `f` that is nearest across an edge, or the corner at a vertex that
+// they share; no face if `f` is not next to it.
 inline Surface_map::Location moved_into(Face_index f, const Surface_map::Location& p,
                                         const Delta_complex& mesh)
 {

@@ -36,8 +36,9 @@ inline bool is_pair(Corner_set corners)
   return !is_single(corners) && is_single(corners & (corners - 1));
 }
 
-// A point of a curve or polygon, seen from a face of `n` corners with homogeneous coordinates. It is at a corner, on a
-// side or inside, as the set of its corners says: this is never left to rounding.
+// A point of a curve or polygon, seen from a face of `n` corners with homogeneous coordinates. It
+// is at a corner, on a side or inside, as the set of its corners says: this is never left to
+// rounding.
 template <std::size_t n>
 struct Curve_point
 {
@@ -92,7 +93,8 @@ struct Patch_face
   std::array<std::size_t, 3> corner;
 };
 
-// the point between p and q where a linear function vanishes that has these absolute values at p and q
+// the point between p and q where a linear function vanishes that has these absolute values at p
+// and q
 inline Patch_point between(const Patch_point& p, const Patch_point& q, double at_p, double at_q)
 {
   const double sum = at_p + at_q;
@@ -221,8 +223,8 @@ private:
   std::array<double, 4> m_weight; // of p and q, and of o and r, where the diagonals cross
 };
 
-// The removal of a vertex or its inverse: the sectors m01, m12 and m20, of which m20 is missing at the boundary, are the face
-// 012.
+// The removal of a vertex or its inverse: the sectors m01, m12 and m20, of which m20 is missing at
+// the boundary, are the face 012.
 class Vertex_sectors
 {
 public:
@@ -258,7 +260,8 @@ public:
     return x;
   }
 
-  // A point seen from a sector. It is in the sectors from `first` to `last`, which may be next to each other.
+  // A point seen from a sector. It is in the sectors from `first` to `last`, which may be next to
+  // each other.
   struct Sector_point
   {
     Patch_point point;
@@ -282,7 +285,8 @@ public:
     return {x, (c + 2) % 3, c};
   }
 
-  // A point on the line through the vertex and corner `spoke`, between two points of the whole face.
+  // A point on the line through the vertex and corner `spoke`, between two points of the whole
+  // face.
   struct Line_point
   {
     Patch_point point; // of the edge from m to the corner

@@ -21,15 +21,16 @@ namespace internal {
 typedef std::array<double, 3> Coordinates;
 typedef Intrinsic_triangulations::Face_location<double> Location;
 
-// Two opposite corners of a quadrangle, with the weights that they have in a point, and the place where the other
-// diagonal crosses theirs.
+// Two opposite corners of a quadrangle, with the weights that they have in a point, and the place
+// where the other diagonal crosses theirs.
 struct Diagonal
 {
   double first, second, crossing;
 };
 
-// Expresses a point of the plane by other corners: of the corners of `from`, takes as much of their crossing as
-// the point has, which leaves one with weight zero, and gives it to those of `to`. Returns whether the first is left.
+// Expresses a point of the plane by other corners: of the corners of `from`, takes as much of their
+// crossing as the point has, which leaves one with weight zero, and gives it to those of `to`.
+// Returns whether the first is left.
 inline bool exchange(Diagonal& from, Diagonal& to)
 {
   const double p = from.crossing;
@@ -107,7 +108,8 @@ inline void carry_through_removal(const Surface_operation& removal, Location& p)
   set_from(place_of_first(removal), at_target[0], at_target[1], at_target[2], p.second);
 }
 
-// Of which corner a point has the least, compared with a vertex: the point and this corner are on opposite sides of the vertex.
+// Of which corner a point has the least, compared with a vertex: the point and this corner are on
+// opposite sides of the vertex.
 inline std::size_t corner_used_up(const Coordinates& vertex, const Coordinates& b)
 {
   const Coordinates& w = vertex;
@@ -118,7 +120,8 @@ inline std::size_t corner_used_up(const Coordinates& vertex, const Coordinates& 
   return used_up;
 }
 
-// Takes out as much of the vertex as the point has: the face is the one opposite to the corner that is used up.
+// Takes out as much of the vertex as the point has: the face is the one opposite to the corner that
+// is used up.
 inline void carry_back_through_removal(const Surface_operation& removal, Location& p)
 {
   const Coordinates w = removed_vertex(removal);
@@ -140,8 +143,9 @@ inline void normalize(Coordinates& b)
     x /= sum;
 }
 
-// A change of scale is projective on each face (Equation 5.1): linear, as long as coordinates need not sum up to
-// one. These are the factors of the coordinates in the face `f`, if that of a corner at the vertex is `factor`.
+// A change of scale is projective on each face (Equation 5.1): linear, as long as coordinates need
+// not sum up to one. These are the factors of the coordinates in the face `f`, if that of a corner
+// at the vertex is `factor`.
 inline Coordinates scale_factors(const Surface_history& history, const Surface_operation& scaling,
                                  double factor, Face_index f)
 {
@@ -162,8 +166,8 @@ inline void carry_through_scaling(const Surface_history& history, const Surface_
     p.second[c] *= factors[c];
 }
 
-// moves a point of the surface before operation `t` to the surface after it; the operation has to involve
-// its face. Coordinates are homogeneous.
+// moves a point of the surface before operation `t` to the surface after it; the operation has to
+// involve its face. Coordinates are homogeneous.
 inline void carry_forward(const Surface_history& history, Surface_history::Time t, Location& p)
 {
   const Surface_operation& operation = history[t];

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Walks from the barycenter of a face straight to its circumcenter (Figure 3.10, right), in the plane of
-// the triangles passed.
+// Walks from the barycenter of a face straight to its circumcenter (Figure 3.10, right), in the
+// plane of the triangles passed.
 template <typename EdgeLengthMap>
 class Circumcenter_walk
 {
@@ -100,7 +100,8 @@ private:
     return s == 0 ? m_halfedge : s == 1 ? m_mesh.next(m_halfedge) : m_mesh.prev(m_halfedge);
   }
 
-  // the side with its source to the right of the line from `start` to the center, its target to the left
+  // the side with its source to the right of the line from `start` to the center, its target to the
+  // left
   std::size_t first_exit(const Vector& start) const
   {
     std::array<FT, 3> left;
@@ -129,8 +130,8 @@ private:
     m_corner = {source, target, source - normalized(target - source) * face.side(2)};
   }
 
-  // A circumcenter close to an edge is put there, since it would leave a face without area and, on an edge
-  // of T1, a piece without length.
+  // A circumcenter close to an edge is put there, since it would leave a face without area and, on
+  // an edge of T1, a piece without length.
   template <typename Is_fixed>
   End place(const Is_fixed& is_fixed)
   {

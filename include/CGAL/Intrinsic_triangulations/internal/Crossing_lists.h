@@ -66,7 +66,8 @@ public:
     update(Edge_index(h), old.empty() ? Halfedge_index() : old.front());
   }
 
-  // to be called after edges have been made, in a face that others have left or beside one that was split
+  // to be called after edges have been made, in a face that others have left or beside one that was
+  // split
   void after_cut(std::initializer_list<Halfedge_index> cuts)
   {
     m_list.resize(m_tri.mesh().num_edges());
@@ -76,7 +77,8 @@ public:
       update(Edge_index(h), Halfedge_index());
   }
 
-  // to be called after an edge has been split into `im` and `mj`; the second has the number of the whole
+  // to be called after an edge has been split into `im` and `mj`; the second has the number of the
+  // whole
   void after_split(Halfedge_index im, Halfedge_index mj)
   {
     m_list.resize(m_tri.mesh().num_edges());
@@ -119,8 +121,8 @@ private:
       list[list.size() - 1 - m] = opposite(input);
   }
 
-  // Makes the list of an edge from those around it. A shared edge across it is in none of those: it is
-  // `diagonal`.
+  // Makes the list of an edge from those around it. A shared edge across it is in none of those: it
+  // is `diagonal`.
   void update(Edge_index e, Halfedge_index diagonal)
   {
     if(m_tri.coordinates().is_shared(e))
@@ -131,8 +133,8 @@ private:
     copy_from_beyond(opposite(h));
   }
 
-  // The curves that cross `h` and then cut off the corner at its source or target are those that cross the
-  // other side there; the rest ends.
+  // The curves that cross `h` and then cut off the corner at its source or target are those that
+  // cross the other side there; the rest ends.
   void copy_from_beyond(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();

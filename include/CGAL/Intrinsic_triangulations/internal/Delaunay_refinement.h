@@ -25,11 +25,12 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted, or the
-// boundary or constrained edge that hides it is split and circumcenters near by are removed again.
+// Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted,
+// or the boundary or constrained edge that hides it is split and circumcenters near by are removed
+// again.
 //
-// `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused. The visitor
-// is told every change.
+// `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused. The
+// visitor is told every change.
 template <typename Traits, typename Bounds, typename Visitor>
 class Delaunay_refinement
 {
@@ -114,8 +115,8 @@ private:
     return !m_mesh.is_removed(c.face) && circumradius(c.face) == c.circumradius && is_bad(c.face);
   }
 
-  // A face stays as it is when numbers have no room left for the new vertex. What the visitor throws goes
-  // on to the caller.
+  // A face stays as it is when numbers have no room left for the new vertex. What the visitor
+  // throws goes on to the caller.
   void refine(Face_index f)
   {
     try {

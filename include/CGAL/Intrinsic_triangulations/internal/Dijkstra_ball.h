@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Finds vertices whose distance along edges is at most a radius. A call costs no more than its ball.
+// Finds vertices whose distance along edges is at most a radius. A call costs no more than its
+// ball.
 template <typename EdgeLengthMap>
 class Dijkstra_ball
 {

@@ -38,8 +38,8 @@ public:
     push_if(true, e);
   }
 
-  // Always writes, so that nothing depends on an answer as hard to foretell as `is_wanted`: jumps that
-  // the processor gets wrong would cost more than all the rest.
+  // Always writes, so that nothing depends on an answer as hard to foretell as `is_wanted`: jumps
+  // that the processor gets wrong would cost more than all the rest.
   // \pre `e` is one of the edges that there were at first
   void push_if(bool is_wanted, Edge_index e)
   {
@@ -70,8 +70,8 @@ inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_comp
           mesh.edge(mesh.prev(o))};
 }
 
-// Flips edges, first those that wait in `stack`, then those around flipped ones, until `is_good(h)` for all that
-// can be flipped. `flip(h)` is to turn the edge of `h`.
+// Flips edges, first those that wait in `stack`, then those around flipped ones, until `is_good(h)`
+// for all that can be flipped. `flip(h)` is to turn the edge of `h`.
 template <typename Is_good, typename Flip>
 void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,
                   const Flip& flip)

@@ -38,9 +38,9 @@ Part_of_edge<typename Traits::FT> part_of_edge(Halfedge_index h, Vertex_index v,
   return {tri.place_along(h, v), 1 - tri.place_along(tri.input_mesh().opposite(h), w)};
 }
 
-// Follows edges of T1 over T2, first through the crossings (Algorithm 2), then along the straight line
-// in the strip of triangles (Algorithm 3). One object traces many edges and allocates no memory for
-// those that are no longer than the ones before.
+// Follows edges of T1 over T2, first through the crossings (Algorithm 2), then along the straight
+// line in the strip of triangles (Algorithm 3). One object traces many edges and allocates no
+// memory for those that are no longer than the ones before.
 template <typename Traits>
 class Edge_tracer
 {
@@ -79,8 +79,8 @@ public:
     return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(m_crossings.back().halfedge)));
   }
 
-  // The barycentric coordinates of that crossing along the curve (they never decrease) and along the
-  // halfedge.
+  // The barycentric coordinates of that crossing along the curve (they never decrease) and along
+  // the halfedge.
   const typename Traits::Geodesic_strip::Crossing& position(std::size_t m) const
   {
     return m_positions[m];

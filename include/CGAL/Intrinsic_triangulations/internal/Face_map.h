@@ -44,10 +44,10 @@ FT dot(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& 
   return sum;
 }
 
-// A projective map, given by the corners of a convex polygon and their images. As vectors, corners are
-// multiples of their images, and the map is linear; if they are all the same multiples, barycentric
-// coordinates are mapped linearly too. Sums to be computed are convex combinations of images, so that
-// rounding in nearly flat polygons is not amplified.
+// A projective map, given by the corners of a convex polygon and their images. As vectors, corners
+// are multiples of their images, and the map is linear; if they are all the same multiples,
+// barycentric coordinates are mapped linearly too. Sums to be computed are convex combinations of
+// images, so that rounding in nearly flat polygons is not amplified.
 template <typename FT>
 class Polygon_map
 {
@@ -99,9 +99,9 @@ public:
   }
 
 private:
-  // The image of a point of a triangle, given its barycentric coordinates. Where the triangle is thin,
-  // rounding spoils them. So only one is used, that across the longest side, or across a side on which
-  // the point lies; the place along that side is found by projection.
+  // The image of a point of a triangle, given its barycentric coordinates. Where the triangle is
+  // thin, rounding spoils them. So only one is used, that across the longest side, or across a side
+  // on which the point lies; the place along that side is found by projection.
   Coordinates image_in_triangle(const Coordinates& p, const std::array<std::size_t, 3>& corner,
                                 const Coordinates& weight) const
   {
@@ -181,15 +181,15 @@ private:
   std::size_t m_size = 0;
 };
 
-// Maps points of one face to the other triangulation: finds the region between curves in which a point
-// lies, and maps that.
+// Maps points of one face to the other triangulation: finds the region between curves in which a
+// point lies, and maps that.
 //
-// `Marks` describes the sides of the face: crossings(s) on side s; here(s, p), the place of crossing p on
-// it; across(s, p), the place on the halfedge of the other triangulation that leaves the face there;
-// scale(s, p), how many times the vector across the vector here is; spoke_before(s), the last spoke of the
-// other triangulation at or clockwise from side s; and vertex_across(s, at), the place of the source of
-// side s on the other triangulation, which is `at` unless it is no vertex there: then only the face of
-// `at` counts.
+// `Marks` describes the sides of the face: crossings(s) on side s; here(s, p), the place of
+// crossing p on it; across(s, p), the place on the halfedge of the other triangulation that leaves
+// the face there; scale(s, p), how many times the vector across the vector here is;
+// spoke_before(s), the last spoke of the other triangulation at or clockwise from side s; and
+// vertex_across(s, at), the place of the source of side s on the other triangulation, which is `at`
+// unless it is no vertex there: then only the face of `at` counts.
 template <typename FT, typename Marks>
 class Face_map
 {
@@ -291,7 +291,8 @@ private:
     return face_location(corner.arc_follows ? reversed(outward, m_other) : outward, m_other);
   }
 
-  // A corner that is a vertex, on a halfedge of the other triangulation with the region on its left.
+  // A corner that is a vertex, on a halfedge of the other triangulation with the region on its
+  // left.
   Edge_point<FT> vertex_on_left_side(const Region& region, std::size_t c) const
   {
     if(region[c].arc_follows) // towards a mark

@@ -55,9 +55,9 @@ private:
   std::size_t m_size = 0;
 };
 
-// The regions into which curves cut a face (Figure 3.7), from the numbers of crossings on its sides.
-// First come those around corner 0 (outwards from it), corner 1, corner 2; then the rest, which is one
-// region, or is fanned by the curves that leave a corner.
+// The regions into which curves cut a face (Figure 3.7), from the numbers of crossings on its
+// sides. First come those around corner 0 (outwards from it), corner 1, corner 2; then the rest,
+// which is one region, or is fanned by the curves that leave a corner.
 class Face_regions
 {
 public:
@@ -120,8 +120,9 @@ public:
     return crossings;
   }
 
-  // The curve around corner `corner`, or if it ends there, from the apex; `number` counts from the corner,
-  // or from the side after the apex. `mark` is where it leaves, and `other` where it comes from.
+  // The curve around corner `corner`, or if it ends there, from the apex; `number` counts from the
+  // corner, or from the side after the apex. `mark` is where it leaves, and `other` where it comes
+  // from.
   struct Curve
   {
     std::size_t corner, number;
@@ -154,7 +155,8 @@ public:
     return {m_apex, p - m_around[s], true, mark, {}};
   }
 
-  // The number of curves between a point on `curve` and each corner of the face; -1 to where it ends.
+  // The number of curves between a point on `curve` and each corner of the face; -1 to where it
+  // ends.
   std::array<std::ptrdiff_t, 3> crossings_to_corners(const Curve& curve) const
   {
     std::array<std::ptrdiff_t, 3> crossings;

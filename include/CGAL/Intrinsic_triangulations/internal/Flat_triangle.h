@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that violate the triangle
-// inequality have the limits of angles: pi opposite to the longest, zero elsewhere.
+// The angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that violate
+// the triangle inequality have the limits of angles: pi opposite to the longest, zero elsewhere.
 template <typename FT>
 class Flat_triangle
 {
@@ -55,8 +55,8 @@ public:
   FT half_defect() const { return FT(0); }
   // of half a side in proportion to the radius of curvature
   static FT squared_tanh(const FT& /* length */) { return FT(0); }
-  // the derivative of the angle at corner s by a logarithmic scale factor there, which multiplies both its
-  // sides by e^(u/2); by one at another corner, it is half the cotangent at the third
+  // the derivative of the angle at corner s by a logarithmic scale factor there, which multiplies
+  // both its sides by e^(u/2); by one at another corner, it is half the cotangent at the third
   FT angle_derivative(std::size_t s) const
   {
     return -(m_cotangent[(s + 1) % 3] + m_cotangent[(s + 2) % 3]) / 2;
@@ -65,7 +65,8 @@ public:
   // whether there is no triangle inside its longest side
   bool is_flat() const { return m_is_flat; }
 
-  // a bound for the rounding error of an angle, if the sides have an error of a few units in the last place
+  // a bound for the rounding error of an angle, if the sides have an error of a few units in the
+  // last place
   const FT& angle_error() const { return m_error; }
 
 private:

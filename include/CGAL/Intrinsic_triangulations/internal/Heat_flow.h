@@ -67,8 +67,8 @@ Eigen::SparseMatrix<Scalar> plus_diagonal(const Eigen::SparseMatrix<Scalar>& mat
   return result + matrix;
 }
 
-// Lets heat flow for one backward Euler step: (A / t + L) u = sources, in which no unit of length is left.
-// A third of the area around a vertex is its capacity for heat.
+// Lets heat flow for one backward Euler step: (A / t + L) u = sources, in which no unit of length
+// is left. A third of the area around a vertex is its capacity for heat.
 template <typename FT>
 class Heat_flow
 {
@@ -86,8 +86,8 @@ public:
   // A / t
   const Vector& rates() const { return m_rate; }
 
-  // The heat at the sources: heat falls exponentially with distance, and has a long way to go before it
-  // is below the range of its number type.
+  // The heat at the sources: heat falls exponentially with distance, and has a long way to go
+  // before it is below the range of its number type.
   static FT unit()
   {
     typedef std::numeric_limits<FT> Limits;

@@ -23,8 +23,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the face straight to
-// the point, through regions of faces of T2. Should rounding lead astray, all regions are looked at.
+// Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the face
+// straight to the point, through regions of faces of T2. Should rounding lead astray, all regions
+// are looked at.
 template <typename Traits>
 class Input_face_walk
 {
@@ -113,8 +114,8 @@ private:
                  regions_of(m_mesh.face(o)).region_at_side(side_of(o), from_target));
   }
 
-  // The region beyond the piece through which the line from the first corner of the face of T1 to `p` leaves
-  // the region; none if `p` is not beyond it.
+  // The region beyond the piece through which the line from the first corner of the face of T1 to
+  // `p` leaves the region; none if `p` is not beyond it.
   std::optional<Place> next_place(const Place& place, const Coordinates& p) const
   {
     const Face_of_place face(place, *this);
@@ -153,8 +154,8 @@ private:
     return best.second;
   }
 
-  // Of `p` from a region, in barycentric coordinates. Pieces that are so short that rounding may turn them
-  // do not say where the inside is.
+  // Of `p` from a region, in barycentric coordinates. Pieces that are so short that rounding may
+  // turn them do not say where the inside is.
   FT squared_distance(const Place& place, const Coordinates& p) const
   {
     const Face_of_place face(place, *this);

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The sides of a face of T2, each laid out on the triangles of T1 that it passes (see `Face_map`). An
-// object can be used for many faces.
+// The sides of a face of T2, each laid out on the triangles of T1 that it passes (see `Face_map`).
+// An object can be used for many faces.
 template <typename Traits>
 class Local_marks
 {

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The vertices at which no triangulation can have large angles: the angle around them, or between two
-// boundary or constrained edges, is less than 60 degrees (Section 3.6).
+// The vertices at which no triangulation can have large angles: the angle around them, or between
+// two boundary or constrained edges, is less than 60 degrees (Section 3.6).
 template <typename Traits>
 class Narrow_vertices
 {
@@ -40,7 +40,8 @@ public:
       m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < FT(CGAL_PI) / 3;
   }
 
-  // Why a bad face may stay, and the narrow vertex that is to blame. `lists` has the crossings on all edges.
+  // Why a bad face may stay, and the narrow vertex that is to blame. `lists` has the crossings on
+  // all edges.
   std::optional<Remaining_face> excuse(Face_index f, const Crossing_lists<Traits>& lists) const
   {
     Vertex_index narrow;
@@ -61,8 +62,9 @@ private:
     return v.idx() < m_is_narrow.size() && m_is_narrow[v.idx()];
   }
 
-  // A face that is crossed by edges at one vertex only lies in faces at this vertex. Without this, the wedge
-  // at a narrow vertex would be filled with ever smaller faces where several faces of T1 share it.
+  // A face that is crossed by edges at one vertex only lies in faces at this vertex. Without this,
+  // the wedge at a narrow vertex would be filled with ever smaller faces where several faces of T1
+  // share it.
   std::optional<Remaining_face> excuse_by_input_faces(Face_index f,
                                                       const Crossing_lists<Traits>& lists) const
   {
@@ -72,8 +74,8 @@ private:
     return {};
   }
 
-  // The ends of an edge of T1 that crosses `f`, or if there is none, the corners of the face that contains
-  // it.
+  // The ends of an edge of T1 that crosses `f`, or if there is none, the corners of the face that
+  // contains it.
   std::array<Vertex_index, 3> first_candidates(Face_index f,
                                                const Crossing_lists<Traits>& lists) const
   {

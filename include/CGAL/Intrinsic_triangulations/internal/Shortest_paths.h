@@ -174,8 +174,8 @@ private:
 
   // ---- Opening views ----
 
-  // All around `v`; `bend` is `v` or, if this is the source, null. Where paths cannot bend, ways along
-  // edges are bounds for others, and stand in for views that rounding has closed.
+  // All around `v`; `bend` is `v` or, if this is the source, null. Where paths cannot bend, ways
+  // along edges are bounds for others, and stand in for views that rounding has closed.
   void open_views(Vertex_index v, Vertex_index bend)
   {
     const bool is_open = v == m_source || can_bend(v);
@@ -285,8 +285,8 @@ private:
     return height > 0 ? p.real() + (z.real() - p.real()) * (p.imag() / height) : z.real();
   }
 
-  // The place between `a` and `b` where the ray through the point of the edge at `x` meets that side
-  // of the next face; 0 at `a`.
+  // The place between `a` and `b` where the ray through the point of the edge at `x` meets that
+  // side of the next face; 0 at `a`.
   static FT hit(const View& view, const FT& x, const Vector& a, const Vector& b)
   {
     const Vector d = x - view.position;

@@ -25,8 +25,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The place of the source of a halfedge of T2 in the face of T1 into which it leads. This is laid out with
-// the spoke before the halfedge on the x-axis, or with halfedge(f) if the source lies inside the face f.
+// The place of the source of a halfedge of T2 in the face of T1 into which it leads. This is laid
+// out with the spoke before the halfedge on the x-axis, or with halfedge(f) if the source lies
+// inside the face f.
 template <typename Traits>
 struct Start_in_input_face
 {
@@ -58,8 +59,8 @@ struct Start_in_input_face
   typename Flat_face<FT>::Place place; // the coordinate of the source of the axis first
 };
 
-// The angle between the x-axis of `start` and the halfedge `h` of T2, in (-pi, 2 pi). It leaves faces of T1
-// through exit(0), ..., exit(n - 1).
+// The angle between the x-axis of `start` and the halfedge `h` of T2, in (-pi, 2 pi). It leaves
+// faces of T1 through exit(0), ..., exit(n - 1).
 template <typename Traits, typename Exit>
 typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Halfedge_index h,
                                    const Exit& exit, std::size_t n,
@@ -81,8 +82,9 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
   return std::arg(start.face.to_corner(first, start.place)) + strip.angle();
 }
 
-// The angle on the surface from the spoke of T1 before the halfedge `h` of T2, or from halfedge(f) if the
-// source lies inside the face f of T1, counterclockwise to `h`; exit(0), ..., exit(n - 1) as above.
+// The angle on the surface from the spoke of T1 before the halfedge `h` of T2, or from halfedge(f)
+// if the source lies inside the face f of T1, counterclockwise to `h`; exit(0), ..., exit(n - 1) as
+// above.
 template <typename Traits, typename Exit>
 typename Traits::FT angle_from_spoke(Halfedge_index h, const Exit& exit, std::size_t n,
                                      const Intrinsic_triangulation<Traits>& tri,
@@ -96,8 +98,8 @@ typename Traits::FT angle_from_spoke(Halfedge_index h, const Exit& exit, std::si
   return is_in_face && angle < 0 ? angle + 2 * pi<FT>() : angle;
 }
 
-// The angle of the spoke of T1 before the halfedge `h` of T2, whose source is an inserted vertex, in the frame
-// of T1; that of halfedge(f) if it lies inside the face f.
+// The angle of the spoke of T1 before the halfedge `h` of T2, whose source is an inserted vertex,
+// in the frame of T1; that of halfedge(f) if it lies inside the face f.
 template <typename Traits>
 typename Traits::FT angle_of_inserted_spoke(Halfedge_index h,
                                             const Intrinsic_triangulation<Traits>& tri)

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Flips every edge that the first curve in the corner of `spoke` crosses, so that the curve becomes an
-// edge. Returns the number of flips.
+// Flips every edge that the first curve in the corner of `spoke` crosses, so that the curve becomes
+// an edge. Returns the number of flips.
 template <typename Integer>
 std::size_t flip_along_curve(Halfedge_index spoke, Integer_coordinates<Integer>& coordinates,
                              Delta_complex& mesh, const Vertex_spokes& spokes)
@@ -32,8 +32,8 @@ std::size_t flip_along_curve(Halfedge_index spoke, Integer_coordinates<Integer>&
   return flips;
 }
 
-// Flips until all edges are shared (Algorithm 4). Flips of one curve can bring another into a corner
-// that has been dealt with; hence the repetition. Returns the number of flips.
+// Flips until all edges are shared (Algorithm 4). Flips of one curve can bring another into a
+// corner that has been dealt with; hence the repetition. Returns the number of flips.
 template <typename Integer>
 std::size_t flip_to_shared(Integer_coordinates<Integer>& coordinates, Delta_complex& mesh,
                            const Vertex_spokes& spokes)
@@ -48,8 +48,8 @@ std::size_t flip_to_shared(Integer_coordinates<Integer>& coordinates, Delta_comp
   return flips;
 }
 
-// Whether the curve that starts as number `k` in the corner of `spoke` ends where the edge of `input`
-// along which it starts does.
+// Whether the curve that starts as number `k` in the corner of `spoke` ends where the edge of
+// `input` along which it starts does.
 template <typename Integer>
 bool ends_at_twin(Halfedge_index spoke, const Integer& k,
                   const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,

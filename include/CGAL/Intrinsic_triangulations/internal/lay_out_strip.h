@@ -15,10 +15,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Lays out the triangles of `mesh` that a line passes which leaves a face through each of the halfedges
-// exit(0), ..., exit(n - 1). n > 0. The line starts at the corner opposite to exit(0) and ends at the one
-// beyond exit(n - 1); or if `ends` is a pair of barycentric coordinates, at the points with these in the same
-// triangles, that of the corner first.
+// Lays out the triangles of `mesh` that a line passes which leaves a face through each of the
+// halfedges exit(0), ..., exit(n - 1). n > 0. The line starts at the corner opposite to exit(0) and
+// ends at the one beyond exit(n - 1); or if `ends` is a pair of barycentric coordinates, at the
+// points with these in the same triangles, that of the corner first.
 template <typename Strip, typename LengthMap, typename Exit, typename... Ends>
 void lay_out_strip(Strip& strip, const Delta_complex& mesh, const LengthMap& length_map,
                    const Exit& exit, std::size_t n, const Ends&... ends)

@@ -19,7 +19,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The shortest hexadecimal text of a finite positive number, with the prefix 0x, whatever the locale.
+// The shortest hexadecimal text of a finite positive number, with the prefix 0x, whatever the
+// locale.
 template <typename FT>
 std::string hexadecimal_text(const FT& x)
 {
