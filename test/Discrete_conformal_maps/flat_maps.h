@@ -8,7 +8,7 @@
 #include "../Intrinsic_triangulations/known_surfaces.h"
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
-#include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

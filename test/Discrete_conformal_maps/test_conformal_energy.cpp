@@ -6,7 +6,7 @@
 #include "finite_differences.h"
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
-#include <CGAL/Intrinsic_triangulations/internal/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 
 #include <Eigen/Cholesky>
 #include <boost/math/constants/constants.hpp>
@@ -496,7 +496,9 @@ TEST(Hyperbolic_triangle, angles_are_precise_for_sides_of_any_size)
       if(size > 1e-8) // 50 digits less 25 remain for the defect
         EXPECT_LE(double(abs(2 * Precise(triangle.half_defect()) / defect - 1)), 40 * eps) << size;
       else
-        EXPECT_NEAR(triangle.angle(0), IT::internal::Flat_triangle<double>(l).angle(0), 8 * eps);
+        EXPECT_NEAR(triangle.angle(0),
+                    CGAL::Discrete_conformal_maps::internal::Flat_triangle<double>(l).angle(0),
+                    8 * eps);
     }
 }
 

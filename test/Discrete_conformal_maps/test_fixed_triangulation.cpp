@@ -23,7 +23,7 @@ using namespace Test_surfaces;
 using DC::Flattening_status;
 using DC::Flipping;
 typedef Eigen::VectorXd Numbers;
-typedef IT::internal::Flat_triangle<double> Flat_triangle;
+typedef CGAL::Discrete_conformal_maps::internal::Flat_triangle<double> Flat_triangle;
 
 // ---- Fixed triangulations ----
 

@@ -4,10 +4,10 @@
 
 #include "convex_functions.h"
 
-#include <CGAL/Discrete_conformal_maps/internal/Hessian_solver.h>
-#include <CGAL/Discrete_conformal_maps/internal/Simplicial_Cholesky.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Simplicial_Cholesky.h>
 #ifdef TEST_SUPERNODAL_CHOLESKY
-#include <CGAL/Discrete_conformal_maps/internal/Supernodal_Cholesky.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Supernodal_Cholesky.h>
 #endif
 
 #include <gtest/gtest.h>

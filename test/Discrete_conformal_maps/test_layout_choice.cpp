@@ -5,7 +5,7 @@
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
-#include <CGAL/Discrete_conformal_maps/internal/Spectral_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Spectral_layout.h>
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include "finite_differences.h"
 
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
-#include <CGAL/Discrete_conformal_maps/internal/Peacock_triangulation.h>
-#include <CGAL/Discrete_conformal_maps/internal/Spherical_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Peacock_triangulation.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <boost/math/constants/constants.hpp>

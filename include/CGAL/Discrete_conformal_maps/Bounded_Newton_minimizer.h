@@ -8,10 +8,10 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
-#include <CGAL/Discrete_conformal_maps/internal/Bounded_direction.h>
-#include <CGAL/Discrete_conformal_maps/internal/Bounded_variables.h>
-#include <CGAL/Discrete_conformal_maps/internal/Descent.h>
-#include <CGAL/Discrete_conformal_maps/internal/Newton_iteration.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Bounded_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Bounded_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_iteration.h>
 
 #include <CGAL/assertions.h>
 

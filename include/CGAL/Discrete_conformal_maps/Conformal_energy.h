@@ -9,12 +9,12 @@
 
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
-#include <CGAL/Discrete_conformal_maps/internal/Angle_difference.h>
-#include <CGAL/Discrete_conformal_maps/internal/Hyperbolic_triangle.h>
-#include <CGAL/Discrete_conformal_maps/internal/assemble_columns.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/assemble_columns.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_difference.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/Flat_triangle.h>
 
 #include <Eigen/Sparse>
 #include <boost/math/constants/constants.hpp>
@@ -51,8 +51,7 @@ namespace Discrete_conformal_maps {
 /// \tparam FT_ the floating point type in which gradients are computed
 /// \tparam Triangle the geometry of faces
 /// \cgalModels `ConvexEnergy`
-template <typename FT_ = double,
-          typename Triangle = Intrinsic_triangulations::internal::Flat_triangle<FT_>>
+template <typename FT_ = double, typename Triangle = internal::Flat_triangle<FT_>>
 class Conformal_energy
 {
 public:
@@ -216,10 +215,9 @@ private:
   Penner_surface<FT> m_surface;
   Vector m_target_defect;
   std::vector<FT> m_scale_factor, m_origin;
-  std::vector<Intrinsic_triangulations::internal::Corner<FT>>
-    m_corner;                      // at the source of each halfedge
-  std::vector<double> m_cotangent; // of the angle opposite to each halfedge
-  std::vector<double> m_error;     // of the sum of angles, for each vertex
+  std::vector<internal::Corner<FT>> m_corner; // at the source of each halfedge
+  std::vector<double> m_cotangent;            // of the angle opposite to each halfedge
+  std::vector<double> m_error;                // of the sum of angles, for each vertex
   Vector m_gradient;
   double m_gradient_error = 0;
   std::size_t m_flat_faces = 0;

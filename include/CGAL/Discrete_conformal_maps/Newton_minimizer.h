@@ -8,9 +8,9 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
-#include <CGAL/Discrete_conformal_maps/internal/Descent.h>
-#include <CGAL/Discrete_conformal_maps/internal/Free_variables.h>
-#include <CGAL/Discrete_conformal_maps/internal/Newton_iteration.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_iteration.h>
 
 #include <CGAL/assertions.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
 #include <cmath>
 #include <cstddef>

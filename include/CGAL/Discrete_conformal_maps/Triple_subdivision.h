@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/Edge_marks.h>
-#include <CGAL/Discrete_conformal_maps/internal/Face_chords.h>
+#include <CGAL/Discrete_conformal_maps/internal/subdivision/Edge_marks.h>
+#include <CGAL/Discrete_conformal_maps/internal/subdivision/Face_chords.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>

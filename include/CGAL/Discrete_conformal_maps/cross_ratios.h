@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/stereographic_cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
 
 #include <array>
 #include <cmath>

@@ -11,12 +11,12 @@
 #include <CGAL/Discrete_conformal_maps/Layout.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/Chart_packing.h>
-#include <CGAL/Discrete_conformal_maps/internal/Flat_layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/Flat_scale_factors.h>
-#include <CGAL/Discrete_conformal_maps/internal/Map_builder.h>
-#include <CGAL/Discrete_conformal_maps/internal/Plane_predicates.h>
-#include <CGAL/Discrete_conformal_maps/internal/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>

@@ -9,9 +9,9 @@
 
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
-#include <CGAL/Discrete_conformal_maps/internal/Doubled_problem.h>
-#include <CGAL/Discrete_conformal_maps/internal/Map_builder.h>
-#include <CGAL/Discrete_conformal_maps/internal/Unfolded_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -10,11 +10,11 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
-#include <CGAL/Discrete_conformal_maps/internal/Hyperbolic_layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/Hyperbolic_triangle.h>
-#include <CGAL/Discrete_conformal_maps/internal/Map_builder.h>
-#include <CGAL/Discrete_conformal_maps/internal/Scale_factors.h>
-#include <CGAL/Discrete_conformal_maps/internal/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>

@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
-#include <CGAL/Intrinsic_simplification/internal/Flip_geometry.h>
-#include <CGAL/Intrinsic_simplification/internal/Loop_flipper.h>
-#include <CGAL/Intrinsic_simplification/internal/Star_polygon.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Flip_geometry.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Loop_flipper.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Star_polygon.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
-#include <CGAL/Intrinsic_simplification/internal/Angle_sum.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Angle_sum.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <array>

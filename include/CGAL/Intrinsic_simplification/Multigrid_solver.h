@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/internal/Matrix_components.h>
-#include <CGAL/Intrinsic_simplification/internal/Multigrid_cycle.h>
+#include <CGAL/Intrinsic_simplification/internal/multigrid/Matrix_components.h>
+#include <CGAL/Intrinsic_simplification/internal/multigrid/Multigrid_cycle.h>
 
 #include <CGAL/assertions.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
-#include <CGAL/Intrinsic_triangulations/internal/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Shortest_paths.h>
 
 #include <CGAL/assertions.h>
 

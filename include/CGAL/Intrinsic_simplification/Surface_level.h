@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
-#include <CGAL/Intrinsic_triangulations/internal/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 
 #include <CGAL/assertions.h>
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
-#include <CGAL/Intrinsic_simplification/internal/carry_point.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/carry_point.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Subdivision_place.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_simplification/internal/Subdivision_marks.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Subdivision_marks.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>

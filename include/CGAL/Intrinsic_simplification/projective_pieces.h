@@ -9,9 +9,9 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_simplification/internal/Cell_joiner.h>
-#include <CGAL/Intrinsic_simplification/internal/Face_cutter.h>
-#include <CGAL/Intrinsic_simplification/internal/carry_point.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Cell_joiner.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Face_cutter.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/carry_point.h>
 
 #include <array>
 #include <cstddef>

@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
 #include <CGAL/Intrinsic_simplification/Transport_cost.h>
-#include <CGAL/Intrinsic_simplification/internal/Star_prefetcher.h>
-#include <CGAL/Intrinsic_simplification/internal/Vertex_heap.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Star_prefetcher.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Vertex_heap.h>
 #include <CGAL/Intrinsic_simplification/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

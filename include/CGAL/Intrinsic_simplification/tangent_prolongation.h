@@ -9,12 +9,12 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_simplification/internal/Curve_tracer.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Curve_tracer.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/Flat_face.h>
-#include <CGAL/Intrinsic_triangulations/internal/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <Eigen/SparseCore>

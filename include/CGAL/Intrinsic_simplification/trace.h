@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_simplification/internal/Curve_tracer.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Curve_tracer.h>
 
 #include <algorithm>
 #include <array>

@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
-#include <CGAL/Intrinsic_triangulations/internal/Flat_face.h>
-#include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/Vertex_angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/angle_in_strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/angle_in_strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <cmath>

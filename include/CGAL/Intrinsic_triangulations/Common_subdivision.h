@@ -8,7 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/internal/Face_regions.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 
 #include <array>
 #include <vector>

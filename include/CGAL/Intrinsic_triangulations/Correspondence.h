@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/Edge_tracer.h>
-#include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/crossing_scale.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -14,10 +14,10 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/Input_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/copy_input.h>
-#include <CGAL/Intrinsic_triangulations/internal/flip_to_shared.h>
-#include <CGAL/Intrinsic_triangulations/internal/lay_out_strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <array>

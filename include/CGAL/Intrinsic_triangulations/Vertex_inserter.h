@@ -9,10 +9,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/Crossing_lists.h>
-#include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
-#include <CGAL/Intrinsic_triangulations/internal/Flat_face.h>
-#include <CGAL/Intrinsic_triangulations/internal/Local_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 
 #include <algorithm>
 #include <array>

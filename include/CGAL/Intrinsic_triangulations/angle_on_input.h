@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/Vertex_angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/angle_in_strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/angle_in_strip.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 
 #include <cstddef>

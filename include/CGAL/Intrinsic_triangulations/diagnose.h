@@ -8,9 +8,9 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
-#include <CGAL/Intrinsic_triangulations/internal/diagnose_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/diagnose_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/diagnose_topology.h>
+#include <CGAL/Intrinsic_triangulations/internal/diagnosis/diagnose_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/diagnosis/diagnose_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/diagnosis/diagnose_topology.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/Geodesic_tracer.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Geodesic_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <CGAL/iterator.h>

@@ -9,11 +9,11 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/Correspondence_marks.h>
-#include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
-#include <CGAL/Intrinsic_triangulations/internal/Face_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/number_text.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/number_text.h>
 
 #include <array>
 #include <cstdint>

@@ -10,8 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/Shortest_paths.h>
-#include <CGAL/Intrinsic_triangulations/internal/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 #include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <CGAL/assertions.h>

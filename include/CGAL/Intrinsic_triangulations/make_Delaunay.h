@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
 #include <cstddef>
 

@@ -10,8 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/Face_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <boost/property_map/property_map.hpp>

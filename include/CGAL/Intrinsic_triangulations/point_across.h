@@ -8,10 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/internal/Correspondence_marks.h>
-#include <CGAL/Intrinsic_triangulations/internal/Face_map.h>
-#include <CGAL/Intrinsic_triangulations/internal/Input_face_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_walk.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 
 #include <array>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
-#include <CGAL/Intrinsic_triangulations/internal/Delaunay_refinement.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Delaunay_refinement.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 

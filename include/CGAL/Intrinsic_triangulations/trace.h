@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/Edge_tracer.h>
-#include <CGAL/Intrinsic_triangulations/internal/crossing_scale.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CHART_PACKING_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CHART_PACKING_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
+#include <CGAL/min_quadrilateral_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// Motions of the plane that put charts beside each other: each lies in the smallest rectangle that
+// holds it, the longer side below, and these stand on shelves, the highest first, with gaps of a
+// hundredth of the width of the whole. The first stands at the origin.
+class Chart_packing
+{
+  typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point;
+  typedef std::complex<double> Complex;
+
+public:
+  struct Motion
+  {
+    Complex turn = 1, shift = 0;
+
+    Complex operator()(const Complex& z) const { return turn * z + shift; }
+  };
+
+  // the points of each chart; there may be none
+  explicit Chart_packing(const std::vector<std::vector<Complex>>& chart)
+    : m_motion(chart.size()), m_size(chart.size(), 0)
+  {
+    for(std::size_t c = 0; c < chart.size(); ++c)
+      if(!chart[c].empty())
+        lay_down(c, chart[c]);
+    stack();
+  }
+
+  const Motion& motion(std::size_t chart) const { return m_motion[chart]; }
+
+private:
+  // turns the chart and moves its rectangle to the origin
+  void lay_down(std::size_t c, const std::vector<Complex>& points)
+  {
+    Motion& motion = m_motion[c];
+    motion.turn = std::conj(direction_of_rectangle(points));
+    set_box(c, points);
+    if(m_size[c].imag() > m_size[c].real()) {
+      motion = {motion.turn * Complex(0, 1), 0};
+      set_box(c, points);
+    }
+  }
+
+  void set_box(std::size_t c, const std::vector<Complex>& points)
+  {
+    Complex low = m_motion[c].turn * points.front(), high = low;
+    for(const Complex& p : points) {
+      const Complex z = m_motion[c].turn * p;
+      low = {(std::min)(low.real(), z.real()), (std::min)(low.imag(), z.imag())};
+      high = {(std::max)(high.real(), z.real()), (std::max)(high.imag(), z.imag())};
+    }
+    m_motion[c].shift = -low;
+    m_size[c] = high - low;
+  }
+
+  // of one side of the smallest rectangle that holds the points; its norm is one
+  static Complex direction_of_rectangle(const std::vector<Complex>& points)
+  {
+    std::vector<Point> all, hull, rectangle;
+    for(const Complex& z : points)
+      all.emplace_back(z.real(), z.imag());
+    convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
+    if(hull.size() > 2)
+      min_rectangle_2(hull.begin(), hull.end(), std::back_inserter(rectangle));
+    if(rectangle.empty())
+      return 1;
+    const Complex side(rectangle[1].x() - rectangle[0].x(), rectangle[1].y() - rectangle[0].y());
+    return std::abs(side) > 0 ? side / std::abs(side) : 1;
+  }
+
+  std::vector<std::size_t> highest_first() const
+  {
+    std::vector<std::size_t> result(m_size.size());
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    std::stable_sort(result.begin(), result.end(), [&](std::size_t a, std::size_t b) {
+      return m_size[a].imag() > m_size[b].imag();
+    });
+    return result;
+  }
+
+  // at least that of the widest chart, and about that of a square for all
+  double width_of_shelves() const
+  {
+    double widest = 0, area = 0;
+    for(const Complex& size : m_size) {
+      widest = (std::max)(widest, size.real());
+      area += size.real() * size.imag();
+    }
+    return (std::max)(widest, std::sqrt(area));
+  }
+
+  void stack()
+  {
+    const double width = width_of_shelves(), gap = width / 100;
+    Complex corner = 0;
+    double height = 0; // of the shelf
+    for(const std::size_t c : highest_first()) {
+      if(corner.real() + m_size[c].real() > width) {
+        corner = {0, corner.imag() + height + gap};
+        height = 0;
+      }
+      m_motion[c].shift += corner;
+      height = (std::max)(height, m_size[c].imag());
+      if(m_size[c] != 0.)
+        corner += m_size[c].real() + gap;
+    }
+  }
+
+  std::vector<Motion> m_motion;
+  std::vector<Complex> m_size; // of the rectangles
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CHART_PACKING_H

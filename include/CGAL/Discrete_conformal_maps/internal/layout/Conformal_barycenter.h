@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CONFORMAL_BARYCENTER_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CONFORMAL_BARYCENTER_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The point of hyperbolic space from which masses at infinity are seen in balance: where the
+// weighted sum of directions vanishes (Baden et al. 2018). One mass is at infinity of the upper
+// half-space, the others are in its boundary plane.
+//
+// It minimizes the weighted sum of the distances to horospheres, which is convex along geodesics,
+// by Newton's method. A step leads from the center of the sphere of directions; after each the
+// plane is shifted and scaled such that this is the present point.
+template <typename FT>
+class Conformal_barycenter
+{
+  typedef Eigen::Vector3d Vector;
+
+public:
+  typedef std::array<FT, 2> Point;
+
+  // Complexity: linear for each iteration; there are about five, and more by a tenth of the
+  // hyperbolic distance from the start to the result. \throws Numerical_error if rounding keeps it
+  // from an end
+  // \pre no mass is half of all or more
+  Conformal_barycenter(const std::vector<Point>& position, const std::vector<double>& mass,
+                       std::size_t at_infinity)
+    : m_position(position), m_mass(mass), m_at_infinity(at_infinity), m_direction(mass.size())
+  {
+    double total = 0;
+    for(const double m : mass)
+      total += m;
+    for(double& m : m_mass)
+      m /= total;
+    start();
+    for(int i = 0; i < 1000; ++i)
+      if(iterate())
+        return;
+    throw Intrinsic_triangulations::Numerical_error("the center of the sphere cannot be found");
+  }
+
+  // the point above the plane
+  const Point& base() const { return m_base; }
+  const FT& height() const { return m_height; }
+
+  // the position if the plane is shifted and scaled such that the point is at height one above the
+  // origin
+  Point centered(const Point& p) const
+  {
+    return {(p[0] - m_base[0]) / m_height, (p[1] - m_base[1]) / m_height};
+  }
+
+private:
+  static constexpr double tolerance = 1e-14; // a hundred roundings of the sum of masses
+  static constexpr double longest_step = 8;
+
+  // above the mean, at the mean distance
+  void start()
+  {
+    m_base = {FT(0), FT(0)};
+    m_height = 1;
+    FT total(0);
+    for_each_finite([&](std::size_t v) {
+      total += FT(m_mass[v]);
+      for(std::size_t c = 0; c < 2; ++c)
+        m_base[c] += FT(m_mass[v]) * m_position[v][c];
+    });
+    m_base = {m_base[0] / total, m_base[1] / total};
+    FT distance(0);
+    for_each_finite([&](std::size_t v) {
+      using std::abs;
+      for(std::size_t c = 0; c < 2; ++c)
+        distance += FT(m_mass[v]) * abs(m_position[v][c] - m_base[c]);
+    });
+    if(distance > 0)
+      m_height = distance / total;
+  }
+
+  // Returns whether that is the end.
+  bool iterate()
+  {
+    Vector sum = Vector::Zero();
+    Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+    for(std::size_t v = 0; v < m_mass.size(); ++v) {
+      const Vector p = m_direction[v] = direction(v);
+      sum += m_mass[v] * p;
+      hessian += m_mass[v] * (Eigen::Matrix3d::Identity() - p * p.transpose());
+    }
+    // where convergence is quadratic, and yet does not go on, rounding of the point is the limit
+    const double last = std::exchange(m_norm, sum.norm());
+    if(m_norm <= tolerance || (m_norm <= 1e-6 && m_norm > last / 2))
+      return true;
+    // masses in two points have no curvature along the line through both
+    hessian += 1e-12 * Eigen::Matrix3d::Identity();
+    const Vector step = hessian.ldlt().solve(sum);
+    const double length = step.norm();
+    move(step / length, step_length(step / length, (std::min)(length, longest_step)));
+    return false;
+  }
+
+  template <typename Function>
+  void for_each_finite(const Function& function) const
+  {
+    for(std::size_t v = 0; v < m_mass.size(); ++v)
+      if(v != m_at_infinity)
+        function(v);
+  }
+
+  // where `v` is seen; infinity is below
+  Vector direction(std::size_t v) const
+  {
+    if(v == m_at_infinity)
+      return -Vector::UnitZ();
+    const Point p = centered(m_position[v]);
+    const FT square = p[0] * p[0] + p[1] * p[1], scale = 1 / (1 + square);
+    return {static_cast<double>(2 * p[0] * scale), static_cast<double>(2 * p[1] * scale),
+            static_cast<double>((1 - square) * scale)};
+  }
+
+  // The slope of the distances along the geodesic with unit direction `d`, after length `t`.
+  double slope(const Vector& d, double t) const
+  {
+    double result = 0;
+    const double c = std::cosh(t), s = std::sinh(t);
+    for(std::size_t v = 0; v < m_mass.size(); ++v) {
+      const double a = m_direction[v].dot(d);
+      result += m_mass[v] * (s - c * a) / (c - s * a);
+    }
+    return result;
+  }
+
+  // not beyond the minimum by so much that the slope is half of that at the start again
+  double step_length(const Vector& d, double t) const
+  {
+    const double first = slope(d, 0);
+    for(int trial = 0; trial < 40; ++trial) {
+      const double last = slope(d, t);
+      if(last <= -first / 2 || last <= tolerance)
+        break;
+      t *= (std::max)(0.1, first / (first - last));
+    }
+    return t;
+  }
+
+  void move(const Vector& d, double t)
+  {
+    const double r = std::tanh(t / 2), c = std::cosh(t / 2);
+    const double to_infinity = (r * d + Vector::UnitZ()).squaredNorm();
+    for(std::size_t i = 0; i < 2; ++i)
+      m_base[i] += m_height * FT(2 * r * d[Eigen::Index(i)] / to_infinity);
+    m_height *= FT(1 / (c * c * to_infinity));
+  }
+
+  const std::vector<Point>& m_position;
+  std::vector<double> m_mass; // their sum is one
+  std::size_t m_at_infinity;
+  std::vector<Vector> m_direction;
+  Point m_base;
+  FT m_height;
+  double m_norm = 1; // of the sum of directions
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CONFORMAL_BARYCENTER_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_VECTOR_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_VECTOR_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <complex>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// A vector in the plane that is multiplied as a complex number; `std::complex` is for built-in
+// numbers only.
+template <typename FT>
+struct Plane_vector
+{
+  FT x, y;
+
+  friend Plane_vector operator+(const Plane_vector& v, const Plane_vector& w)
+  {
+    return {v.x + w.x, v.y + w.y};
+  }
+  friend Plane_vector operator-(const Plane_vector& v, const Plane_vector& w)
+  {
+    return {v.x - w.x, v.y - w.y};
+  }
+  friend Plane_vector operator*(const FT& s, const Plane_vector& v) { return {s * v.x, s * v.y}; }
+  friend Plane_vector operator*(const Plane_vector& v, const Plane_vector& w)
+  {
+    return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
+  }
+  friend Plane_vector conj(const Plane_vector& v) { return {v.x, -v.y}; }
+  friend FT norm(const Plane_vector& v) { return v.x * v.x + v.y * v.y; }
+  friend std::complex<double> to_complex(const Plane_vector& v)
+  {
+    return {static_cast<double>(v.x), static_cast<double>(v.y)};
+  }
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_VECTOR_H

@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPECTRAL_LAYOUT_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPECTRAL_LAYOUT_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The spectral conformal layout of one chart (Mullen, Tong, Alliez, Desbrun 2008): the eigenvector
+// of L z = lambda B z with the least eigenvalue beside the constants, where z^* L z is the
+// conformal energy, Dirichlet's energy less the area, and z^* B z the mean square on the boundary.
+//
+// L is a sum over faces of |r|^2 / (8 area), where r = side_0 (z_2 - z_1) - side_1 (z_1 - z_0)
+// vanishes if the image is similar to the face. Faces may differ by twenty orders of size, and an
+// eigenvector as a whole has no digits for the small ones. So the inverse iteration z <- L^-1
+// (lambda B z), with Rayleigh's quotient lambda, is computed as z - L^-1 (L z - lambda B z): what
+// is solved for is the correction of a layout, and r comes from differences. On a flat chart L has
+// one more vector in its kernel, the layout; its scale is left as it is.
+template <typename FT>
+class Spectral_layout
+{
+public:
+  typedef Plane_vector<FT> Vector;
+  typedef std::array<std::size_t, 3> Points;
+  typedef std::array<Vector, 3> Sides;
+
+  // Side `s` leads from point `s` to the next.
+  void add_face(const Points& point, const Sides& side)
+  {
+    std::size_t first = 0; // the shortest: differences to it lose no digits on needles
+    for(std::size_t s : {1u, 2u})
+      if(norm(side[s]) < norm(side[first]))
+        first = s;
+    const std::size_t second = (first + 1) % 3, third = (first + 2) % 3;
+    m_faces.push_back({{point[first], point[second], point[third]},
+                       {side[first], side[second], side[third]},
+                       FT(1) / (2 * quadrupled_area(side))});
+  }
+
+  void add_boundary_edge(std::size_t i, std::size_t j, double length)
+  {
+    m_boundary.push_back({i, j, length});
+  }
+
+  // Improves a layout of the chart as long as corrections get smaller and, but for rounding, the
+  // energy does not rise. The area of the result is that of the faces. A chart with a face without
+  // area stays as it is.
+  // \throws Numerical_error if L has no factorization
+  void improve(std::vector<Vector>& z) const
+  {
+    Energy energy = evaluate(z);
+    if(!std::isfinite(energy.value))
+      return;
+    Dirichlet_solver solver(matrix(z.size()), held_points(z));
+    for(double last = std::numeric_limits<double>::infinity();;) {
+      const Eigen::VectorXd step = solver.solve(residual(energy, z));
+      std::vector<Vector> better = corrected(z, step);
+      Energy least = evaluate(better);
+      if(!(step.norm() < last / 2) || !(least.value <= (1 + 1e-9) * energy.value))
+        break;
+      last = step.norm();
+      z = std::move(better);
+      energy = std::move(least);
+    }
+    rescale(z);
+  }
+
+private:
+  struct Face
+  {
+    Points point;
+    Sides side;
+    FT weight; // 1 / (8 area)
+
+    // The factor of point `s` in r.
+    const Vector& opposite(std::size_t s) const { return side[(s + 1) % 3]; }
+  };
+
+  struct Boundary_edge
+  {
+    std::size_t i, j;
+    double length;
+  };
+
+  struct Energy
+  {
+    double value;             // z^* L z
+    Eigen::VectorXd gradient; // L z; real and imaginary parts by turns
+  };
+
+  static FT quadrupled_area(const Sides& side)
+  {
+    using std::sqrt;
+    return sqrt(Intrinsic_triangulations::squared_quadrupled_area(
+      FT(sqrt(norm(side[0]))), FT(sqrt(norm(side[1]))), FT(sqrt(norm(side[2])))));
+  }
+
+  static Vector image(const Face& f, std::size_t s, const std::vector<Vector>& z)
+  {
+    return z[f.point[(s + 1) % 3]] - z[f.point[s]];
+  }
+
+  static void add(Eigen::VectorXd& vector, std::size_t i, double x, double y)
+  {
+    vector[static_cast<Eigen::Index>(2 * i)] += x;
+    vector[static_cast<Eigen::Index>(2 * i + 1)] += y;
+  }
+
+  Energy evaluate(const std::vector<Vector>& z) const
+  {
+    Energy result{0, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * z.size()))};
+    for(const Face& f : m_faces) {
+      const Vector r = f.side[0] * image(f, 1, z) - f.side[1] * image(f, 0, z);
+      const Vector scaled = f.weight * r;
+      result.value += static_cast<double>(r.x * scaled.x + r.y * scaled.y);
+      for(std::size_t s = 0; s < 3; ++s) {
+        const std::complex<double> part = to_complex(conj(f.opposite(s)) * scaled);
+        add(result.gradient, f.point[s], part.real(), part.imag());
+      }
+    }
+    return result;
+  }
+
+  // B z, lumped, for a translate of `z` with mean zero on the boundary
+  Eigen::VectorXd boundary_moment(const std::vector<Vector>& z) const
+  {
+    std::complex<double> mean(0);
+    double sum = 0;
+    for(const Boundary_edge& e : m_boundary) {
+      mean += e.length / 2 * (to_complex(z[e.i]) + to_complex(z[e.j]));
+      sum += e.length;
+    }
+    mean /= sum;
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * z.size()));
+    for(const Boundary_edge& e : m_boundary)
+      for(const std::size_t i : {e.i, e.j}) {
+        const std::complex<double> moment = e.length / 2 * (to_complex(z[i]) - mean);
+        add(result, i, moment.real(), moment.imag());
+      }
+    return result;
+  }
+
+  // L z - lambda B z
+  Eigen::VectorXd residual(const Energy& energy, const std::vector<Vector>& z) const
+  {
+    const Eigen::VectorXd moment = boundary_moment(z);
+    double square = 0; // z^* B z
+    for(std::size_t i = 0; i < z.size(); ++i) {
+      const std::complex<double> p = to_complex(z[i] - z[0]);
+      square += moment[static_cast<Eigen::Index>(2 * i)] * p.real() +
+                moment[static_cast<Eigen::Index>(2 * i + 1)] * p.imag();
+    }
+    return energy.gradient - energy.value / square * moment;
+  }
+
+  Eigen::SparseMatrix<double> matrix(std::size_t number_of_points) const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(36 * m_faces.size());
+    for(const Face& f : m_faces)
+      for(std::size_t s = 0; s < 3; ++s)
+        for(std::size_t t = 0; t < 3; ++t) {
+          const std::complex<double> l =
+            to_complex(f.weight * (conj(f.opposite(s)) * f.opposite(t)));
+          const int row = static_cast<int>(2 * f.point[s]),
+                    column = static_cast<int>(2 * f.point[t]);
+          entries.emplace_back(row, column, l.real());
+          entries.emplace_back(row + 1, column + 1, l.real());
+          entries.emplace_back(row, column + 1, -l.imag());
+          entries.emplace_back(row + 1, column, l.imag());
+        }
+    const auto size = static_cast<Eigen::Index>(2 * number_of_points);
+    Eigen::SparseMatrix<double> result(size, size);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  // Against the kernel of L, two points: the first and the one farthest from it.
+  static std::vector<char> held_points(const std::vector<Vector>& z)
+  {
+    std::size_t far = 0;
+    for(std::size_t i = 0; i < z.size(); ++i)
+      if(norm(z[i] - z[0]) > norm(z[far] - z[0]))
+        far = i;
+    std::vector<char> result(2 * z.size(), 0);
+    for(std::size_t i : {std::size_t(0), far})
+      result[2 * i] = result[2 * i + 1] = 1;
+    return result;
+  }
+
+  static std::vector<Vector> corrected(const std::vector<Vector>& z, const Eigen::VectorXd& step)
+  {
+    std::vector<Vector> result(z);
+    for(std::size_t i = 0; i < z.size(); ++i)
+      result[i] = z[i] - Vector{FT(step[static_cast<Eigen::Index>(2 * i)]),
+                                FT(step[static_cast<Eigen::Index>(2 * i + 1)])};
+    return result;
+  }
+
+  void rescale(std::vector<Vector>& z) const
+  {
+    using std::sqrt;
+    FT wanted(0), area(0);
+    for(const Face& f : m_faces) {
+      wanted += FT(1) / (4 * f.weight);
+      area += (conj(image(f, 0, z)) * image(f, 1, z)).y;
+    }
+    if(!(area > 0)) // it has collapsed
+      return;
+    const FT factor = sqrt(wanted / area);
+    for(Vector& p : z)
+      p = factor * p;
+  }
+
+  std::vector<Face> m_faces;
+  std::vector<Boundary_edge> m_boundary;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPECTRAL_LAYOUT_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERE_LAYOUT_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERE_LAYOUT_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Stereographic_triangulation.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The vertices of a sphere in the plane, one at infinity, such that the inverse of the
+// stereographic projection has their center of mass in the center of the sphere; and the
+// triangulation that is convex there.
+template <typename FT>
+class Sphere_layout
+{
+public:
+  typedef std::array<FT, 2> Point;
+
+  // `length` has the lengths in the plane of the edges of `mesh`; `mass` are those of vertices. A
+  // doubled surface becomes symmetric with regard to the real line, with the input above it.
+  Sphere_layout(const Delta_complex& mesh, const std::vector<FT>& length, Vertex_index at_infinity,
+                const std::vector<double>& mass, const Doubled_problem& problem)
+    : m_problem(problem),
+      m_at_infinity(at_infinity),
+      m_position(Plane_layout<FT>(mesh, length, at_infinity).positions())
+  {
+    for(Vertex_index v : mesh.vertices())
+      if(problem.is_on_boundary(v) && v != at_infinity)
+        m_axis.push_back(v);
+    if(!m_axis.empty())
+      make_symmetric();
+    center(mass);
+    for(Vertex_index v : mesh.vertices())
+      if(mesh.is_isolated(v))
+        at(v) = {FT(0), FT(0)};
+    Stereographic_triangulation<FT> triangulation(mesh, m_position, at_infinity);
+    m_flips = triangulation.make_convex();
+    m_certificate = triangulation.certificate();
+  }
+
+  // that of the vertex at infinity has no meaning, and those of isolated vertices are the origin
+  const std::vector<Point>& positions() const { return m_position; }
+  // by how much the plane was scaled down
+  const FT& scale() const { return m_scale; }
+  // the flips that were needed
+  const std::vector<Halfedge_index>& flips() const { return m_flips; }
+  const Convexity_certificate& certificate() const { return m_certificate; }
+
+private:
+  Point& at(Vertex_index v) { return m_position[v.idx()]; }
+
+  // Turns the plane about `origin`, which becomes the origin, such that `direction` becomes that of
+  // the real line.
+  void move(const Point& origin, const Point& direction)
+  {
+    for(Point& p : m_position) {
+      const FT x = p[0] - origin[0], y = p[1] - origin[1];
+      p = {x * direction[0] + y * direction[1], y * direction[0] - x * direction[1]};
+    }
+  }
+
+  static FT square_distance(const Point& p, const Point& q)
+  {
+    return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
+  }
+
+  Vertex_index farthest_on_axis(Vertex_index from)
+  {
+    return *std::max_element(m_axis.begin(), m_axis.end(), [&](Vertex_index v, Vertex_index w) {
+      return square_distance(at(v), at(from)) < square_distance(at(w), at(from));
+    });
+  }
+
+  void make_symmetric()
+  {
+    using std::sqrt;
+    const Vertex_index a = farthest_on_axis(m_axis.front()), b = farthest_on_axis(a);
+    const Point origin = at(a), end = at(b);
+    if(const FT norm = sqrt(square_distance(origin, end)); norm > 0)
+      move(origin, {(end[0] - origin[0]) / norm, (end[1] - origin[1]) / norm});
+    for(Vertex_index v : m_axis)
+      at(v)[1] = 0;
+    FT height(0);
+    for(Vertex_index v : m_problem.surface_vertices())
+      height += m_problem.mirrored(v) == v ? FT(0) : at(v)[1];
+    if(height < 0)
+      move({FT(0), FT(0)}, {FT(-1), FT(0)});
+    for(Vertex_index v : m_problem.surface_vertices())
+      if(const Vertex_index w = m_problem.mirrored(v); w != v) {
+        at(v) = {(at(v)[0] + at(w)[0]) / 2, (at(v)[1] - at(w)[1]) / 2};
+        at(w) = {at(v)[0], -at(v)[1]};
+      }
+  }
+
+  void center(const std::vector<double>& mass)
+  {
+    const Conformal_barycenter<FT> center(m_position, mass, m_at_infinity.idx());
+    m_scale = center.height();
+    for(Point& p : m_position)
+      p = {(p[0] - center.base()[0]) / m_scale,
+           (m_axis.empty() ? FT(p[1] - center.base()[1]) : p[1]) / m_scale};
+  }
+
+  const Doubled_problem& m_problem;
+  Vertex_index m_at_infinity;
+  std::vector<Point> m_position;
+  std::vector<Vertex_index> m_axis; // the boundary of the input
+  FT m_scale = FT(1);
+  std::vector<Halfedge_index> m_flips;
+  Convexity_certificate m_certificate;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERE_LAYOUT_H

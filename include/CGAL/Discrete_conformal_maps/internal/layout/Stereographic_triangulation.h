@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_TRIANGULATION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_TRIANGULATION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+using Intrinsic_triangulations::Delta_complex;
+using Intrinsic_triangulations::Edge_index;
+using Intrinsic_triangulations::Face_index;
+using Intrinsic_triangulations::Halfedge_index;
+using Intrinsic_triangulations::Vertex_index;
+
+// A triangulated sphere with vertices in the plane and one at infinity: the stereographic
+// projection of an inscribed polyhedron. It can be made exactly Delaunay, which is convex on the
+// sphere.
+template <typename FT>
+class Stereographic_triangulation
+{
+  typedef Plane_predicates<FT> Predicates;
+
+public:
+  typedef typename Predicates::Point Point;
+
+  Stereographic_triangulation(const Delta_complex& mesh, std::vector<Point> position,
+                              Vertex_index at_infinity)
+    : m_mesh(mesh), m_position(std::move(position)), m_at_infinity(at_infinity)
+  {}
+
+  const Delta_complex& mesh() const { return m_mesh; }
+  const std::vector<Point>& positions() const { return m_position; }
+  Vertex_index vertex_at_infinity() const { return m_at_infinity; }
+
+  bool is_finite(Face_index f) const
+  {
+    for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, m_mesh))
+      if(m_mesh.target(h) == m_at_infinity)
+        return false;
+    return true;
+  }
+
+  // Flips edges that are not convex, as far as possible; rounding has left a few. There is an end
+  // even if triangles are flipped: the surface of the polyhedron only grows outwards.
+  std::vector<Halfedge_index> make_convex()
+  {
+    std::vector<Halfedge_index> flips;
+    Intrinsic_triangulations::internal::Edge_stack stack(m_mesh.num_edges());
+    for(Edge_index e : m_mesh.edges())
+      stack.push(e);
+    Intrinsic_triangulations::internal::flip_waiting(
+      m_mesh, stack, [this](Halfedge_index h) { return !is_concave(h); },
+      [&](Halfedge_index h) {
+        flip_edge(h, m_mesh);
+        flips.push_back(h);
+      });
+    return flips;
+  }
+
+  // A surface without a face in the plane is a flat polygon, seen from both sides, and counts as
+  // convex.
+  Convexity_certificate certificate() const
+  {
+    Convexity_certificate result;
+    for(Edge_index e : m_mesh.edges())
+      result.concave_edges += is_concave(m_mesh.halfedge(e));
+    std::size_t finite_faces = 0;
+    for(Face_index f : m_mesh.faces()) {
+      const auto side = Intrinsic_triangulations::internal::sides(f, m_mesh);
+      if(!is_finite(f))
+        continue;
+      ++finite_faces;
+      result.flipped_triangles +=
+        m_predicates.orientation(at(m_mesh.source(side[0])), at(m_mesh.source(side[1])),
+                                 at(m_mesh.source(side[2]))) <= 0;
+    }
+    result.is_simple = finite_faces == 0 || number_of_summits() == 1;
+    return result;
+  }
+
+private:
+  const Point& at(Vertex_index v) const { return m_position[v.idx()]; }
+
+  // Whether the edge ij of the faces ijk and jil is concave from outside: whether l is inside the
+  // circle ijk.
+  bool is_concave(Halfedge_index h) const
+  {
+    const Halfedge_index o = m_mesh.opposite(h);
+    return in_circle({m_mesh.target(o), m_mesh.target(h), m_mesh.target(m_mesh.next(h)),
+                      m_mesh.target(m_mesh.next(o))}) > 0;
+  }
+
+  // A circle through infinity is a line: exchanging two points changes the sign.
+  int in_circle(const std::array<Vertex_index, 4>& v) const
+  {
+    for(std::size_t a = 0; a < 4; ++a)
+      if(v[a] == m_at_infinity) {
+        std::array<Vertex_index, 4> other = v;
+        std::swap(other[a], other[0]);
+        if(std::count(other.begin(), other.end(), m_at_infinity) > 1)
+          return 0;
+        const int sign = m_predicates.orientation(at(other[1]), at(other[2]), at(other[3]));
+        return a == 0 ? sign : -sign;
+      }
+    return m_predicates.in_circle(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
+  }
+
+  // Of the boundary of the part in the plane. A closed curve that always turns left has as many as
+  // turns.
+  std::size_t number_of_summits() const
+  {
+    std::size_t result = 0;
+    Intrinsic_triangulations::internal::for_each_spoke(
+      m_at_infinity, m_mesh, [&](Halfedge_index h) {
+        const Point &before =
+                      at(m_mesh.target(Intrinsic_triangulations::previous_spoke(h, m_mesh))),
+                    &here = at(m_mesh.target(h)),
+                    &after = at(m_mesh.target(Intrinsic_triangulations::next_spoke(h, m_mesh)));
+        result += is_below(before, here) && is_below(after, here);
+      });
+    return result;
+  }
+
+  static bool is_below(const Point& p, const Point& q)
+  {
+    return p[1] < q[1] || (p[1] == q[1] && p[0] < q[0]);
+  }
+
+  Predicates m_predicates;
+  Delta_complex m_mesh;
+  std::vector<Point> m_position;
+  Vertex_index m_at_infinity;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_TRIANGULATION_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_UNFOLDED_SPHERE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_UNFOLDED_SPHERE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// A sphere unfolded from one of its vertices, with more and more digits until the result is good.
+class Unfolded_sphere
+{
+public:
+  template <typename Visitor>
+  Unfolded_sphere(const Doubled_problem& problem, const std::vector<double>& mass,
+                  Vertex_index at_infinity, Visitor& visitor)
+    : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity)
+  {
+    visitor.start(Flattening_stage::optimize);
+    const Delta_complex& mesh = problem.triangulation().mesh();
+    Spherical_scale_factors<double> rounded(mesh, problem.triangulation().length_map(),
+                                            at_infinity);
+    rounded.minimize(1e-13, visitor);
+    visitor.start(Flattening_stage::layout);
+    take(rounded);
+    if(is_good())
+      return;
+    visitor.start(Flattening_stage::optimize);
+    Spherical_scale_factors<Extended> precise(mesh, problem.triangulation().length_map(),
+                                              at_infinity);
+    if(rounded.result().status != Minimization_status::not_finite)
+      precise.set_start(rounded);
+    precise.minimize(1e-22, visitor);
+    visitor.start(Flattening_stage::layout);
+    take(precise);
+  }
+
+  // whether there is any result
+  bool is_laid_out() const { return !m_position.empty(); }
+  Vertex_index vertex_at_infinity() const { return m_at_infinity; }
+  // in the plane, after centering
+  const std::vector<std::array<Extended, 2>>& positions() const { return m_position; }
+  // the logarithmic scale factors of the polyhedron
+  const std::vector<double>& values() const { return m_log_scale; }
+  // from T^B to T^C
+  const std::vector<Halfedge_index>& flips() const { return m_flips; }
+  const Convexity_certificate& certificate() const { return m_certificate; }
+  const Minimization_result& result() const { return m_minimization; }
+  // in the plane, where all vertices are flat
+  double max_curvature_error() const { return m_angle_error; }
+  std::size_t bound_violations() const { return m_bound_violations; }
+  bool is_extended() const { return m_is_extended; }
+
+  // a tenth of the error that is expected of a good map; rounding alone stays far below
+  bool is_good() const { return is_certified() && m_cross_ratio_error <= 1e-9; }
+
+  // Certified results come first, then those with less error.
+  friend bool operator<(const Unfolded_sphere& a, const Unfolded_sphere& b)
+  {
+    return a.is_certified() != b.is_certified() ? a.is_certified()
+                                                : a.m_cross_ratio_error < b.m_cross_ratio_error;
+  }
+
+private:
+  bool is_certified() const
+  {
+    return is_laid_out() && m_certificate.is_convex() && m_bound_violations == 0;
+  }
+
+  template <typename FT>
+  void take(const Spherical_scale_factors<FT>& scale)
+  {
+    m_minimization = scale.result();
+    // angles that are off by more than this do not lay out
+    m_angle_error = scale.angle_error();
+    if(!(m_angle_error <= 1e-9 && m_minimization.gradient_error <= 1e-9))
+      return;
+    Partially_decorated_surface<FT> surface(m_problem.triangulation().mesh(),
+                                            m_problem.triangulation().length_map(), m_at_infinity);
+    surface.scale(scale.values());
+    if(std::is_same<FT, double>::value)
+      lay_out<double>(surface, scale);
+    if(!is_good())
+      lay_out<Extended>(surface, scale);
+  }
+
+  template <typename Position_FT, typename FT>
+  void lay_out(const Partially_decorated_surface<FT>& surface,
+               const Spherical_scale_factors<FT>& scale)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    std::vector<Position_FT> length;
+    for(Edge_index e : mesh.edges())
+      length.push_back(Position_FT(surface.scaled_length(e)));
+    const Sphere_layout<Position_FT> layout(mesh, length, m_at_infinity, m_mass, m_problem);
+    m_is_extended = !std::is_same<Position_FT, double>::value;
+    m_certificate = layout.certificate();
+    m_flips = surface.flips();
+    m_flips.insert(m_flips.end(), layout.flips().begin(), layout.flips().end());
+    m_position.clear();
+    for(const auto& p : layout.positions())
+      m_position.push_back({Extended(p[0]), Extended(p[1])});
+    set_log_scales(scale.values(), Extended(layout.scale()));
+    compare(layout.positions(), scale);
+  }
+
+  // Of lengths on the sphere: first those of the plane, then those of the stereographic projection.
+  // At infinity, where neighbors have the distance one of horocycles, there is only the latter.
+  template <typename FT>
+  void set_log_scales(const std::vector<FT>& u, const Extended& plane_scale)
+  {
+    const double shift = static_cast<double>(log(plane_scale));
+    m_log_scale.clear();
+    for(std::size_t v = 0; v < u.size(); ++v) {
+      const Extended square =
+        m_position[v][0] * m_position[v][0] + m_position[v][1] * m_position[v][1];
+      m_log_scale.push_back(std::log(2.) + static_cast<double>(u[v]) - shift -
+                            log_of_one_plus(square));
+    }
+    m_log_scale[m_at_infinity.idx()] = std::log(2.) + shift;
+    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    for(Vertex_index v : mesh.vertices())
+      if(mesh.is_isolated(v))
+        m_log_scale[v.idx()] = 0;
+  }
+
+  static double log_of_one_plus(const Extended& x)
+  {
+    return x < 1e30 ? std::log1p(static_cast<double>(x)) : static_cast<double>(log(x));
+  }
+
+  // Compares the result with the ideal polyhedron and the bounds.
+  template <typename Point, typename FT>
+  void compare(const std::vector<Point>& position, const Spherical_scale_factors<FT>& scale)
+  {
+    Ptolemy_surface<double> ideal(m_problem.triangulation().mesh(),
+                                  m_problem.triangulation().length_map());
+    for(Halfedge_index h : m_flips)
+      ideal.flip(h);
+    const Delta_complex& mesh = ideal.mesh();
+    m_cross_ratio_error = max_stereographic_cross_ratio_error(
+      mesh, [&](Edge_index e) { return ideal.length(e); }, position, m_at_infinity);
+    std::vector<char> is_wrong(mesh.num_vertices(), 0);
+    for(Vertex_index v : mesh.vertices())
+      is_wrong[v.idx()] = !(scale.values()[v.idx()] >= scale.bounds()[v.idx()]);
+    for(Halfedge_index h : mesh.halfedges())
+      if(const std::size_t v = mesh.target(h).idx(); mesh.source(h) == m_at_infinity)
+        is_wrong[v] |= scale.values()[v] - scale.bounds()[v] > 1e-8; // lengths of equal error
+    m_bound_violations = std::size_t(std::count(is_wrong.begin(), is_wrong.end(), 1));
+  }
+
+  const Doubled_problem& m_problem;
+  const std::vector<double>& m_mass;
+  Vertex_index m_at_infinity;
+  std::vector<std::array<Extended, 2>> m_position;
+  std::vector<double> m_log_scale;
+  std::vector<Halfedge_index> m_flips;
+  Convexity_certificate m_certificate;
+  Minimization_result m_minimization;
+  double m_angle_error = std::numeric_limits<double>::infinity();
+  double m_cross_ratio_error = std::numeric_limits<double>::infinity();
+  std::size_t m_bound_violations = 0;
+  bool m_is_extended = false;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_UNFOLDED_SPHERE_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_CROSS_RATIOS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_CROSS_RATIOS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+using Intrinsic_triangulations::Delta_complex;
+using Intrinsic_triangulations::Edge_index;
+using Intrinsic_triangulations::Halfedge_index;
+using Intrinsic_triangulations::Vertex_index;
+
+// The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h
+// is ij.
+template <typename Length>
+double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Length& length)
+{
+  const Halfedge_index o = mesh.opposite(h);
+  return length(mesh.next(h)) / length(mesh.prev(h)) *
+         (length(mesh.next(o)) / length(mesh.prev(o)));
+}
+
+// The greatest relative error of a length cross ratio of points in the plane, and one at infinity,
+// whose distances are all the same. `length` gives what the length of an edge should be, up to
+// scale factors.
+template <typename FT, typename Length>
+double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
+                                           const std::vector<std::array<FT, 2>>& position,
+                                           Vertex_index at_infinity)
+{
+  using std::sqrt;
+  std::vector<double> distance(mesh.num_edges(), 1.);
+  for(Edge_index e : mesh.edges()) {
+    const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
+    if(v == at_infinity || w == at_infinity)
+      continue;
+    const auto &p = position[v.idx()], &q = position[w.idx()];
+    const FT x = p[0] - q[0], y = p[1] - q[1], square = x * x + y * y;
+    distance[e.idx()] = static_cast<double>(FT(sqrt(square)));
+  }
+  double result = 0;
+  for(Edge_index e : mesh.edges()) {
+    const Halfedge_index h = mesh.halfedge(e);
+    const auto in_plane = [&](Halfedge_index x) { return distance[Edge_index(x).idx()]; };
+    const auto ideal = [&](Halfedge_index x) { return length(Edge_index(x)); };
+    const double error =
+      std::abs(length_cross_ratio(h, mesh, in_plane) / length_cross_ratio(h, mesh, ideal) - 1);
+    result = error <= result ? result : error; // keeps what is no number
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_CROSS_RATIOS_H

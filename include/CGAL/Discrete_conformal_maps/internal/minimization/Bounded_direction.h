@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_BOUNDED_DIRECTION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_BOUNDED_DIRECTION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Bounded_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// Finds directions that lead to the minimum of a quadratic function under lower bounds, from the
+// gradient and Hessian of a convex function. If the Hessian is damped, then as in
+// `Newton_direction`; the maximum principle holds as well with bounds.
+//
+// Which variables reach their bounds is found by block principal pivoting (Judice and Pires 1994):
+// all that break a condition change sides. For a Laplacian that needs few rounds. When there are
+// not fewer and fewer of them, only the last one changes, which always comes to an end (Murty
+// 1974).
+class Bounded_direction
+{
+public:
+  typedef Eigen::SparseMatrix<double> Matrix;
+  typedef Eigen::VectorXd Vector;
+  typedef Newton_direction::Solver Solver;
+
+  explicit Bounded_direction(const Bounded_variables& variables)
+    : m_variables(variables), m_solver(variables.indices())
+  {}
+
+  const Solver& solver() const { return m_solver; }
+
+  // Returns false if there is no such direction; the Hessian is not positive semidefinite then,
+  // even with regard to rounding.
+  bool find(const Matrix& hessian, const Vector& gradient, const Vector& point, double bound)
+  {
+    m_slack = m_variables.lower_bound() - point;
+    const auto damped = [&](double lift) {
+      return minimize(hessian, damping(hessian, gradient, bound, lift), gradient, infinity);
+    };
+    if(m_is_damped && damped(0) && length() > bound / 2)
+      return true; // as in the step before
+    m_is_damped = !minimize(hessian, Vector::Zero(gradient.size()), gradient, bound);
+    for(double lift = 0; m_is_damped && !damped(lift); lift = lift == 0 ? 1e-14 : 100 * lift)
+      if(lift > 1)
+        return false;
+    return true;
+  }
+
+  // Solves with the last factorization, without the variables at bounds.
+  bool find_again(const Vector& gradient)
+  {
+    m_direction = solve_free(gradient);
+    return m_direction.allFinite() && gradient.dot(m_direction) <= 0;
+  }
+
+  const Vector& direction() const { return m_direction; }
+  double length() const { return max_norm(m_direction); }
+  bool is_damped() const { return m_is_damped; }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // Minimizes the quadratic function with `diagonal` added to the Hessian. Returns false if that
+  // has no factorization, or if the way seems to be longer than `bound`.
+  bool minimize(const Matrix& hessian, const Vector& diagonal, const Vector& gradient, double bound)
+  {
+    start(gradient);
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    for(int round = 0, patience = 10; round < 1000; ++round) {
+      if(!solve(hessian, diagonal, gradient) || length() > bound)
+        return false;
+      const std::vector<Eigen::Index> wrong = violations(hessian, diagonal, gradient);
+      if(wrong.empty())
+        break;
+      patience = wrong.size() < fewest ? 10 : patience - 1;
+      fewest = (std::min)(fewest, wrong.size());
+      for(std::size_t k = patience > 0 ? 0 : wrong.size() - 1; k < wrong.size(); ++k)
+        m_is_active[std::size_t(wrong[k])] ^= 1;
+    }
+    for(const Eigen::Index i : m_variables.indices())
+      m_direction[i] = (std::max)(m_direction[i], m_slack[i]);
+    return gradient.dot(m_direction) <= 0;
+  }
+
+  // First all that are at their bounds are active, later the active set of the last time and what
+  // is held by its bound.
+  void start(const Vector& gradient)
+  {
+    const bool is_first = m_is_active.empty();
+    m_is_active.resize(std::size_t(gradient.size()), 0);
+    for(const Eigen::Index i : m_variables.indices())
+      if(m_slack[i] == 0)
+        m_is_active[std::size_t(i)] = is_first || gradient[i] > 0;
+  }
+
+  // Active variables go to their bounds. They are left out by weights that are beyond all others.
+  bool solve(const Matrix& hessian, const Vector& diagonal, const Vector& gradient)
+  {
+    const double weight = 1e30 * (1 + hessian.diagonal().maxCoeff() + diagonal.maxCoeff());
+    Vector to_bounds = Vector::Zero(gradient.size()), weighted = diagonal;
+    for(const Eigen::Index i : m_variables.indices())
+      if(is_active(i)) {
+        to_bounds[i] = m_slack[i];
+        weighted[i] = weight;
+      }
+    if(!m_solver.factorize(hessian, weighted))
+      return false;
+    m_direction = to_bounds + solve_free(gradient + hessian * to_bounds);
+    return m_direction.allFinite();
+  }
+
+  // with the last factorization
+  Vector solve_free(const Vector& gradient)
+  {
+    Vector result = -gradient;
+    set_active_to_zero(result);
+    result = m_solver.solve(result);
+    set_active_to_zero(result);
+    return result;
+  }
+
+  void set_active_to_zero(Vector& v) const
+  {
+    for(const Eigen::Index i : m_variables.indices())
+      if(is_active(i))
+        v[i] = 0;
+  }
+
+  // how far a variable that is not active would go below its bound
+  double greatest_depth() const
+  {
+    double result = 0;
+    for(const Eigen::Index i : m_variables.indices())
+      if(!is_active(i))
+        result = (std::max)(result, m_slack[i] - m_direction[i]);
+    return result;
+  }
+
+  // The variables that break a condition of the minimum, by more than rounding. Of those below
+  // their bounds, the lowest are enough: others will follow them up.
+  std::vector<Eigen::Index> violations(const Matrix& hessian, const Vector& diagonal,
+                                       const Vector& gradient) const
+  {
+    const Vector slope = gradient + hessian * m_direction + diagonal.cwiseProduct(m_direction);
+    const Vector size = gradient.cwiseAbs() + hessian.cwiseAbs() * m_direction.cwiseAbs() +
+                        diagonal.cwiseProduct(m_direction.cwiseAbs());
+    const double margin = 1e-12, depth = (std::max)(margin * length(), 0.8 * greatest_depth());
+    std::vector<Eigen::Index> result;
+    for(const Eigen::Index i : m_variables.indices())
+      if(is_active(i) ? slope[i] < -margin * size[i] : m_slack[i] - m_direction[i] > depth)
+        result.push_back(i);
+    return result;
+  }
+
+  bool is_active(Eigen::Index i) const { return m_is_active[static_cast<std::size_t>(i)] != 0; }
+
+  const Bounded_variables& m_variables;
+  Solver m_solver;
+  Vector m_slack; // how far down variables can go: negative or zero
+  std::vector<char> m_is_active;
+  Vector m_direction;
+  bool m_is_damped = false;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_BOUNDED_DIRECTION_H

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_DESCENT_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_DESCENT_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// When a minimization ends.
+struct Minimization_limits
+{
+  double gradient_tolerance;
+  std::size_t iterations;
+};
+
+// The way of an energy from point to point. The best one is always in the caller's hands.
+// `Variables` says where points may be, and how far a gradient is from that of a minimum there.
+template <typename Energy, typename Variables = Free_variables>
+class Descent
+{
+public:
+  Descent(Energy& energy, Eigen::VectorXd& best, const Variables& variables,
+          const Minimization_limits& limits)
+    : m_energy(energy), m_best(best), m_variables(variables), m_limits(limits), m_point(best)
+  {}
+
+  // Goes to the start; returns the status if that is the end.
+  std::optional<Minimization_status> start()
+  {
+    if(!move_to(Eigen::VectorXd(m_best)))
+      return Minimization_status::not_finite;
+    m_best_norm = m_norm;
+    if(m_excess > tolerance())
+      return Minimization_status::unbounded;
+    return std::nullopt;
+  }
+
+  // Returns false if the gradient is not finite there.
+  bool move_to(const Eigen::VectorXd& point)
+  {
+    m_point = m_variables.feasible(point);
+    m_energy.evaluate(m_point);
+    ++m_evaluations;
+    m_gradient = m_energy.gradient();
+    m_variables.set_fixed_to_zero(m_gradient);
+    m_norm = m_variables.norm(m_gradient, m_point);
+    m_excess = m_variables.remove_means(m_gradient);
+    return m_gradient.allFinite();
+  }
+
+  // Returns whether the gradient is less than ever. If it is equal, the new point is kept as well.
+  bool keep_if_best()
+  {
+    if(!(m_norm <= m_best_norm))
+      return false;
+    const bool is_better = m_norm < m_best_norm;
+    m_best = m_point;
+    m_best_norm = m_norm;
+    return is_better;
+  }
+
+  double tolerance() const
+  {
+    return (std::max)(m_limits.gradient_tolerance, m_energy.gradient_error());
+  }
+  bool has_converged() const { return m_norm <= tolerance(); }
+
+  // Goes back to the best point.
+  Minimization_result result(Minimization_status status)
+  {
+    if(m_point != m_best)
+      move_to(Eigen::VectorXd(m_best));
+    Minimization_result result;
+    result.status = status;
+    result.evaluations = m_evaluations;
+    result.gradient_norm = m_norm;
+    result.gradient_error = m_energy.gradient_error();
+    return result;
+  }
+
+  Energy& energy() const { return m_energy; }
+  const Variables& variables() const { return m_variables; }
+  const Minimization_limits& limits() const { return m_limits; }
+  const Eigen::VectorXd& point() const { return m_point; }
+  const Eigen::VectorXd& gradient() const { return m_gradient; }
+  double norm() const { return m_norm; }
+  double best_norm() const { return m_best_norm; }
+
+private:
+  Energy& m_energy;
+  Eigen::VectorXd& m_best;
+  const Variables& m_variables;
+  const Minimization_limits m_limits;
+
+  Eigen::VectorXd m_point;
+  Eigen::VectorXd m_gradient; // at the point, without the part that no step can change
+  double m_norm = 0;          // of the gradient, with that part
+  double m_excess = 0;        // that part: the greatest mean
+  double m_best_norm = std::numeric_limits<double>::infinity();
+  std::size_t m_evaluations = 0;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_DESCENT_H

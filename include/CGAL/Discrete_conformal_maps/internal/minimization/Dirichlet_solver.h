@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_DIRICHLET_SOLVER_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_DIRICHLET_SOLVER_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// Solves systems with a symmetric positive semidefinite matrix from which the rows and columns of
+// some variables are left out; what is left is positive definite, but for rounding. Solutions are
+// as good as estimates and corrections need to be.
+class Dirichlet_solver
+{
+public:
+  typedef Eigen::SparseMatrix<double> Matrix;
+  typedef Eigen::VectorXd Vector;
+
+  Dirichlet_solver(const Matrix& matrix, const std::vector<char>& is_fixed)
+    : m_solver(free_variables(is_fixed))
+  {
+    // the lift, relative to the diagonal, is against rounding where weights differ by many orders
+    for(double lift = 0; !m_solver.factorize(matrix, lift * matrix.diagonal());
+        lift = lift == 0 ? 1e-14 : 100 * lift)
+      if(lift > 1e-3)
+        throw Intrinsic_triangulations::Numerical_error(
+          "the Laplacian has no factorization as a positive definite matrix");
+  }
+
+  // the solution; zero where variables are fixed
+  Vector solve(const Vector& right_side) { return m_solver.solve(right_side); }
+
+private:
+  typedef Newton_direction::Solver Solver;
+
+  static Solver::Order free_variables(const std::vector<char>& is_fixed)
+  {
+    Solver::Order result;
+    for(std::size_t i = 0; i < is_fixed.size(); ++i)
+      if(!is_fixed[i])
+        result.push_back(static_cast<Eigen::Index>(i));
+    return result;
+  }
+
+  Solver m_solver;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_DIRICHLET_SOLVER_H

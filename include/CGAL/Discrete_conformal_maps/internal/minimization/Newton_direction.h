@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_NEWTON_DIRECTION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_NEWTON_DIRECTION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
+
+#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Supernodal_Cholesky.h>
+#else
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Simplicial_Cholesky.h>
+#endif
+
+#include <Eigen/SparseCore>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+typedef Supernodal_Cholesky Default_Cholesky;
+#else
+typedef Simplicial_Cholesky Default_Cholesky;
+#endif
+
+// What is added to the diagonal of a Hessian against steps beyond a bound: see `Newton_direction`.
+// Entries of the gradient that vanish still need a positive diagonal. The lift, relative to the
+// diagonal, is against rounding in the factorization.
+inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
+                               const Eigen::VectorXd& gradient, double bound, double lift)
+{
+  const double least = 1e-10 * max_norm(gradient);
+  return gradient.cwiseAbs().cwiseMax(least) / bound + lift * hessian.diagonal();
+}
+
+// Finds directions in which a convex function falls, from its gradient and Hessian.
+//
+// Where the Hessian alone is singular, or gives a step that is too long (max norm), the entries
+// |g_i| / bound are added to its diagonal. For a Hessian with positive diagonal and non-positive
+// off-diagonals, as a Laplacian has, no entry of the step is then above the bound (maximum
+// principle): where the function is almost linear the step has the length allowed, elsewhere it is
+// as before; and what is added vanishes with the gradient.
+class Newton_direction
+{
+public:
+  typedef Eigen::SparseMatrix<double> Matrix;
+  typedef Hessian_solver<Default_Cholesky> Solver;
+
+  explicit Newton_direction(const Free_variables& variables)
+    : m_variables(&variables), m_solver(variables.indices())
+  {}
+
+  const Solver& solver() const { return m_solver; }
+
+  // Returns false if there is no such direction; the Hessian is not positive semidefinite then,
+  // even with regard to rounding.
+  bool find(const Matrix& hessian, const Eigen::VectorXd& gradient,
+            const Eigen::VectorXd& /* point */, double bound)
+  {
+    const Eigen::VectorXd ground = grounding(hessian);
+    const auto damped = [&](double lift) {
+      return solve(hessian, ground + damping(hessian, gradient, bound, lift), gradient);
+    };
+    if(m_is_damped && damped(0) && length() > bound / 2)
+      return limit(bound); // as in the step before
+    m_is_damped = !solve(hessian, ground, gradient) || length() > bound;
+    for(double lift = 0; m_is_damped && !damped(lift); lift = lift == 0 ? 1e-14 : 100 * lift)
+      if(lift > 1)
+        return false;
+    return limit(bound);
+  }
+
+  // Solves with the last factorization.
+  bool find_again(const Eigen::VectorXd& gradient)
+  {
+    m_direction = m_solver.solve(-gradient);
+    m_variables->remove_means(m_direction);
+    return m_direction.allFinite() && gradient.dot(m_direction) <= 0;
+  }
+
+  const Eigen::VectorXd& direction() const { return m_direction; }
+  double length() const { return max_norm(m_direction); }
+  bool is_damped() const { return m_is_damped; }
+
+private:
+  // On a component where constants are in the kernel, one diagonal entry is doubled, as if the
+  // variable were tied to a fixed one. If the gradient sums to zero, that does not change the other
+  // entries of the solution up to a constant. The strongest variable is taken, for accuracy.
+  Eigen::VectorXd grounding(const Matrix& hessian) const
+  {
+    const Eigen::VectorXd diagonal = hessian.diagonal();
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(diagonal.size());
+    for(const Free_variables::Indices& component : m_variables->floating_components()) {
+      Eigen::Index strongest = component.front();
+      for(Eigen::Index i : component)
+        if(diagonal[i] > diagonal[strongest])
+          strongest = i;
+      result[strongest] = diagonal[strongest] > 0 ? diagonal[strongest] : 1;
+    }
+    return result;
+  }
+
+  bool solve(const Matrix& hessian, const Eigen::VectorXd& diagonal,
+             const Eigen::VectorXd& gradient)
+  {
+    return m_solver.factorize(hessian, diagonal) && find_again(gradient);
+  }
+
+  bool limit(double bound)
+  {
+    if(const double l = length(); l > bound)
+      m_direction *= bound / l;
+    return true;
+  }
+
+  const Free_variables* m_variables;
+  Solver m_solver;
+  Eigen::VectorXd m_direction;
+  bool m_is_damped = false;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_NEWTON_DIRECTION_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_NEWTON_ITERATION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_NEWTON_ITERATION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// One run of Newton's method.
+template <typename Energy, typename Visitor, typename Variables = Free_variables,
+          typename Direction = Newton_direction>
+class Newton_iteration
+{
+public:
+  Newton_iteration(Energy& energy, Eigen::VectorXd& best, const Variables& variables,
+                   const Minimization_limits& limits, Visitor& visitor)
+    : m_descent(energy, best, variables, limits), m_visitor(visitor), m_direction(variables)
+  {}
+
+  Minimization_result run()
+  {
+    Minimization_result result = m_descent.result(minimize());
+    result.iterations = m_iterations;
+    result.factorizations = m_direction.solver().factorizations();
+    result.symbolic_analyses = m_direction.solver().symbolic_analyses();
+    result.orderings = m_direction.solver().orderings();
+    result.gradient_error = (std::max)(result.gradient_error, m_largest_error);
+    return result;
+  }
+
+private:
+  typedef Minimization_status Status;
+
+  Status minimize()
+  {
+    if(const std::optional<Status> end = m_descent.start())
+      return *end;
+    while(!m_descent.has_converged()) {
+      if(m_iterations == m_descent.limits().iterations)
+        return Status::iteration_limit;
+      if(const std::optional<Status> end = iterate())
+        return *end;
+    }
+    polish();
+    return Status::converged;
+  }
+
+  // Takes a step; returns the status if that was the last.
+  std::optional<Status> iterate()
+  {
+    const Eigen::SparseMatrix<double>& hessian = m_descent.energy().Hessian();
+    if(!hessian.coeffs().allFinite())
+      return Status::not_finite;
+    if(!m_direction.find(hessian, m_descent.gradient(), m_descent.point(), m_bound))
+      return Status::no_descent;
+    m_base = m_descent.point();
+    m_base_slope = slope();
+    const double noise = rounding_error(hessian).dot(m_direction.direction().cwiseAbs());
+    const std::optional<Status> end =
+      -m_base_slope > noise ? search_line() : step_within_rounding();
+    if(end)
+      return end;
+    m_visitor.after_iteration(++m_iterations, m_descent.norm(), m_step * m_direction.length());
+    return leads_nowhere() ? std::optional(Status::rounding_limit) : std::nullopt;
+  }
+
+  // whether some steps in a row were no more than rounding of each variable, although none was
+  // damped
+  bool leads_nowhere()
+  {
+    const double unit = 64 * std::numeric_limits<double>::epsilon();
+    const bool is_short =
+      ((m_descent.point() - m_base).array().abs() <= unit * m_base.array().abs()).all();
+    m_short_steps = is_short && !m_direction.is_damped() ? m_short_steps + 1 : 0;
+    return m_short_steps == 3;
+  }
+
+  double slope() const { return m_descent.gradient().dot(m_direction.direction()); }
+
+  // For each entry of the gradient: the error of its computation and that of the rounding of the
+  // point.
+  Eigen::VectorXd rounding_error(const Eigen::SparseMatrix<double>& hessian)
+  {
+    const double unit = std::numeric_limits<double>::epsilon() / 2;
+    Eigen::VectorXd error = unit * (hessian.cwiseAbs() * m_descent.point().cwiseAbs());
+    error.array() += m_descent.energy().gradient_error();
+    m_descent.variables().set_fixed_to_zero(error);
+    m_largest_error = max_norm(error);
+    return error;
+  }
+
+  bool step(double t)
+  {
+    m_step = t;
+    return m_descent.move_to(m_base + t * m_direction.direction());
+  }
+
+  // The slope along a line grows from a negative value at its start. A step is good if it does not
+  // go beyond the minimum by so much that the slope is half of that again.
+  std::optional<Status> search_line()
+  {
+    bool is_finite = true;
+    double t = 1;
+    for(int trial = 0; trial < 40; ++trial) {
+      const bool was_finite = is_finite;
+      is_finite = step(t);
+      if(m_descent.point() == m_base && !(trial == 0 && m_direction.is_damped()))
+        return trial == 0 ? Status::rounding_limit : failure(was_finite); // lost in rounding
+      if(is_finite && slope() <= -m_base_slope / 2) {
+        accept();
+        return std::nullopt;
+      }
+      // the secant's zero
+      t *= is_finite ? (std::max)(0.1, m_base_slope / (m_base_slope - slope())) : 0.1;
+    }
+    return failure(is_finite);
+  }
+
+  static Status failure(bool is_finite)
+  {
+    return is_finite ? Status::no_descent : Status::not_finite;
+  }
+
+  void accept()
+  {
+    if(m_direction.is_damped())
+      m_bound = m_step < 1 ? 2 * m_step * m_direction.length()
+                           : (std::min)(4 * m_bound, 1e100); // beyond any use, but finite
+    m_descent.keep_if_best();
+  }
+
+  // Slopes say little now, but the full step may well be good. Failures in a row are the end.
+  std::optional<Status> step_within_rounding()
+  {
+    const double before = m_descent.best_norm();
+    const bool is_good = step(1) && m_descent.keep_if_best();
+    const bool goes_on = is_good || !search_line();
+    m_failures = m_descent.best_norm() < before ? 0 : m_failures + 1;
+    return goes_on && m_failures < 3 ? std::nullopt : std::optional(Status::rounding_limit);
+  }
+
+  // Another step with the last factorization costs little.
+  void polish()
+  {
+    if(m_iterations == 0 || m_direction.is_damped() ||
+       m_descent.norm() <= m_descent.energy().gradient_error() ||
+       !m_direction.find_again(m_descent.gradient()))
+      return;
+    m_base = m_descent.point();
+    if(step(1))
+      m_descent.keep_if_best();
+  }
+
+  Descent<Energy, Variables> m_descent;
+  Visitor& m_visitor;
+  std::size_t m_iterations = 0;
+
+  Direction m_direction;
+  double m_bound = 10; // of the length of steps where the Hessian is not to be trusted
+  Eigen::VectorXd m_base;
+  double m_base_slope = 0;
+  double m_step = 0;
+  double m_largest_error = 0; // rounding error of the gradient
+  int m_short_steps = 0;
+  int m_failures = 0; // steps within rounding, in a row, that were not good
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_NEWTON_ITERATION_H

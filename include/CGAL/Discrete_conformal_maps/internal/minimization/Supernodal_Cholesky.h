@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_SUPERNODAL_CHOLESKY_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_SUPERNODAL_CHOLESKY_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <Eigen/SparseCore>
+
+#include <suitesparse/cholmod.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// CHOLMOD's workspace and settings.
+class Cholmod_workspace
+{
+public:
+  Cholmod_workspace()
+  {
+    cholmod_start(&m_common);
+    m_common.supernodal = CHOLMOD_AUTO;
+    m_common.supernodal_switch = 150; // operations per entry: where both kinds take the same time
+    m_common.final_ll = 1; // the other form does not find out whether a matrix is positive
+    m_common.quick_return_if_not_posdef = 1;
+    m_common.print = 0;
+    m_common.nmethods = 1;
+  }
+  ~Cholmod_workspace() { cholmod_finish(&m_common); }
+  Cholmod_workspace(const Cholmod_workspace&) = delete;
+  Cholmod_workspace& operator=(const Cholmod_workspace&) = delete;
+
+  cholmod_common* operator->() { return &m_common; }
+
+  cholmod_factor* analyze(cholmod_sparse matrix, int ordering)
+  {
+    m_common.method[0].ordering = ordering;
+    return cholmod_analyze(&matrix, &m_common);
+  }
+
+  bool factorize(cholmod_sparse matrix, cholmod_factor* factor)
+  {
+    return cholmod_factorize(&matrix, factor, &m_common) && m_common.status == CHOLMOD_OK;
+  }
+
+  cholmod_dense* solve(cholmod_factor* factor, cholmod_dense right_side)
+  {
+    return cholmod_solve(CHOLMOD_A, factor, &right_side, &m_common);
+  }
+
+  void free(cholmod_factor* factor) { cholmod_free_factor(&factor, &m_common); }
+  void free(cholmod_dense* vector) { cholmod_free_dense(&vector, &m_common); }
+
+private:
+  cholmod_common m_common;
+};
+
+// CHOLMOD's Cholesky factorization, supernodal where that pays, of matrices given by their upper
+// triangles, in the order they have.
+class Supernodal_Cholesky
+{
+public:
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  Supernodal_Cholesky() = default;
+  ~Supernodal_Cholesky() { clear(); }
+  Supernodal_Cholesky(const Supernodal_Cholesky&) = delete;
+  Supernodal_Cholesky& operator=(const Supernodal_Cholesky&) = delete;
+
+  // The order of elimination that keeps the factor sparse: its k-th entry is the k-th row to go.
+  // Nested dissection costs more than minimum degree; the factorizations repay it from about this
+  // size on.
+  static Eigen::VectorXi fill_reducing_order(const Matrix& upper)
+  {
+    Cholmod_workspace workspace;
+    cholmod_factor* factor =
+      workspace.analyze(view(upper), upper.rows() > 100000 ? CHOLMOD_NESDIS : CHOLMOD_AMD);
+    const Eigen::VectorXi order =
+      Eigen::Map<const Eigen::VectorXi>(static_cast<const int*>(factor->Perm), upper.rows());
+    workspace.free(factor);
+    return order;
+  }
+
+  void analyze(const Matrix& upper)
+  {
+    clear();
+    m_factor = m_workspace.analyze(view(upper), CHOLMOD_NATURAL);
+  }
+
+  // Returns false if the matrix is not positive definite.
+  bool factorize(const Matrix& upper) { return m_workspace.factorize(view(upper), m_factor); }
+
+  Eigen::VectorXd solve(Eigen::VectorXd right_side)
+  {
+    cholmod_dense b{};
+    b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right_side.size());
+    b.ncol = 1;
+    b.x = right_side.data();
+    b.xtype = CHOLMOD_REAL;
+    cholmod_dense* x = m_workspace.solve(m_factor, b);
+    std::copy_n(static_cast<const double*>(x->x), right_side.size(), right_side.data());
+    m_workspace.free(x);
+    return right_side;
+  }
+
+  // The number of entries of the factor.
+  double size() { return m_workspace->lnz; }
+
+private:
+  // CHOLMOD's interface has no constants, but it does not write here.
+  static cholmod_sparse view(const Matrix& upper)
+  {
+    cholmod_sparse result{};
+    result.nrow = result.ncol = static_cast<std::size_t>(upper.rows());
+    result.nzmax = static_cast<std::size_t>(upper.nonZeros());
+    result.p = const_cast<int*>(upper.outerIndexPtr());
+    result.i = const_cast<int*>(upper.innerIndexPtr());
+    result.x = const_cast<double*>(upper.valuePtr());
+    result.stype = 1; // the upper triangle
+    result.itype = CHOLMOD_INT;
+    result.xtype = CHOLMOD_REAL;
+    result.dtype = CHOLMOD_DOUBLE;
+    result.sorted = result.packed = 1;
+    return result;
+  }
+
+  void clear()
+  {
+    if(m_factor)
+      m_workspace.free(m_factor);
+    m_factor = nullptr;
+  }
+
+  Cholmod_workspace m_workspace;
+  cholmod_factor* m_factor = nullptr;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_SUPERNODAL_CHOLESKY_H

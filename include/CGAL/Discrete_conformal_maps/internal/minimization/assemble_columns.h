@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_ASSEMBLE_COLUMNS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_ASSEMBLE_COLUMNS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// rows and values, of which those in one row add up
+typedef std::vector<std::pair<int, double>> Column_entries;
+
+// Makes `matrix` the one whose column for a vertex has the entries that `collect(v, entries)` adds,
+// in any order. No more than one column is sorted at a time.
+template <typename Collect>
+void assemble_columns(const Intrinsic_triangulations::Delta_complex& mesh, const Collect& collect,
+                      Eigen::SparseMatrix<double>& matrix)
+{
+  const auto n = static_cast<Eigen::Index>(mesh.num_vertices());
+  matrix.resize(n, n);
+  matrix.reserve(2 * static_cast<Eigen::Index>(mesh.num_edges()) + n);
+  Column_entries entries;
+  for(const Intrinsic_triangulations::Vertex_index v : mesh.vertices()) {
+    const int column = static_cast<int>(v.idx());
+    matrix.startVec(column);
+    entries.clear();
+    collect(v, entries);
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(std::size_t k = 0; k < entries.size();) {
+      double& entry = matrix.insertBack(entries[k].first, column) = 0;
+      for(const int row = entries[k].first; k < entries.size() && entries[k].first == row; ++k)
+        entry += entries[k].second;
+    }
+  }
+  matrix.finalize();
+}
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_ASSEMBLE_COLUMNS_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_ANGLE_DIFFERENCE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_ANGLE_DIFFERENCE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// What a full turn exceeds an angle and those that are subtracted from it, with as many digits as
+// double has also where that is little.
+template <typename FT>
+class Angle_difference
+{
+public:
+  explicit Angle_difference(double angle) : m_rest(2 * pi() - angle), m_turned{FT(1), FT(0)}
+  {
+    using std::cos;
+    using std::sin;
+    if(angle != 0)
+      m_turned = {cos(FT(angle)), sin(FT(angle))};
+  }
+
+  // Complex numbers are multiplied: that takes much less time than an inverse tangent of high
+  // precision.
+  void subtract(const Corner<FT>& corner)
+  {
+    m_rest -= corner.rounded_angle();
+    m_turned = {m_turned.cosine * corner.cosine - m_turned.sine * corner.sine,
+                m_turned.cosine * corner.sine + m_turned.sine * corner.cosine};
+  }
+
+  double value() const
+  {
+    const double rest = -m_turned.rounded_angle();
+    return rest + 2 * pi() * std::round((m_rest - rest) / (2 * pi()));
+  }
+
+private:
+  static double pi() { return boost::math::constants::pi<double>(); }
+
+  double m_rest;       // the difference with few digits
+  Corner<FT> m_turned; // the sum of all angles, up to full turns
+};
+
+// Hardware has inverse tangents.
+template <>
+class Angle_difference<double>
+{
+public:
+  explicit Angle_difference(double angle)
+    : m_angle(angle), m_rest(2 * boost::math::constants::pi<double>())
+  {}
+
+  void subtract(const Corner<double>& corner) { m_rest -= corner.angle(); }
+
+  double value() const { return m_rest - m_angle; }
+
+private:
+  double m_angle, m_rest;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_ANGLE_DIFFERENCE_H

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_CORNER_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_CORNER_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The cosine and the sine of an angle, up to a common factor.
+template <typename FT>
+struct Corner
+{
+  FT cosine, sine;
+
+  FT angle() const
+  {
+    using std::atan2;
+    return atan2(sine, cosine);
+  }
+
+  // in double precision
+  double rounded_angle() const
+  {
+    const FT size = (std::max)(cosine < 0 ? FT(-cosine) : cosine, sine < 0 ? FT(-sine) : sine);
+    return std::atan2(static_cast<double>(FT(sine / size)), static_cast<double>(FT(cosine / size)));
+  }
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_CORNER_H

@@ -1,0 +1,179 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_FLAT_SCALE_FACTORS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_FLAT_SCALE_FACTORS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_placement.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The scale factors of a doubled problem with flat faces, and the cones it needs.
+class Flat_scale_factors : public Scale_factors<Flat_triangle>
+{
+  typedef Eigen::VectorXd Vector;
+
+public:
+  explicit Flat_scale_factors(Doubled_problem& problem)
+    : Scale_factors<Flat_triangle>(problem, Vector::Zero(Eigen::Index(problem.size()))),
+      m_problem(problem)
+  {}
+
+  const std::vector<Vertex_index>& cones() const { return m_cones; }
+
+  // Places cones until a linear estimate of the scale factors lies within a bound.
+  void place_cones(double bound)
+  {
+    const Conformal_energy<> energy(m_problem.triangulation().mesh(),
+                                    m_problem.triangulation().length_map(),
+                                    m_problem.target_defect(), m_problem.flipping());
+    place_first_cones(energy, bound);
+    const std::vector<Vertex_index> twin = twins();
+    Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins(), twin);
+    for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
+      const std::size_t v = placement.worst(m_problem.components(), c);
+      placement.add(v);
+      add_cone(v);
+    }
+  }
+
+  // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Says whether
+  // it has.
+  bool add_cone_if_beyond(double bound)
+  {
+    Eigen::Index v = 0;
+    if(values().size() == 0 || extents().maxCoeff(&v) <= bound ||
+       m_problem.is_fixed()[std::size_t(v)])
+      return false;
+    add_cone(std::size_t(v));
+    return true;
+  }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  // How far scale factors are from zero. Where none are prescribed, zero may come to be anywhere
+  // between the least and the greatest: then the distance from the farther of both.
+  Vector extents() const
+  {
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    std::vector<double> least(fixed.size(), 0), greatest(fixed.size(), 0);
+    const auto component = [&](Eigen::Index v) { return m_problem.components()[std::size_t(v)]; };
+    for(Eigen::Index v = 0; v < values().size(); ++v)
+      if(const std::size_t c = component(v); fixed[c] == 0) {
+        least[c] = (std::min)(least[c], values()[v]);
+        greatest[c] = (std::max)(greatest[c], values()[v]);
+      }
+    Vector result(values().size());
+    for(Eigen::Index v = 0; v < result.size(); ++v)
+      result[v] =
+        (std::max)(values()[v] - least[component(v)], greatest[component(v)] - values()[v]);
+    return result;
+  }
+
+  // The Laplacian does not see constants on a component without prescribed scale factors: one
+  // vertex is held.
+  std::vector<char> with_pins() const
+  {
+    std::vector<char> result = m_problem.is_fixed();
+    std::vector<std::size_t> count = m_problem.number_of_fixed();
+    for(std::size_t v = 0; v < result.size(); ++v)
+      if(count[m_problem.components()[v]]++ == 0)
+        result[v] = 1;
+    return result;
+  }
+
+  std::vector<Vertex_index> twins() const
+  {
+    std::vector<Vertex_index> result(m_problem.size());
+    for(Vertex_index v : m_problem.surface_vertices()) {
+      result[v.idx()] = m_problem.mirrored(v);
+      result[m_problem.mirrored(v).idx()] = v;
+    }
+    return result;
+  }
+
+  void add_cone(std::size_t v)
+  {
+    const Vertex_index cone = m_problem.front(Vertex_index(Delta_complex::size_type(v)));
+    m_problem.set_condition(cone, Vertex_condition::log_scale(0));
+    m_cones.push_back(cone);
+  }
+
+  // A component without prescribed scale factors gets a cone where the estimate is farthest from
+  // its middle, unless it needs none.
+  void place_first_cones(const Conformal_energy<>& energy, double bound)
+  {
+    const auto& component = m_problem.components();
+    const std::vector<double> excess = m_problem.curvature_excess();
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    std::vector<double> size(component.size(), 0);
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      ++size[component[v]];
+    Vector balanced = energy.gradient();
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(fixed[component[v]] == 0)
+        balanced[Eigen::Index(v)] += excess[component[v]] / size[component[v]];
+    Dirichlet_solver solver(energy.Hessian(), with_pins());
+    const Vector estimate = solver.solve(-balanced);
+    for(std::size_t c = 0; c < component.size(); ++c)
+      if(fixed[c] == 0 && size[c] > 1)
+        place_first_cone(c, estimate, excess[c], bound);
+  }
+
+  void place_first_cone(std::size_t c, const Vector& estimate, double excess, double bound)
+  {
+    std::size_t least = none, greatest = none;
+    double sum = 0, count = 0;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_problem.components()[v] == c) {
+        const double u = estimate[Eigen::Index(v)];
+        sum += u;
+        ++count;
+        if(least == none || u < estimate[Eigen::Index(least)])
+          least = v;
+        if(greatest == none || u > estimate[Eigen::Index(greatest)])
+          greatest = v;
+      }
+    const double below = sum / count - estimate[Eigen::Index(least)],
+                 above = estimate[Eigen::Index(greatest)] - sum / count;
+    if(Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound)
+      add_cone(above > below ? greatest : least);
+  }
+
+  // a component with cones whose estimate is out of bounds, or that needs more of them
+  std::size_t worst_component(const Vector& estimate, double bound) const
+  {
+    const std::vector<double> excess = m_problem.curvature_excess();
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    for(std::size_t v = 0; v < m_problem.size(); ++v) {
+      const std::size_t c = m_problem.components()[v];
+      const double u = std::abs(estimate[Eigen::Index(v)]);
+      if(fixed[c] > 0 &&
+         (u > bound || (u > 0 && fixed[c] < Doubled_problem::needed_cones(excess[c]))))
+        return c;
+    }
+    return none;
+  }
+
+  Doubled_problem& m_problem;
+  std::vector<Vertex_index> m_cones;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_FLAT_SCALE_FACTORS_H

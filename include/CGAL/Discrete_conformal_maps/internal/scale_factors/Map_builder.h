@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_MAP_BUILDER_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_MAP_BUILDER_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The steps from scale factors to what all maps have in common.
+class Map_builder
+{
+  typedef Intrinsic_triangulations::Diamond<double> Diamond;
+
+public:
+  // `map` is what is built
+  Map_builder(Doubled_problem& problem, std::size_t number_of_front_faces,
+              Discrete_conformal_map& map)
+    : m_problem(problem), m_data(*map.m_data)
+  {
+    m_data.number_of_front_faces = number_of_front_faces;
+  }
+
+  // `scale` has the scale factors, and how they were found
+  template <typename Scale_factors>
+  void set_scale_factors(const Scale_factors& scale)
+  {
+    m_data.minimization = scale.result();
+    m_data.max_curvature_error = scale.max_curvature_error();
+    m_data.log_scale.assign(scale.values().data(), scale.values().data() + scale.values().size());
+  }
+
+  void add_to_scale_factors(const std::vector<double>& correction)
+  {
+    for(std::size_t v = 0; v < correction.size(); ++v)
+      m_data.log_scale[v] += correction[v];
+  }
+
+  // Takes the triangulation of the problem, and flips it to ideal Delaunay with the scale factors.
+  void trace()
+  {
+    take_triangulation();
+    if(m_problem.flipping() == Flipping::to_Delaunay)
+      flip_to_Delaunay();
+    correspond();
+  }
+
+  // the same with flips that are known
+  void trace(const std::vector<Halfedge_index>& flips)
+  {
+    take_triangulation();
+    for(Halfedge_index h : flips)
+      flip(h);
+    correspond();
+  }
+
+  void subdivide()
+  {
+    m_data.subdivision = std::make_unique<Discrete_conformal_map::Subdivision>(
+      *m_data.correspondence_ab, *m_data.correspondence_bc);
+  }
+
+  const std::vector<double>& log_scale() const { return m_data.log_scale; }
+
+  // T^C
+  const Delta_complex& mesh() const { return m_data.bc.mesh(); }
+
+  double scaled_length(Halfedge_index h) const
+  {
+    const double u =
+      m_data.log_scale[mesh().source(h).idx()] + m_data.log_scale[mesh().target(h).idx()];
+    return m_data.bc.length(mesh().edge(h)) * std::exp(u / 2);
+  }
+
+  // of the edges of T^C, by the same flips in the precision of the scale factors
+  template <typename FT>
+  std::vector<FT> scaled_lengths(const std::vector<FT>& u) const
+  {
+    using std::exp;
+    const Intrinsic_triangulations::Ideal_geometry_traits<FT> traits;
+    Delta_complex b = m_data.bc.input_mesh();
+    std::vector<FT> length(b.num_edges());
+    for(Edge_index e : b.edges())
+      length[e.idx()] = FT(m_data.bc.input_length(e));
+    const auto of = [&](Halfedge_index h) { return length[Edge_index(h).idx()]; };
+    for(Halfedge_index h : m_flips) {
+      const Halfedge_index o = b.opposite(h);
+      length[Edge_index(h).idx()] = traits.compute_flipped_length_object()(
+        {of(h), of(b.next(h)), of(b.prev(h)), of(b.next(o)), of(b.prev(o))});
+      flip_edge(h, b);
+    }
+    for(Edge_index e : b.edges())
+      length[e.idx()] *= exp((u[b.vertex(e, 0).idx()] + u[b.vertex(e, 1).idx()]) / 2);
+    return length;
+  }
+
+private:
+  void take_triangulation()
+  {
+    for(Vertex_index v : m_problem.triangulation().mesh().vertices())
+      m_data.input_vertex.push_back(m_problem.front(v));
+    m_data.ab = std::move(m_problem.triangulation());
+    m_data.number_of_flips[1] = m_problem.number_of_flips();
+    m_data.bc = Discrete_conformal_map::Ideal_triangulation(
+      m_data.ab.mesh(),
+      Intrinsic_triangulations::parameters::edge_length_map(m_data.ab.length_map()));
+  }
+
+  void correspond()
+  {
+    m_data.number_of_flips[2] = m_flips.size();
+    m_data.correspondence_ab =
+      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab);
+    m_data.correspondence_bc = std::make_unique<
+      Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(m_data.bc);
+  }
+
+  void flip(Halfedge_index h)
+  {
+    m_data.bc.flip(h);
+    m_flips.push_back(h);
+  }
+
+  bool is_Delaunay(Halfedge_index h) const
+  {
+    const Halfedge_index o = mesh().opposite(h);
+    const Diamond diamond{scaled_length(h), scaled_length(mesh().next(h)),
+                          scaled_length(mesh().prev(h)), scaled_length(mesh().next(o)),
+                          scaled_length(mesh().prev(o))};
+    return m_data.bc.traits().is_locally_Delaunay_object()(diamond);
+  }
+
+  void flip_to_Delaunay()
+  {
+    Intrinsic_triangulations::internal::Edge_stack stack(mesh().num_edges());
+    for(Edge_index e : mesh().edges())
+      stack.push(e);
+    Intrinsic_triangulations::internal::flip_waiting(
+      mesh(), stack, [this](Halfedge_index h) { return is_Delaunay(h); },
+      [this](Halfedge_index h) { flip(h); });
+  }
+
+  Doubled_problem& m_problem;
+  Discrete_conformal_map::Data& m_data;
+  std::vector<Halfedge_index> m_flips; // from T^B to T^C
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_MAP_BUILDER_H

@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SCALE_FACTORS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SCALE_FACTORS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_status.h>
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+
+#ifdef CGAL_USE_MPFR
+#include <boost/multiprecision/mpfr.hpp>
+#else
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+#ifdef CGAL_USE_MPFR // many times as fast
+template <unsigned int digits>
+using Extended_backend =
+  boost::multiprecision::mpfr_float_backend<digits, boost::multiprecision::allocate_stack>;
+#else
+template <unsigned int digits>
+using Extended_backend = boost::multiprecision::cpp_bin_float<digits>;
+#endif
+
+// takes over where double has too few digits
+typedef boost::multiprecision::number<Extended_backend<34>, boost::multiprecision::et_off> Extended;
+
+// takes over from that where errors grow on very long ways
+typedef boost::multiprecision::number<Extended_backend<115>, boost::multiprecision::et_off>
+  More_extended;
+
+// The scale factors of a doubled problem, with faces of the geometry of `Triangle`.
+template <template <typename> class Triangle>
+class Scale_factors
+{
+  typedef Eigen::VectorXd Vector;
+  typedef Doubled_problem::Triangulation Triangulation;
+
+public:
+  // `start` has scale factors to begin with; those that are prescribed do not count
+  Scale_factors(const Doubled_problem& problem, const Vector& start)
+    : m_problem(problem), m_u(start)
+  {}
+
+  // the scale factors: the sum of both, where double has too few digits for them
+  const Vector& values() const { return m_u; }
+  const std::vector<Extended>& extended_values() const { return m_extended; }
+  bool is_extended() const { return !m_extended.empty(); }
+
+  const Minimization_result& result() const { return m_result; }
+  // of the vertices where curvatures are prescribed
+  double max_curvature_error() const { return m_max_curvature_error; }
+  Flattening_status status() const { return m_status; }
+  // whether all faces have the triangle inequality, but for rounding
+  bool has_layout() const { return m_has_layout; }
+
+  // by the vertices of the surface itself
+  void start_from(const std::vector<double>& log_scale)
+  {
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      m_u[Eigen::Index(v)] =
+        log_scale[m_problem.front(Vertex_index(Delta_complex::size_type(v))).idx()];
+  }
+
+  // Minimizes the energy; if double has too few digits for `tolerance`, in extended precision.
+  template <typename Minimizer, typename Visitor>
+  void minimize(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  {
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_problem.is_fixed()[v])
+        m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
+    auto energy = energy_at_start<double>(m_problem.triangulation());
+    run(energy, minimizer, visitor);
+    if(is_rounded(tolerance) && !has_no_solution())
+      minimize_extended(minimizer, tolerance, visitor);
+  }
+
+  // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the
+  // values from now on. The triangulation of the problem may have been moved to `triangulation`.
+  template <typename FT, typename Visitor>
+  std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
+  {
+    const double limit = 1e4 * static_cast<double>(std::numeric_limits<FT>::epsilon());
+    auto energy = energy_at_start<FT>(triangulation);
+    for(double before = 1, norm = max_norm(energy.gradient());
+        norm > limit && norm < before / 10;) {
+      energy.move_origin();
+      Vector x = Vector::Zero(m_u.size());
+      before = norm;
+      // the digits of x end there
+      norm = Newton_minimizer(1e-12 * norm)(energy, x, domain(), visitor).gradient_norm;
+    }
+    note_values(energy);
+    return energy.scale_factors();
+  }
+
+private:
+  // rounding counts as well
+  bool is_within(double tolerance) const
+  {
+    return m_max_curvature_error <= tolerance && m_result.gradient_error <= tolerance;
+  }
+
+  template <typename FT>
+  Conformal_energy<FT, Triangle<FT>> energy_at_start(const Triangulation& triangulation) const
+  {
+    Conformal_energy<FT, Triangle<FT>> result(triangulation.mesh(), triangulation.length_map(),
+                                              m_problem.target_defect(), m_problem.flipping());
+    result.evaluate(m_u);
+    return result;
+  }
+
+  // The minimizer moves by numbers in double, which lose fewer digits the closer the origin is.
+  template <typename Minimizer, typename Visitor>
+  void minimize_extended(const Minimizer& minimizer, double tolerance, Visitor& visitor)
+  {
+    auto energy = energy_at_start<Extended>(m_problem.triangulation());
+    double before = 0;
+    do {
+      before = (std::max)(m_max_curvature_error, m_result.gradient_error);
+      run(energy, minimizer, visitor);
+    } while(!is_within(tolerance) && !has_no_solution() &&
+            (std::max)(m_max_curvature_error, m_result.gradient_error) < before / 2);
+    m_extended = energy.scale_factors();
+  }
+
+  template <typename FT, typename Minimizer, typename Visitor>
+  void run(Conformal_energy<FT, Triangle<FT>>& energy, const Minimizer& minimizer, Visitor& visitor)
+  {
+    energy.move_origin();
+    Vector x = Vector::Zero(m_u.size());
+    const Minimization_result last = minimizer(energy, x, domain(), visitor);
+    const std::size_t iterations = m_result.iterations + last.iterations,
+                      evaluations = m_result.evaluations + last.evaluations;
+    m_result = last;
+    m_result.iterations = iterations;
+    m_result.evaluations = evaluations;
+    m_has_layout =
+      m_problem.flipping() == Flipping::to_Delaunay || energy.number_of_flat_faces() == 0;
+    m_status = status(x);
+    note_values(energy);
+  }
+
+  template <typename Energy>
+  void note_values(const Energy& energy)
+  {
+    m_max_curvature_error = 0;
+    for(std::size_t v = 0; v < m_problem.size(); ++v) {
+      const auto i = static_cast<Eigen::Index>(v);
+      m_u[i] = static_cast<double>(energy.scale_factors()[v]);
+      if(!m_problem.is_fixed()[v])
+        m_max_curvature_error = (std::max)(m_max_curvature_error, std::abs(energy.gradient()[i]));
+    }
+  }
+
+  // Whether more digits might give less than the tolerance; not if the minimizer was content with
+  // more, or has not been allowed to go on.
+  bool is_rounded(double tolerance) const
+  {
+    const bool has_been_stopped = m_result.status != Minimization_status::converged &&
+                                  m_result.status != Minimization_status::iteration_limit;
+    return m_result.gradient_error > tolerance ||
+           (m_max_curvature_error > tolerance && has_been_stopped);
+  }
+
+  // In a fixed triangulation it need not be rounding that stops the minimization.
+  bool has_no_solution() const
+  {
+    return m_status == Flattening_status::no_minimum ||
+           (m_status == Flattening_status::triangle_inequality &&
+            m_result.status == Minimization_status::iteration_limit);
+  }
+
+  // after a minimization that has led in this direction
+  Flattening_status status(const Vector& direction) const
+  {
+    if(m_problem.flipping() == Flipping::none && falls_without_end(direction))
+      return Flattening_status::no_minimum;
+    if(!m_has_layout)
+      return Flattening_status::triangle_inequality;
+    return m_result.status == Minimization_status::converged ? Flattening_status::success
+                                                             : Flattening_status::not_converged;
+  }
+
+  // Far along a direction, every face of a fixed triangulation has the angle pi where its entry is
+  // least. A convex energy that falls even there has no minimum.
+  bool falls_without_end(const Vector& direction) const
+  {
+    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    const Vector target = m_problem.target_defect();
+    const double pi = boost::math::constants::pi<double>();
+    double slope = 0, size = 0;
+    const auto add = [&](double x) {
+      slope += x;
+      size += std::abs(x);
+    };
+    for(Vertex_index v : mesh.vertices())
+      if(!m_problem.is_fixed()[v.idx()])
+        add((2 * pi - target[Eigen::Index(v.idx())]) * direction[Eigen::Index(v.idx())]);
+    for(Face_index f : mesh.faces()) {
+      double least = std::numeric_limits<double>::infinity();
+      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, mesh))
+        least = (std::min)(least, direction[Eigen::Index(mesh.source(h).idx())]);
+      add(-pi * least);
+    }
+    return slope < -1e-12 * size; // rounding
+  }
+
+  Minimization_domain domain() const
+  {
+    Minimization_domain result{m_problem.is_fixed(), {}};
+    if(Triangle<double>::has_similar_ones)
+      for(std::size_t v = 0; v < m_problem.size(); ++v)
+        result.component.push_back(m_problem.components()[v]);
+    return result;
+  }
+
+  const Doubled_problem& m_problem;
+  Vector m_u;
+  std::vector<Extended> m_extended;
+  Minimization_result m_result;
+  Flattening_status m_status = Flattening_status::success;
+  bool m_has_layout = true;
+  double m_max_curvature_error = 0;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SCALE_FACTORS_H

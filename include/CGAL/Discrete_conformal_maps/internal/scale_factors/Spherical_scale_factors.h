@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SPHERICAL_SCALE_FACTORS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SPHERICAL_SCALE_FACTORS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Bounded_Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Peacock_triangulation.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The scale factors that unfold a sphere, without one of its vertices, into the plane (Section
+// 4.4.4).
+template <typename FT>
+class Spherical_scale_factors
+{
+  typedef Eigen::VectorXd Vector;
+
+public:
+  // `mesh` is intrinsic Delaunay. \throws Numerical_error if `FT` has no numbers for the bounds
+  template <typename EdgeLengthMap>
+  Spherical_scale_factors(const Delta_complex& mesh, const EdgeLengthMap& length,
+                          Vertex_index at_infinity)
+    : m_mesh(mesh),
+      m_at_infinity(at_infinity),
+      m_energy(mesh, length, at_infinity),
+      m_bound(Peacock_triangulation<FT>(mesh, length, at_infinity).distances())
+  {
+    for(Vertex_index v : mesh.vertices())
+      m_bound[v.idx()] = is_fixed(v) ? FT(0) : FT(-m_bound[v.idx()]);
+    m_u = start();
+  }
+
+  // the scale factors; zero at infinity and at isolated vertices
+  const std::vector<FT>& values() const { return m_u; }
+  // the least that they may be: there, vertices are neighbors of the one at infinity
+  const std::vector<FT>& bounds() const { return m_bound; }
+  const Minimization_result& result() const { return m_result; }
+
+  // The greatest error of an angle that must be full: at vertices that are not at their bounds. At
+  // the others, the slope of the energy is like a root. There may be no number for where it
+  // vanishes, and the bound leaves as much as the root of a rounding unit in the gradient, before
+  // which all else in it is lost; but the sum of angles need not be full there.
+  double angle_error() const
+  {
+    double result = 0;
+    for(std::size_t v = 0; v < m_u.size(); ++v)
+      if(m_u[v] != m_bound[v]) {
+        const double error = std::abs(m_energy.gradient()[Eigen::Index(v)]);
+        result = error <= result ? result : error; // keeps what is no number
+      }
+    return result;
+  }
+
+  // Starts from scale factors of another precision instead of a guess.
+  template <typename Other>
+  void set_start(const Spherical_scale_factors<Other>& other)
+  {
+    for(std::size_t v = 0; v < m_u.size(); ++v)
+      m_u[v] = other.values()[v] == other.bounds()[v] ? m_bound[v] : FT(other.values()[v]);
+  }
+
+  // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
+  // `double` limits only how far a step can change the scale factors: where they have more digits,
+  // a second run finds these. Where they have not, a second run leaves vertices at their bounds:
+  // see `angle_error()`.
+  template <typename Visitor>
+  void minimize(double tolerance, Visitor& visitor)
+  {
+    run(tolerance, false, visitor);
+    if(!is_rounded || m_result.status != Minimization_status::converged)
+      run(tolerance, is_rounded, visitor);
+  }
+
+private:
+  // Ten or twenty are usual. Where bounds are active without effect, it may be better to take more
+  // digits.
+  static constexpr std::size_t iteration_limit = 100;
+  static constexpr double sufficient = 1e-13; // radians
+  static constexpr bool is_rounded = std::is_same<FT, double>::value;
+
+  template <typename Visitor>
+  void run(double tolerance, bool stays_at_bounds, Visitor& visitor)
+  {
+    Vector lower(Eigen::Index(m_u.size())), x(lower.size());
+    const std::vector<FT> origin = is_rounded ? std::vector<FT>(m_u.size(), FT(0)) : m_u;
+    Minimization_domain domain;
+    for(Vertex_index v : m_mesh.vertices()) {
+      const std::size_t i = v.idx();
+      lower[Eigen::Index(i)] = static_cast<double>(m_bound[i] - origin[i]);
+      x[Eigen::Index(i)] = static_cast<double>(m_u[i] - origin[i]);
+      domain.is_fixed.push_back(is_fixed(v) || (stays_at_bounds && m_u[i] == m_bound[i]));
+    }
+    m_energy.set_origin(origin);
+    const Minimization_result last =
+      Bounded_Newton_minimizer(tolerance, iteration_limit)(m_energy, x, lower, domain, visitor);
+    take(x, lower);
+    add_result(last);
+  }
+
+  void add_result(const Minimization_result& last)
+  {
+    const std::size_t iterations = m_result.iterations + last.iterations,
+                      evaluations = m_result.evaluations + last.evaluations;
+    m_result = last;
+    m_result.iterations = iterations;
+    m_result.evaluations = evaluations;
+    if(last.gradient_norm <= sufficient)
+      m_result.status =
+        Minimization_status::converged; // what is less than that is welcome, no more
+  }
+
+  // at the bounds to the bit
+  void take(const Vector& x, const Vector& lower)
+  {
+    for(std::size_t v = 0; v < m_u.size(); ++v) {
+      const Eigen::Index i = Eigen::Index(v);
+      m_u[v] = x[i] == lower[i] ? m_bound[v] : m_energy.scale_factors()[v];
+    }
+  }
+
+  // As if the neighbors of the vertex at infinity remained, with scale factors as even as possible.
+  std::vector<FT> start() const
+  {
+    FT sum(0), count(0);
+    std::vector<char> is_neighbor(m_bound.size(), 0);
+    for(Halfedge_index h : m_mesh.halfedges())
+      if(m_mesh.source(h) == m_at_infinity && m_mesh.target(h) != m_at_infinity) {
+        is_neighbor[m_mesh.target(h).idx()] = 1;
+        sum += m_bound[m_mesh.target(h).idx()];
+        count += 1;
+      }
+    std::vector<FT> result(m_bound.size(), FT(0));
+    for(Vertex_index v : m_mesh.vertices())
+      if(const std::size_t i = v.idx(); !is_fixed(v))
+        result[i] = is_neighbor[i] ? m_bound[i] : (std::max)(m_bound[i], FT(sum / count));
+    return result;
+  }
+
+  bool is_fixed(Vertex_index v) const { return v == m_at_infinity || m_mesh.is_isolated(v); }
+
+  const Delta_complex& m_mesh;
+  Vertex_index m_at_infinity;
+  Spherical_energy<FT> m_energy;
+  std::vector<FT> m_bound, m_u;
+  Minimization_result m_result;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SPHERICAL_SCALE_FACTORS_H

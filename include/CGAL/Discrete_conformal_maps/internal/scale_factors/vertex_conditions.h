@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_VERTEX_CONDITIONS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_VERTEX_CONDITIONS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
+#include <CGAL/Discrete_conformal_maps/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+using Intrinsic_triangulations::Delta_complex;
+using Intrinsic_triangulations::Vertex_index;
+
+// What is prescribed at the vertices of `g`, by numbers. Where the caller says nothing: flat
+// inside, and `on_boundary` on the boundary.
+template <typename Graph, typename NamedParameters>
+std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_complex& mesh,
+                                                const NamedParameters& np,
+                                                const Vertex_condition& on_boundary)
+{
+  using CGAL::parameters::get_parameter;
+  std::vector<Vertex_condition> result(mesh.num_vertices());
+  constexpr bool has_map =
+    !CGAL::parameters::is_default_parameter<NamedParameters,
+                                            internal_np::vertex_condition_map_t>::value;
+  if constexpr(has_map) {
+    std::size_t number = 0;
+    for(auto v : vertices(g))
+      result[number++] = get(get_parameter(np, internal_np::vertex_condition_map), v);
+  } else
+    for(Vertex_index v : mesh.vertices())
+      if(!mesh.is_isolated(v) && mesh.is_border(v))
+        result[v.idx()] = on_boundary;
+  return result;
+}
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_VERTEX_CONDITIONS_H

@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_EDGE_MARKS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_EDGE_MARKS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+using Intrinsic_triangulations::Correspondence;
+using Intrinsic_triangulations::Delta_complex;
+using Intrinsic_triangulations::Edge_index;
+using Intrinsic_triangulations::Face_index;
+using Intrinsic_triangulations::Face_location;
+using Intrinsic_triangulations::Halfedge_index;
+using Intrinsic_triangulations::Side;
+using Intrinsic_triangulations::Vertex_index;
+
+// whether two meshes have the same connectivity, with the same numbers
+inline bool is_same_complex(const Delta_complex& a, const Delta_complex& b)
+{
+  if(a.num_vertices() != b.num_vertices() || a.num_halfedges() != b.num_halfedges() ||
+     a.num_faces() != b.num_faces())
+    return false;
+  for(Halfedge_index h : a.halfedges())
+    if(a.next(h) != b.next(h) || a.face(h) != b.face(h) || a.target(h) != b.target(h))
+      return false;
+  return true;
+}
+
+// the point of the edge of `h` with these weights of its source and its target, in the face of `h`
+template <typename FT>
+Face_location<FT> location_on_edge(Halfedge_index h, const std::array<FT, 2>& weight,
+                                   const Delta_complex& mesh)
+{
+  const std::size_t s = Intrinsic_triangulations::internal::side_number(h, mesh);
+  Face_location<FT> result{mesh.face(h), {FT(0), FT(0), FT(0)}};
+  result.second[s] = weight[0];
+  result.second[(s + 1) % 3] = weight[1];
+  return result;
+}
+
+// the source of `h`, in the face of `h`
+template <typename FT>
+Face_location<FT> location_of_source(Halfedge_index h, const Delta_complex& mesh)
+{
+  return location_on_edge<FT>(h, {FT(1), FT(0)}, mesh);
+}
+
+template <typename FT, std::size_t n>
+std::array<FT, n> between(const std::array<FT, n>& a, const std::array<FT, n>& b, const FT& t)
+{
+  std::array<FT, n> result;
+  for(std::size_t i = 0; i < n; ++i)
+    result[i] = (1 - t) * a[i] + t * b[i];
+  return result;
+}
+
+// a point where an edge of triangulation A (family 0) or C (family 1) crosses a halfedge of B
+template <typename FT>
+struct Mark
+{
+  Vertex_index vertex; // of the subdivision
+  std::size_t family;
+  Halfedge_index across;    // leaves the face of the halfedge of B
+  FT here;                  // the place on the latter
+  std::array<FT, 2> weight; // of the ends of `across`; the sum of their vectors is the point of B
+  Face_location<FT>
+    other; // in the other family's triangulation, its face is left of the halfedge if the edge is shared
+};
+
+// The marks of both families on the edges of B, in one order. That of either family is exact;
+// between the two families their places decide, and where these are equal, A comes first along the
+// first halfedge.
+template <typename FT>
+class Edge_marks
+{
+public:
+  typedef Delta_complex::size_type size_type;
+
+  template <typename Traits_AB, typename Traits_BC>
+  Edge_marks(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
+    : m_mesh(ab.mesh(Side::intrinsic)), m_other{&ab.mesh(Side::input), &bc.mesh(Side::intrinsic)}
+  {
+    set_spokes(0, Side::intrinsic, ab);
+    set_spokes(1, Side::input, bc);
+    m_first.reserve(m_mesh.num_edges() + 1);
+    m_marks.reserve(ab.number_of_crossings() + bc.number_of_crossings());
+    for(Edge_index e : m_mesh.edges())
+      merge(e, ab, bc);
+    m_first.push_back(static_cast<size_type>(m_marks.size()));
+    for(Edge_index e : m_mesh.edges())
+      for(std::size_t family = 0; family < 2; ++family)
+        if(count(family, e) > 0)
+          locate_others(family, e);
+  }
+
+  // the connectivity of B, and of A or C
+  const Delta_complex& mesh() const { return m_mesh; }
+  const Delta_complex& mesh(std::size_t family) const { return *m_other[family]; }
+
+  size_type count(Edge_index e) const { return m_first[e.idx() + 1] - m_first[e]; }
+  size_type count(std::size_t family, Edge_index e) const
+  {
+    return family == 0 ? m_count_of_A[e] : count(e) - m_count_of_A[e];
+  }
+  size_type number_before(Edge_index e) const { return m_first[e]; }
+
+  // mark `p` on the halfedge `h`, counted from its source
+  Mark<FT> mark(Halfedge_index h, size_type p) const
+  {
+    const Edge_index e(h);
+    const bool is_even = h.idx() % 2 == 0;
+    Mark<FT> m = m_marks[is_even ? m_first[e] + p : m_first[e.idx() + 1] - 1 - p];
+    if(!is_even) {
+      m.across = mesh(m.family).opposite(m.across);
+      m.here = 1 - m.here;
+      std::swap(m.weight[0], m.weight[1]);
+    }
+    if(count(1 - m.family, e) == 0)
+      m.other = on_shared(1 - m.family, h, m.here);
+    return m;
+  }
+
+  // the last halfedge of the family's triangulation at or clockwise from `h` around its source
+  Halfedge_index spoke(std::size_t family, Halfedge_index h) const { return m_spoke[family][h]; }
+
+private:
+  struct Node
+  {
+    FT here;
+    Face_location<FT> location;
+  };
+
+  template <typename Traits>
+  void set_spokes(std::size_t family, Side side, const Correspondence<Traits>& correspondence)
+  {
+    m_spoke[family].reserve(m_mesh.num_halfedges());
+    for(Halfedge_index h : m_mesh.halfedges())
+      m_spoke[family].push_back(correspondence.spoke_before(side, h));
+  }
+
+  template <typename Traits_AB, typename Traits_BC>
+  void merge(Edge_index e, const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
+  {
+    const Halfedge_index h(2 * e.idx());
+    const size_type n = ab.number_of_crossings(Side::intrinsic, e);
+    const size_type m = bc.number_of_crossings(Side::input, e);
+    m_first.push_back(static_cast<size_type>(m_marks.size()));
+    m_count_of_A.push_back(n);
+    for(size_type p = 0, q = 0; p < n || q < m;) {
+      const bool is_A = q == m || (p < n && !(bc.crossing(Side::input, h, q).here.t <
+                                              ab.crossing(Side::intrinsic, h, p).here.t));
+      if(is_A)
+        add(0, Side::intrinsic, h, p++, ab, m_mesh.num_vertices());
+      else
+        add(1, Side::input, h, q++, bc, m_mesh.num_vertices() + ab.number_of_crossings());
+    }
+  }
+
+  template <typename Traits>
+  void add(std::size_t family, Side side, Halfedge_index h, size_type p,
+           const Correspondence<Traits>& correspondence, size_type first_vertex)
+  {
+    const auto c = correspondence.crossing(side, h, p);
+    const FT scale = correspondence.scale(c.id);
+    const FT factor = side == Side::input ? scale : FT(1 / scale);
+    m_marks.push_back({Vertex_index(first_vertex + c.id),
+                       family,
+                       c.across.halfedge,
+                       c.here.t,
+                       {factor * (1 - c.across.t), factor * c.across.t},
+                       {}});
+  }
+
+  // Between two marks of one family, or an end of the edge, the edge is straight in that
+  // triangulation.
+  void locate_others(std::size_t family, Edge_index e)
+  {
+    const Halfedge_index h(2 * e.idx());
+    const Delta_complex& other = mesh(family);
+    const size_type end = m_first[e.idx() + 1];
+    Node left{FT(0), location_of_source<FT>(spoke(family, h), other)};
+    size_type first = m_first[e];
+    for(size_type i = first; i < end; ++i) {
+      const Mark<FT>& m = m_marks[i];
+      if(m.family != family)
+        continue;
+      const Halfedge_index inward = other.opposite(m.across);
+      locate(first, i, left,
+             {m.here, location_on_edge<FT>(inward, {m.weight[1], m.weight[0]}, other)});
+      left = {m.here, location_on_edge(m.across, m.weight, other)};
+      first = i + 1;
+    }
+    locate(first, end, left,
+           {FT(1), location_of_source<FT>(spoke(family, m_mesh.opposite(h)), other)});
+  }
+
+  void locate(size_type first, size_type last, const Node& left, const Node& right)
+  {
+    const FT width = right.here - left.here;
+    for(size_type i = first; i < last; ++i) {
+      const FT t = width > 0 ? FT((m_marks[i].here - left.here) / width) : FT(0);
+      m_marks[i].other = {left.location.first,
+                          between(left.location.second, right.location.second, t)};
+    }
+  }
+
+  Face_location<FT> on_shared(std::size_t family, Halfedge_index h, const FT& t) const
+  {
+    return location_on_edge<FT>(spoke(family, h), {1 - t, t}, mesh(family));
+  }
+
+  const Delta_complex& m_mesh;
+  std::array<const Delta_complex*, 2> m_other;
+  std::array<std::vector<Halfedge_index>, 2> m_spoke;
+  std::vector<size_type> m_first, m_count_of_A; // of each edge
+  std::vector<Mark<FT>> m_marks;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_EDGE_MARKS_H

@@ -1,0 +1,295 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_CURVE_TRACER_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_CURVE_TRACER_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_history.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// A straight piece of a curve in a face.
+struct Curve_segment
+{
+  Face_index face;
+  Face_point from, to;
+};
+
+// Carries an edge of one level through the operations to the other. Homogeneous coordinates make
+// every operation linear on each face. So a segment goes its way alone: it is cut where a new edge
+// crosses it, and the next operation on its face decides what happens next. Segments that meet on
+// an edge agree there to the last bit: the two coordinates of a point on an edge change only by
+// operations that involve the faces on both sides.
+class Curve_tracer
+{
+public:
+  Curve_tracer(const Surface_map& map, bool forward) : m_map(map), m_is_forward(forward) {}
+
+  // The edge of `h`, a halfedge of the level where the curve starts, from its source to its target.
+  // Faces have the numbers of the evolving surface.
+  const std::vector<Curve_segment>& trace(Halfedge_index h)
+  {
+    carry_edge(h);
+    join_straight_pieces();
+    return m_result;
+  }
+
+  // The same; the curve runs through vertices that it comes to within rounding.
+  const std::vector<Curve_segment>& trace_through_near_vertices(Halfedge_index h)
+  {
+    carry_edge(h);
+    for(Curve_segment& s : m_result) {
+      move_to_near_corner(s.from);
+      move_to_near_corner(s.to);
+    }
+    join_straight_pieces();
+    return m_result;
+  }
+
+private:
+  // with the time of the next operation: its start going forward, its end going backward
+  struct Timed_segment
+  {
+    Curve_segment segment;
+    Surface_history::Time time;
+  };
+
+  void carry_edge(Halfedge_index h)
+  {
+    m_result.clear();
+    m_is_bend.assign(2, 0);
+    m_stack.assign(1, start(h));
+    while(!m_stack.empty()) {
+      const Timed_segment s = m_stack.back();
+      m_stack.pop_back();
+      if(s.time == last_time())
+        m_result.push_back(s.segment);
+      else
+        carry(s.segment, m_is_forward ? s.time : s.time - 1);
+    }
+  }
+
+  Surface_history::Time last_time() const
+  {
+    return (m_is_forward ? m_map.coarse() : m_map.fine()).time();
+  }
+
+  // an edge and its reverse start in the same face
+  Timed_segment start(Halfedge_index h) const
+  {
+    const Surface_level& level = m_is_forward ? m_map.fine() : m_map.coarse();
+    const Delta_complex& mesh = level.mesh();
+    Halfedge_index inner = mesh.halfedge(mesh.edge(h), 0);
+    if(mesh.is_border(inner))
+      inner = mesh.opposite(inner);
+    const std::size_t s = Intrinsic_triangulations::internal::side_number(inner, mesh);
+    const std::size_t from = inner == h ? s : (s + 1) % 3, to = inner == h ? (s + 1) % 3 : s;
+    return timed({level.surface_face(mesh.face(inner)), corner_point(from, 0), corner_point(to, 1)},
+                 level.time());
+  }
+
+  static Face_point corner_point(std::size_t corner, std::size_t end)
+  {
+    Face_point result{{}, bit(corner), {}, end};
+    result.weight[corner] = 1;
+    result.along[end] = 1;
+    return result;
+  }
+
+  Timed_segment timed(const Curve_segment& s, Surface_history::Time now) const
+  {
+    return {s,
+            m_is_forward ? m_map.next_operation(s.face, now) : m_map.end_of_operation(s.face, now)};
+  }
+
+  // the parts of the segment after operation `t` come on the stack, the first on top
+  void carry(const Curve_segment& s, Surface_history::Time t)
+  {
+    m_parts.clear();
+    const Surface_operation& operation = m_map.history()[t];
+    switch(operation.kind) {
+      case Surface_operation::Kind::scaling: scale(operation, s); break;
+      case Surface_operation::Kind::flip: turn_edge(Turned_edge(operation, m_is_forward), s); break;
+      case Surface_operation::Kind::removal:
+      case Surface_operation::Kind::border_removal:
+        if(m_is_forward)
+          remove_vertex(Vertex_sectors(operation), s);
+        else
+          insert_vertex(Vertex_sectors(operation), s);
+    }
+    const Surface_history::Time now = m_is_forward ? t + 1 : t;
+    for(std::size_t n = m_parts.size(); n-- > 0;)
+      m_stack.push_back(timed(m_parts[n], now));
+  }
+
+  void add_part(const Patch_face& face, const Patch_point& from, const Patch_point& to)
+  {
+    m_parts.push_back({face.face, face.in_face(from), face.in_face(to)});
+  }
+
+  void number(Patch_point& p)
+  {
+    p.node = m_is_bend.size();
+    m_is_bend.push_back(0);
+  }
+
+  // A curve bends on an edge where the changes on its two sides differ.
+  void scale(const Surface_operation& scaling, Curve_segment s)
+  {
+    const double x = m_is_forward ? scaling.x[0] : 1 / scaling.x[0];
+    const Coordinates factor = scale_factors(m_map.history(), scaling, x, s.face);
+    for(Face_point* p : {&s.from, &s.to}) {
+      if(is_pair(p->corners))
+        m_is_bend[p->node] = 1;
+      for(std::size_t c = 0; c < 3; ++c)
+        p->weight[c] *= factor[c];
+    }
+    m_parts.push_back(s);
+  }
+
+  void turn_edge(const Turned_edge& turn, const Curve_segment& s)
+  {
+    const Patch_face& face = turn.before(s.face == turn.before(0).face ? 0 : 1);
+    const Patch_point from = face.in_patch(s.from), to = face.in_patch(s.to);
+    const int from_side = turn.side(from), to_side = turn.side(to);
+    if(from_side * to_side >= 0)
+      return add_part(turn.after(from_side + to_side >= 0 ? 0 : 1), turn.turned(from),
+                      turn.turned(to));
+    Patch_point x = turn.crossing(from, to);
+    number(x);
+    add_part(turn.after(from_side > 0 ? 0 : 1), turn.turned(from), x);
+    add_part(turn.after(to_side > 0 ? 0 : 1), x, turn.turned(to));
+  }
+
+  void remove_vertex(const Vertex_sectors& sectors, const Curve_segment& s)
+  {
+    const Patch_face& face = sectors[sectors.sector_of(s.face)];
+    add_part(sectors.whole(), sectors.in_whole(face.in_patch(s.from)),
+             sectors.in_whole(face.in_patch(s.to)));
+  }
+
+  void insert_vertex(const Vertex_sectors& sectors, const Curve_segment& s)
+  {
+    const Patch_point x = sectors.whole().in_patch(s.from), y = sectors.whole().in_patch(s.to);
+    const auto from = sectors.in_sectors(x), to = sectors.in_sectors(y);
+    if(to.is_in(from.first))
+      return add_part(sectors[from.first], from.point, to.point);
+    if(to.is_in(from.last))
+      return add_part(sectors[from.last], from.point, to.point);
+    // one way around the vertex there is one spoke; where its line is crossed tells which way is
+    // right
+    const bool one_ahead = sectors.is_border() ? from.last == 0 : (from.last + 1) % 3 == to.first;
+    const std::size_t spoke = one_ahead ? (from.last + 1) % 3 : from.first;
+    auto [point, excess] = sectors.on_line(spoke, x, y);
+    if(sectors.is_border() ? Vertex_sectors::is_on_border_side(x, y)
+                           : std::abs(excess) <= rounding())
+      return pass_through_vertex(sectors, from, point, to);
+    const bool is_ahead = one_ahead == (excess > 0 || sectors.is_border());
+    pass_spokes(sectors, is_ahead, {x, y}, from, to);
+  }
+
+  void pass_through_vertex(const Vertex_sectors& sectors, const Vertex_sectors::Sector_point& from,
+                           Patch_point at_vertex, const Vertex_sectors::Sector_point& to)
+  {
+    at_vertex.weight = {0, 0, 0, at_vertex.weight[Vertex_sectors::m]};
+    at_vertex.corners = bit(Vertex_sectors::m);
+    number(at_vertex);
+    add_part(sectors[from.last], from.point, at_vertex);
+    add_part(sectors[to.first], at_vertex, to.point);
+  }
+
+  // counterclockwise around the vertex if `is_ahead`
+  void pass_spokes(const Vertex_sectors& sectors, bool is_ahead,
+                   const std::array<Patch_point, 2>& ends, const Vertex_sectors::Sector_point& from,
+                   const Vertex_sectors::Sector_point& to)
+  {
+    Patch_point last = from.point;
+    std::size_t n = is_ahead ? from.last : from.first;
+    while(!to.is_in(n)) {
+      Patch_point x = sectors.on_line(is_ahead ? (n + 1) % 3 : n, ends[0], ends[1]).point;
+      number(x);
+      add_part(sectors[n], last, x);
+      last = x;
+      n = (n + (is_ahead ? 1 : 2)) % 3;
+    }
+    add_part(sectors[n], last, to.point);
+  }
+
+  // A point between the ends that is at a corner, within rounding, is a vertex: the curve runs
+  // through it.
+  static void move_to_near_corner(Face_point& p)
+  {
+    if(p.node < 2)
+      return;
+    const auto most = std::max_element(p.weight.begin(), p.weight.end());
+    for(auto w = p.weight.begin(); w != p.weight.end(); ++w)
+      if(w != most && *w > rounding() * *most)
+        return;
+    p.corners = bit(static_cast<std::size_t>(most - p.weight.begin()));
+    for(auto w = p.weight.begin(); w != p.weight.end(); ++w)
+      if(w != most)
+        *w = 0;
+  }
+
+  // Joins what is straight: a point inside a face where the curve does not bend was on an edge
+  // once. A piece that leads from a side back to the same side, or from a corner to itself, is
+  // there by rounding only.
+  void join_straight_pieces()
+  {
+    std::size_t size = 0;
+    bool is_joint = false;
+    for(const Curve_segment& s : m_result) {
+      if(is_joint)
+        m_result[size - 1].to = s.to;
+      else
+        m_result[size++] = s;
+      const Curve_segment& last = m_result[size - 1];
+      is_joint = last.to.corners == inside && !m_is_bend[last.to.node];
+      if(!is_joint && leads_back(last)) {
+        --size;
+        is_joint = is_pair(last.to.corners);
+      }
+    }
+    m_result.resize(size);
+    // pieces that have been left out at a vertex were as long as rounding
+    m_result.front().from.along = {1, 0, 0};
+    m_result.back().to.along = {0, 1, 0};
+    for(std::size_t n = 1; n < size; ++n)
+      m_result[n].from.along = m_result[n - 1].to.along;
+  }
+
+  // the ends of the curve have the nodes 0 and 1
+  static bool leads_back(const Curve_segment& s)
+  {
+    return s.from.corners == s.to.corners && s.to.corners != inside && s.from.node + s.to.node > 1;
+  }
+
+  static constexpr Corner_set inside = 7;
+
+  const Surface_map& m_map;
+  bool m_is_forward;
+  std::vector<char> m_is_bend; // of each point
+  std::vector<Timed_segment> m_stack;
+  std::vector<Curve_segment> m_parts; // of the segment that is being carried
+  std::vector<Curve_segment> m_result;
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_CURVE_TRACER_H

@@ -1,0 +1,287 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_FACE_CUTTER_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_FACE_CUTTER_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_history.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// A side of a polygon, by the point where it starts and the number of the line on which it is.
+struct Cell_side
+{
+  Face_point from;
+  std::size_t line;
+};
+
+// A polygon inside a face, with the linear map to it from the face where it started: the images of
+// the three corners.
+struct Cell
+{
+  Face_index face;
+  std::array<Face_point, 3> image;
+  std::vector<Cell_side> sides; // counterclockwise
+};
+
+// whether side number `n` lies on an edge of the face
+inline bool is_on_edge(const Cell& cell, std::size_t n)
+{
+  const std::size_t next = n + 1 == cell.sides.size() ? 0 : n + 1;
+  return is_pair(cell.sides[n].from.corners | cell.sides[next].from.corners);
+}
+
+// The area of a polygon with `n` corners in a face, in units of the face: negative if it is
+// clockwise. `at(c)` are the homogeneous coordinates of a corner.
+template <typename At>
+double polygon_area(std::size_t n, const At& at)
+{
+  const auto point = [&](std::size_t c) {
+    Coordinates b = at(c);
+    normalize(b);
+    return b;
+  };
+  double sum = 0;
+  const Coordinates a = point(0);
+  for(std::size_t c = 1; c + 1 < n; ++c) {
+    const Coordinates b = point(c), d = point(c + 1);
+    sum += (b[1] - a[1]) * (d[2] - a[2]) - (b[2] - a[2]) * (d[1] - a[1]);
+  }
+  return sum;
+}
+
+// Carries a face of the fine level through the operations to the coarse level. Like a curve it is
+// cut where it is crossed by a new edge, and its cells go their ways alone. Those on the two sides
+// of a cut know their common points by number, and agree on their coordinates to the last bit. So
+// whatever rounding does, cells are a subdivision of the face.
+class Face_cutter
+{
+public:
+  explicit Face_cutter(const Surface_map& map) : m_map(map) {}
+
+  // The cells of `f`. Faces have the numbers of the evolving surface.
+  const std::vector<Cell>& cut(Face_index f)
+  {
+    m_result.clear();
+    m_crossings.clear();
+    m_lines.clear();
+    m_is_crease.assign(3, 1);
+    m_number_of_points = 3;
+    m_stack.clear();
+    push(start(m_map.fine().surface_face(f)), m_map.fine().time());
+    while(!m_stack.empty()) {
+      Timed_cell c = std::move(m_stack.back());
+      m_stack.pop_back();
+      if(c.time == m_map.coarse().time())
+        m_result.push_back(std::move(c.cell));
+      else
+        carry(c.cell, c.time);
+    }
+    return m_result;
+  }
+
+  // Whether the map changes at a line: the line has been on an edge when the scale changed beside
+  // it. The first three are the sides of the face.
+  bool is_crease(std::size_t line) const { return m_is_crease[line] != 0; }
+
+private:
+  // with the time of the next operation
+  struct Timed_cell
+  {
+    Cell cell;
+    Surface_history::Time time;
+  };
+
+  // a point of a cell before a flip, with the side that it begins, and on which side of the new
+  // edge it is
+  struct Sided_point
+  {
+    Patch_point point;
+    std::size_t line;
+    int side;
+  };
+  typedef std::vector<Sided_point> Part;
+
+  static Cell start(Face_index f)
+  {
+    Cell result{f, {}, {}};
+    for(std::size_t c = 0; c < 3; ++c) {
+      Face_point p{{}, bit(c), {}, c};
+      p.weight[c] = p.along[c] = 1;
+      result.sides.push_back({p, c});
+      p.corners = bit(0) | bit(1) | bit(2);
+      result.image[c] = p;
+    }
+    return result;
+  }
+
+  void push(Cell&& cell, Surface_history::Time now)
+  {
+    const Surface_history::Time next = m_map.next_operation(cell.face, now);
+    m_stack.push_back({std::move(cell), next});
+  }
+
+  void carry(Cell& cell, Surface_history::Time t)
+  {
+    const Surface_operation& operation = m_map.history()[t];
+    switch(operation.kind) {
+      case Surface_operation::Kind::scaling: scale(operation, cell); break;
+      case Surface_operation::Kind::flip: return turn_edge(Turned_edge(operation, true), t, cell);
+      case Surface_operation::Kind::removal:
+      case Surface_operation::Kind::border_removal: remove_vertex(Vertex_sectors(operation), cell);
+    }
+    push(std::move(cell), t + 1);
+  }
+
+  template <typename Change>
+  static void change_points(Cell& cell, const Change& change)
+  {
+    for(Cell_side& s : cell.sides)
+      s.from = change(s.from);
+    for(Face_point& p : cell.image)
+      p = change(p);
+  }
+
+  void scale(const Surface_operation& scaling, Cell& cell)
+  {
+    for(std::size_t n = 0; n < cell.sides.size(); ++n)
+      if(is_on_edge(cell, n))
+        m_is_crease[cell.sides[n].line] = 1;
+    const Coordinates factor = scale_factors(m_map.history(), scaling, scaling.x[0], cell.face);
+    change_points(cell, [&](Face_point p) {
+      for(std::size_t c = 0; c < 3; ++c)
+        p.weight[c] *= factor[c];
+      return p;
+    });
+  }
+
+  void remove_vertex(const Vertex_sectors& sectors, Cell& cell)
+  {
+    const Patch_face& sector = sectors[sectors.sector_of(cell.face)];
+    cell.face = sectors.whole().face;
+    change_points(cell, [&](const Face_point& p) {
+      return sectors.whole().in_face(sectors.in_whole(sector.in_patch(p)));
+    });
+  }
+
+  void turn_edge(const Turned_edge& turn, Surface_history::Time t, const Cell& cell)
+  {
+    const Patch_face& before = turn.before(cell.face == turn.before(0).face ? 0 : 1);
+    m_points.clear();
+    for(const Cell_side& s : cell.sides) {
+      Patch_point x = before.in_patch(s.from);
+      if(turn.is_near_diagonal(x))
+        x = numbered(turn.crossing(x, x), x.node);
+      m_points.push_back({x, s.line, turn.side(x)});
+    }
+    for(std::size_t c = 0; c < 3; ++c)
+      m_image[c] = before.in_patch(cell.image[c]);
+    const bool has_positive = move_to_front(1), has_negative = move_to_front(-1);
+    if(has_positive && has_negative)
+      cut_along(turn, t);
+    else
+      add_part(turn, has_negative ? -1 : 1, m_points, t);
+  }
+
+  static Patch_point numbered(Patch_point x, std::size_t node)
+  {
+    x.node = node;
+    return x;
+  }
+
+  // Rotates the points so that the first is on that side; whether there is any.
+  bool move_to_front(int side)
+  {
+    const auto first = std::find_if(m_points.begin(), m_points.end(),
+                                    [&](const Sided_point& p) { return p.side == side; });
+    if(first == m_points.end())
+      return false;
+    std::rotate(m_points.begin(), first, m_points.end());
+    return true;
+  }
+
+  // Points on the edge go with those before them. There are two parts, or more if rounding has bent
+  // a side; then the negative side is cut off part by part.
+  void cut_along(const Turned_edge& turn, Surface_history::Time t)
+  {
+    move_to_front(1); // the last that is not on the edge is negative now
+    const std::size_t edge = line_of_flip(t);
+    m_positive.clear();
+    m_negative.clear();
+    int side = 1;
+    for(std::size_t n = 0; n < m_points.size(); ++n) {
+      const Sided_point &p = m_points[n], &next = m_points[n + 1 == m_points.size() ? 0 : n + 1];
+      Part &here = side > 0 ? m_positive : m_negative, &there = side > 0 ? m_negative : m_positive;
+      if(p.side != 0 || next.side != -side)
+        here.push_back(p);
+      if(next.side != -side)
+        continue;
+      const Patch_point x = p.side == 0 ? p.point : crossing(turn, p.point, next.point);
+      here.push_back({x, edge, 0});
+      there.push_back({x, p.line, 0});
+      if(side < 0)
+        add_part(turn, -1, std::exchange(m_negative, {}), t);
+      side = -side;
+    }
+    add_part(turn, 1, m_positive, t);
+  }
+
+  std::size_t line_of_flip(Surface_history::Time t)
+  {
+    const auto [line, is_new] = m_lines.emplace(t, m_is_crease.size());
+    if(is_new)
+      m_is_crease.push_back(0);
+    return line->second;
+  }
+
+  // the same, to the last bit, whichever cell asks
+  Patch_point crossing(const Turned_edge& turn, const Patch_point& x, const Patch_point& y)
+  {
+    if(x.node > y.node)
+      return crossing(turn, y, x);
+    const auto [entry, is_new] = m_crossings.emplace(std::pair(x.node, y.node), m_number_of_points);
+    m_number_of_points += is_new;
+    return numbered(turn.crossing(x, y), entry->second);
+  }
+
+  void add_part(const Turned_edge& turn, int side, const Part& part, Surface_history::Time t)
+  {
+    const Patch_face& after = turn.after(side > 0 ? 0 : 1);
+    Cell result{after.face, {}, {}};
+    for(const Sided_point& p : part)
+      result.sides.push_back({after.in_face(turn.turned(p.point)), p.line});
+    for(std::size_t c = 0; c < 3; ++c)
+      result.image[c] = after.in_face(turn.changed(m_image[c], side > 0));
+    push(std::move(result), t + 1);
+  }
+
+  const Surface_map& m_map;
+  std::size_t m_number_of_points = 0;
+  std::vector<char> m_is_crease; // of each line
+  std::map<Surface_history::Time, std::size_t> m_lines;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_crossings; // of sides that were cut
+  std::vector<Timed_cell> m_stack;
+  Part m_points, m_positive, m_negative; // of the cell that is being cut
+  std::array<Patch_point, 3> m_image;
+  std::vector<Cell> m_result;
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_FACE_CUTTER_H

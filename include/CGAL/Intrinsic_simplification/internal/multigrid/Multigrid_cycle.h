@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MULTIGRID_MULTIGRID_CYCLE_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MULTIGRID_MULTIGRID_CYCLE_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/internal/multigrid/Matrix_components.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+typedef Eigen::SparseMatrix<double> Matrix;
+typedef Eigen::VectorXd Vector;
+
+// A symmetric matrix with a smoother. Columns serve as rows.
+class Multigrid_level
+{
+public:
+  explicit Multigrid_level(Matrix matrix) : m_matrix(std::move(matrix))
+  {
+    m_matrix.makeCompressed();
+    const Vector diagonal = m_matrix.diagonal();
+    m_inverse_diagonal = (diagonal.array() > 0).select(diagonal.cwiseInverse(), 0); // empty rows
+  }
+
+  const Matrix& matrix() const { return m_matrix; }
+
+  Vector residual(const Vector& b, const Vector& x) const { return b - m_matrix.transpose() * x; }
+
+  // a sweep of the method of Gauss and Seidel
+  void smooth(const Vector& b, Vector& x) const
+  {
+    for(Eigen::Index j = 0; j < x.size(); ++j)
+      relax(j, b, x);
+  }
+
+  // the same in reverse, which makes both together symmetric
+  void smooth_back(const Vector& b, Vector& x) const
+  {
+    for(Eigen::Index j = x.size(); j-- > 0;)
+      relax(j, b, x);
+  }
+
+private:
+  void relax(Eigen::Index j, const Vector& b, Vector& x) const
+  {
+    double rest = b[j];
+    for(Matrix::InnerIterator entry(m_matrix, j); entry; ++entry)
+      rest -= entry.value() * x[entry.index()];
+    x[j] += rest * m_inverse_diagonal[j];
+  }
+
+  Matrix m_matrix;
+  Vector m_inverse_diagonal;
+};
+
+// Solves on the coarsest level. On a component where the matrix maps constants to zero, the first
+// value is zero.
+class Coarse_solver
+{
+public:
+  Coarse_solver(const Matrix& matrix, const Matrix_components& components)
+    : m_unknowns(select_unknowns(static_cast<std::size_t>(matrix.cols()), components)),
+      m_factorization(m_unknowns.transpose() * matrix * m_unknowns, "coarse matrix")
+  {}
+
+  Vector operator()(const Vector& b) const
+  {
+    return m_unknowns * m_factorization.solve(m_unknowns.transpose() * b);
+  }
+
+private:
+  static Matrix select_unknowns(std::size_t size, const Matrix_components& components)
+  {
+    std::vector<char> is_determined(components.size());
+    for(std::size_t c = 0; c < components.size(); ++c)
+      is_determined[c] = components.is_floating(c) ? 0 : 1;
+    Intrinsic_triangulations::internal::Sparse_assembly<double> assembly(size);
+    std::size_t count = 0;
+    for(std::size_t v = 0; v < size; ++v) {
+      char& determined = is_determined[components[v]];
+      if(determined)
+        assembly.add(v, count++, 1);
+      determined = 1;
+    }
+    return assembly.matrix(size, count);
+  }
+
+  Matrix m_unknowns;
+  Intrinsic_triangulations::internal::Factorization<double> m_factorization;
+};
+
+// One V-cycle, an approximate inverse that is symmetric and positive definite where the matrix is.
+// The matrices of the coarser levels are those of Galerkin, P^T A P.
+class Multigrid_cycle
+{
+public:
+  Multigrid_cycle(const Matrix& matrix, const Matrix_components& components,
+                  const std::vector<Matrix>& prolongations)
+    : m_prolongations(prolongations)
+  {
+    Matrix_components coarse_components = components;
+    m_levels.emplace_back(matrix);
+    for(const Matrix& p : prolongations) {
+      m_levels.emplace_back(Matrix(p.transpose() * m_levels.back().matrix() * p));
+      coarse_components = Matrix_components(coarse_components, p);
+    }
+    m_coarse_solver = std::make_unique<Coarse_solver>(m_levels.back().matrix(), coarse_components);
+  }
+
+  const Multigrid_level& finest() const { return m_levels.front(); }
+
+  Vector operator()(const Vector& b) const { return cycle(0, b); }
+
+  // the number of entries of the matrices and prolongations of all levels
+  std::size_t number_of_entries() const
+  {
+    Eigen::Index result = 0;
+    for(const Multigrid_level& level : m_levels)
+      result += level.matrix().nonZeros();
+    for(const Matrix& p : m_prolongations)
+      result += p.nonZeros();
+    return static_cast<std::size_t>(result);
+  }
+
+private:
+  Vector cycle(std::size_t n, const Vector& b) const
+  {
+    if(n == m_prolongations.size())
+      return (*m_coarse_solver)(b);
+    const Multigrid_level& level = m_levels[n];
+    const Matrix& p = m_prolongations[n];
+    Vector x = Vector::Zero(b.size());
+    level.smooth(b, x);
+    x += p * cycle(n + 1, p.transpose() * level.residual(b, x));
+    level.smooth_back(b, x);
+    return x;
+  }
+
+  std::vector<Matrix> m_prolongations;
+  std::vector<Multigrid_level> m_levels; // the finest first
+  std::unique_ptr<Coarse_solver> m_coarse_solver;
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MULTIGRID_MULTIGRID_CYCLE_H

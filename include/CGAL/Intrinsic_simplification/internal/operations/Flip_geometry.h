@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FLIP_GEOMETRY_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FLIP_GEOMETRY_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <CGAL/double.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// What a flip of ij to lk needs: the new length, and the places where the two cross, measured from
+// i and l.
+struct Flip_geometry
+{
+  double length, s, t;
+};
+
+inline Flip_geometry flip_geometry(const Intrinsic_triangulations::Diamond<double>& d)
+{
+  namespace IT = Intrinsic_triangulations;
+  const double at_k = IT::quadrupled_area(d.ij, d.jk, d.ki);
+  const double at_l = IT::quadrupled_area(d.ij, d.lj, d.il);
+  const double feet =
+    IT::scaled_foot(d.jk, d.ki) * at_l + IT::scaled_foot(d.lj, d.il) * at_k; // from the midpoint
+  const double both = at_k + at_l;
+  const double length = IT::Euclidean_geometry_traits<double>::Compute_flipped_length()(d);
+  if(!(both > 0)) // all four points on a line: any place will do
+    return {length, 0.5, 0.5};
+  return {length, std::clamp(0.5 + feet / (2 * d.ij * d.ij * both), 0., 1.), at_l / both};
+}
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FLIP_GEOMETRY_H

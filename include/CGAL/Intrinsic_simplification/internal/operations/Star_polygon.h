@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_STAR_POLYGON_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_STAR_POLYGON_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Flattened_star.h>
+#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// a point of the plane
+struct Plane_point
+{
+  double x, y;
+
+  friend Plane_point operator-(const Plane_point& p, const Plane_point& q)
+  {
+    return {p.x - q.x, p.y - q.y};
+  }
+  friend double cross(const Plane_point& p, const Plane_point& q) { return p.x * q.y - p.y * q.x; }
+  friend double squared_norm(const Plane_point& p) { return p.x * p.x + p.y * p.y; }
+};
+
+// An edge from the center that is to be flipped: its new length, and the places of the crossing on
+// the old and the new edge.
+struct Spoke_flip
+{
+  Halfedge_index halfedge;
+  double length, s, t;
+};
+
+// The flat star of a vertex without loops, laid out in the plane around the origin, and the spokes
+// whose flips leave three. A flip cuts off an ear of the polygon.
+class Star_polygon
+{
+public:
+  // Lays out the star and chooses the flips; false if there are none that work.
+  bool plan(const Flattened_star& star)
+  {
+    lay_out(star);
+    m_flips.clear();
+    std::size_t rest = star.size();
+    for(std::size_t n = 0; n < star.size(); ++n)
+      rate(n);
+    for(; rest > 3; --rest) {
+      const std::size_t ear = best_ear();
+      if(ear == m_corners.size())
+        return false;
+      cut(ear);
+    }
+    return set_last_three();
+  }
+
+  // in their order
+  const std::vector<Spoke_flip>& flips() const { return m_flips; }
+
+  // the barycentric coordinate of the center that belongs to one of the last three spokes
+  double weight(Halfedge_index spoke) const
+  {
+    return m_weight[spoke == m_last[0] ? 0 : spoke == m_last[1] ? 1 : 2];
+  }
+
+private:
+  struct Corner
+  {
+    Plane_point point;
+    Halfedge_index spoke;
+    std::size_t previous, next; // of those that are left
+    double power;               // the greater, the rather it is cut off
+  };
+
+  static constexpr double never() { return -std::numeric_limits<double>::infinity(); }
+
+  void lay_out(const Flattened_star& star)
+  {
+    m_corners.resize(star.size());
+    m_is_border = star.is_border();
+    Plane_point direction{1, 0};
+    for(std::size_t n = 0; n < star.size(); ++n) {
+      const double length = star.flat_length(n);
+      m_corners[n] = {{length * direction.x, length * direction.y},
+                      star[n].halfedge,
+                      n == 0 ? star.size() - 1 : n - 1,
+                      star.next(n),
+                      never()};
+      if(n < star.number_of_corners())
+        direction =
+          turned(direction, length, star.flat_length(star.next(n)), star.flat_opposite_length(n));
+    }
+    m_first = 0;
+  }
+
+  // turned by the angle between the sides a and b
+  static Plane_point turned(const Plane_point& p, double a, double b, double opposite)
+  {
+    namespace IT = Intrinsic_triangulations;
+    const double scale = 1 / (2 * a * b);
+    const double cosine = IT::doubled_corner_product(opposite, a, b) * scale;
+    const double sine = IT::quadrupled_area(opposite, a, b) * scale;
+    return {cosine * p.x - sine * p.y, cosine * p.y + sine * p.x};
+  }
+
+  // An ear can be cut off if it is convex and does not contain the center, which may come to lie on
+  // the cut. Those whose circumcircle has the center closest to its inside come first: in a
+  // Delaunay star they are Delaunay.
+  void rate(std::size_t n)
+  {
+    Corner& corner = m_corners[n];
+    corner.power = never();
+    if(m_is_border && (n == 0 || n + 1 == m_corners.size()))
+      return;
+    const Plane_point &l = m_corners[corner.previous].point, &j = corner.point;
+    const Plane_point& k = m_corners[corner.next].point;
+    const double area = cross(j - l, k - j);
+    const double inside = cross(l, k);
+    const double unit = std::sqrt(squared_norm(l) * squared_norm(k));
+    if(area > rounding() * unit && inside >= -rounding() * unit)
+      corner.power = -incircle(l, j, k) / area;
+  }
+
+  static double rounding() { return Intrinsic_triangulations::rounding_unit<double>(); }
+
+  // positive if the origin is inside the circle
+  static double incircle(const Plane_point& a, const Plane_point& b, const Plane_point& c)
+  {
+    return squared_norm(a) * cross(b, c) + squared_norm(b) * cross(c, a) +
+           squared_norm(c) * cross(a, b);
+  }
+
+  std::size_t best_ear() const
+  {
+    std::size_t best = m_corners.size(), n = m_first;
+    do {
+      if(m_corners[n].power > (best == m_corners.size() ? never() : m_corners[best].power))
+        best = n;
+      n = m_corners[n].next;
+    } while(n != m_first);
+    return best;
+  }
+
+  void cut(std::size_t n)
+  {
+    const std::size_t l = m_corners[n].previous, k = m_corners[n].next;
+    m_flips.push_back(flip(m_corners[n], m_corners[l].point, m_corners[k].point));
+    m_corners[l].next = k;
+    m_corners[k].previous = l;
+    m_first = l;
+    rate(l);
+    rate(k);
+  }
+
+  // of the spoke to j, between those to l and k
+  static Spoke_flip flip(const Corner& j, const Plane_point& l, const Plane_point& k)
+  {
+    const double at_l = cross(l, j.point), at_k = cross(j.point, k);
+    const double both = at_l + at_k;
+    return {j.spoke, std::sqrt(squared_norm(k - l)), std::clamp(cross(l, k) / both, 0., 1.),
+            std::clamp(at_l / both, 0., 1.)};
+  }
+
+  // false if the center is not between them
+  bool set_last_three()
+  {
+    const std::size_t a = m_is_border ? 0 : m_first, b = m_corners[a].next, c = m_corners[b].next;
+    const Plane_point &p = m_corners[a].point, &q = m_corners[b].point, &r = m_corners[c].point;
+    m_last = {m_corners[a].spoke, m_corners[b].spoke, m_corners[c].spoke};
+    const std::array<double, 3> area{cross(q, r), m_is_border ? 0 : cross(r, p), cross(p, q)};
+    const double sum = area[0] + area[1] + area[2];
+    for(std::size_t n = 0; n < 3; ++n) {
+      if(!(area[n] >= -rounding() * sum))
+        return false;
+      m_weight[n] = (std::max)(area[n], 0.) / sum;
+    }
+    return sum > 0;
+  }
+
+  std::vector<Corner> m_corners;
+  std::vector<Spoke_flip> m_flips;
+  std::array<Halfedge_index, 3> m_last;
+  std::array<double, 3> m_weight;
+  std::size_t m_first = 0;
+  bool m_is_border = false;
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_STAR_POLYGON_H

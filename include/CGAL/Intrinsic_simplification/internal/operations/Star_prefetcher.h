@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_STAR_PREFETCHER_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_STAR_PREFETCHER_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Vertex_heap.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/prefetch.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// Brings the stars of the vertices near the top of a heap into the cache, many at once: a walk
+// around a star waits for memory at each spoke, and many walks side by side wait hardly longer. On
+// surfaces larger than the cache a quarter of the time would be such waiting. Nothing else depends
+// on it.
+class Star_prefetcher
+{
+public:
+  template <typename Cost>
+  void operator()(const Vertex_heap& heap, const Intrinsic_surface& surface, const Cost& cost)
+  {
+    if(is_recent(heap.top()))
+      return;
+    for(std::size_t place = 0; place < heap.size() && place < number_at_once; ++place)
+      if(!is_recent(heap.vertex(place)))
+        start(heap.vertex(place), surface, cost);
+    for(std::size_t left; !m_walks.empty(); m_walks.resize(left)) {
+      left = 0;
+      for(Walk walk : m_walks)
+        if(step(walk, surface, cost))
+          m_walks[left++] = walk;
+    }
+  }
+
+private:
+  struct Walk
+  {
+    Halfedge_index spoke, first;
+  };
+
+  static constexpr std::size_t number_at_once = 21; // three levels of the heap
+
+  bool is_recent(Vertex_index v) const { return m_recent[slot(v)] == v; }
+
+  static std::size_t slot(Vertex_index v) { return (v.idx() * 2654435769U) >> 22U; }
+
+  template <typename Cost>
+  void start(Vertex_index v, const Intrinsic_surface& surface, const Cost& cost)
+  {
+    m_recent[slot(v)] = v;
+    prefetch_vertex(v, &cost);
+    const Halfedge_index first = Intrinsic_triangulations::first_spoke(v, surface.mesh());
+    m_walks.push_back({first, first});
+  }
+
+  // whether there is a next spoke
+  template <typename Cost>
+  static bool step(Walk& walk, const Intrinsic_surface& surface, const Cost& cost)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    const Halfedge_index h = walk.spoke;
+    prefetch(&surface.direction(h));
+    prefetch(&surface.length_map()[mesh.edge(h)]);
+    prefetch_vertex(mesh.target(h), &cost);
+    if(mesh.is_border(h))
+      return false;
+    prefetch(&surface.length_map()[mesh.edge(mesh.next(h))]);
+    walk.spoke = Intrinsic_triangulations::next_spoke(h, mesh);
+    return walk.spoke != walk.first;
+  }
+
+  std::array<Vertex_index, 1024> m_recent; // in a slot each: the last one
+  std::vector<Walk> m_walks;
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_STAR_PREFETCHER_H

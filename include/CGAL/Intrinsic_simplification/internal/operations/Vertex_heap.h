@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_VERTEX_HEAP_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_VERTEX_HEAP_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// Vertices with keys, the least on top; of equal keys the vertex with the least number.
+class Vertex_heap
+{
+  typedef Intrinsic_triangulations::Vertex_index Vertex_index;
+
+public:
+  explicit Vertex_heap(std::size_t number_of_vertices) : m_place(number_of_vertices, nowhere) {}
+
+  std::size_t size() const { return m_entries.size(); }
+  Vertex_index vertex(std::size_t place) const { return m_entries[place].vertex; }
+  bool empty() const { return m_entries.empty(); }
+  Vertex_index top() const { return m_entries.front().vertex; }
+  double key(Vertex_index v) const { return m_entries[m_place[v]].key; }
+  bool contains(Vertex_index v) const { return m_place[v] != nowhere; }
+
+  // adds `v`, or changes its key
+  void set(Vertex_index v, double key)
+  {
+    if(!contains(v)) {
+      m_place[v] = static_cast<std::uint32_t>(m_entries.size());
+      m_entries.push_back({key, v});
+      rise(m_place[v]);
+      return;
+    }
+    const std::size_t place = m_place[v];
+    const bool rises = key < m_entries[place].key;
+    m_entries[place].key = key;
+    if(rises)
+      rise(place);
+    else
+      sink(place);
+  }
+
+  void remove(Vertex_index v)
+  {
+    set(v, -std::numeric_limits<double>::infinity());
+    m_place[v] = nowhere;
+    const Entry last = m_entries.back();
+    m_entries.pop_back();
+    if(!empty()) {
+      put(0, last);
+      sink(0);
+    }
+  }
+
+private:
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::size_t arity = 4;
+
+  struct Entry
+  {
+    double key;
+    Vertex_index vertex;
+
+    friend bool operator<(const Entry& a, const Entry& b)
+    {
+      return a.key < b.key || (a.key == b.key && a.vertex < b.vertex);
+    }
+  };
+
+  void put(std::size_t place, const Entry& entry)
+  {
+    m_entries[place] = entry;
+    m_place[entry.vertex] = static_cast<std::uint32_t>(place);
+  }
+
+  void rise(std::size_t place)
+  {
+    const Entry entry = m_entries[place];
+    while(place > 0) {
+      const std::size_t parent = (place - 1) / arity;
+      if(!(entry < m_entries[parent]))
+        break;
+      put(place, m_entries[parent]);
+      place = parent;
+    }
+    put(place, entry);
+  }
+
+  void sink(std::size_t place)
+  {
+    const Entry entry = m_entries[place];
+    for(;;) {
+      const std::size_t child = least_child(place);
+      if(child >= m_entries.size() || !(m_entries[child] < entry))
+        break;
+      put(place, m_entries[child]);
+      place = child;
+    }
+    put(place, entry);
+  }
+
+  std::size_t least_child(std::size_t place) const
+  {
+    std::size_t least = place * arity + 1;
+    for(std::size_t child = least + 1; child <= place * arity + arity; ++child)
+      if(child < m_entries.size() && m_entries[child] < m_entries[least])
+        least = child;
+    return least;
+  }
+
+  std::vector<Entry> m_entries;
+  std::vector<std::uint32_t> m_place; // of each vertex in the heap
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_VERTEX_HEAP_H

@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DIAGNOSIS_DIAGNOSE_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DIAGNOSIS_DIAGNOSE_METRIC_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
+#include <CGAL/Intrinsic_triangulations/internal/diagnosis/diagnose_complex.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
+
+// Degrees of the angle opposite the shortest side (Kahan's formula, stable for needles).
+inline double smallest_angle(std::array<double, 3> sides)
+{
+  std::sort(sides.begin(), sides.end(), std::greater<double>());
+  const auto [a, b, c] = sides;
+  const double t = ((a - b) + c) / (a + (b + c)) * ((c - (a - b)) / ((a - c) + b));
+  constexpr double degrees_per_radian = 57.295779513082320877;
+  return t > 0 ? degrees_per_radian * 2 * std::atan(std::sqrt(t)) : 0;
+}
+
+// By how much the longest side exceeds the other two together, relatively to the perimeter.
+inline double triangle_inequality_excess(std::array<double, 3> sides)
+{
+  std::sort(sides.begin(), sides.end());
+  return ((sides[2] - sides[1]) - sides[0]) / (sides[0] + sides[1] + sides[2]);
+}
+
+// The embedding, rounded to double.
+template <class Points>
+class Embedded_metric
+{
+public:
+  Embedded_metric(const Diagnosis_complex& complex, const Points& points,
+                  Input_diagnosis& diagnosis)
+    : m_complex(complex), m_points(points), m_diagnosis(diagnosis)
+  {}
+
+  // Differences are taken before rounding: distinct points have a positive distance.
+  double length(std::size_t e) const
+  {
+    const auto& [u, v] = m_complex.edge_ends[e];
+    const auto& p = m_points[u];
+    const auto& q = m_points[v];
+    return std::hypot(to_double(p[0] - q[0]), to_double(p[1] - q[1]), to_double(p[2] - q[2]));
+  }
+
+  void check_vertices()
+  {
+    m_is_finite.assign(m_complex.number_of_vertices, true);
+    for(std::size_t v = 0; v < m_complex.number_of_vertices; ++v) {
+      const Exact_point p = point(v);
+      m_is_finite[v] = std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+      if(!m_is_finite[v])
+        m_diagnosis.add(Defect_kind::NON_FINITE_COORDINATE, m_complex.vertex(v));
+    }
+  }
+
+  // An edge at a broken vertex is not reported once more.
+  bool is_measurable(std::size_t e) const
+  {
+    const auto& [u, v] = m_complex.edge_ends[e];
+    return m_is_finite[u] && m_is_finite[v];
+  }
+
+  // Lengths of collinear points may miss equality by rounding; the points themselves do not.
+  void check_shape(std::size_t f, const std::array<double, 3>& sides)
+  {
+    const std::size_t c = m_complex.first_corner[f];
+    if(collinear(corner_point(c), corner_point(c + 1), corner_point(c + 2)))
+      m_diagnosis.add(Defect_kind::DEGENERATE_FACE, m_complex.face(f));
+    else if(smallest_angle(sides) < needle_angle_in_degrees)
+      m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));
+  }
+
+private:
+  Exact_point point(std::size_t v) const
+  {
+    const auto& p = m_points[v];
+    return Exact_point(to_double(p[0]), to_double(p[1]), to_double(p[2]));
+  }
+
+  Exact_point corner_point(std::size_t c) const { return point(m_complex.corner_vertex[c]); }
+
+  static double to_double(double x) { return x; }
+
+  template <class FT>
+  static double to_double(const FT& x)
+  {
+    return CGAL::to_double(x);
+  }
+
+  const Diagnosis_complex& m_complex;
+  const Points& m_points;
+  Input_diagnosis& m_diagnosis;
+  std::vector<bool> m_is_finite;
+};
+
+// Given lengths, rounded to double.
+class Abstract_metric
+{
+public:
+  Abstract_metric(const Diagnosis_complex& complex, const std::vector<double>& lengths,
+                  Input_diagnosis& diagnosis)
+    : m_complex(complex), m_lengths(lengths), m_diagnosis(diagnosis)
+  {}
+
+  double length(std::size_t e) const { return m_lengths[e]; }
+
+  void check_vertices() const {}
+
+  bool is_measurable(std::size_t) const { return true; }
+
+  void check_shape(std::size_t f, const std::array<double, 3>& sides)
+  {
+    const double excess = triangle_inequality_excess(sides);
+    const double rounding = rounding_unit<double>();
+    if(excess > rounding)
+      m_diagnosis.add(Defect_kind::TRIANGLE_INEQUALITY_VIOLATED, m_complex.face(f));
+    else if(excess >= -rounding)
+      m_diagnosis.add(Defect_kind::DEGENERATE_FACE, m_complex.face(f));
+    else if(smallest_angle(sides) < needle_angle_in_degrees)
+      m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));
+  }
+
+private:
+  const Diagnosis_complex& m_complex;
+  const std::vector<double>& m_lengths;
+  Input_diagnosis& m_diagnosis;
+};
+
+// What lengths and angles say, wherever they come from.
+template <class Metric>
+class Metric_diagnoser
+{
+public:
+  Metric_diagnoser(const Diagnosis_complex& complex, Metric metric, Input_diagnosis& diagnosis)
+    : m_complex(complex),
+      m_metric(metric),
+      m_diagnosis(diagnosis),
+      m_corner_length(complex.corner_vertex.size())
+  {}
+
+  void operator()()
+  {
+    m_metric.check_vertices();
+    for(std::size_t e = 0; e < m_complex.number_of_edges(); ++e)
+      check_edge(e);
+    for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f)
+      if(m_complex.degree(f) == 3)
+        check_triangle(f);
+  }
+
+private:
+  void check_edge(std::size_t e)
+  {
+    const double length = m_metric.length(e);
+    for(std::size_t i = m_complex.first_side[e]; i < m_complex.first_side[e + 1]; ++i)
+      m_corner_length[m_complex.sides[i].corner] = length;
+    if(!m_metric.is_measurable(e))
+      return;
+    if(length == 0)
+      m_diagnosis.add(Defect_kind::ZERO_LENGTH_EDGE, m_complex.edge(e));
+    if(is_length(length))
+      note_length(length);
+    else
+      m_diagnosis.add(Defect_kind::INVALID_LENGTH, m_complex.edge(e));
+  }
+
+  static bool is_length(double length) { return std::isfinite(length) && length >= 0; }
+
+  void note_length(double length)
+  {
+    Input_diagnosis::Statistics& s = m_diagnosis.statistics();
+    s.min_edge_length = (std::min)(s.min_edge_length, length);
+    s.max_edge_length = (std::max)(s.max_edge_length, length);
+  }
+
+  // A triangle with a side of no length has no angles; the side was reported.
+  void check_triangle(std::size_t f)
+  {
+    const std::size_t c = m_complex.first_corner[f];
+    const std::array<double, 3> sides = {m_corner_length[c], m_corner_length[c + 1],
+                                         m_corner_length[c + 2]};
+    if(!std::all_of(sides.begin(), sides.end(), [](double l) { return is_length(l) && l > 0; }))
+      return;
+    Input_diagnosis::Statistics& s = m_diagnosis.statistics();
+    s.min_angle = (std::min)(s.min_angle, smallest_angle(sides));
+    m_metric.check_shape(f, sides);
+  }
+
+  const Diagnosis_complex& m_complex;
+  Metric m_metric;
+  Input_diagnosis& m_diagnosis;
+  std::vector<double> m_corner_length; // of the side that leaves the corner
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DIAGNOSIS_DIAGNOSE_METRIC_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DIAGNOSIS_DIAGNOSE_TOPOLOGY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DIAGNOSIS_DIAGNOSE_TOPOLOGY_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
+#include <CGAL/Intrinsic_triangulations/internal/diagnosis/diagnose_complex.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// What can be said without knowing a length.
+class Topology_diagnoser
+{
+  using Sets = boost::disjoint_sets_with_storage<>;
+
+public:
+  Topology_diagnoser(const Diagnosis_complex& complex, Input_diagnosis& diagnosis)
+    : m_complex(complex),
+      m_diagnosis(diagnosis),
+      m_umbrellas(complex.corner_vertex.size()),
+      m_components(complex.number_of_faces())
+  {}
+
+  void operator()()
+  {
+    check_face_degrees();
+    for(std::size_t e = 0; e < m_complex.number_of_edges(); ++e) {
+      check_edge(e);
+      glue_faces_along(e);
+    }
+    check_vertices();
+    count_components();
+    count_elements();
+    m_diagnosis.statistics().boundary_loops = count_boundary_loops();
+  }
+
+private:
+  const Edge_side& side(std::size_t e, std::size_t i) const
+  {
+    return m_complex.sides[m_complex.first_side[e] + i];
+  }
+
+  // Faces that have no corner were reported when they were left out.
+  void check_face_degrees()
+  {
+    for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f)
+      if(m_complex.degree(f) != 3 && m_complex.degree(f) != 0)
+        m_diagnosis.add(Defect_kind::NON_TRIANGULAR_FACE, m_complex.face(f));
+  }
+
+  void check_edge(std::size_t e)
+  {
+    const std::size_t n = m_complex.sides_of(e);
+    if(n == 0 || n > 2)
+      m_diagnosis.add(Defect_kind::NON_MANIFOLD_EDGE, m_complex.edge(e));
+    else if(n == 2 && side(e, 0).forward == side(e, 1).forward)
+      m_diagnosis.add(Defect_kind::INCONSISTENT_ORIENTATION, m_complex.edge(e));
+  }
+
+  void glue_faces_along(std::size_t e)
+  {
+    for(std::size_t i = 1; i < m_complex.sides_of(e); ++i) {
+      const Edge_side& s = side(e, 0);
+      const Edge_side& t = side(e, i);
+      m_components.union_set(m_complex.corner_face[s.corner], m_complex.corner_face[t.corner]);
+      for(const int end : {0, 1})
+        m_umbrellas.union_set(m_complex.corner_at(s, end), m_complex.corner_at(t, end));
+    }
+  }
+
+  void check_vertices()
+  {
+    std::vector<std::size_t> umbrellas(m_complex.number_of_vertices, 0);
+    for(std::size_t c = 0; c < m_complex.corner_vertex.size(); ++c)
+      if(m_umbrellas.find_set(c) == c)
+        ++umbrellas[m_complex.corner_vertex[c]];
+    for(std::size_t v = 0; v < umbrellas.size(); ++v) {
+      if(umbrellas[v] > 1)
+        m_diagnosis.add(Defect_kind::NON_MANIFOLD_VERTEX, m_complex.vertex(v));
+      if(!m_complex.is_mentioned[v])
+        m_diagnosis.add(Defect_kind::ISOLATED_VERTEX, m_complex.vertex(v));
+    }
+  }
+
+  void count_components()
+  {
+    std::vector<std::size_t> first_faces;
+    std::vector<bool> is_met(m_complex.number_of_faces(), false);
+    for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f) {
+      const std::size_t root = m_components.find_set(f);
+      if(m_complex.degree(f) > 0 && !is_met[root])
+        first_faces.push_back(f);
+      is_met[root] = true;
+    }
+    m_diagnosis.statistics().components = first_faces.size();
+    if(first_faces.size() > 1)
+      for(const std::size_t f : first_faces)
+        m_diagnosis.add(Defect_kind::SEVERAL_COMPONENTS, m_complex.face(f));
+  }
+
+  void count_elements()
+  {
+    Input_diagnosis::Statistics& s = m_diagnosis.statistics();
+    s.vertices = m_complex.number_of_vertices;
+    s.edges = m_complex.number_of_edges();
+    s.faces = m_complex.number_of_faces();
+    s.euler_characteristic =
+      static_cast<long>(s.vertices - m_diagnosis.count(Defect_kind::ISOLATED_VERTEX)) -
+      static_cast<long>(s.edges) + static_cast<long>(s.faces);
+  }
+
+  // Two boundary edges follow one another where they bound the same umbrella.
+  std::size_t count_boundary_loops()
+  {
+    std::vector<std::size_t> boundary_corner(m_complex.corner_vertex.size(), Input_diagnosis::none);
+    Sets loops(m_complex.number_of_edges());
+    std::size_t n = 0;
+    for(std::size_t e = 0; e < m_complex.number_of_edges(); ++e)
+      if(m_complex.sides_of(e) == 1) {
+        ++n;
+        for(const int end : {0, 1})
+          n -= join_at(m_umbrellas.find_set(m_complex.corner_at(side(e, 0), end)), e,
+                       boundary_corner, loops);
+      }
+    return n;
+  }
+
+  // Returns 1 if the edge was joined with another loop.
+  static std::size_t join_at(std::size_t umbrella, std::size_t e, std::vector<std::size_t>& edge_at,
+                             Sets& loops)
+  {
+    if(edge_at[umbrella] == Input_diagnosis::none)
+      edge_at[umbrella] = e;
+    const std::size_t a = loops.find_set(e), b = loops.find_set(edge_at[umbrella]);
+    if(a == b)
+      return 0;
+    loops.link(a, b);
+    return 1;
+  }
+
+  const Diagnosis_complex& m_complex;
+  Input_diagnosis& m_diagnosis;
+  Sets m_umbrellas;  // corners around a vertex, joined across edges
+  Sets m_components; // faces, joined across edges
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DIAGNOSIS_DIAGNOSE_TOPOLOGY_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_EDGE_STACK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_EDGE_STACK_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <boost/container/vector.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Edges that wait to be looked at, each at most once.
+class Edge_stack
+{
+public:
+  explicit Edge_stack(std::size_t number_of_edges)
+    : m_edges(number_of_edges + 1, boost::container::default_init), m_waits(number_of_edges, 0)
+  {}
+
+  bool empty() const { return m_size == 0; }
+
+  void push(Edge_index e)
+  {
+    if(e.idx() >= m_waits.size()) {
+      m_waits.resize(e.idx() + 1, 0);
+      m_edges.resize(m_waits.size() + 1, boost::container::default_init);
+    }
+    push_if(true, e);
+  }
+
+  // Always writes, so that nothing depends on an answer as hard to foretell as `is_wanted`: jumps
+  // that the processor gets wrong would cost more than all the rest.
+  // \pre `e` is one of the edges that there were at first
+  void push_if(bool is_wanted, Edge_index e)
+  {
+    const bool is_pushed = is_wanted & !m_waits[e.idx()];
+    m_edges[m_size] = e.idx();
+    m_size += is_pushed;
+    m_waits[e.idx()] |= is_pushed;
+  }
+
+  Edge_index pop()
+  {
+    const Edge_index e(m_edges[--m_size]);
+    m_waits[e.idx()] = false;
+    return e;
+  }
+
+private:
+  boost::container::vector<Delta_complex::size_type> m_edges; // one more than there can be
+  std::vector<unsigned char> m_waits;
+  std::size_t m_size = 0;
+};
+
+// the four other edges of the two faces at `h`
+inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_complex& mesh)
+{
+  const Halfedge_index o = opposite(h);
+  return {mesh.edge(mesh.next(h)), mesh.edge(mesh.prev(h)), mesh.edge(mesh.next(o)),
+          mesh.edge(mesh.prev(o))};
+}
+
+// Flips edges, first those that wait in `stack`, then those around flipped ones, until `is_good(h)`
+// for all that can be flipped. `flip(h)` is to turn the edge of `h`.
+template <typename Is_good, typename Flip>
+void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,
+                  const Flip& flip)
+{
+  while(!stack.empty()) {
+    const Halfedge_index h = mesh.halfedge(stack.pop());
+    if(is_good(h) || flip_status(h, mesh) != Operation_status::possible)
+      continue;
+    flip(h);
+    for(Edge_index e : edges_around(h, mesh))
+      stack.push(e);
+  }
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_EDGE_STACK_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_TO_SHARED_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_TO_SHARED_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Flips every edge that the first curve in the corner of `spoke` crosses, so that the curve becomes
+// an edge. Returns the number of flips.
+template <typename Integer>
+std::size_t flip_along_curve(Halfedge_index spoke, Integer_coordinates<Integer>& coordinates,
+                             Delta_complex& mesh, const Vertex_spokes& spokes)
+{
+  typedef typename Integer_coordinates<Integer>::Turn Turn;
+  std::size_t flips = 0;
+  auto crossing = coordinates.first_crossing(spoke, Integer(0), mesh);
+  for(Turn turn = Turn::around_source; turn != Turn::ends; ++flips) {
+    const Halfedge_index crossed = crossing.halfedge;
+    turn = coordinates.advance(crossing, mesh);
+    coordinates.flip(crossed, mesh, spokes);
+  }
+  return flips;
+}
+
+// Flips until all edges are shared (Algorithm 4). Flips of one curve can bring another into a
+// corner that has been dealt with; hence the repetition. Returns the number of flips.
+template <typename Integer>
+std::size_t flip_to_shared(Integer_coordinates<Integer>& coordinates, Delta_complex& mesh,
+                           const Vertex_spokes& spokes)
+{
+  std::size_t flips = 0;
+  for(std::size_t before = flips + 1; before != flips;) {
+    before = flips;
+    for(Halfedge_index h : mesh.halfedges())
+      while(!mesh.is_border(h) && coordinates.curves_leaving(mesh.next(h), mesh) > 0)
+        flips += flip_along_curve(h, coordinates, mesh, spokes);
+  }
+  return flips;
+}
+
+// Whether the curve that starts as number `k` in the corner of `spoke` ends where the edge of
+// `input` along which it starts does.
+template <typename Integer>
+bool ends_at_twin(Halfedge_index spoke, const Integer& k,
+                  const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
+                  const Delta_complex& input, const Vertex_spokes& spokes)
+{
+  typedef typename Integer_coordinates<Integer>::Turn Turn;
+  const Halfedge_index start = coordinates.spoke_in_corner(spoke, k, mesh, spokes);
+  auto crossing = coordinates.first_crossing(spoke, k, mesh);
+  while(coordinates.advance(crossing, mesh) != Turn::ends) {
+  }
+  return coordinates.spoke_at_end(crossing, mesh, spokes) == input.opposite(start);
+}
+
+// The first edge of `input` that does not run over `mesh` to its other end, in words.
+template <typename Integer>
+std::string curve_defect(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
+                         const Delta_complex& input, const Vertex_spokes& spokes)
+{
+  for(Halfedge_index h : mesh.halfedges()) {
+    bool good = !coordinates.is_shared(mesh.edge(h)) ||
+                coordinates.shared_halfedge(mesh.opposite(h), mesh, spokes) ==
+                  input.opposite(coordinates.shared_halfedge(h, mesh, spokes));
+    if(!mesh.is_border(h))
+      for(Integer k(0); good && k < coordinates.curves_leaving(mesh.next(h), mesh); ++k)
+        good = ends_at_twin(h, k, coordinates, mesh, input, spokes);
+    if(!good)
+      return "an edge of the input that starts at vertex " + std::to_string(mesh.source(h).idx()) +
+             " does not run to its other end";
+  }
+  return {};
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_TO_SHARED_H

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_FLAT_FACE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_FLAT_FACE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+
+#include <CGAL/number_utils.h>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+template <typename FT>
+FT dot(const std::complex<FT>& v, const std::complex<FT>& w)
+{
+  return v.real() * w.real() + v.imag() * w.imag();
+}
+
+template <typename FT>
+FT cross(const std::complex<FT>& v, const std::complex<FT>& w)
+{
+  return v.real() * w.imag() - v.imag() * w.real();
+}
+
+template <typename FT>
+std::complex<FT> normalized(const std::complex<FT>& v)
+{
+  return v / CGAL::sqrt(dot(v, v));
+}
+
+// A face in the plane, any of its halfedges on the x-axis. Its sides have directions of their own,
+// turned by the corner angles, and its points barycentric coordinates: no position is subtracted
+// from another.
+template <typename FT>
+class Flat_face
+{
+public:
+  typedef std::complex<FT> Vector;
+  typedef std::array<FT, 3> Place; // coordinate k belongs to the source of side k
+
+  // Where a ray leaves the face: at a point of side `index`, or at corner `index`.
+  struct Exit
+  {
+    bool is_corner;
+    std::size_t index;
+    Place place;
+    FT distance;
+  };
+
+  template <typename EdgeLengthMap>
+  Flat_face(Halfedge_index h, const Delta_complex& mesh, const EdgeLengthMap& length)
+    : m_length{get(length, mesh.edge(h)), get(length, mesh.edge(mesh.next(h))),
+               get(length, mesh.edge(mesh.prev(h)))},
+      m_quadrupled_area(quadrupled_area(m_length[0], m_length[1], m_length[2])),
+      m_direction{Vector(1), -std::conj(turn(1)), -turn(0)}
+  {}
+
+  // the unit vector along side `s`
+  const Vector& direction(std::size_t s) const { return m_direction[s]; }
+
+  Vector side(std::size_t s) const { return m_length[s] * m_direction[s]; }
+
+  // lengths up to this are rounding
+  FT tolerance() const { return rounding_unit<FT>() * (m_length[0] + m_length[1] + m_length[2]); }
+
+  // from the point `p` to corner `k`
+  Vector to_corner(std::size_t k, const Place& p) const
+  {
+    const std::size_t before = (k + 2) % 3;
+    return p[before] * side(before) - p[(k + 1) % 3] * side(k);
+  }
+
+  // from `p` to `q`
+  Vector between(const Place& p, const Place& q) const
+  {
+    return (q[1] - p[1]) * side(0) - (q[2] - p[2]) * side(2);
+  }
+
+  // of the ray from `p` with unit direction `d`
+  Exit exit(const Place& p, const Vector& d) const
+  {
+    std::array<FT, 3> left, ahead; // of the ray is corner k, so far
+    for(std::size_t k = 0; k < 3; ++k) {
+      const Vector v = to_corner(k, p);
+      left[k] = cross(d, v);
+      ahead[k] = dot(d, v);
+    }
+    const std::size_t corner = corner_hit(left, ahead);
+    return corner < 3 ? corner_exit(corner, ahead[corner]) : side_exit(left, ahead, d);
+  }
+
+private:
+  // the rotation by the angle at corner `k`
+  Vector turn(std::size_t k) const
+  {
+    const FT product =
+      doubled_corner_product(m_length[(k + 1) % 3], m_length[k], m_length[(k + 2) % 3]);
+    return normalized(Vector(product, m_quadrupled_area));
+  }
+
+  // the nearest corner on the ray; 3 if there is none
+  std::size_t corner_hit(const std::array<FT, 3>& left, const std::array<FT, 3>& ahead) const
+  {
+    std::size_t result = 3;
+    for(std::size_t k = 0; k < 3; ++k)
+      if(ahead[k] > 0 && CGAL::abs(left[k]) <= tolerance() &&
+         (result == 3 || ahead[k] < ahead[result]))
+        result = k;
+    return result;
+  }
+
+  static Exit corner_exit(std::size_t k, const FT& distance)
+  {
+    Exit result{true, k, {FT(0), FT(0), FT(0)}, distance};
+    result.place[k] = FT(1);
+    return result;
+  }
+
+  // The ray leaves through the side whose source is on its right and whose target is on its left.
+  // If rounding leaves a doubt, a side other than side 0, through which the ray mostly comes, is
+  // preferred.
+  static std::size_t side_crossed(const std::array<FT, 3>& left)
+  {
+    const auto margin = [&](std::size_t s) { return (std::min)(-left[s], left[(s + 1) % 3]); };
+    std::size_t result = margin(2) > margin(1) ? 2 : 1;
+    return margin(0) > margin(result) ? 0 : result;
+  }
+
+  // The distance is that of the rounded place: then a side almost along the ray does no harm.
+  Exit side_exit(const std::array<FT, 3>& left, const std::array<FT, 3>& ahead,
+                 const Vector& d) const
+  {
+    const std::size_t s = side_crossed(left), next = (s + 1) % 3;
+    const FT to_source = (std::max)(-left[s], FT(0)), to_target = (std::max)(left[next], FT(0));
+    const FT sum = to_source + to_target, t = sum > 0 ? to_source / sum : FT(0);
+    Exit result{false, s, {FT(0), FT(0), FT(0)}, ahead[s] + t * dot(d, side(s))};
+    result.place[s] = sum > 0 ? to_target / sum : FT(1);
+    result.place[next] = t;
+    result.distance = (std::max)(result.distance, FT(0));
+    return result;
+  }
+
+  std::array<FT, 3> m_length;
+  FT m_quadrupled_area;
+  std::array<Vector, 3> m_direction;
+};
+
+template <typename EdgeLengthMap>
+auto angle_at_source(Halfedge_index h, const Delta_complex& mesh, const EdgeLengthMap& length)
+{
+  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  return corner_angle<FT>(get(length, mesh.edge(mesh.next(h))), get(length, mesh.edge(h)),
+                          get(length, mesh.edge(mesh.prev(h))));
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_FLAT_FACE_H

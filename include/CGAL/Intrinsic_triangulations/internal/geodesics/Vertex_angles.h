@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_VERTEX_ANGLES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_VERTEX_ANGLES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <string>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+template <typename FT>
+FT pi()
+{
+  return std::acos(FT(-1));
+}
+
+// The angles at one vertex: on the surface, counterclockwise from a given spoke, and normalized,
+// from its first spoke (Section 2.3.2).
+template <typename FT>
+class Vertex_angles
+{
+public:
+  // Complexity: linear in the degree.
+  template <typename EdgeLengthMap>
+  Vertex_angles(Halfedge_index spoke, const Delta_complex& mesh, const EdgeLengthMap& length)
+    : m_before(0), m_sum(0)
+  {
+    const Vertex_index v = mesh.source(spoke);
+    const Halfedge_index first = first_spoke(v, mesh);
+    Halfedge_index h = first;
+    do {
+      if(h == spoke)
+        m_before = m_sum;
+      m_sum += angle_at_source(h, mesh, length);
+      h = next_spoke(h, mesh);
+    } while(h != first && !mesh.is_border(h));
+    m_is_border = mesh.is_border(h);
+    if(m_is_border && h == spoke)
+      m_before = m_sum;
+    if(!(m_sum > 0) || !CGAL::is_finite(m_sum))
+      throw Numerical_error("the angles at vertex " + std::to_string(v.idx()) +
+                            " have no positive finite sum");
+  }
+
+  bool is_border() const { return m_is_border; }
+  const FT& sum() const { return m_sum; }
+
+  // of the direction at this angle from the spoke
+  FT normalized(const FT& angle) const { return (m_before + angle) / m_sum * normalized_sum(); }
+
+  // the angle on the surface from the first spoke
+  FT on_surface(const FT& normalized) const { return normalized / normalized_sum() * m_sum; }
+
+private:
+  FT normalized_sum() const { return m_is_border ? pi<FT>() : 2 * pi<FT>(); }
+
+  FT m_before, m_sum;
+  bool m_is_border;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_VERTEX_ANGLES_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_ANGLE_IN_STRIP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_ANGLE_IN_STRIP_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
+
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The place of the source of a halfedge of T2 in the face of T1 into which it leads. This is laid
+// out with the spoke before the halfedge on the x-axis, or with halfedge(f) if the source lies
+// inside the face f.
+template <typename Traits>
+struct Start_in_input_face
+{
+  typedef typename Traits::FT FT;
+
+  Start_in_input_face(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+    : location(tri.input_location(h)),
+      axis(tri.input_spoke_before(h).is_valid() ? tri.input_spoke_before(h)
+                                                : tri.input_mesh().halfedge(location.first)),
+      face(axis, tri.input_mesh(), tri.input_length_map()),
+      place(coordinates_from(axis, location, tri.input_mesh()))
+  {}
+
+  // the coordinates of the point, that of the corner opposite to side `s` first
+  typename Flat_face<FT>::Place place_beyond(std::size_t s) const
+  {
+    return {place[(s + 2) % 3], place[s], place[(s + 1) % 3]};
+  }
+
+  // the number of a side of the face, counted from the axis
+  std::size_t number(Halfedge_index side, const Delta_complex& mesh) const
+  {
+    return side == axis ? 0 : side == mesh.next(axis) ? 1 : 2;
+  }
+
+  Face_location<FT> location;
+  Halfedge_index axis;
+  Flat_face<FT> face;
+  typename Flat_face<FT>::Place place; // the coordinate of the source of the axis first
+};
+
+// The angle between the x-axis of `start` and the halfedge `h` of T2, in (-pi, 2 pi). It leaves
+// faces of T1 through exit(0), ..., exit(n - 1).
+template <typename Traits, typename Exit>
+typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Halfedge_index h,
+                                   const Exit& exit, std::size_t n,
+                                   const Intrinsic_triangulation<Traits>& tri,
+                                   Euclidean_strip<typename Traits::FT>& strip)
+{
+  const Delta_complex& mesh = tri.input_mesh();
+  const Start_in_input_face<Traits> end(tri.mesh().opposite(h), tri);
+  if(n == 0)
+    return std::arg(
+      start.face.between(start.place, coordinates_from(start.axis, end.location, mesh)));
+  const std::size_t first = start.number(exit(0), mesh);
+  const std::size_t last = end.number(mesh.opposite(exit(n - 1)), mesh);
+  lay_out_strip(strip, mesh, tri.input_length_map(), exit, n,
+                std::make_pair(start.place_beyond(first), end.place_beyond(last)));
+  if(!tri.traits().is_length_object()(strip.length()))
+    throw Numerical_error("the strip of edge " + std::to_string(tri.mesh().edge(h).idx()) +
+                          " has no positive finite length");
+  return std::arg(start.face.to_corner(first, start.place)) + strip.angle();
+}
+
+// The angle on the surface from the spoke of T1 before the halfedge `h` of T2, or from halfedge(f)
+// if the source lies inside the face f of T1, counterclockwise to `h`; exit(0), ..., exit(n - 1) as
+// above.
+template <typename Traits, typename Exit>
+typename Traits::FT angle_from_spoke(Halfedge_index h, const Exit& exit, std::size_t n,
+                                     const Intrinsic_triangulation<Traits>& tri,
+                                     Euclidean_strip<typename Traits::FT>& strip)
+{
+  typedef typename Traits::FT FT;
+  if(tri.coordinates().is_shared(tri.mesh().edge(h)))
+    return FT(0);
+  const FT angle = angle_in_strip(Start_in_input_face<Traits>(h, tri), h, exit, n, tri, strip);
+  const bool is_in_face = !tri.input_spoke_before(h).is_valid();
+  return is_in_face && angle < 0 ? angle + 2 * pi<FT>() : angle;
+}
+
+// The angle of the spoke of T1 before the halfedge `h` of T2, whose source is an inserted vertex,
+// in the frame of T1; that of halfedge(f) if it lies inside the face f.
+template <typename Traits>
+typename Traits::FT angle_of_inserted_spoke(Halfedge_index h,
+                                            const Intrinsic_triangulation<Traits>& tri)
+{
+  typedef typename Traits::FT FT;
+  const Halfedge_index spoke = tri.input_spoke_before(h);
+  return spoke.is_valid() && tri.number_of_inserted_spoke(spoke) == 1 ? pi<FT>() : FT(0);
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_ANGLE_IN_STRIP_H

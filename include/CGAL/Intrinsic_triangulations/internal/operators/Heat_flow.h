@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_HEAT_FLOW_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_HEAT_FLOW_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+template <typename FT, typename NamedParameters>
+FT checked_time_step_factor(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef Intrinsic_triangulations::internal_np::time_step_factor_t Tag;
+  const FT factor(choose_parameter(get_parameter(np, Tag()), FT(1)));
+  if(!(factor > 0) || !CGAL::is_finite(factor))
+    throw Invalid_input("the time step factor is not positive and finite");
+  return factor;
+}
+
+// The time for which heat flows on each component.
+template <typename FT, typename EdgeLengthMap>
+std::vector<FT> time_steps(const Delta_complex& mesh, const EdgeLengthMap& length, const FT& factor,
+                           const Mesh_components& components)
+{
+  std::vector<FT> result(components.size(), FT(0)), count(components.size(), FT(0));
+  for(Edge_index e : mesh.edges()) {
+    const std::size_t c = components[mesh.vertex(e, 0).idx()];
+    result[c] += get(length, e);
+    count[c] += 1;
+  }
+  for(std::size_t c = 0; c < result.size(); ++c)
+    result[c] = factor * CGAL::square(result[c] / count[c]);
+  return result;
+}
+
+template <typename Scalar, typename Vector>
+Eigen::SparseMatrix<Scalar> plus_diagonal(const Eigen::SparseMatrix<Scalar>& matrix,
+                                          const Vector& diagonal)
+{
+  Eigen::SparseMatrix<Scalar> result(matrix.rows(), matrix.cols());
+  result = diagonal.template cast<Scalar>().asDiagonal();
+  return result + matrix;
+}
+
+// Lets heat flow for one backward Euler step: (A / t + L) u = sources, in which no unit of length
+// is left. A third of the area around a vertex is its capacity for heat.
+template <typename FT>
+class Heat_flow
+{
+public:
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+
+  template <typename EdgeLengthMap, typename NamedParameters>
+  Heat_flow(const Delta_complex& mesh, const EdgeLengthMap& length, const NamedParameters& np)
+    : m_components(mesh),
+      m_rate(decay_rates(mesh, length, checked_time_step_factor<FT>(np))),
+      m_factorization(plus_diagonal(cotan_laplacian(mesh, length), m_rate), "heat flow")
+  {}
+
+  const Mesh_components& components() const { return m_components; }
+  // A / t
+  const Vector& rates() const { return m_rate; }
+
+  // The heat at the sources: heat falls exponentially with distance, and has a long way to go
+  // before it is below the range of its number type.
+  static FT unit()
+  {
+    typedef std::numeric_limits<FT> Limits;
+    return (Limits::max)() * Limits::epsilon() * Limits::epsilon();
+  }
+
+  // one at the sources
+  template <typename VertexRange>
+  Vector indicator(const VertexRange& sources) const
+  {
+    Vector result = Vector::Zero(m_rate.size());
+    for(Vertex_index v : sources)
+      result[v.idx()] = FT(1);
+    return result;
+  }
+
+  std::vector<char> components_with_source(const Vector& sources) const
+  {
+    std::vector<char> result(m_components.size(), 0);
+    for(Eigen::Index v = 0; v < sources.size(); ++v)
+      if(sources[v] != 0)
+        result[m_components[static_cast<std::size_t>(v)]] = 1;
+    return result;
+  }
+
+  // the heat from `sources`, times unit()
+  Vector spread(const Vector& sources) const { return m_factorization.solve(unit() * sources); }
+
+  // the same, but sure to be there on all of the components
+  Vector spread_everywhere(const Vector& sources) const
+  {
+    Vector heat = spread(sources);
+    const auto has_source = components_with_source(sources);
+    for(Eigen::Index v = 0; v < heat.size(); ++v)
+      if(has_source[m_components[static_cast<std::size_t>(v)]] &&
+         !(CGAL::abs(heat[v]) > (std::numeric_limits<FT>::min)()))
+        throw Numerical_error("no heat reaches vertex " + std::to_string(v) +
+                              "; a greater time step factor is needed");
+    return heat;
+  }
+
+private:
+  template <typename EdgeLengthMap>
+  Vector decay_rates(const Delta_complex& mesh, const EdgeLengthMap& length, const FT& factor) const
+  {
+    const auto time = time_steps(mesh, length, factor, m_components);
+    Vector result = lumped_mass_matrix(mesh, length).diagonal();
+    for(Eigen::Index v = 0; v < result.size(); ++v)
+      if(const FT t = time[m_components[static_cast<std::size_t>(v)]]; t > 0)
+        result[v] /= t;
+      else
+        result[v] = FT(1); // an isolated vertex has no other entry in its row
+    return result;
+  }
+
+  Mesh_components m_components;
+  Vector m_rate;
+  Factorization<FT> m_factorization;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_HEAT_FLOW_H

@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_CIRCUMCENTER_WALK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_CIRCUMCENTER_WALK_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Walks from the barycenter of a face straight to its circumcenter (Figure 3.10, right), in the
+// plane of the triangles passed.
+template <typename EdgeLengthMap>
+class Circumcenter_walk
+{
+  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef std::complex<FT> Vector;
+  typedef Flat_face<FT> Face;
+
+public:
+  enum class End
+  {
+    inside,  // of the face of halfedge(), with coordinates()
+    on_edge, // of halfedge(), at along()
+    blocked, // by the edge of halfedge()
+    lost     // the face has no area
+  };
+
+  Circumcenter_walk(const Delta_complex& mesh, const EdgeLengthMap& length)
+    : m_mesh(mesh), m_length(length)
+  {}
+
+  // `is_fixed(h)` says where the walk must stop.
+  template <typename Is_fixed>
+  End walk(Face_index f, const Is_fixed& is_fixed)
+  {
+    set_first_face(m_mesh.halfedge(f));
+    if(!std::isfinite(m_center.imag()))
+      return End::lost;
+    const Vector start = (m_corner[0] + m_corner[1] + m_corner[2]) / FT(3);
+    std::size_t exit = first_exit(start);
+    for(std::size_t steps = 0; !is_left_of_side(exit); ++steps) {
+      m_halfedge = side(exit);
+      if(is_fixed(m_halfedge))
+        return End::blocked;
+      if(steps > m_mesh.number_of_faces())
+        return End::lost;
+      cross_side(exit);
+      exit = cross(m_center - start, m_corner[2] - start) > 0 ? 1 : 2;
+    }
+    return place(is_fixed);
+  }
+
+  Halfedge_index halfedge() const { return m_halfedge; }
+
+  // in the face of halfedge(), as its barycentric coordinates are ordered
+  Face_location<FT> location() const
+  {
+    const std::size_t first = side_number(m_halfedge, m_mesh);
+    std::array<FT, 3> b;
+    for(std::size_t k = 0; k < 3; ++k)
+      b[(first + k) % 3] = m_weight[k];
+    return {m_mesh.face(m_halfedge), b};
+  }
+
+  const FT& along() const { return m_along; }
+
+  // The distance by which a circumcenter may be moved: it is as good then.
+  FT closeness() const { return m_radius / 1048576; }
+
+private:
+  // Corner 0 is at the origin, corner 1 on the real axis.
+  void set_first_face(Halfedge_index h)
+  {
+    const auto length = [&](Halfedge_index x) { return get(m_length, m_mesh.edge(x)); };
+    const FT base = length(h), left = length(m_mesh.next(h)), right = length(m_mesh.prev(h));
+    const Face face(h, m_mesh, m_length);
+    m_halfedge = h;
+    m_corner = {Vector(0), Vector(base), -face.side(2)};
+    m_center = Vector(base, doubled_corner_product(base, left, right) * base /
+                              quadrupled_area(base, left, right)) /
+               FT(2);
+    m_radius = CGAL::sqrt(dot(m_center, m_center));
+  }
+
+  Halfedge_index side(std::size_t s) const
+  {
+    return s == 0 ? m_halfedge : s == 1 ? m_mesh.next(m_halfedge) : m_mesh.prev(m_halfedge);
+  }
+
+  // the side with its source to the right of the line from `start` to the center, its target to the
+  // left
+  std::size_t first_exit(const Vector& start) const
+  {
+    std::array<FT, 3> left;
+    for(std::size_t k = 0; k < 3; ++k)
+      left[k] = cross(m_center - start, m_corner[k] - start);
+    for(std::size_t s = 0; s < 2; ++s)
+      if(left[s] <= 0 && left[s + 1] > 0)
+        return s;
+    return 2;
+  }
+
+  FT area_at_side(std::size_t s) const
+  {
+    const Vector& source = m_corner[s];
+    return cross(m_corner[(s + 1) % 3] - source, m_center - source);
+  }
+
+  bool is_left_of_side(std::size_t s) const { return area_at_side(s) >= 0; }
+
+  // goes on in the face beyond side `s`, which becomes side 0 there
+  void cross_side(std::size_t s)
+  {
+    const Vector source = m_corner[(s + 1) % 3], target = m_corner[s];
+    m_halfedge = m_mesh.opposite(m_halfedge); // already that of the side
+    const Face face(m_halfedge, m_mesh, m_length);
+    m_corner = {source, target, source - normalized(target - source) * face.side(2)};
+  }
+
+  // A circumcenter close to an edge is put there, since it would leave a face without area and, on
+  // an edge of T1, a piece without length.
+  template <typename Is_fixed>
+  End place(const Is_fixed& is_fixed)
+  {
+    FT sum(0);
+    for(std::size_t k = 0; k < 3; ++k)
+      sum += m_weight[k] = (std::max)(area_at_side((k + 1) % 3), FT(0));
+    if(!(sum > 0))
+      return End::lost;
+    for(FT& w : m_weight)
+      w /= sum;
+    for(std::size_t s = 0; s < 3; ++s)
+      if(area_at_side(s) <= closeness() * length_of_side(s))
+        return move_to_side(s, is_fixed);
+    return End::inside;
+  }
+
+  template <typename Is_fixed>
+  End move_to_side(std::size_t s, const Is_fixed& is_fixed)
+  {
+    m_halfedge = side(s);
+    const FT source = m_weight[s], target = m_weight[(s + 1) % 3];
+    m_along = target / (source + target);
+    return is_fixed(m_halfedge) ? End::blocked : End::on_edge;
+  }
+
+  FT length_of_side(std::size_t s) const { return get(m_length, m_mesh.edge(side(s))); }
+
+  const Delta_complex& m_mesh;
+  const EdgeLengthMap& m_length;
+  Halfedge_index m_halfedge; // side 0 of the current face
+  std::array<Vector, 3> m_corner;
+  Vector m_center;
+  FT m_radius{};
+  std::array<FT, 3> m_weight{};
+  FT m_along{};
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_CIRCUMCENTER_WALK_H

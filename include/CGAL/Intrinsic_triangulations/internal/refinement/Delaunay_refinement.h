@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_DELAUNAY_REFINEMENT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_DELAUNAY_REFINEMENT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Circumcenter_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Dijkstra_ball.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Narrow_vertices.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted,
+// or the boundary or constrained edge that hides it is split and circumcenters near by are removed
+// again.
+//
+// `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused. The
+// visitor is told every change.
+template <typename Traits, typename Bounds, typename Visitor>
+class Delaunay_refinement
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef typename Traits::FT FT;
+  typedef typename Triangulation::Edge_length_map Edge_length_map;
+  typedef Circumcenter_walk<Edge_length_map> Walk;
+
+  // a bad face, as it was when it was found; the greatest circumradius comes first
+  struct Candidate
+  {
+    FT circumradius;
+    Face_index face;
+
+    friend bool operator<(const Candidate& a, const Candidate& b)
+    {
+      return std::make_tuple(a.circumradius, b.face.idx()) <
+             std::make_tuple(b.circumradius, a.face.idx());
+    }
+  };
+
+public:
+  Delaunay_refinement(Triangulation& tri, const Bounds& bounds, std::size_t limit, Visitor& visitor)
+    : m_tri(tri),
+      m_mesh(tri.mesh()),
+      m_bounds(bounds),
+      m_limit(limit),
+      m_visitor(visitor),
+      m_inserter(tri),
+      m_narrow(tri),
+      m_walk(m_mesh, tri.length_map()),
+      m_ball(m_mesh, tri.length_map()),
+      m_stack(m_mesh.num_edges())
+  {}
+
+  void run(Refinement_result& result)
+  {
+    m_result = &result;
+    for(Face_index f : m_mesh.faces())
+      push_if_bad(f);
+    while(!m_queue.empty()) {
+      const Candidate c = m_queue.top();
+      m_queue.pop();
+      if(!is_current(c))
+        continue;
+      if(result.insertions == m_limit) {
+        result.status = Refinement_status::insertion_limit;
+        return;
+      }
+      refine(c.face);
+    }
+  }
+
+private:
+  bool is_fixed(Halfedge_index h) const
+  {
+    return m_mesh.is_border(m_mesh.opposite(h)) || m_tri.is_constrained(m_mesh.edge(h));
+  }
+
+  FT circumradius(Face_index f) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(f);
+    const FT &a = m_tri.length(m_mesh.edge(h)), &b = m_tri.length(m_mesh.edge(m_mesh.next(h))),
+             &c = m_tri.length(m_mesh.edge(m_mesh.prev(h)));
+    return a * b * c / quadrupled_area(a, b, c);
+  }
+
+  bool is_bad(Face_index f) const
+  {
+    return m_bounds.is_too_large(f) ||
+           (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, m_inserter.crossing_lists()));
+  }
+
+  void push_if_bad(Face_index f)
+  {
+    if(is_bad(f))
+      m_queue.push({circumradius(f), f});
+  }
+
+  bool is_current(const Candidate& c) const
+  {
+    return !m_mesh.is_removed(c.face) && circumradius(c.face) == c.circumradius && is_bad(c.face);
+  }
+
+  // A face stays as it is when numbers have no room left for the new vertex. What the visitor
+  // throws goes on to the caller.
+  void refine(Face_index f)
+  {
+    try {
+      insert_circumcenter(f);
+    } catch(const Numerical_error&) {
+      if(m_is_visited)
+        throw;
+    }
+  }
+
+  template <typename Call>
+  void visit(const Call& call)
+  {
+    m_is_visited = true;
+    call();
+    m_is_visited = false;
+  }
+
+  void insert_circumcenter(Face_index f)
+  {
+    const auto is_fixed = [this](Halfedge_index h) { return this->is_fixed(h); };
+    switch(m_walk.walk(f, is_fixed)) {
+      case Walk::End::inside:
+        return add_vertex(m_inserter.insert(m_walk.location(), m_walk.closeness()));
+      case Walk::End::on_edge: return split(m_walk.halfedge(), m_walk.along());
+      case Walk::End::blocked: return split_fixed(m_walk.halfedge());
+      case Walk::End::lost: return;
+    }
+  }
+
+  void split(Halfedge_index h, const FT& t)
+  {
+    if(m_inserter.can_be_split(h))
+      add_vertex(m_inserter.split_edge(h, t, m_walk.closeness()));
+    else
+      add_vertex(
+        m_inserter.insert(face_location(Edge_point<FT>{h, t}, m_mesh), m_walk.closeness()));
+  }
+
+  void split_fixed(Halfedge_index h)
+  {
+    if(!m_inserter.can_be_split(h))
+      throw Numerical_error("both sides of the edge are in one face");
+    const FT radius = m_tri.length(m_mesh.edge(h));
+    const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);
+    add_vertex(m);
+    m_is_free[m.idx()] = false;
+    remove_free_vertices(m, radius);
+  }
+
+  void add_vertex(Vertex_index m)
+  {
+    ++m_result->insertions;
+    visit([&] { m_visitor.after_insertion(m, m_inserter); });
+    m_is_free.resize((std::max)(m_is_free.size(), std::size_t(m.idx()) + 1), false);
+    m_is_free[m.idx()] = true;
+    for_each_spoke(m, m_mesh, [this](Halfedge_index h) {
+      if(!m_mesh.is_border(h))
+        note_change(m_mesh.face(h));
+    });
+    restore_Delaunay();
+  }
+
+  // Vertices within the ball of half the length are within the Dijkstra ball of the whole length.
+  void remove_free_vertices(Vertex_index m, const FT& radius)
+  {
+    const auto after_flip = [this](Halfedge_index h) { note_flip(h); };
+    for(Vertex_index v : m_ball.vertices(m, radius))
+      if(v.idx() < m_is_free.size() && m_is_free[v.idx()]) {
+        const Face_index f = m_inserter.remove(v, after_flip);
+        if(f.is_valid()) {
+          note_change(f);
+          m_is_free[v.idx()] = false;
+          ++m_result->removals;
+          visit([&] { m_visitor.after_removal(v, f); });
+        }
+      }
+    restore_Delaunay();
+  }
+
+  void note_change(Face_index f)
+  {
+    m_changed.push_back(f);
+    for(Halfedge_index h : sides(f, m_mesh))
+      m_stack.push(m_mesh.edge(h));
+  }
+
+  void note_flip(Halfedge_index h)
+  {
+    visit([&] { m_visitor.after_flip(h); });
+    note_change(m_mesh.face(h));
+    note_change(m_mesh.face(m_mesh.opposite(h)));
+  }
+
+  void restore_Delaunay()
+  {
+    while(!m_stack.empty()) {
+      const Edge_index e = m_stack.pop();
+      if(m_mesh.is_removed(e) || m_tri.is_Delaunay(e))
+        continue;
+      const Halfedge_index h = m_mesh.halfedge(e);
+      m_inserter.flip(h);
+      ++m_result->flips;
+      note_flip(h);
+    }
+    push_changed();
+  }
+
+  // Most faces have been changed more than once.
+  void push_changed()
+  {
+    std::sort(m_changed.begin(), m_changed.end());
+    m_changed.erase(std::unique(m_changed.begin(), m_changed.end()), m_changed.end());
+    for(Face_index f : m_changed)
+      if(!m_mesh.is_removed(f))
+        push_if_bad(f);
+    m_changed.clear();
+  }
+
+  Triangulation& m_tri;
+  const Delta_complex& m_mesh;
+  const Bounds& m_bounds;
+  std::size_t m_limit;
+  Visitor& m_visitor;
+  bool m_is_visited = false; // while the visitor is called
+  Vertex_inserter<Traits> m_inserter;
+  Narrow_vertices<Traits> m_narrow;
+  Walk m_walk;
+  Dijkstra_ball<Edge_length_map> m_ball;
+  Refinement_result* m_result = nullptr;
+  std::priority_queue<Candidate> m_queue;
+  Edge_stack m_stack;
+  std::vector<Face_index> m_changed;
+  std::vector<char> m_is_free; // vertices that may be removed
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_DELAUNAY_REFINEMENT_H

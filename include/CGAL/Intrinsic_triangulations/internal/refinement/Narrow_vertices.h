@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_NARROW_VERTICES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_NARROW_VERTICES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The vertices at which no triangulation can have large angles: the angle around them, or between
+// two boundary or constrained edges, is less than 60 degrees (Section 3.6).
+template <typename Traits>
+class Narrow_vertices
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef typename Traits::FT FT;
+
+public:
+  explicit Narrow_vertices(const Triangulation& tri)
+    : m_tri(tri), m_is_narrow(tri.mesh().num_vertices(), false)
+  {
+    for(Vertex_index v : tri.mesh().vertices())
+      m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < FT(CGAL_PI) / 3;
+  }
+
+  // Why a bad face may stay, and the narrow vertex that is to blame. `lists` has the crossings on
+  // all edges.
+  std::optional<Remaining_face> excuse(Face_index f, const Crossing_lists<Traits>& lists) const
+  {
+    Vertex_index narrow;
+    int count = 0;
+    for(Halfedge_index h : sides(f, m_tri.mesh()))
+      if(is_narrow(m_tri.mesh().source(h))) {
+        narrow = m_tri.mesh().source(h);
+        ++count;
+      }
+    if(count == 1)
+      return Remaining_face{f, Remaining_reason::at_narrow_vertex, narrow};
+    return excuse_by_input_faces(f, lists);
+  }
+
+private:
+  bool is_narrow(Vertex_index v) const
+  {
+    return v.idx() < m_is_narrow.size() && m_is_narrow[v.idx()];
+  }
+
+  // A face that is crossed by edges at one vertex only lies in faces at this vertex. Without this,
+  // the wedge at a narrow vertex would be filled with ever smaller faces where several faces of T1
+  // share it.
+  std::optional<Remaining_face> excuse_by_input_faces(Face_index f,
+                                                      const Crossing_lists<Traits>& lists) const
+  {
+    for(Vertex_index v : first_candidates(f, lists))
+      if(is_narrow(v) && is_crossed_by_edges_at(v, f, lists))
+        return Remaining_face{f, Remaining_reason::beside_narrow_vertex, v};
+    return {};
+  }
+
+  // The ends of an edge of T1 that crosses `f`, or if there is none, the corners of the face that
+  // contains it.
+  std::array<Vertex_index, 3> first_candidates(Face_index f,
+                                               const Crossing_lists<Traits>& lists) const
+  {
+    const Delta_complex& input = m_tri.input_mesh();
+    const auto side = sides(f, m_tri.mesh());
+    for(Halfedge_index h : side)
+      if(lists.count(h) > 0)
+        return {input.source(lists(h, 0)), input.target(lists(h, 0)), input.target(lists(h, 0))};
+    const auto corner = sides(m_tri.input_location(side[0]).first, input);
+    return {input.source(corner[0]), input.source(corner[1]), input.source(corner[2])};
+  }
+
+  bool is_crossed_by_edges_at(Vertex_index v, Face_index f,
+                              const Crossing_lists<Traits>& lists) const
+  {
+    for(Halfedge_index h : sides(f, m_tri.mesh()))
+      for(std::size_t m = 0; m < lists.count(h); ++m)
+        if(m_tri.input_mesh().source(lists(h, m)) != v &&
+           m_tri.input_mesh().target(lists(h, m)) != v)
+          return false;
+    return true;
+  }
+
+  bool is_fixed(Halfedge_index h) const
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    return m_tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
+  }
+
+  // The least of the angles between fixed edges; the whole angle if there are less than two.
+  FT least_sector(Vertex_index v) const
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    FT least(-1), sector(0), before_first_fixed(0);
+    bool has_fixed = false;
+    for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      if(is_fixed(h)) {
+        if(has_fixed)
+          least = least < 0 ? sector : (std::min)(least, sector);
+        else
+          before_first_fixed = sector;
+        has_fixed = true;
+        sector = FT(0);
+      }
+      if(!mesh.is_border(h))
+        sector += angle_at_source(h, mesh, m_tri.length_map());
+    });
+    if(mesh.is_border(v))
+      return least;
+    const FT closing = sector + before_first_fixed;
+    return least < 0 ? closing : (std::min)(least, closing);
+  }
+
+  const Triangulation& m_tri;
+  std::vector<char> m_is_narrow;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_NARROW_VERTICES_H

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_EDGE_TRACER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_EDGE_TRACER_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The places on a halfedge of T1 from one vertex of T2 on it to the next.
+template <typename FT>
+struct Part_of_edge
+{
+  FT begin, end;
+
+  // the place at a part `t` of the way
+  FT operator()(const FT& t) const { return (std::min)(FT(begin + t * (end - begin)), end); }
+};
+
+// The part of the halfedge `h` of T1 from the vertex `v` of T2 to the vertex `w`.
+template <typename Traits>
+Part_of_edge<typename Traits::FT> part_of_edge(Halfedge_index h, Vertex_index v, Vertex_index w,
+                                               const Intrinsic_triangulation<Traits>& tri)
+{
+  return {tri.place_along(h, v), 1 - tri.place_along(tri.input_mesh().opposite(h), w)};
+}
+
+// Follows edges of T1 over T2, first through the crossings (Algorithm 2), then along the straight
+// line in the strip of triangles (Algorithm 3). One object traces many edges and allocates no
+// memory for those that are no longer than the ones before.
+template <typename Traits>
+class Edge_tracer
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef typename Traits::FT FT;
+  typedef typename Traits::Integer Integer;
+  typedef typename Triangulation::Coordinates Coordinates;
+
+public:
+  typedef typename Coordinates::Crossing Crossing;
+
+  explicit Edge_tracer(const Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
+
+  // Traces curve number `k` of those that start in the corner of `spoke`.
+  void trace(Halfedge_index spoke, const Integer& k)
+  {
+    m_crossings.clear();
+    Crossing c = m_tri.coordinates().first_crossing(spoke, k, m_mesh);
+    do
+      m_crossings.push_back(c);
+    while(m_tri.coordinates().advance(c, m_mesh) != Coordinates::Turn::ends);
+    lay_out_strip(
+      m_strip, m_mesh, m_tri.length_map(),
+      [this](std::size_t m) { return m_crossings[m].halfedge; }, size());
+    recover_positions();
+  }
+
+  std::size_t size() const { return m_crossings.size(); }
+
+  // Crossing number `m` of the curve: it leaves the face of the halfedge there.
+  const Crossing& crossing(std::size_t m) const { return m_crossings[m]; }
+
+  // The halfedge of T2 that ends with the curve, clockwise from it.
+  Halfedge_index last_spoke() const
+  {
+    return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(m_crossings.back().halfedge)));
+  }
+
+  // The barycentric coordinates of that crossing along the curve (they never decrease) and along
+  // the halfedge.
+  const typename Traits::Geodesic_strip::Crossing& position(std::size_t m) const
+  {
+    return m_positions[m];
+  }
+
+private:
+  // The order along the curve is known: rounding may move a crossing, but never past another.
+  void recover_positions()
+  {
+    if(!m_tri.traits().is_length_object()(m_strip.length()))
+      throw Numerical_error("the strip of an edge of the input from vertex " +
+                            std::to_string(first_vertex().idx()) +
+                            " has no positive finite length");
+    m_positions.clear();
+    FT along_line(0);
+    for(std::size_t m = 0; m < size(); ++m) {
+      m_positions.push_back(m_strip.crossing(m));
+      FT& s = m_positions.back().along_line;
+      along_line = s = (std::max)(along_line, s);
+    }
+  }
+
+  Vertex_index first_vertex() const
+  {
+    return m_mesh.target(m_mesh.next(m_crossings.front().halfedge));
+  }
+
+  const Triangulation& m_tri;
+  const Delta_complex& m_mesh;
+  typename Traits::Geodesic_strip m_strip;
+  std::vector<Crossing> m_crossings;
+  std::vector<typename Traits::Geodesic_strip::Crossing> m_positions;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_EDGE_TRACER_H

@@ -1,0 +1,273 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_FACE_REGIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_FACE_REGIONS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// A corner of a region of a face: corner `side` of the face if `mark` is `none`, otherwise crossing
+// number `mark` on side `side`, which leads from corner `side` to the next one.
+struct Region_corner
+{
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  std::size_t side;
+  std::size_t mark;
+  bool arc_follows; // whether a curve, not a piece of a side, leads on to the next corner
+
+  bool is_vertex() const { return mark == none; }
+};
+
+// A polygon with three to six corners in counterclockwise order.
+class Region
+{
+public:
+  std::size_t size() const { return m_size; }
+  const Region_corner& operator[](std::size_t c) const { return m_corners[c]; }
+  const Region_corner& next(std::size_t c) const { return m_corners[c + 1 == m_size ? 0 : c + 1]; }
+  const Region_corner& previous(std::size_t c) const
+  {
+    return m_corners[(c == 0 ? m_size : c) - 1];
+  }
+
+  void add_vertex(std::size_t corner, bool arc_follows)
+  {
+    m_corners[m_size++] = {corner, Region_corner::none, arc_follows};
+  }
+  void add_mark(std::size_t side, std::size_t mark, bool arc_follows)
+  {
+    m_corners[m_size++] = {side, mark, arc_follows};
+  }
+
+private:
+  std::array<Region_corner, 6> m_corners;
+  std::size_t m_size = 0;
+};
+
+// The regions into which curves cut a face (Figure 3.7), from the numbers of crossings on its
+// sides. First come those around corner 0 (outwards from it), corner 1, corner 2; then the rest,
+// which is one region, or is fanned by the curves that leave a corner.
+class Face_regions
+{
+public:
+  explicit Face_regions(const std::array<std::size_t, 3>& crossings) : m_crossings(crossings)
+  {
+    for(std::size_t s = 0; s < 3; ++s) {
+      const auto n = [&](std::size_t k) {
+        return static_cast<std::ptrdiff_t>(crossings[(s + k) % 3]);
+      };
+      m_around[s] = static_cast<std::size_t>(curves_around(n(1), n(0), n(2)));
+      const std::ptrdiff_t leaving = curves_leaving(n(1), n(0), n(2));
+      if(leaving > 0) {
+        m_apex = s;
+        m_leaving = static_cast<std::size_t>(leaving);
+      }
+    }
+  }
+
+  std::size_t size() const { return m_around[0] + m_around[1] + m_around[2] + m_leaving + 1; }
+
+  // The number of curves that cut off corner `s`, and of those that leave corner `apex()`
+  std::size_t around(std::size_t s) const { return m_around[s]; }
+  std::size_t leaving() const { return m_leaving; }
+  std::size_t apex() const { return m_apex; }
+
+  // the numbers among all regions of region `j` around corner `s`, and of the first of the rest
+  std::size_t around_corner(std::size_t s, std::size_t j) const
+  {
+    return j + (s > 0 ? m_around[0] : 0) + (s > 1 ? m_around[1] : 0);
+  }
+  std::size_t first_of_rest() const { return size() - 1 - m_leaving; }
+
+  // the two marks of curve `j` around corner `s`: on the side after and before the corner
+  std::array<Region_corner, 2> curve_around(std::size_t s, std::size_t j) const
+  {
+    const std::size_t before = (s + 2) % 3;
+    return {Region_corner{s, j, true}, Region_corner{before, m_crossings[before] - 1 - j, false}};
+  }
+
+  // the mark of curve `j` from the apex on the opposite side
+  Region_corner end_of_curve(std::size_t j) const
+  {
+    const std::size_t near = (m_apex + 1) % 3;
+    return {near, m_around[near] + j, true};
+  }
+
+  // The number of curves between region `number` and each corner of the face.
+  std::array<std::size_t, 3> crossings_to_corners(std::size_t number) const
+  {
+    for(std::size_t s = 0; s < 3; ++s) {
+      if(number < m_around[s])
+        return crossings_from_corner_region(s, number);
+      number -= m_around[s];
+    }
+    std::array<std::size_t, 3> crossings = m_around;
+    if(m_leaving > 0) {
+      crossings[(m_apex + 1) % 3] += number;
+      crossings[(m_apex + 2) % 3] += m_leaving - number;
+    }
+    return crossings;
+  }
+
+  // The curve around corner `corner`, or if it ends there, from the apex; `number` counts from the
+  // corner, or from the side after the apex. `mark` is where it leaves, and `other` where it comes
+  // from.
+  struct Curve
+  {
+    std::size_t corner, number;
+    bool from_apex;
+    Region_corner mark, other;
+  };
+
+  // the curve from one corner of a region to the next
+  Curve curve(const Region_corner& from, const Region_corner& to) const
+  {
+    if(from.is_vertex() || to.is_vertex()) {
+      const Region_corner &mark = from.is_vertex() ? to : from,
+                          &apex = from.is_vertex() ? from : to;
+      return {m_apex, mark.mark - m_around[mark.side], true, mark, apex};
+    }
+    const bool leaves_at_from = to.side == (from.side + 2) % 3;
+    const Region_corner &mark = leaves_at_from ? from : to, &other = leaves_at_from ? to : from;
+    return {mark.side, mark.mark, false, mark, other};
+  }
+
+  // the curve that leaves the face at crossing `p` of side `s`; its other end is not told
+  Curve curve_at_side(std::size_t s, std::size_t p) const
+  {
+    const std::size_t t = (s + 1) % 3, from_target = m_crossings[s] - 1 - p;
+    const Region_corner mark{s, p, false};
+    if(p < m_around[s])
+      return {s, p, false, mark, {}};
+    if(from_target < m_around[t])
+      return {t, from_target, false, mark, {}};
+    return {m_apex, p - m_around[s], true, mark, {}};
+  }
+
+  // The number of curves between a point on `curve` and each corner of the face; -1 to where it
+  // ends.
+  std::array<std::ptrdiff_t, 3> crossings_to_corners(const Curve& curve) const
+  {
+    std::array<std::ptrdiff_t, 3> crossings;
+    const std::size_t s = curve.corner, t = (s + 1) % 3, u = (s + 2) % 3, j = curve.number;
+    if(curve.from_apex) {
+      crossings[s] = -1;
+      crossings[t] = std::ptrdiff_t(j + m_around[t]);
+      crossings[u] = std::ptrdiff_t(m_leaving - 1 - j + m_around[u]);
+      return crossings;
+    }
+    const auto beyond = crossings_from_corner_region(s, j);
+    crossings[s] = std::ptrdiff_t(j);
+    crossings[t] = std::ptrdiff_t(beyond[t]) - 1;
+    crossings[u] = std::ptrdiff_t(beyond[u]) - 1;
+    return crossings;
+  }
+
+  // The region beside the piece of side `s` after `p` of its crossings.
+  std::size_t region_at_side(std::size_t s, std::size_t p) const
+  {
+    const std::size_t t = (s + 1) % 3, from_target = m_crossings[s] - p;
+    if(p < m_around[s])
+      return around_corner(s, p);
+    if(from_target < m_around[t])
+      return around_corner(t, from_target);
+    if(m_leaving == 0 || m_apex == s)
+      return first_of_rest();
+    return first_of_rest() + (m_apex == t ? m_leaving : p - m_around[s]);
+  }
+
+  Region operator[](std::size_t number) const
+  {
+    for(std::size_t s = 0; s < 3; ++s) {
+      if(number < m_around[s])
+        return corner_region(s, number);
+      number -= m_around[s];
+    }
+    return m_leaving > 0 ? fan_region(number) : central_region();
+  }
+
+private:
+  // all curves around another corner lie beyond all those around `s`
+  std::array<std::size_t, 3> crossings_from_corner_region(std::size_t s, std::size_t j) const
+  {
+    std::array<std::size_t, 3> crossings;
+    for(std::size_t t = 0; t < 3; ++t) {
+      const std::size_t fan = t == m_apex ? 0 : m_leaving;
+      crossings[t] = t == s ? j : m_around[s] - j + fan + m_around[t];
+    }
+    return crossings;
+  }
+
+  Region corner_region(std::size_t s, std::size_t j) const
+  {
+    const std::size_t before = (s + 2) % 3, far = m_crossings[before] - j;
+    Region region;
+    if(j == 0)
+      region.add_vertex(s, false);
+    else
+      region.add_mark(s, j - 1, false);
+    region.add_mark(s, j, true);
+    region.add_mark(before, far - 1, false);
+    if(j > 0)
+      region.add_mark(before, far, true);
+    return region;
+  }
+
+  Region central_region() const
+  {
+    Region region;
+    for(std::size_t s = 0; s < 3; ++s)
+      add_trimmed_corner(s, region);
+    return region;
+  }
+
+  // Region `j` of those between curves from the apex, from the side after it to the side before it.
+  Region fan_region(std::size_t j) const
+  {
+    Region region;
+    region.add_vertex(m_apex, j > 0);
+    if(j == 0)
+      add_trimmed_corner((m_apex + 1) % 3, region);
+    else
+      region.add_mark((m_apex + 1) % 3, end_of_curve(j - 1).mark, false);
+    if(j == m_leaving)
+      add_trimmed_corner((m_apex + 2) % 3, region);
+    else
+      region.add_mark((m_apex + 1) % 3, end_of_curve(j).mark, true);
+    return region;
+  }
+
+  // corner `s` itself, or the outermost of the curves that cut it off
+  void add_trimmed_corner(std::size_t s, Region& region) const
+  {
+    const std::size_t before = (s + 2) % 3;
+    if(m_around[s] == 0)
+      region.add_vertex(s, false);
+    else {
+      region.add_mark(before, m_crossings[before] - m_around[s], true);
+      region.add_mark(s, m_around[s] - 1, false);
+    }
+  }
+
+  std::array<std::size_t, 3> m_crossings;
+  std::array<std::size_t, 3> m_around{};
+  std::size_t m_apex = 0;
+  std::size_t m_leaving = 0;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_FACE_REGIONS_H

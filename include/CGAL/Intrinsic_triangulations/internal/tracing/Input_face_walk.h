@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_INPUT_FACE_WALK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_INPUT_FACE_WALK_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the face
+// straight to the point, through regions of faces of T2. Should rounding lead astray, all regions
+// are looked at.
+template <typename Traits>
+class Input_face_walk
+{
+  typedef typename Traits::FT FT;
+  typedef Delta_complex::size_type size_type;
+  typedef Correspondence_marks<Traits> Marks;
+  typedef Barycentric_coordinates<FT> Coordinates;
+
+  // a region of a face of T2
+  typedef std::pair<Face_index, std::size_t> Place;
+
+public:
+  explicit Input_face_walk(const Correspondence<Traits>& correspondence)
+    : m_correspondence(correspondence), m_mesh(correspondence.mesh(Side::intrinsic))
+  {}
+
+  // the place on T2 of the point `p` of a face of T1
+  Face_location<FT> operator()(const Face_location<FT>& p) const
+  {
+    Place place = first_place(p.first);
+    const Place start = place;
+    for(std::size_t steps = 0; steps <= m_mesh.number_of_faces(); ++steps) {
+      const std::optional<Place> next = next_place(place, p.second);
+      if(!next)
+        break;
+      place = *next;
+    }
+    if(squared_distance(place, p.second) > closeness() * closeness())
+      place = closest_place(start, p.second);
+    return {place.first, Face_of_place(place, *this).map.inverse()(p.second)};
+  }
+
+private:
+  std::size_t side_of(Halfedge_index h) const { return side_number(h, m_mesh); }
+
+  // the region at the source of the first side of a face of T1
+  Place first_place(Face_index f) const
+  {
+    const Halfedge_index input = m_correspondence.mesh(Side::input).halfedge(f);
+    const Halfedge_index spoke = m_correspondence.spoke_before(Side::input, input);
+    const Face_regions regions = regions_of(m_mesh.face(spoke));
+    const std::size_t s = side_of(spoke);
+    if(m_correspondence.spoke_before(Side::intrinsic, spoke) == input &&
+       m_correspondence.is_shared(Side::intrinsic, Edge_index(spoke)))
+      return {m_mesh.face(spoke), regions.region_at_side(s, 0)};
+    // to the left of the curve that leaves this corner
+    const auto mark = m_correspondence.rank_on_intrinsic(
+      m_correspondence.crossing(Side::input, input, 0).id, m_mesh.next(spoke));
+    return {m_mesh.face(spoke), regions.region_at_side((s + 1) % 3, mark + 1)};
+  }
+
+  Face_regions regions_of(Face_index f) const
+  {
+    const Marks marks(Side::intrinsic, f, m_correspondence);
+    return Face_regions({marks.crossings(0), marks.crossings(1), marks.crossings(2)});
+  }
+
+  // a region with its corners on T2 and T1
+  struct Face_of_place
+  {
+    Face_of_place(const Place& place, const Input_face_walk& walk)
+      : marks(Side::intrinsic, place.first, walk.m_correspondence)
+    {
+      const Face_map<FT, Marks> face_map(marks, walk.m_correspondence.mesh(Side::input));
+      region = face_map.regions()[place.second];
+      map = face_map.region_map(place.second).second;
+    }
+
+    const Coordinates& corner(std::size_t c) const { return map.image(c == map.size() ? 0 : c); }
+
+    Marks marks;
+    Region region;
+    Polygon_map<FT> map;
+  };
+
+  // the region beyond the piece of a side of `face` after corner `c`; none beyond the face of T1
+  std::optional<Place> beyond(const Face_of_place& face, const Place& place, std::size_t c) const
+  {
+    const Region_corner& corner = face.region[c];
+    const Halfedge_index o = m_mesh.opposite(sides(place.first, m_mesh)[corner.side]);
+    if(corner.arc_follows || m_correspondence.is_shared(Side::intrinsic, Edge_index(o)))
+      return {};
+    const std::size_t piece = corner.is_vertex() ? 0 : corner.mark + 1;
+    const std::size_t from_target = face.marks.crossings(corner.side) - piece;
+    return Place(m_mesh.face(o),
+                 regions_of(m_mesh.face(o)).region_at_side(side_of(o), from_target));
+  }
+
+  // The region beyond the piece through which the line from the first corner of the face of T1 to
+  // `p` leaves the region; none if `p` is not beyond it.
+  std::optional<Place> next_place(const Place& place, const Coordinates& p) const
+  {
+    const Face_of_place face(place, *this);
+    const Coordinates start{FT(1), FT(0), FT(0)};
+    std::optional<Place> result;
+    FT best(0);
+    for(std::size_t c = 0; c < face.region.size(); ++c) {
+      const FT right = -orientation(start, p, face.corner(c));
+      const FT left = orientation(start, p, face.corner(c + 1));
+      if((std::min)(right, left) >= best && right + left > 0 &&
+         orientation(face.corner(c), face.corner(c + 1), p) < 0) {
+        best = (std::min)(right, left);
+        result = beyond(face, place, c);
+      }
+    }
+    return result;
+  }
+
+  // Of all regions in the face of T1 the one that is closest to `p`.
+  Place closest_place(const Place& start, const Coordinates& p) const
+  {
+    std::set<Place> seen{start};
+    std::vector<Place> waiting{start};
+    std::pair<FT, Place> best(squared_distance(start, p), start);
+    while(!waiting.empty()) {
+      const Place place = waiting.back();
+      waiting.pop_back();
+      best = (std::min)(best, std::make_pair(squared_distance(place, p), place));
+      const Face_of_place face(place, *this);
+      for(std::size_t c = 0; c < face.region.size(); ++c) {
+        const std::optional<Place> neighbor = beyond(face, place, c);
+        if(neighbor && seen.insert(*neighbor).second)
+          waiting.push_back(*neighbor);
+      }
+    }
+    return best.second;
+  }
+
+  // Of `p` from a region, in barycentric coordinates. Pieces that are so short that rounding may
+  // turn them do not say where the inside is.
+  FT squared_distance(const Place& place, const Coordinates& p) const
+  {
+    const Face_of_place face(place, *this);
+    const FT tolerance = closeness() * closeness();
+    std::size_t long_pieces = 0;
+    bool is_outside = false;
+    FT least = std::numeric_limits<FT>::infinity();
+    for(std::size_t c = 0; c < face.region.size(); ++c) {
+      const Coordinates &a = face.corner(c), &b = face.corner(c + 1);
+      least = (std::min)(least, squared_distance(a, b, p));
+      if(dot(a, b, a, b) > tolerance) {
+        ++long_pieces;
+        is_outside = is_outside || orientation(a, b, p) < 0;
+      }
+    }
+    return long_pieces > 1 && !is_outside ? FT(0) : least;
+  }
+
+  // of `p` from the piece from `a` to `b`
+  static FT squared_distance(const Coordinates& a, const Coordinates& b, const Coordinates& p)
+  {
+    const FT square = dot(a, b, a, b);
+    const FT t =
+      square > 0 ? (std::min)((std::max)(FT(dot(a, b, a, p) / square), FT(0)), FT(1)) : FT(0);
+    Coordinates foot;
+    for(std::size_t s = 0; s < 3; ++s)
+      foot[s] = a[s] + t * (b[s] - a[s]);
+    return dot(foot, p, foot, p);
+  }
+
+  // A point that is outside of its region by no more is there by rounding.
+  static FT closeness() { return FT(1e-12); }
+
+  const Correspondence<Traits>& m_correspondence;
+  const Delta_complex& m_mesh;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_INPUT_FACE_WALK_H

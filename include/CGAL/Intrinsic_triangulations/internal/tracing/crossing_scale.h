@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_SCALE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_SCALE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// whether the crossings of this geometry have scales (see the concept `GeodesicStrip`)
+template <typename Traits, typename = void>
+struct Has_scale : std::false_type
+{};
+
+template <typename Traits>
+struct Has_scale<
+  Traits, std::void_t<decltype(std::declval<typename Traits::Geodesic_strip::Crossing>().scale)>>
+  : std::true_type
+{};
+
+// the scale of a crossing, 1 where crossings have none
+template <typename Traits>
+typename Traits::FT scale_of(const typename Traits::Geodesic_strip::Crossing& crossing)
+{
+  if constexpr(Has_scale<Traits>::value)
+    return crossing.scale;
+  else
+    return typename Traits::FT(1);
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_SCALE_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_LAY_OUT_STRIP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_LAY_OUT_STRIP_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Lays out the triangles of `mesh` that a line passes which leaves a face through each of the
+// halfedges exit(0), ..., exit(n - 1). n > 0. The line starts at the corner opposite to exit(0) and
+// ends at the one beyond exit(n - 1); or if `ends` is a pair of barycentric coordinates, at the
+// points with these in the same triangles, that of the corner first.
+template <typename Strip, typename LengthMap, typename Exit, typename... Ends>
+void lay_out_strip(Strip& strip, const Delta_complex& mesh, const LengthMap& length_map,
+                   const Exit& exit, std::size_t n, const Ends&... ends)
+{
+  const auto length = [&](Halfedge_index h) -> decltype(auto) { return length_map[mesh.edge(h)]; };
+  Halfedge_index ij = exit(0);
+  strip.start(length(mesh.prev(ij)), length(ij), length(mesh.next(ij)), ends.first...);
+  for(std::size_t m = 1; m < n; ++m) {
+    const Halfedge_index ji = mesh.opposite(ij), il = mesh.next(ji), lj = mesh.prev(ji);
+    if((ij = exit(m)) == il)
+      strip.turn_around_source(length(ji), length(lj), length(il));
+    else
+      strip.turn_around_target(length(ji), length(lj), length(il));
+  }
+  const Halfedge_index ji = mesh.opposite(ij);
+  strip.finish(length(ji), length(mesh.prev(ji)), length(mesh.next(ji)), ends.second...);
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_LAY_OUT_STRIP_H
