@@ -75,7 +75,7 @@ double least_slack(const Planar_conformal_map& map)
   for(Face_index f : mesh_C(map).faces()) {
     std::array<double, 3> side;
     std::size_t s = 0;
-    for(Halfedge_index h : IT::internal::sides(f, mesh_C(map)))
+    for(Halfedge_index h : IT::sides(f, mesh_C(map)))
       side[s++] = length[mesh_C(map).edge(h)];
     std::sort(side.begin(), side.end());
     result = (std::min)(result, (side[0] + side[1] - side[2]) / side[2]);

@@ -730,7 +730,7 @@ TEST(Ideal_geometry, points_across_are_central_projections)
       const auto q = IT::point_across(Side::intrinsic, p, c);
       const auto [h, w] = cone.project(p);
       ASSERT_EQ(q.first, t.input_mesh().face(h));
-      EXPECT_EQ(IT::internal::coordinates_from(h, q, t.input_mesh()), w);
+      EXPECT_EQ(IT::coordinates_from(h, q, t.input_mesh()), w);
     }
   }
   EXPECT_GT(surfaces, 15u);

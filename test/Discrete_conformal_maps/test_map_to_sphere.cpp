@@ -81,7 +81,7 @@ double distance_from_center(const Spherical_conformal_map& map)
   Position sum{0, 0, 0};
   double total = 0;
   for(Face_index f : mesh.faces()) {
-    const auto side = IT::internal::sides(f, mesh);
+    const auto side = IT::sides(f, mesh);
     const double a = map.Delaunay().input_length(mesh.edge(side[0])),
                  b = map.Delaunay().input_length(mesh.edge(side[1])),
                  c = map.Delaunay().input_length(mesh.edge(side[2])), s = (a + b + c) / 2;
@@ -103,7 +103,7 @@ bool is_hull(const Spherical_conformal_map& map)
   for(Vertex_index v : mesh.vertices())
     point.emplace_back(map.position(v)[0], map.position(v)[1], map.position(v)[2]);
   for(Face_index f : mesh.faces()) {
-    const auto side = IT::internal::sides(f, mesh);
+    const auto side = IT::sides(f, mesh);
     const Exact_point &p = point[mesh.source(side[0])], &q = point[mesh.source(side[1])],
                       &r = point[mesh.source(side[2])];
     for(const Exact_point& x : point)

@@ -289,7 +289,7 @@ Ideal_triangulation ideally_flipped(const Triangulation& b, double range, unsign
 // The same point in another face with the corners, or those that have weight, in some order.
 Barycentric in_face(Face_index f, const Location& p, const Delta_complex& mesh)
 {
-  const auto from = IT::internal::sides(p.first, mesh), to = IT::internal::sides(f, mesh);
+  const auto from = IT::sides(p.first, mesh), to = IT::sides(f, mesh);
   Barycentric result{};
   for(std::size_t i = 0; i < 3; ++i)
     for(std::size_t j = 0; j < 3; ++j)
@@ -301,7 +301,7 @@ Barycentric in_face(Face_index f, const Location& p, const Delta_complex& mesh)
 bool has_three_vertices(Face_index f, const Delta_complex& mesh)
 {
   std::set<Vertex_index> vertices;
-  for(Halfedge_index h : IT::internal::sides(f, mesh))
+  for(Halfedge_index h : IT::sides(f, mesh))
     vertices.insert(mesh.source(h));
   return vertices.size() == 3;
 }
@@ -314,7 +314,7 @@ double product(const Barycentric& p, const Barycentric& q, Face_index f, const D
   double result = 0;
   for(std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    const double l = length[mesh.edge(IT::internal::sides(f, mesh)[i])];
+    const double l = length[mesh.edge(IT::sides(f, mesh)[i])];
     result += l * l * (p[i] * q[j] + p[j] * q[i]);
   }
   return result;
@@ -333,7 +333,7 @@ template <typename Lengths>
 double longest_side(Face_index f, const Delta_complex& mesh, const Lengths& length)
 {
   double result = 0;
-  for(Halfedge_index h : IT::internal::sides(f, mesh))
+  for(Halfedge_index h : IT::sides(f, mesh))
     result = (std::max)(result, length[mesh.edge(h)]);
   return result;
 }

@@ -188,7 +188,7 @@ void check_layout(const Hyperbolic_conformal_map& map)
   for(Face_index f : mesh.faces()) {
     Eigen::Matrix3d corners;
     int row = 0;
-    for(Halfedge_index h : IT::internal::sides(f, mesh)) {
+    for(Halfedge_index h : IT::sides(f, mesh)) {
       for(int i = 0; i < 3; ++i)
         corners(row, i) = map.hyperboloid_position(h)[std::size_t(i)];
       ++row;

@@ -90,7 +90,7 @@ void for_each_surface(const Check& check)
 
 inline Location location(Halfedge_index h, double t, const Delta_complex& mesh)
 {
-  return IT::internal::face_location(IT::Edge_point<double>{h, t}, mesh);
+  return IT::face_location(IT::Edge_point<double>{h, t}, mesh);
 }
 
 inline bool are_near(const Location& p, const Location& q)
@@ -104,8 +104,8 @@ inline bool are_near(const Location& p, const Location& q)
 // Whether p and q are the same point of an edge, seen from its two sides.
 inline bool meet_at_edge(const Location& p, const Location& q, const Delta_complex& mesh)
 {
-  for(Halfedge_index h : IT::internal::sides(p.first, mesh)) {
-    const Coordinates b = IT::internal::coordinates_from(h, p, mesh);
+  for(Halfedge_index h : IT::sides(p.first, mesh)) {
+    const Coordinates b = IT::coordinates_from(h, p, mesh);
     if(mesh.face(mesh.opposite(h)) == q.first && b[2] < 1e-9 &&
        are_near(location(mesh.opposite(h), b[0], mesh), q))
       return true;
@@ -123,7 +123,7 @@ inline void expect_same_place(const Location& p, const Location& q, const Delta_
 inline Point place(const Location& p, const Surface_level& level, const Mesh& mesh)
 {
   Kernel::Vector_3 sum(0, 0, 0);
-  const auto sides = IT::internal::sides(p.first, level.mesh());
+  const auto sides = IT::sides(p.first, level.mesh());
   for(std::size_t s = 0; s < 3; ++s)
     sum = sum + p.second[s] *
                   (mesh.point(level.surface_vertex(level.mesh().source(sides[s]))) - CGAL::ORIGIN);

@@ -81,7 +81,7 @@ void expect_near(const Coordinates& x, const Coordinates& y, const Surface_level
                  Face_index f, double tolerance)
 {
   std::array<double, 3> length{};
-  const auto sides = IT::internal::sides(f, level.mesh());
+  const auto sides = IT::sides(f, level.mesh());
   for(std::size_t s = 0; s < 3; ++s)
     length[s] = level.length_map()[level.mesh().edge(sides[s])];
   EXPECT_LE(IT::vector_length(length, {x[0] - y[0], x[1] - y[1], x[2] - y[2]}),
@@ -196,7 +196,7 @@ TEST(Projective_pieces, OfATip)
   for(const Projective_piece& p : pieces) {
     EXPECT_EQ(p.corners.size(), 3u);
     bool has_tip = false;
-    for(Halfedge_index h : IT::internal::sides(p.fine_face, fine.mesh()))
+    for(Halfedge_index h : IT::sides(p.fine_face, fine.mesh()))
       has_tip = has_tip || fine.mesh().source(h) == Vertex_index(0);
     Coordinates image = p.to_coarse({1 / 3., 1 / 3., 1 / 3.});
     std::sort(image.begin(), image.end());

@@ -63,9 +63,9 @@ TEST(Surface_map, OfVertices)
       if(s.fine.mesh().is_border(h) || !v.is_valid())
         continue;
       Coordinates corner{};
-      corner[IT::internal::side_number(h, s.fine.mesh())] = 1;
+      corner[IT::side_number(h, s.fine.mesh())] = 1;
       const auto [f, b] = map.to_coarse({s.fine.mesh().face(h), corner});
-      const auto sides = IT::internal::sides(f, s.coarse.mesh());
+      const auto sides = IT::sides(f, s.coarse.mesh());
       for(std::size_t t = 0; t < 3; ++t)
         EXPECT_TRUE(b[t] == 0 || (b[t] == 1 && s.coarse.mesh().source(sides[t]) == v));
     }
@@ -93,10 +93,10 @@ TEST(Surface_map, KeepsTheBoundary)
       if(s.fine.mesh().is_border(s.fine.mesh().opposite(h))) {
         const Location p = map.to_coarse(location(h, 0.3, s.fine.mesh()));
         bool is_on_border = false;
-        for(Halfedge_index side : IT::internal::sides(p.first, s.coarse.mesh()))
+        for(Halfedge_index side : IT::sides(p.first, s.coarse.mesh()))
           is_on_border =
             is_on_border || (s.coarse.mesh().is_border(s.coarse.mesh().opposite(side)) &&
-                             IT::internal::coordinates_from(side, p, s.coarse.mesh())[2] == 0);
+                             IT::coordinates_from(side, p, s.coarse.mesh())[2] == 0);
         EXPECT_TRUE(is_on_border) << "halfedge " << h;
       }
   });

@@ -61,7 +61,7 @@ Complex direction(Halfedge_index h, const Surface_map& map, const Flat_surface& 
 {
   const auto trace = IS::trace_coarse_edge(h, map);
   const auto& piece = trace.front();
-  const auto sides = IT::internal::sides(piece.face, map.fine().mesh());
+  const auto sides = IT::sides(piece.face, map.fine().mesh());
   const Coordinates &p = piece.ends[0].coordinates, &q = piece.ends[1].coordinates;
   const Complex way =
     (q[1] - p[1]) * complex(flat.vector[sides[0]]) - (q[2] - p[2]) * complex(flat.vector[sides[2]]);

@@ -28,7 +28,7 @@ Vertex_index vertex_of(const Trace_piece& piece, std::size_t end, const Delta_co
   EXPECT_EQ(piece.ends[end].place, Trace_place::vertex);
   const auto s = static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin());
   EXPECT_EQ(b[s], 1);
-  return mesh.source(IT::internal::sides(piece.face, mesh)[s]);
+  return mesh.source(IT::sides(piece.face, mesh)[s]);
 }
 
 // the side of the face on which an end is, and the place on it
@@ -39,7 +39,7 @@ IT::Edge_point<double> edge_point(const Trace_piece& piece, std::size_t end,
   EXPECT_EQ(piece.ends[end].place, Trace_place::edge);
   const auto s = static_cast<std::size_t>(std::min_element(b.begin(), b.end()) - b.begin());
   EXPECT_EQ(b[s], 0);
-  return {IT::internal::sides(piece.face, mesh)[(s + 1) % 3], b[(s + 2) % 3]};
+  return {IT::sides(piece.face, mesh)[(s + 1) % 3], b[(s + 2) % 3]};
 }
 
 void expect_meeting(const Trace_piece& piece, const Trace_piece& next, const Delta_complex& mesh)
@@ -89,8 +89,8 @@ bool is_on_edge(const Location& p, Halfedge_index h, double low, double high,
                 const Delta_complex& mesh)
 {
   constexpr double tolerance = 1e-9;
-  for(Halfedge_index side : IT::internal::sides(p.first, mesh)) {
-    const Coordinates b = IT::internal::coordinates_from(side, p, mesh);
+  for(Halfedge_index side : IT::sides(p.first, mesh)) {
+    const Coordinates b = IT::coordinates_from(side, p, mesh);
     const double t = side == h ? b[1] : b[0];
     if(mesh.edge(side) == mesh.edge(h) && b[2] < tolerance && t > low - tolerance &&
        t < high + tolerance)

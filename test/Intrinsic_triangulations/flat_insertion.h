@@ -82,7 +82,7 @@ inline double rounding_of_distances(const Flat_surface& s)
 {
   double worst = 0;
   for(Face_index f : s.mesh.faces()) {
-    const auto h = IT::internal::sides(f, s.mesh);
+    const auto h = IT::sides(f, s.mesh);
     const double a = length(s.vector[h[0]]), b = length(s.vector[h[1]]), c = length(s.vector[h[2]]);
     const double doubled_area = static_cast<double>(det(s.vector[h[0]], s.vector[h[1]]));
     worst = (std::max)(worst, a * b * c * (a + b + c) / (doubled_area * doubled_area));
@@ -141,7 +141,7 @@ public:
   // at a place away from all edges of T1
   bool insert_into_face(Face_index f, CGAL::Random& random)
   {
-    const auto side = IT::internal::sides(f, m_tri.mesh());
+    const auto side = IT::sides(f, m_tri.mesh());
     const int b1 = random.get_int(1, 15), b2 = random.get_int(1, 17 - b1);
     const Vector p = b1 * m_vector[side[0]] - b2 * m_vector[side[2]]; // 16 times the spoke
     const Vector from_corner{p.x / 128 * 8, p.y / 128 * 8};
@@ -152,7 +152,7 @@ public:
   // at a place on an edge of T1 that crosses the face
   bool insert_on_input(Face_index f, CGAL::Random& random)
   {
-    const auto side = IT::internal::sides(f, m_tri.mesh());
+    const auto side = IT::sides(f, m_tri.mesh());
     const Halfedge_index x = random_halfedge(m_surface.mesh, random);
     const Vector v = m_surface.vector[x];
     const std::int64_t eighths = random.get_int(1, 8);
@@ -184,10 +184,9 @@ public:
     if(!along && !is_clear(place))
       return false;
     const double t = static_cast<double>(quarters) / 4;
-    const Vertex_index m =
-      random.get_bool() && !mesh.is_border(h)
-        ? m_inserter.insert(IT::internal::face_location(Edge_place{h, t}, mesh))
-        : m_inserter.split_edge(h, t);
+    const Vertex_index m = random.get_bool() && !mesh.is_border(h)
+                             ? m_inserter.insert(IT::face_location(Edge_place{h, t}, mesh))
+                             : m_inserter.split_edge(h, t);
     add_vertex(m, place, along ? On_input{along->halfedge, along->offset + p} : On_input());
     set_parts(h, p, v - p);
     check_around(m);
@@ -205,7 +204,7 @@ public:
     });
     if(!f.is_valid())
       return false;
-    const auto side = IT::internal::sides(f, m_tri.mesh());
+    const auto side = IT::sides(f, m_tri.mesh());
     for(std::size_t s = 0; s < 3; ++s)
       if(spokes.count(m_tri.mesh().edge(side[s])) > 0)
         set_vector(side[s], -(m_vector[side[(s + 1) % 3]] + m_vector[side[(s + 2) % 3]]));
@@ -308,7 +307,7 @@ private:
   // `p` leads from the first corner of the face
   bool insert(Face_index f, const Vector& p, const On_input& on, double closeness)
   {
-    const auto side = IT::internal::sides(f, m_tri.mesh());
+    const auto side = IT::sides(f, m_tri.mesh());
     const Vector u = m_vector[side[0]], w = -m_vector[side[2]];
     const std::array<Vector, 3> spoke{-p, u - p, w - p};
     for(std::size_t s = 0; s < 3; ++s)
@@ -488,7 +487,7 @@ public:
                             const std::vector<Vector>& point, const Delta_complex& mesh,
                             const Vector& place, const Flat_surface& s)
   {
-    const auto side = IT::internal::sides(location.first, mesh);
+    const auto side = IT::sides(location.first, mesh);
     const auto real = [](const Vector& v) { return Place{Real(v.x), Real(v.y)}; };
     const Place p = real(point[mesh.source(side[0])] - place) +
                     Real(location.second[1]) * real(vector[side[0]]) -

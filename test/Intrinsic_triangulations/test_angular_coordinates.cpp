@@ -41,7 +41,7 @@ double angle_from_crossing(Halfedge_index h, const Triangulation& t,
   if(t.coordinates().is_shared(t.mesh().edge(h)))
     return frames.angle(t.input_halfedge(h));
   const Edge_place p = IT::trace_intrinsic_edge(h, t)[1].on_input;
-  const Location location = IT::internal::face_location(p, t.input_mesh());
+  const Location location = IT::face_location(p, t.input_mesh());
   return std::arg(IT::logarithm(Side::input, t.input_mesh().prev(p.halfedge), location, t));
 }
 
@@ -296,7 +296,7 @@ void check_by_walking(const Triangulation& t, const Angles& angles)
 bool is_link_inserted(Vertex_index v, const Triangulation& t)
 {
   bool result = !t.mesh().is_border(v);
-  IT::internal::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
+  IT::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
     result = result && t.mesh().target(h) != v && t.is_inserted(t.mesh().target(h)) &&
              !t.mesh().is_border(t.mesh().target(h));
   });
@@ -308,8 +308,7 @@ Complex holonomy_around(Vertex_index v, const Angles& angles)
 {
   const Delta_complex& mesh = angles.triangulation().mesh();
   Complex product = 1;
-  IT::internal::for_each_spoke(
-    v, mesh, [&](Halfedge_index h) { product *= angles.transport(mesh.next(h)); });
+  IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { product *= angles.transport(mesh.next(h)); });
   return product;
 }
 
@@ -519,7 +518,7 @@ namespace {
 void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
 {
   const Triangulation& t = angles.triangulation();
-  IT::internal::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
+  IT::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
     EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(h, t), 2 * pi), 0, 1e-12);
     if(t.mesh().is_border(h))
       return;

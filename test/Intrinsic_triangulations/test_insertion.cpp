@@ -231,7 +231,7 @@ TEST(Insertion, at_a_vertex_that_is_there)
   Triangulation t(octahedron());
   Vertex_inserter inserter(t);
   const Face_index f(3);
-  const auto side = IT::internal::sides(f, t.mesh());
+  const auto side = IT::sides(f, t.mesh());
   for(std::size_t s = 0; s < 3; ++s) {
     std::array<double, 3> p{0, 0, 0};
     p[s] = 1;

@@ -189,13 +189,13 @@ void check_points_across(const Flat_insertion::Result& r, const Flat_surface& su
       const Location q = IT::point_across(side, p, c);
       const Location &on_input = side == Side::input ? p : q,
                      &on_intrinsic = side == Side::input ? q : p;
-      const auto h = IT::internal::sides(on_input.first, surface.mesh);
+      const auto h = IT::sides(on_input.first, surface.mesh);
       // the place on T2 as seen from the corner of the face of T1
       const Place offset = Real(on_input.second[1]) *
                              Place{Real(surface.vector[h[0]].x), Real(surface.vector[h[0]].y)} -
                            Real(on_input.second[2]) *
                              Place{Real(surface.vector[h[2]].x), Real(surface.vector[h[2]].y)};
-      const auto x = IT::internal::sides(on_intrinsic.first, r.triangulation.mesh());
+      const auto x = IT::sides(on_intrinsic.first, r.triangulation.mesh());
       const Vector corner =
         r.point[r.triangulation.mesh().source(x[0])] - surface.point[surface.mesh.source(h[0])];
       const Place gap =
@@ -300,7 +300,7 @@ Mesh sliding_triangles()
 Place in_plane(const Location& p, const Mesh& mesh, const Delta_complex& input)
 {
   Place result{0, 0};
-  const auto h = IT::internal::sides(p.first, input);
+  const auto h = IT::sides(p.first, input);
   for(std::size_t k = 0; k < 3; ++k) {
     const Point& corner = mesh.point(input.source(h[k]));
     result = result + Real(p.second[k]) * Place{Real(corner.x()), Real(corner.y())};

@@ -159,7 +159,7 @@ private:
     m_error.assign(m_origin.size(), 0.);
     m_flat_faces = 0;
     for(Face_index f : mesh().faces()) {
-      const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+      const auto side = Intrinsic_triangulations::sides(f, mesh());
       const Triangle face = triangle(side);
       m_flat_faces += face.is_flat();
       const bool is_linear = m_surface.flipping() == Flipping::none && face.is_flat();
@@ -201,7 +201,7 @@ private:
     if(mesh().is_isolated(v))
       return;
     double diagonal = 0;
-    Intrinsic_triangulations::internal::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
       const Vertex_index w = mesh().target(h);
       const auto tanh2 =
         static_cast<double>(Triangle::squared_tanh(m_surface.scaled_length(mesh().edge(h))));
@@ -241,7 +241,7 @@ FT Conformal_energy<FT, Triangle>::value() const
       sum += (2 * pi - FT(m_target_defect[static_cast<Eigen::Index>(v.idx())])) *
              m_scale_factor[v.idx()];
   for(Face_index f : mesh().faces()) {
-    const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+    const auto side = Intrinsic_triangulations::sides(f, mesh());
     const Triangle face = triangle(side);
     for(std::size_t s = 0; s < 3; ++s) {
       const FT lambda = 2 * log(m_surface.scaled_length(mesh().edge(side[(s + 1) % 3])));

@@ -229,10 +229,7 @@ public:
   }
 
 private:
-  static Halfedge_index opposite(Halfedge_index h)
-  {
-    return Intrinsic_triangulations::internal::opposite(h);
-  }
+  static Halfedge_index opposite(Halfedge_index h) { return Intrinsic_triangulations::opposite(h); }
 
   // ---- Pieces ----
 
@@ -385,7 +382,7 @@ private:
 
   void set_places_on_side(Face_index f, std::size_t s)
   {
-    using Intrinsic_triangulations::internal::barycentric_coordinates;
+    using Intrinsic_triangulations::barycentric_coordinates;
     m_result.m_place_on_B[m_b.source(m_chords.sides()[s])] = {f, barycentric_coordinates(s, FT(0))};
     for(const Mark& mark : m_chords.marks(s))
       m_result.m_place_on_B[mark.vertex] = {f, barycentric_coordinates(s, mark.here)};

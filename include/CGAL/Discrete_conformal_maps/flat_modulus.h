@@ -52,7 +52,7 @@ inline double flat_area(const Planar_conformal_map& map)
   };
   double result = 0;
   for(Face_index f : mesh.faces()) {
-    const auto h = Intrinsic_triangulations::internal::sides(f, mesh);
+    const auto h = Intrinsic_triangulations::sides(f, mesh);
     result +=
       Intrinsic_triangulations::quadrupled_area(length(h[0]), length(h[1]), length(h[2])) / 4;
   }

@@ -161,7 +161,7 @@ private:
       return Plane_predicates<double>::Point{z.real(), z.imag()};
     };
     const auto has_collapsed = [&](Face_index f) {
-      const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+      const auto side = Intrinsic_triangulations::sides(f, mesh());
       return m_map.is_laid_out(f) && Plane_predicates<double>().orientation(
                                        point(side[0]), point(side[1]), point(side[2])) <= 0;
     };

@@ -35,7 +35,7 @@ void interpolate(const Triple_subdivision<FT, Point>& subdivision, const Delta_c
       continue;
     }
     const auto& [f, weight] = subdivision.place_on_A(v);
-    const auto side = Intrinsic_triangulations::internal::sides(f, input);
+    const auto side = Intrinsic_triangulations::sides(f, input);
     const auto& origin = get(value, input.source(side[0]));
     auto sum = origin;
     for(std::size_t s = 1; s < 3; ++s)

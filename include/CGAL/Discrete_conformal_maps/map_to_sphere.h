@@ -84,7 +84,7 @@ private:
     const Delta_complex& mesh = triangulation.input_mesh();
     std::vector<double> result(mesh.num_vertices(), 0);
     for(Face_index f : mesh.faces()) {
-      const auto side = Intrinsic_triangulations::internal::sides(f, mesh);
+      const auto side = Intrinsic_triangulations::sides(f, mesh);
       const auto length = [&](std::size_t s) {
         return triangulation.input_length(mesh.edge(side[s]));
       };
@@ -163,7 +163,7 @@ private:
     const Point center(0, 0, 0);
     std::size_t result = 0;
     for(Face_index f : mesh.faces()) {
-      const auto side = Intrinsic_triangulations::internal::sides(f, mesh);
+      const auto side = Intrinsic_triangulations::sides(f, mesh);
       const Point p = at(mesh.source(side[0])), q = at(mesh.source(side[1])),
                   r = at(mesh.source(side[2]));
       bool is_good = CGAL::orientation(center, p, q, r) == CGAL::POSITIVE;

@@ -160,7 +160,7 @@ private:
   Halfedge_index first_corner(Vertex_index v, const Tree_cotree& cut) const
   {
     Halfedge_index result = Intrinsic_triangulations::first_spoke(v, mesh());
-    Intrinsic_triangulations::internal::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
       if(cut.is_seam(Edge_index(h)))
         result = h;
     });
@@ -209,7 +209,7 @@ private:
     for(Fuchsian_group& group : m_map.m_groups)
       group.area = 0;
     for(Face_index f : mesh().faces()) {
-      const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+      const auto side = Intrinsic_triangulations::sides(f, mesh());
       const auto of = [&](std::size_t s) {
         return static_cast<double>(length[Edge_index(side[s]).idx()]);
       };

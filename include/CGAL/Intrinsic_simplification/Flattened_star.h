@@ -165,7 +165,7 @@ private:
     if(mesh.is_isolated(v))
       return Removal_status::isolated;
     bool is_protected = false;
-    Intrinsic_triangulations::internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
       is_protected = is_protected || surface.is_constrained(mesh.edge(h));
       add_spoke(h, surface);
     });

@@ -98,7 +98,7 @@ public:
   {
     const std::size_t first = m_corners.size();
     if(has_corners)
-      Intrinsic_triangulations::internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
         if(!mesh.is_border(h))
           add_corner(h, mesh);
       });
@@ -169,7 +169,7 @@ public:
 private:
   static std::uint8_t corner_at_source(Halfedge_index h, const Delta_complex& mesh)
   {
-    return static_cast<std::uint8_t>(Intrinsic_triangulations::internal::side_number(h, mesh));
+    return static_cast<std::uint8_t>(Intrinsic_triangulations::side_number(h, mesh));
   }
 
   void add_corner(Halfedge_index h, const Delta_complex& mesh)

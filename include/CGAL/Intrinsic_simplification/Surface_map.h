@@ -156,7 +156,7 @@ inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& 
   const Delta_complex& mesh = map.fine().mesh();
   const Halfedge_index h = IT::first_spoke(v, mesh);
   std::array<double, 3> corner{};
-  corner[IT::internal::side_number(h, mesh)] = 1;
+  corner[IT::side_number(h, mesh)] = 1;
   return map.to_coarse({mesh.face(h), corner});
 }
 

@@ -189,15 +189,14 @@ private:
     namespace IT = Intrinsic_triangulations;
     const Subdivision_place& p = place(side, v);
     const Delta_complex& mesh = level(side).mesh();
-    const IT::Edge_point<double> on_edge = IT::internal::edge_point(p.along, p.location, mesh);
-    return IT::internal::face_location(h == p.along ? on_edge : IT::reversed(on_edge, mesh), mesh)
-      .second;
+    const IT::Edge_point<double> on_edge = IT::edge_point(p.along, p.location, mesh);
+    return IT::face_location(h == p.along ? on_edge : IT::reversed(on_edge, mesh), mesh).second;
   }
 
   std::array<double, 3> at_source(Level side, Halfedge_index h) const
   {
     std::array<double, 3> result{};
-    result[Intrinsic_triangulations::internal::side_number(h, level(side).mesh())] = 1;
+    result[Intrinsic_triangulations::side_number(h, level(side).mesh())] = 1;
     return result;
   }
 

@@ -207,7 +207,7 @@ private:
     const Delta_complex& mesh = surface.mesh();
     double sum = 0, corners = 0;
     bool is_border = false;
-    Intrinsic_triangulations::internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
       if(mesh.is_border(h))
         is_border = true;
       else

@@ -176,7 +176,7 @@ private:
     namespace IT = Intrinsic_triangulations;
     const Face_index f(index(m_mesh.num_faces()));
     check(!m_mesh.is_removed(f), "there is no such face");
-    const Halfedge_index a = IT::internal::sides(f, m_mesh)[m_lines.integer<std::size_t>(0, 2)];
+    const Halfedge_index a = IT::sides(f, m_mesh)[m_lines.integer<std::size_t>(0, 2)];
     const double w_a = part(), w_b = part();
     const Vertex_index v = m_mesh.source(a);
     const bool is_border = kind == Kind::border_removal;

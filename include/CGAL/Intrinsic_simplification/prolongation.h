@@ -39,7 +39,7 @@ inline Eigen::SparseMatrix<double> prolongation_matrix(const Surface_map& map)
       continue;
     }
     const auto [f, coordinates] = image_of_vertex(v, map);
-    const auto sides = Intrinsic_triangulations::internal::sides(f, coarse);
+    const auto sides = Intrinsic_triangulations::sides(f, coarse);
     for(std::size_t s = 0; s < 3; ++s)
       if(coordinates[s] != 0)
         assembly.add(v, coarse.source(sides[s]), coordinates[s]);

@@ -127,7 +127,7 @@ private:
   // after the corner
   double vertex_angle(Face_index f, std::size_t corner, const Complex& vector) const
   {
-    const Halfedge_index side = Intrinsic_triangulations::internal::sides(f, m_coarse)[corner];
+    const Halfedge_index side = Intrinsic_triangulations::sides(f, m_coarse)[corner];
     return m_coarse_frames.angle(side) +
            m_coarse_frames.scale(m_coarse.source(side)) * std::arg(vector);
   }
@@ -147,7 +147,7 @@ private:
   void add_row(Vertex_index v, Assembly& assembly) const
   {
     const auto& [f, p] = m_place[v];
-    const auto sides = Intrinsic_triangulations::internal::sides(f, m_coarse);
+    const auto sides = Intrinsic_triangulations::sides(f, m_coarse);
     const Flat_face face = flat_face(f);
     for(std::size_t c = 0; c < 3; ++c) {
       if(p[c] == 0)

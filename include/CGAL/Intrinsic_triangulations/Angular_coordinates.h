@@ -133,14 +133,14 @@ public:
     set_angles_around(v, start, angle_in_strip(start, n, [&](std::size_t m) {
                         return m_tri.input_mesh().opposite(inserter.crossing_lists()(start, m));
                       }));
-    internal::for_each_spoke(v, mesh, [&](Halfedge_index h) { set_angle(mesh.opposite(h)); });
+    for_each_spoke(v, mesh, [&](Halfedge_index h) { set_angle(mesh.opposite(h)); });
   }
 
   /// gives the sides of the face `f`, which has taken the place of the vertex `v`, the angles of
   /// \f$T_1\f$ if they are shared. Complexity: constant.
   void after_removal(Vertex_index /* v */, Face_index f)
   {
-    for(Halfedge_index h : internal::sides(f, m_tri.mesh()))
+    for(Halfedge_index h : sides(f, m_tri.mesh()))
       for(Halfedge_index x : {h, m_tri.mesh().opposite(h)})
         if(is_shared(x))
           set_angle(x);
@@ -193,7 +193,7 @@ private:
                              m_tri.length(m_tri.mesh().edge(h)));
     };
     Halfedge_index best = first_spoke(v, m_tri.mesh());
-    internal::for_each_spoke(v, m_tri.mesh(), [&](Halfedge_index h) {
+    for_each_spoke(v, m_tri.mesh(), [&](Halfedge_index h) {
       if(rank(best) < rank(h))
         best = h;
     });
@@ -206,12 +206,12 @@ private:
   {
     const Delta_complex& mesh = m_tri.mesh();
     FT sum(0);
-    internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_spoke(v, mesh, [&](Halfedge_index h) {
       m_angle[h.idx()] = sum;
       sum += mesh.is_border(h) ? FT(0) : corner(h);
     });
     const FT before_start = angle(start), whole = (mesh.is_border(v) ? 1 : 2) * internal::pi<FT>();
-    internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_spoke(v, mesh, [&](Halfedge_index h) {
       const FT part = sum > 0 ? (angle(h) - before_start) / sum : FT(0);
       m_angle[h.idx()] =
         is_shared(h) ? angle_of_spoke_before(h) : wrapped(angle_of_start + whole * part);

@@ -221,7 +221,7 @@ private:
   {
     size_type count = 0;
     for(Face_index f : m_intrinsic.faces())
-      count += static_cast<size_type>(regions(internal::sides(f, m_intrinsic)).size());
+      count += static_cast<size_type>(regions(sides(f, m_intrinsic)).size());
     return count;
   }
 
@@ -276,7 +276,7 @@ private:
 
   void add_regions(Face_index parent)
   {
-    const Sides side = internal::sides(parent, m_intrinsic);
+    const Sides side = sides(parent, m_intrinsic);
     const internal::Face_regions face_regions = regions(side);
     for(std::size_t m = 0; m < face_regions.size(); ++m) {
       const Face_index f(m_number_of_faces++);

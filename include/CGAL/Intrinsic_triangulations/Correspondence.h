@@ -229,7 +229,7 @@ private:
   Crossing seen_from_intrinsic(Halfedge_index h, size_type id) const
   {
     const Record& r = m_records[id];
-    return {id, on(h, r.t), on(is_even(h) ? r.input : internal::opposite(r.input), r.s)};
+    return {id, on(h, r.t), on(is_even(h) ? r.input : opposite(r.input), r.s)};
   }
 
   // The intrinsic edge leaves the face of `r.input` from its left to its right, against its first
@@ -238,7 +238,7 @@ private:
   {
     const Record& r = m_records[id];
     const Halfedge_index first = first_halfedge(r.intrinsic);
-    return {id, on(h, r.s), on(h == r.input ? internal::opposite(first) : first, r.t)};
+    return {id, on(h, r.s), on(h == r.input ? opposite(first) : first, r.t)};
   }
 
   void note_inserted()
@@ -324,8 +324,8 @@ private:
       const bool forward = is_even(c.halfedge);
       const size_type id = forward ? m_first_on_intrinsic[crossed] + p
                                    : m_first_on_intrinsic[crossed.idx() + 1] - 1 - p;
-      m_records[id] = {forward ? start : internal::opposite(start), crossed, 0,
-                       part(position.along_line), on(c.halfedge, position.along_edge).t};
+      m_records[id] = {forward ? start : opposite(start), crossed, 0, part(position.along_line),
+                       on(c.halfedge, position.along_edge).t};
       if constexpr(internal::Has_scale<Traits>::value)
         m_scale[id] = position.scale;
       m_traced.push_back(id);
@@ -403,7 +403,7 @@ private:
   {
     const size_type first = m_first_on_intrinsic[e], n = number_of_crossings(Side::intrinsic, e);
     typename Traits::Geodesic_strip strip;
-    const auto exit = [&](std::size_t m) { return internal::opposite(m_records[first + m].input); };
+    const auto exit = [&](std::size_t m) { return opposite(m_records[first + m].input); };
     if(!m_tri.traits().is_length_object()(m_tri.lay_out(strip, first_halfedge(e), exit, n)))
       return;
     FT t(0);
@@ -411,7 +411,7 @@ private:
       const auto position = strip.crossing(m, t);
       Record& r = m_records[first + m];
       r.t = t = position.along_line;
-      r.s = on(internal::opposite(r.input), position.along_edge).t;
+      r.s = on(opposite(r.input), position.along_edge).t;
     }
     m_is_input_in_order = false;
   }

@@ -67,12 +67,10 @@ inline const char* to_string(Operation_status status)
   return "unknown";
 }
 
-namespace internal {
-
-// As the mesh says, but in a single instruction: walks wait for nothing else.
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns the other halfedge of the edge of `h`, as every `Surface_mesh` numbers it, in a single
+/// instruction: walks wait for nothing else.
 inline Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
-
-} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns the outgoing halfedge after `h` in counterclockwise order around the source of `h`.
@@ -80,7 +78,7 @@ inline Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx()
 template <typename P>
 Halfedge_index next_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
-  return internal::opposite(mesh.prev(h));
+  return opposite(mesh.prev(h));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
@@ -89,7 +87,7 @@ Halfedge_index next_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 template <typename P>
 Halfedge_index previous_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
-  return mesh.next(internal::opposite(h));
+  return mesh.next(opposite(h));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
@@ -99,12 +97,12 @@ Halfedge_index previous_spoke(Halfedge_index h, const Surface_mesh<P>& mesh)
 template <typename P>
 Halfedge_index first_spoke(Vertex_index v, const Surface_mesh<P>& mesh)
 {
-  return internal::opposite(mesh.halfedge(v));
+  return opposite(mesh.halfedge(v));
 }
 
-namespace internal {
-
-// Calls `visit(h)` for every outgoing halfedge of `v`, in the order of `next_spoke()`.
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// calls `visit(h)` for every outgoing halfedge of `v`, in the order of `next_spoke()`.
+/// \pre `v` is not isolated
 template <typename P, typename Visit>
 void for_each_spoke(Vertex_index v, const Surface_mesh<P>& mesh, const Visit& visit)
 {
@@ -117,6 +115,8 @@ void for_each_spoke(Vertex_index v, const Surface_mesh<P>& mesh, const Visit& vi
     h = next_spoke(h, mesh);
   } while(h != first);
 }
+
+namespace internal {
 
 template <typename P>
 void set_triangle(Halfedge_index a, Halfedge_index b, Halfedge_index c, Face_index f,
@@ -164,7 +164,7 @@ template <typename P>
 void flip_edge(Halfedge_index h, Surface_mesh<P>& mesh)
 {
   CGAL_precondition(flip_status(h, mesh) == Operation_status::possible);
-  const Halfedge_index o = internal::opposite(h);
+  const Halfedge_index o = opposite(h);
   const Halfedge_index jk = mesh.next(h), ki = mesh.prev(h);
   const Halfedge_index il = mesh.next(o), lj = mesh.prev(o);
   const Vertex_index i = mesh.target(o), j = mesh.target(h);

@@ -79,17 +79,17 @@ enum class Side
   intrinsic ///< \f$T_2\f$
 };
 
-namespace internal {
-
-// the halfedges of a face in the order of its barycentric coordinates: side s leads from corner s
-// to corner s + 1
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the halfedges of a face in the order of its barycentric coordinates: side \f$s\f$ leads
+/// from corner \f$s\f$ to corner \f$s+1\f$.
 inline std::array<Halfedge_index, 3> sides(Face_index f, const Delta_complex& mesh)
 {
   const Halfedge_index h = mesh.halfedge(f);
   return {h, mesh.next(h), mesh.prev(h)};
 }
 
-// the barycentric coordinates of a point at `t` along side `s` of a face
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the barycentric coordinates of the point at `t` along side `s` of a face.
 template <typename FT>
 std::array<FT, 3> barycentric_coordinates(std::size_t s, const FT& t)
 {
@@ -99,6 +99,8 @@ std::array<FT, 3> barycentric_coordinates(std::size_t s, const FT& t)
   return b;
 }
 
+namespace internal {
+
 // whether two barycentric coordinates are zero
 template <typename FT>
 bool is_corner(const std::array<FT, 3>& p)
@@ -106,28 +108,35 @@ bool is_corner(const std::array<FT, 3>& p)
   return (p[0] == 0) + (p[1] == 0) + (p[2] == 0) == 2;
 }
 
-// the number of the side `h` of its face
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the index of the side `h` in its face.
 inline std::size_t side_number(Halfedge_index h, const Delta_complex& mesh)
 {
   const auto side = sides(mesh.face(h), mesh);
   return h == side[0] ? 0 : h == side[1] ? 1 : 2;
 }
 
-// the place of `p` in the face of its halfedge
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the place of `p` in the face of its halfedge.
 template <typename FT>
 Face_location<FT> face_location(const Edge_point<FT>& p, const Delta_complex& mesh)
 {
   return {mesh.face(p.halfedge), barycentric_coordinates(side_number(p.halfedge, mesh), p.t)};
 }
 
-// the place on the side `h` of its face of a point that lies on that side
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the place on `h` of a point that lies on this side of its face.
 template <typename FT>
 Edge_point<FT> edge_point(Halfedge_index h, const Face_location<FT>& p, const Delta_complex& mesh)
 {
   return {h, p.second[(side_number(h, mesh) + 1) % 3]};
 }
 
-// the coordinates of a point of the face of `h`, that of the source of `h` first
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the barycentric coordinates of a point in the face of `h`, beginning with that of the
+/// source of `h`.
 template <typename FT>
 std::array<FT, 3> coordinates_from(Halfedge_index h, const Face_location<FT>& p,
                                    const Delta_complex& mesh)
@@ -136,8 +145,6 @@ std::array<FT, 3> coordinates_from(Halfedge_index h, const Face_location<FT>& p,
   const std::size_t s = h == side[0] ? 0 : h == side[1] ? 1 : 2;
   return {p.second[s], p.second[(s + 1) % 3], p.second[(s + 2) % 3]};
 }
-
-} // namespace internal
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

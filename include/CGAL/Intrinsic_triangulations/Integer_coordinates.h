@@ -235,7 +235,7 @@ public:
     const Diamond<Integer> n = diamond(m_n, h, mesh);
     const Integer n_kl = flipped_normal_coordinate(n);
     internal::check_range(n_kl);
-    const Halfedge_index lk = h, kl = internal::opposite(h), ki = mesh.prev(lk), lj = mesh.prev(kl);
+    const Halfedge_index lk = h, kl = opposite(h), ki = mesh.prev(lk), lj = mesh.prev(kl);
     flip_edge(h, mesh);
     m_n[edge_of(h)] = n_kl;
     m_r[kl] = following_roundabout(ki, n.ki, n.il, n_kl, spokes.degree(mesh.target(lk)));
@@ -310,7 +310,7 @@ public:
   {
     m_n[edge_of(h)] = Integer(-1);
     m_r[h] = r_source;
-    m_r[internal::opposite(h)] = r_target;
+    m_r[opposite(h)] = r_target;
   }
 
   /// sets the coordinates as they come from a file.
@@ -408,7 +408,7 @@ template <typename EdgeMap>
 inline Diamond<typename boost::property_traits<EdgeMap>::value_type>
 diamond(const EdgeMap& map, Halfedge_index h, const Delta_complex& mesh)
 {
-  const Halfedge_index o = internal::opposite(h);
+  const Halfedge_index o = opposite(h);
   return {map[mesh.edge(h)], map[mesh.edge(mesh.next(h))], map[mesh.edge(mesh.prev(h))],
           map[mesh.edge(mesh.next(o))], map[mesh.edge(mesh.prev(o))]};
 }

@@ -341,7 +341,7 @@ public:
   Vertex_index split_face(const Face_location<FT>& p, const Face_split<Integer>& at,
                           const Inserted_vertex<FT>& q)
   {
-    const auto side = internal::sides(p.first, m_mesh);
+    const auto side = sides(p.first, m_mesh);
     std::array<FT, 3> spoke_length;
     for(std::size_t s = 0; s < 3; ++s)
       spoke_length[s] = at.n[s] < 0 ? shared_length(q, at.r[s], m_mesh.source(side[s]))
@@ -409,7 +409,7 @@ public:
     if(!(start.t < p.t && p.t < 1 - end.t))
       throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
     const Edge_point<FT> inside = m_input.is_border(p.halfedge) ? reversed(p, m_input) : p;
-    return {inside.halfedge, internal::face_location(inside, m_input)};
+    return {inside.halfedge, face_location(inside, m_input)};
   }
 
   /// the number of the spoke `spoke` at a vertex inserted on its edge.
@@ -480,7 +480,7 @@ public:
     if(!is_inserted(v))
       return FT(0);
     const Inserted_vertex<FT>& m = inserted_vertex(v);
-    const FT t = internal::edge_point(m.along, m.location, m_input).t;
+    const FT t = edge_point(m.along, m.location, m_input).t;
     return input == m.along ? t : FT(1 - t);
   }
 
@@ -490,11 +490,10 @@ public:
   Face_location<FT> input_location(Vertex_index v, const Edge_point<FT>& at) const
   {
     if(!is_inserted(v))
-      return internal::face_location(at, m_input);
+      return face_location(at, m_input);
     if(!inserted_vertex(v).along.is_valid())
       return inserted_vertex(v).location;
-    return internal::face_location(Edge_point<FT>{at.halfedge, place_along(at.halfedge, v)},
-                                   m_input);
+    return face_location(Edge_point<FT>{at.halfedge, place_along(at.halfedge, v)}, m_input);
   }
 
   /// the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into which
@@ -596,7 +595,7 @@ private:
   {
     const Halfedge_index first = first_inserted_spoke(m.along);
     const Halfedge_index spoke = r == 0 ? first : m_input.opposite(first);
-    const FT t = internal::edge_point(m.along, m.location, m_input).t;
+    const FT t = edge_point(m.along, m.location, m_input).t;
     const Halfedge_index back = m_input.opposite(spoke);
     return checked_length(
       part_length({spoke, spoke == m.along ? t : FT(1 - t)}, {back, place_along(back, v)}));
@@ -628,7 +627,7 @@ private:
   FT distance_to_corner(Halfedge_index h, const std::array<FT, 3>& p, std::size_t corner) const
   {
     return m_traits.compute_distance_object()(side_lengths(h, m_mesh, m_length), p,
-                                              internal::barycentric_coordinates(corner, FT(0)));
+                                              barycentric_coordinates(corner, FT(0)));
   }
 
   // the distance from the point at `t` on `h` to the opposite corner, 0 beyond the boundary
@@ -636,14 +635,14 @@ private:
   {
     if(m_mesh.is_border(h))
       return FT(0);
-    return checked_length(distance_to_corner(h, internal::barycentric_coordinates(0, t), 2));
+    return checked_length(distance_to_corner(h, barycentric_coordinates(0, t), 2));
   }
 
   // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side`
   // first
   std::array<FT, 3> coordinates_beyond(Halfedge_index side, const Face_location<FT>& p) const
   {
-    return internal::coordinates_from(m_input.prev(side), p, m_input);
+    return coordinates_from(m_input.prev(side), p, m_input);
   }
 
   // A distance that is asked for only if vertices have been inserted; otherwise 0, which is no
@@ -788,7 +787,7 @@ private:
     if(!m.along.is_valid())
       return true;
     return m_input.has_valid_index(m.along) && m_input.face(m.along) == f &&
-           p[(internal::side_number(m.along, m_input) + 2) % 3] == 0;
+           p[(side_number(m.along, m_input) + 2) % 3] == 0;
   }
 
   void check_inserted() const

@@ -67,7 +67,7 @@ public:
   /// \throws Numerical_error if a new edge has no positive finite length; nothing has changed then.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
-    const auto side = internal::sides(p.first, m_tri.mesh());
+    const auto side = sides(p.first, m_tri.mesh());
     for(std::size_t s = 0; s < 3; ++s) {
       const FT &at_target = p.second[(s + 1) % 3], &at_apex = p.second[(s + 2) % 3];
       if(at_target == 0 && at_apex == 0)
@@ -191,7 +191,7 @@ private:
   {
     std::array<FT, 3> length;
     for(std::size_t s = 0; s < 3; ++s)
-      length[s] = m_tri.length(m_tri.mesh().edge(internal::sides(f, m_tri.mesh())[s]));
+      length[s] = m_tri.length(m_tri.mesh().edge(sides(f, m_tri.mesh())[s]));
     return length;
   }
 
@@ -212,7 +212,7 @@ private:
     const Edge_point<FT> place{across.halfedge, start + t * (across.t - start)};
     return m_tri.split_face({p.first, foot},
                             split_on_curve(curve, across.halfedge, face_map.regions()),
-                            {place.halfedge, internal::face_location(place, m_tri.input_mesh())});
+                            {place.halfedge, face_location(place, m_tri.input_mesh())});
   }
 
   // The place of the point closest to `p` on the way from `begin` to `end`. The distance is that on
@@ -278,7 +278,7 @@ private:
   Vertex_index split_crossed_edge(Halfedge_index h, const FT& t, const FT& closeness)
   {
     m_marks.set_face(m_tri.mesh().face(h), m_lists);
-    const std::size_t s = internal::side_number(h, m_tri.mesh()), n = m_lists.count(h);
+    const std::size_t s = side_number(h, m_tri.mesh()), n = m_lists.count(h);
     const FT distance = closeness / m_tri.length(m_tri.mesh().edge(h));
     std::size_t p = 0; // crossings before the point
     while(p < n && m_marks.here(s, p) < t)
@@ -295,11 +295,11 @@ private:
     const std::size_t n = m_lists.count(h);
     const Face_map face_map(m_marks, m_tri.input_mesh());
     const auto [input_face, map] = face_map.region_map(face_map.regions().region_at_side(s, p));
-    return m_tri.split_edge(
-      h, t,
-      {Integer(p), Integer(n - p), crossings_to_apex(h, p),
-       crossings_to_apex(m_tri.mesh().opposite(h), n - p)},
-      {0, 0, 0, 0}, {Halfedge_index(), {input_face, map(internal::barycentric_coordinates(s, t))}});
+    return m_tri.split_edge(h, t,
+                            {Integer(p), Integer(n - p), crossings_to_apex(h, p),
+                             crossings_to_apex(m_tri.mesh().opposite(h), n - p)},
+                            {0, 0, 0, 0},
+                            {Halfedge_index(), {input_face, map(barycentric_coordinates(s, t))}});
   }
 
   // How the curve at crossing `p` of side 0 of a face goes on there.
@@ -328,7 +328,7 @@ private:
                             {Integer(p), Integer(n - 1 - p), left.to_apex, right.to_apex},
                             {forward, back, left.is_around_target ? forward : back,
                              right.is_around_target ? back : forward},
-                            {across.halfedge, internal::face_location(across, m_tri.input_mesh())});
+                            {across.halfedge, face_location(across, m_tri.input_mesh())});
   }
 
   // after an edge has been split, of which `h` is the second part
@@ -377,11 +377,11 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
 {
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
-  internal::for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
+  for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
   const FT tolerance(1e-6); // beyond rounding of the angles
   FT least = std::numeric_limits<FT>::infinity();
   Halfedge_index result;
-  internal::for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
+  for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
     const Halfedge_index h = degree < 3 ? mesh.next(spoke) : spoke;
     if((degree < 3 && mesh.is_border(spoke)) || !can_be_flipped(h))
       return;
@@ -411,7 +411,7 @@ Face_index Vertex_inserter<Traits>::remove(Vertex_index v, const After_flip& aft
     after_flip(h);
   }
   const Face_index f = m_tri.remove_degree_3_vertex(v);
-  for(Halfedge_index h : internal::sides(f, mesh))
+  for(Halfedge_index h : sides(f, mesh))
     m_lists.set_if_shared(mesh.edge(h));
   return f;
 }

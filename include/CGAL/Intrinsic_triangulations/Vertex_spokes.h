@@ -85,7 +85,7 @@ public:
     m_range[v] = {};
     if(spoke.is_valid()) {
       m_range[v] = {static_cast<size_type>(m_halfedge.size()), 2};
-      m_halfedge.insert(m_halfedge.end(), {spoke, internal::opposite(spoke)});
+      m_halfedge.insert(m_halfedge.end(), {spoke, opposite(spoke)});
     }
   }
 

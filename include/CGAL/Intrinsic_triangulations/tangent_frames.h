@@ -83,7 +83,7 @@ public:
   /// the source of `h` to its target: a tangent vector is multiplied with it.
   std::complex<FT> transport(Halfedge_index h) const
   {
-    const Halfedge_index o = internal::opposite(h);
+    const Halfedge_index o = opposite(h);
     return -std::polar(FT(1), angle(o) - angle(h));
   }
 

@@ -97,7 +97,7 @@ std::complex<FT> logarithm(Halfedge_index spoke, const Face_location<FT>& p,
 {
   CGAL_precondition(mesh.face(spoke) == p.first);
   const internal::Flat_face<FT> face(spoke, mesh, length);
-  const std::array<FT, 3> q = internal::coordinates_from(spoke, p, mesh);
+  const std::array<FT, 3> q = coordinates_from(spoke, p, mesh);
   return internal::at_vertex(spoke, q[1] * face.side(0) - q[2] * face.side(2), mesh, length);
 }
 

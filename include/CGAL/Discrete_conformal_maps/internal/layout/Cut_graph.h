@@ -75,7 +75,7 @@ private:
       queue.pop();
       if(distance > m_distance[i])
         continue;
-      Intrinsic_triangulations::internal::for_each_spoke(
+      Intrinsic_triangulations::for_each_spoke(
         Vertex_index(i), m_mesh, [&, d = distance, from = i](Halfedge_index h) {
           const size_type to = m_mesh.target(h).idx();
           const double there = d + m_length[Edge_index(h).idx()];
@@ -185,7 +185,7 @@ private:
     const auto reach = [&](Face_index f, Halfedge_index entry) {
       is_reached[f.idx()] = 1;
       m_steps.push_back({entry, f});
-      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, m_mesh))
+      for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_mesh))
         if(!m_is_wall[Edge_index(h).idx()] && !tree.contains(Edge_index(h)))
           queue.emplace(length[Edge_index(h).idx()], m_mesh.opposite(h).idx());
     };

@@ -131,7 +131,7 @@ private:
   {
     Least_squares_shift shift(m_united.size());
     for(const Cut_graph::Step& step : cut.steps())
-      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(step.face, m_mesh)) {
+      for(Halfedge_index h : Intrinsic_triangulations::sides(step.face, m_mesh)) {
         const Vector misfit = side(h) - (united(m_mesh.next(h)) - united(h));
         const double weight = static_cast<double>(1 / (length(h) * length(h)));
         shift.add(point(h), point(m_mesh.next(h)), weight, to_complex(misfit));
@@ -162,7 +162,7 @@ private:
     Spectral_layout<FT> spectral;
     std::vector<std::size_t> points;
     for(Iterator step = begin; step != end; ++step) {
-      const auto sides = Intrinsic_triangulations::internal::sides(step->face, m_mesh);
+      const auto sides = Intrinsic_triangulations::sides(step->face, m_mesh);
       for(Halfedge_index h : sides)
         number(h, points);
       spectral.add_face(

@@ -99,11 +99,10 @@ private:
   Halfedge_index after_on_path(Halfedge_index h) const
   {
     Halfedge_index result;
-    Intrinsic_triangulations::internal::for_each_spoke(
-      m_mesh.target(h), m_mesh, [&](Halfedge_index x) {
-        if(is_on_path(x) && x != m_mesh.opposite(h))
-          result = x;
-      });
+    Intrinsic_triangulations::for_each_spoke(m_mesh.target(h), m_mesh, [&](Halfedge_index x) {
+      if(is_on_path(x) && x != m_mesh.opposite(h))
+        result = x;
+    });
     return result;
   }
 

@@ -42,7 +42,7 @@ inline void close_ends(const Delta_complex& mesh, const std::vector<char>& is_te
     ends.pop_back();
     Halfedge_index open;
     if(count[v.idx()] == 1)
-      Intrinsic_triangulations::internal::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
         if(is_open[Edge_index(h).idx()])
           open = h;
       });

@@ -51,7 +51,7 @@ public:
 
   bool is_finite(Face_index f) const
   {
-    for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, m_mesh))
+    for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_mesh))
       if(m_mesh.target(h) == m_at_infinity)
         return false;
     return true;
@@ -83,7 +83,7 @@ public:
       result.concave_edges += is_concave(m_mesh.halfedge(e));
     std::size_t finite_faces = 0;
     for(Face_index f : m_mesh.faces()) {
-      const auto side = Intrinsic_triangulations::internal::sides(f, m_mesh);
+      const auto side = Intrinsic_triangulations::sides(f, m_mesh);
       if(!is_finite(f))
         continue;
       ++finite_faces;
@@ -127,14 +127,12 @@ private:
   std::size_t number_of_summits() const
   {
     std::size_t result = 0;
-    Intrinsic_triangulations::internal::for_each_spoke(
-      m_at_infinity, m_mesh, [&](Halfedge_index h) {
-        const Point &before =
-                      at(m_mesh.target(Intrinsic_triangulations::previous_spoke(h, m_mesh))),
-                    &here = at(m_mesh.target(h)),
-                    &after = at(m_mesh.target(Intrinsic_triangulations::next_spoke(h, m_mesh)));
-        result += is_below(before, here) && is_below(after, here);
-      });
+    Intrinsic_triangulations::for_each_spoke(m_at_infinity, m_mesh, [&](Halfedge_index h) {
+      const Point &before = at(m_mesh.target(Intrinsic_triangulations::previous_spoke(h, m_mesh))),
+                  &here = at(m_mesh.target(h)),
+                  &after = at(m_mesh.target(Intrinsic_triangulations::next_spoke(h, m_mesh)));
+      result += is_below(before, here) && is_below(after, here);
+    });
     return result;
   }
 

@@ -54,7 +54,7 @@ public:
         continue;
       const Face_index f(i);
       m_order.push_back(f);
-      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, m_mesh)) {
+      for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_mesh)) {
         const Halfedge_index o = m_mesh.opposite(h);
         if(relax(m_mesh.face(o), distance + m_crossing_length[Edge_index(h).idx()]))
           m_entry[m_mesh.face(o).idx()] = o;

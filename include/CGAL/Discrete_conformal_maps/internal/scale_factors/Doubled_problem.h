@@ -139,7 +139,7 @@ public:
   {
     std::vector<double> result(m_components.size(), 0);
     for(Face_index f : complex.faces()) {
-      const auto h = Intrinsic_triangulations::internal::sides(f, complex);
+      const auto h = Intrinsic_triangulations::sides(f, complex);
       result[m_components[complex.target(h[0]).idx()]] +=
         std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(length(h[0]), length(h[1]),
                                                                     length(h[2]))) /

@@ -215,7 +215,7 @@ private:
         add((2 * pi - target[Eigen::Index(v.idx())]) * direction[Eigen::Index(v.idx())]);
     for(Face_index f : mesh.faces()) {
       double least = std::numeric_limits<double>::infinity();
-      for(Halfedge_index h : Intrinsic_triangulations::internal::sides(f, mesh))
+      for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh))
         least = (std::min)(least, direction[Eigen::Index(mesh.source(h).idx())]);
       add(-pi * least);
     }

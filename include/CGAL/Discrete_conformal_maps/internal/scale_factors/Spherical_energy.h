@@ -104,7 +104,7 @@ private:
   {
     m_error.assign(m_origin.size(), 0.);
     for(Face_index f : mesh().faces()) {
-      const auto side = Intrinsic_triangulations::internal::sides(f, mesh());
+      const auto side = Intrinsic_triangulations::sides(f, mesh());
       if(m_surface.is_remaining(f))
         measure(side);
       else
@@ -155,7 +155,7 @@ private:
     if(mesh().is_isolated(v))
       return;
     double diagonal = 0;
-    Intrinsic_triangulations::internal::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
       const Vertex_index w = mesh().target(h);
       if(w == v || !m_surface.is_remaining(Edge_index(h)))
         return;

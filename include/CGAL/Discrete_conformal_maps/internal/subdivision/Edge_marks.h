@@ -44,7 +44,7 @@ template <typename FT>
 Face_location<FT> location_on_edge(Halfedge_index h, const std::array<FT, 2>& weight,
                                    const Delta_complex& mesh)
 {
-  const std::size_t s = Intrinsic_triangulations::internal::side_number(h, mesh);
+  const std::size_t s = Intrinsic_triangulations::side_number(h, mesh);
   Face_location<FT> result{mesh.face(h), {FT(0), FT(0), FT(0)}};
   result.second[s] = weight[0];
   result.second[(s + 1) % 3] = weight[1];

@@ -52,7 +52,7 @@ public:
   // Complexity: linear in the marks and crossings.
   void set_face(Face_index f)
   {
-    m_side = Intrinsic_triangulations::internal::sides(f, m_edge_marks.mesh());
+    m_side = Intrinsic_triangulations::sides(f, m_edge_marks.mesh());
     m_ends.clear();
     m_chord_at_end.clear();
     const std::array<std::size_t, 2> n = number_chords();
@@ -172,7 +172,7 @@ private:
 
   static std::array<FT, 3> place(std::size_t s, const FT& t)
   {
-    return Intrinsic_triangulations::internal::barycentric_coordinates(s, t);
+    return Intrinsic_triangulations::barycentric_coordinates(s, t);
   }
 
   // Rounding may move a crossing along a chord, but never past another.

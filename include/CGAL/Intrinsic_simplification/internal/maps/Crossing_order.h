@@ -70,8 +70,7 @@ private:
 
   Halfedge_index side(std::size_t piece, const Face_point& p) const
   {
-    return Intrinsic_triangulations::internal::sides(m_pieces[piece].segment.face,
-                                                     m_mesh)[side_number(p)];
+    return Intrinsic_triangulations::sides(m_pieces[piece].segment.face, m_mesh)[side_number(p)];
   }
 
   Halfedge_index side_of_end(std::size_t piece) const
@@ -115,7 +114,7 @@ private:
     for(;;) {
       leave_face(a);
       leave_face(b);
-      const std::size_t n = Intrinsic_triangulations::internal::side_number(h, m_mesh);
+      const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
       const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
       if(exit_a == 0 || exit_b == 0 || (exit_a == exit_b && is_single(end(a).corners)))
         return 0;

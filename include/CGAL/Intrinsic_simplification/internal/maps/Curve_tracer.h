@@ -96,7 +96,7 @@ private:
     Halfedge_index inner = mesh.halfedge(mesh.edge(h), 0);
     if(mesh.is_border(inner))
       inner = mesh.opposite(inner);
-    const std::size_t s = Intrinsic_triangulations::internal::side_number(inner, mesh);
+    const std::size_t s = Intrinsic_triangulations::side_number(inner, mesh);
     const std::size_t from = inner == h ? s : (s + 1) % 3, to = inner == h ? (s + 1) % 3 : s;
     return timed({level.surface_face(mesh.face(inner)), corner_point(from, 0), corner_point(to, 1)},
                  level.time());

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
-using Intrinsic_triangulations::internal::opposite;
+using Intrinsic_triangulations::opposite;
 
 // The vertices and edges of a subdivision: the edges of the fine level with marks on them, and
 // those of the coarse level as chains of pieces. Halfedges are those of the subdivision where
@@ -281,7 +281,7 @@ private:
 
   Halfedge_index side(const Curve_segment& s, std::size_t n) const
   {
-    return Intrinsic_triangulations::internal::sides(s.face, m_fine)[n];
+    return Intrinsic_triangulations::sides(s.face, m_fine)[n];
   }
 
   // the number of the mark where the piece starts becomes that where it ends
@@ -536,8 +536,7 @@ private:
       m_chord_ends.push_back({corner_index(f, c), {turn, 0, turn == 1 ? p : -p}, out});
     } else {
       const std::size_t n = side_number(other);
-      const size_type mark =
-        mark_along(Intrinsic_triangulations::internal::sides(f, m_fine)[n], other_mark);
+      const size_type mark = mark_along(Intrinsic_triangulations::sides(f, m_fine)[n], other_mark);
       m_chord_ends.push_back({corner_index(f, c), {(n + 3 - c) % 3, 1 + mark, 0}, out});
     }
   }
@@ -565,12 +564,12 @@ private:
   {
     if(m_fine.is_isolated(v))
       return;
-    Intrinsic_triangulations::internal::for_each_spoke(v, m_fine, [&](Halfedge_index h) {
+    Intrinsic_triangulations::for_each_spoke(v, m_fine, [&](Halfedge_index h) {
       collect_spokes_along(h, out);
       if(m_fine.is_border(h))
         return;
       const std::size_t corner =
-        corner_index(m_fine.face(h), Intrinsic_triangulations::internal::side_number(h, m_fine));
+        corner_index(m_fine.face(h), Intrinsic_triangulations::side_number(h, m_fine));
       auto end = std::lower_bound(m_chord_ends.begin(), m_chord_ends.end(),
                                   Chord_end{corner, {0, 0, 0}, Halfedge_index()});
       for(; end != m_chord_ends.end() && end->corner == corner; ++end)
@@ -609,7 +608,7 @@ private:
     IT::Edge_point<double> p{h, t};
     if(mesh.is_border(h))
       p = IT::reversed(p, mesh);
-    return {p.halfedge, IT::internal::face_location(p, mesh)};
+    return {p.halfedge, IT::face_location(p, mesh)};
   }
 
   const Surface_map& m_map;
@@ -642,24 +641,24 @@ inline Surface_map::Location moved_into(Face_index f, const Surface_map::Locatio
   namespace IT = Intrinsic_triangulations;
   Halfedge_index across, at_vertex;
   double least = 2, most = -1;
-  for(Halfedge_index h : IT::internal::sides(p.first, mesh)) {
-    const Coordinates b = IT::internal::coordinates_from(h, p, mesh);
+  for(Halfedge_index h : IT::sides(p.first, mesh)) {
+    const Coordinates b = IT::coordinates_from(h, p, mesh);
     if(mesh.face(mesh.opposite(h)) == f && b[2] < least) {
       across = mesh.opposite(h);
       least = b[2];
     }
-    for(Halfedge_index g : IT::internal::sides(f, mesh))
+    for(Halfedge_index g : IT::sides(f, mesh))
       if(mesh.source(g) == mesh.source(h) && b[0] > most) {
         at_vertex = g;
         most = b[0];
       }
   }
   if(across.is_valid()) {
-    const Coordinates b = IT::internal::coordinates_from(mesh.opposite(across), p, mesh);
-    return IT::internal::face_location(IT::Edge_point<double>{across, b[0] / (b[0] + b[1])}, mesh);
+    const Coordinates b = IT::coordinates_from(mesh.opposite(across), p, mesh);
+    return IT::face_location(IT::Edge_point<double>{across, b[0] / (b[0] + b[1])}, mesh);
   }
   if(at_vertex.is_valid())
-    return IT::internal::face_location(IT::Edge_point<double>{at_vertex, 0}, mesh);
+    return IT::face_location(IT::Edge_point<double>{at_vertex, 0}, mesh);
   return {Face_index(), {}};
 }
 
