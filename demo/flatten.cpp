@@ -107,22 +107,21 @@ private:
   template <class Minimizer>
   CM::Planar_conformal_map flattened_by(const Minimizer& minimizer)
   {
-    namespace np = CM::parameters;
     Stage_visitor visitor{m_run};
     const double bound = m_options.cones == "greedy" ? m_options.maximum_log_scale.value_or(5)
                                                      : std::numeric_limits<double>::infinity();
     const auto by_vertex = [&](auto& values) {
       return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, mesh()));
     };
-    const auto surface = CGAL::Intrinsic_triangulations::parameters::edge_length_map(
-      m_length, CGAL::parameters::visitor(std::ref(visitor)));
-    const auto target =
-      np::vertex_condition_map(by_vertex(m_conditions), np::maximum_log_scale(bound, surface));
     const auto flipping =
       m_options.solver == "cetm" ? CM::Flipping::none : CM::Flipping::to_Delaunay;
-    return CM::flatten(
-      mesh(), np::initial_log_scale_map(by_vertex(m_log_scale),
-                                        np::flipping(flipping, np::minimizer(minimizer, target))));
+    return CM::flatten(mesh(), CM::parameters::edge_length_map(m_length)
+                                 .vertex_condition_map(by_vertex(m_conditions))
+                                 .maximum_log_scale(bound)
+                                 .initial_log_scale_map(by_vertex(m_log_scale))
+                                 .flipping(flipping)
+                                 .minimizer(minimizer)
+                                 .visitor(std::ref(visitor)));
   }
 
   static void check(const CM::Planar_conformal_map& map)

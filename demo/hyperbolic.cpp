@@ -59,10 +59,10 @@ private:
     Stage_visitor visitor{m_run};
     const auto conditions =
       boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
-    CM::Hyperbolic_conformal_map result = CM::uniformize_hyperbolic(
-      mesh(), CM::parameters::vertex_condition_map(
-                conditions, CGAL::Intrinsic_triangulations::parameters::edge_length_map(
-                              m_length, CGAL::parameters::visitor(std::ref(visitor)))));
+    CM::Hyperbolic_conformal_map result =
+      CM::uniformize_hyperbolic(mesh(), CM::parameters::vertex_condition_map(conditions)
+                                          .edge_length_map(m_length)
+                                          .visitor(std::ref(visitor)));
     m_run.end_stage();
     check_convergence(result);
     return result;

@@ -215,10 +215,10 @@ private:
                                        std::size_t number_of_vertices)
   {
     Removal_counter counter(m_run.progress());
-    const auto np = IS::parameters::number_of_vertices(
-      number_of_vertices, CGAL::parameters::visitor(std::ref(counter)));
+    const auto np =
+      IS::parameters::number_of_vertices(number_of_vertices).visitor(std::ref(counter));
     if(m_options.maximum_cost)
-      return IS::simplify(surface, cost, IS::parameters::maximum_cost(*m_options.maximum_cost, np));
+      return IS::simplify(surface, cost, np.maximum_cost(*m_options.maximum_cost));
     return IS::simplify(surface, cost, np);
   }
 

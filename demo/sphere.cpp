@@ -50,8 +50,7 @@ private:
   {
     Stage_visitor visitor{m_run};
     CM::Spherical_conformal_map result =
-      CM::map_to_sphere(mesh(), CGAL::Intrinsic_triangulations::parameters::edge_length_map(
-                                  length, CGAL::parameters::visitor(std::ref(visitor))));
+      CM::map_to_sphere(mesh(), CM::parameters::edge_length_map(length).visitor(std::ref(visitor)));
     m_run.end_stage();
     check(result);
     return result;

@@ -44,19 +44,18 @@ Triangulation build(Command_run& run, double constrained_angle)
 {
   Mesh& mesh = run.input().mesh;
   const auto np =
-    CGAL::parameters::edge_is_constrained_map(constrained_edges(mesh, constrained_angle));
+    IT::parameters::edge_is_constrained_map(constrained_edges(mesh, constrained_angle));
   if(run.options().mollification > 0)
-    return Triangulation(mesh, IT::parameters::edge_length_map(edge_lengths(run), np));
+    return Triangulation(mesh, np.edge_length_map(edge_lengths(run)));
   return Triangulation(mesh, np);
 }
 
 IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds)
 {
-  return IT::refine(triangulation, IT::parameters::maximum_number_of_insertions(
-                                     bounds.maximum_number_of_insertions,
-                                     IT::parameters::maximum_circumradius(
-                                       bounds.maximum_circumradius,
-                                       IT::parameters::minimum_angle(bounds.minimum_angle))));
+  return IT::refine(triangulation,
+                    IT::parameters::minimum_angle(bounds.minimum_angle)
+                      .maximum_circumradius(bounds.maximum_circumradius)
+                      .maximum_number_of_insertions(bounds.maximum_number_of_insertions));
 }
 
 bool is_excused(const IT::Remaining_face& f)
@@ -83,7 +82,7 @@ Triangulation make_delaunay_triangulation(Command_run& run, double constrained_a
   run.timed("flip", [&] {
     Flip_counter counter{run.progress()};
     run.statistics()["flips"] =
-      IT::make_Delaunay(result, CGAL::parameters::visitor(std::ref(counter)));
+      IT::make_Delaunay(result, IT::parameters::visitor(std::ref(counter)));
   });
   return result;
 }

@@ -66,7 +66,7 @@ auto fixed_with(const Conditions& conditions)
 {
   const auto map =
     boost::make_function_property_map<Vertex_index>([&](Vertex_index v) { return conditions[v]; });
-  return CM::parameters::flipping(CM::Flipping::none, CM::parameters::vertex_condition_map(map));
+  return CM::parameters::flipping(CM::Flipping::none).vertex_condition_map(map);
 }
 
 void run_near_degenerate(unsigned int seed, std::map<std::string, Scores>& table)

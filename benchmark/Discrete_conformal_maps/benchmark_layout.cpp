@@ -56,8 +56,7 @@ void benchmark(const std::string& file)
   for(const CM::Layout layout :
       {CM::Layout::least_squares, CM::Layout::spectral, CM::Layout::incremental}) {
     Layout_clock clock;
-    const auto map =
-      CM::flatten(mesh, CM::parameters::layout(layout, CGAL::parameters::visitor(std::ref(clock))));
+    const auto map = CM::flatten(mesh, CM::parameters::layout(layout).visitor(std::ref(clock)));
     std::printf("%10.3f%10.1e%8zu", double(std::clock() - clock.since) / CLOCKS_PER_SEC,
                 CM::max_cross_ratio_error(map), collapsed(map));
   }

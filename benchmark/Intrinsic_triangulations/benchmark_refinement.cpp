@@ -50,9 +50,8 @@ Times refine(const Mesh& mesh, const NamedParameters& np)
   for(int i = 0; i < repetitions; ++i) {
     Triangulation flipped(mesh), set_up(mesh), tri(mesh);
     delaunay.time([&] { return IT::make_Delaunay(flipped); });
-    before.time([&] {
-      return IT::refine(set_up, IT::parameters::maximum_number_of_insertions(std::size_t(0), np));
-    });
+    before.time(
+      [&] { return IT::refine(set_up, np.maximum_number_of_insertions(std::size_t(0))); });
     times.result = all.time([&] { return IT::refine(tri, np); });
     times.crossings = IT::Correspondence<>(tri).number_of_crossings();
   }

@@ -162,7 +162,7 @@ inline auto as_map(const Conditions& condition)
 
 inline auto length_parameter(const std::vector<double>& length)
 {
-  return IT::parameters::edge_length_map(
+  return DC::parameters::edge_length_map(
     boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e]; }));
 }
 
@@ -174,8 +174,7 @@ inline Planar_conformal_map flatten(const Delta_complex& mesh, const std::vector
 inline Planar_conformal_map flatten(const Delta_complex& mesh, const std::vector<double>& length,
                                     const Conditions& condition)
 {
-  return DC::flatten(
-    mesh, DC::parameters::vertex_condition_map(as_map(condition), length_parameter(length)));
+  return DC::flatten(mesh, length_parameter(length).vertex_condition_map(as_map(condition)));
 }
 
 inline Planar_conformal_map flatten(const Triangulation& t, const Conditions& condition)

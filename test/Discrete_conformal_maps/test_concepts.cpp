@@ -125,9 +125,8 @@ TEST(Concepts, minimizer)
 
   const Mesh mesh = octahedron();
   const auto cones = four_cones();
-  const auto map =
-    DCM::flatten(mesh, DCM::parameters::vertex_condition_map(
-                         cones, DCM::parameters::minimizer(Minimizer_archetype(1e-13))));
+  const auto map = DCM::flatten(
+    mesh, DCM::parameters::vertex_condition_map(cones).minimizer(Minimizer_archetype(1e-13)));
   const auto reference = DCM::flatten(mesh, DCM::parameters::vertex_condition_map(cones));
   EXPECT_LE(map.max_curvature_error(), 1e-13);
   // The scale factors are those of the same area. What curvatures of some 1e-13 do to them is
@@ -139,9 +138,8 @@ TEST(Concepts, minimizer)
 TEST(Concepts, flattening_visitor)
 {
   Flattening_visitor_archetype visitor;
-  const auto map =
-    DCM::flatten(octahedron(), DCM::parameters::vertex_condition_map(
-                                 four_cones(), CGAL::parameters::visitor(std::ref(visitor))));
+  const auto map = DCM::flatten(
+    octahedron(), DCM::parameters::vertex_condition_map(four_cones()).visitor(std::ref(visitor)));
   typedef DCM::Flattening_stage Stage;
   EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
                                                 Stage::subdivide, Stage::layout}));

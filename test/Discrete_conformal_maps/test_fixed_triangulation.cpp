@@ -30,9 +30,9 @@ typedef CGAL::Discrete_conformal_maps::internal::Flat_triangle<double> Flat_tria
 Planar_conformal_map flatten_fixed(const Triangulation& t, const Conditions& condition)
 {
   const std::vector<double> length = lengths_of(t);
-  return DC::flatten(t.mesh(), DC::parameters::flipping(
-                                 Flipping::none, DC::parameters::vertex_condition_map(
-                                                   as_map(condition), length_parameter(length))));
+  return DC::flatten(
+    t.mesh(),
+    length_parameter(length).vertex_condition_map(as_map(condition)).flipping(Flipping::none));
 }
 
 std::vector<double> random_scales(std::size_t n, double bound, unsigned int seed)

@@ -305,7 +305,7 @@ TEST(Flatten, places_cones_where_they_are_needed)
       const Delta_complex& mesh = s.triangulation.mesh();
       const std::vector<double> length = lengths_of(s.triangulation);
       const Planar_conformal_map map =
-        DC::flatten(mesh, DC::parameters::maximum_log_scale(bound, length_parameter(length)));
+        DC::flatten(mesh, length_parameter(length).maximum_log_scale(bound));
       Conditions condition(mesh.number_of_vertices());
       for(Vertex_index v : map.cones())
         condition[v] = Vertex_condition::log_scale(0);
@@ -532,9 +532,9 @@ TEST(Flatten, takes_another_minimizer)
   condition[0] = condition[4] = condition[8] = Vertex_condition::log_scale(0.1);
   const std::vector<double> length = lengths_of(t);
   const auto with = [&](const auto& minimizer) {
-    return DC::flatten(t.mesh(), DC::parameters::minimizer(
-                                   minimizer, DC::parameters::vertex_condition_map(
-                                                as_map(condition), length_parameter(length))));
+    return DC::flatten(
+      t.mesh(),
+      length_parameter(length).vertex_condition_map(as_map(condition)).minimizer(minimizer));
   };
   const Planar_conformal_map one = with(Gradient_descent()), two = with(DC::Newton_minimizer());
   for(std::size_t v = 0; v < 12; ++v)

@@ -41,10 +41,10 @@ struct Problem
 
   Planar_conformal_map map(Layout layout) const
   {
-    return DC::flatten(mesh, DC::parameters::layout(
-                               layout, DC::parameters::maximum_log_scale(
-                                         bound, DC::parameters::vertex_condition_map(
-                                                  as_map(condition), length_parameter(length)))));
+    return DC::flatten(mesh, length_parameter(length)
+                               .vertex_condition_map(as_map(condition))
+                               .maximum_log_scale(bound)
+                               .layout(layout));
   }
 };
 

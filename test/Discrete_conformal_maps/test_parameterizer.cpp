@@ -331,8 +331,7 @@ TEST(Texture_coordinates, are_refused_where_they_say_too_little)
   Conditions condition = as_log_scales({0, 0, 0, 0});
   condition[0] = Vertex_condition::curvature(-1.5 * pi);
   const Planar_conformal_map flat = DC::flatten(
-    simplex, DC::parameters::flipping(Flipping::none,
-                                      DC::parameters::vertex_condition_map(as_map(condition))));
+    simplex, DC::parameters::flipping(Flipping::none).vertex_condition_map(as_map(condition)));
   EXPECT_FALSE(flat.is_laid_out());
   write(flat, simplex);
 }

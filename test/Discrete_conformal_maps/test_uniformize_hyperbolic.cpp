@@ -136,7 +136,7 @@ Hyperbolic_conformal_map uniformize(const Delta_complex& mesh, const std::vector
                                     const Conditions& condition)
 {
   return DC::uniformize_hyperbolic(
-    mesh, DC::parameters::vertex_condition_map(as_map(condition), length_parameter(length)));
+    mesh, length_parameter(length).vertex_condition_map(as_map(condition)));
 }
 
 // ---- What every map must obey ----

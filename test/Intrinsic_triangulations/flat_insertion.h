@@ -299,9 +299,9 @@ private:
       boost::make_function_property_map<Edge_index>([&](Edge_index e) { return lengths[e.idx()]; });
     const auto is_constrained = boost::make_function_property_map<Edge_index>(
       [&](Edge_index e) { return constrained > 0 && e.idx() % constrained == 0; });
-    return Triangulation(surface.mesh,
-                         IT::parameters::edge_length_map(
-                           length, CGAL::parameters::edge_is_constrained_map(is_constrained)));
+    return Triangulation(
+      surface.mesh,
+      IT::parameters::edge_length_map(length).edge_is_constrained_map(is_constrained));
   }
 
   // `p` leads from the first corner of the face

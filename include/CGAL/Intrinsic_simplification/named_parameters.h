@@ -7,60 +7,43 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+
+#define CGAL_INTRINSIC_SIMPLIFICATION_OWN_PARAMETERS(DO) DO(number_of_vertices) DO(maximum_cost)
+
+#define CGAL_INTRINSIC_SIMPLIFICATION_PARAMETERS(DO)                                               \
+  CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                                     \
+  CGAL_INTRINSIC_SIMPLIFICATION_OWN_PARAMETERS(DO)
 
 namespace CGAL {
 namespace Intrinsic_simplification {
 
+#ifndef DOXYGEN_RUNNING
+
 namespace internal_np {
-enum number_of_vertices_t
-{
-  number_of_vertices
-};
-enum maximum_cost_t
-{
-  maximum_cost
-};
+using namespace Intrinsic_triangulations::internal_np;
+CGAL_INTRINSIC_SIMPLIFICATION_OWN_PARAMETERS(CGAL_NAMED_PARAMETER_TAG)
 } // namespace internal_np
+
+CGAL_DEFINE_NAMED_PARAMETERS(CGAL_INTRINSIC_SIMPLIFICATION_PARAMETERS)
+
+#else
 
 namespace parameters {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// names the number of vertices that shall be left.
 template <typename Number>
-auto number_of_vertices(const Number& value)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::number_of_vertices_t>(value);
-}
-
-/// \ingroup PkgIntrinsicSimplificationRef
-/// the same, after the parameters `np`.
-template <typename Number, typename NamedParameters>
-auto number_of_vertices(const Number& value, const NamedParameters& np)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::number_of_vertices_t,
-                                         NamedParameters>(value, np);
-}
+auto number_of_vertices(const Number& value);
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// names the greatest cost of a removal that is allowed.
 template <typename Number>
-auto maximum_cost(const Number& value)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::maximum_cost_t>(value);
-}
-
-/// \ingroup PkgIntrinsicSimplificationRef
-/// the same, after the parameters `np`.
-template <typename Number, typename NamedParameters>
-auto maximum_cost(const Number& value, const NamedParameters& np)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::maximum_cost_t, NamedParameters>(
-    value, np);
-}
+auto maximum_cost(const Number& value);
 
 } // namespace parameters
+
+#endif // DOXYGEN_RUNNING
 
 } // namespace Intrinsic_simplification
 } // namespace CGAL

@@ -36,8 +36,8 @@ namespace Intrinsic_triangulations {
 /// `angle_on_input()` gives it. The object is a visitor that keeps the angles up to date:
 /// \code
 /// Angular_coordinates<> angles(tri);
-/// make_Delaunay(tri, CGAL::parameters::visitor(std::ref(angles)));
-/// refine(tri, CGAL::parameters::visitor(std::ref(angles)));
+/// make_Delaunay(tri, parameters::visitor(std::ref(angles)));
+/// refine(tri, parameters::visitor(std::ref(angles)));
 /// \endcode
 /// A new halfedge goes between its two neighbors in the proportion of the two corners, so that the
 /// errors of angles do not grow with the number of flips, but for the rounding of each. Whoever

@@ -7,38 +7,42 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/define_named_parameters.h>
+
 #include <CGAL/boost/graph/named_params_helper.h>
+
+#define CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(DO)                                           \
+  DO(edge_length_map)                                                                              \
+  DO(time_step_factor)                                                                             \
+  DO(minimum_angle)                                                                                \
+  DO(maximum_circumradius)                                                                         \
+  DO(face_predicate)                                                                               \
+  DO(maximum_number_of_insertions)
+
+// with those of CGAL that are read
+#define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                               \
+  DO(vertex_point_map)                                                                             \
+  DO(edge_is_constrained_map)                                                                      \
+  DO(geom_traits)                                                                                  \
+  DO(number_of_iterations)                                                                         \
+  DO(visitor)                                                                                      \
+  CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(DO)
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
+#ifndef DOXYGEN_RUNNING
+
 namespace internal_np {
-enum edge_length_map_t
-{
-  edge_length_map
-};
-enum time_step_factor_t
-{
-  time_step_factor
-};
-enum minimum_angle_t
-{
-  minimum_angle
-};
-enum maximum_circumradius_t
-{
-  maximum_circumradius
-};
-enum face_predicate_t
-{
-  face_predicate
-};
-enum maximum_number_of_insertions_t
-{
-  maximum_number_of_insertions
-};
+using namespace CGAL::internal_np;
+typedef CGAL::internal_np::vertex_point_t vertex_point_map_t;
+typedef CGAL::internal_np::edge_is_constrained_t edge_is_constrained_map_t;
+CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(CGAL_NAMED_PARAMETER_TAG)
 } // namespace internal_np
+
+CGAL_DEFINE_NAMED_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS)
+
+#else
 
 namespace parameters {
 
@@ -46,108 +50,37 @@ namespace parameters {
 /// names a readable property map from the edges of the input to their lengths; it takes the place
 /// of vertex positions.
 template <typename Map>
-auto edge_length_map(const Map& map)
-{
-  return CGAL::Named_function_parameters<Map, internal_np::edge_length_map_t>(map);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsRef
-/// the same, after the parameters `np`.
-template <typename Map, typename NamedParameters>
-auto edge_length_map(const Map& map, const NamedParameters& np)
-{
-  return CGAL::Named_function_parameters<Map, internal_np::edge_length_map_t, NamedParameters>(map,
-                                                                                               np);
-}
+auto edge_length_map(const Map& map);
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// names the time for which heat flows, in squared mean edge lengths of the component. Less follows
 /// the surface more closely, more is smoother.
 template <typename Number>
-auto time_step_factor(const Number& factor)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::time_step_factor_t>(factor);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same, after the parameters `np`.
-template <typename Number, typename NamedParameters>
-auto time_step_factor(const Number& factor, const NamedParameters& np)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::time_step_factor_t, NamedParameters>(
-    factor, np);
-}
+auto time_step_factor(const Number& factor);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// names the least angle that faces shall have, in degrees.
 template <typename Number>
-auto minimum_angle(const Number& value)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::minimum_angle_t>(value);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsRefinement
-/// the same, after the parameters `np`.
-template <typename Number, typename NamedParameters>
-auto minimum_angle(const Number& value, const NamedParameters& np)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::minimum_angle_t, NamedParameters>(
-    value, np);
-}
+auto minimum_angle(const Number& value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// names the greatest circumradius that faces shall have.
 template <typename Number>
-auto maximum_circumradius(const Number& value)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::maximum_circumradius_t>(value);
-}
+auto maximum_circumradius(const Number& value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// the same, after the parameters `np`.
-template <typename Number, typename NamedParameters>
-auto maximum_circumradius(const Number& value, const NamedParameters& np)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::maximum_circumradius_t,
-                                         NamedParameters>(value, np);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsRefinement
-/// names a function that says of a face of \f$T_2\f$ whether it shall be refined.
+/// names a function that determines whether a face of \f$T_2\f$ is refined.
 template <typename Predicate>
-auto face_predicate(const Predicate& value)
-{
-  return CGAL::Named_function_parameters<Predicate, internal_np::face_predicate_t>(value);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsRefinement
-/// the same, after the parameters `np`.
-template <typename Predicate, typename NamedParameters>
-auto face_predicate(const Predicate& value, const NamedParameters& np)
-{
-  return CGAL::Named_function_parameters<Predicate, internal_np::face_predicate_t, NamedParameters>(
-    value, np);
-}
+auto face_predicate(const Predicate& value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// names the number of vertices that may be inserted.
 template <typename Number>
-auto maximum_number_of_insertions(const Number& value)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::maximum_number_of_insertions_t>(
-    value);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsRefinement
-/// the same, after the parameters `np`.
-template <typename Number, typename NamedParameters>
-auto maximum_number_of_insertions(const Number& value, const NamedParameters& np)
-{
-  return CGAL::Named_function_parameters<Number, internal_np::maximum_number_of_insertions_t,
-                                         NamedParameters>(value, np);
-}
+auto maximum_number_of_insertions(const Number& value);
 
 } // namespace parameters
+
+#endif // DOXYGEN_RUNNING
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
