@@ -208,12 +208,12 @@ TEST(Simplification, TakesParametersInAnyOrder)
   const Mesh mesh = random_sphere(60, 4);
   const auto length = boost::make_function_property_map<Mesh::Edge_index>([](auto) { return 1.; });
   Evolving_surface s(mesh, IS::parameters::edge_length_map(length));
-  EXPECT_EQ(s.length(IT::Edge_index(0)), 1);
+  EXPECT_EQ(s.surface().length(IT::Edge_index(0)), 1);
   Checking_visitor visitor{s};
   const auto visited = IS::parameters::visitor(std::ref(visitor));
-  simplify(s, visited.number_of_vertices(std::size_t(5)).maximum_cost(0.));
+  simplify(s, visited.number_of_vertices(std::size_t(5)).maximum_cost(-1.));
   EXPECT_TRUE(visitor.order.empty());
-  simplify(s, visited.maximum_cost(0.).number_of_vertices(std::size_t(5)).maximum_cost(1e9));
+  simplify(s, visited.maximum_cost(-1.).number_of_vertices(std::size_t(5)).maximum_cost(1e9));
   EXPECT_EQ(visitor.order.size(), 55u);
 }
 

@@ -168,8 +168,8 @@ private:
   Planar_conformal_map flattened(const typename Component::Mesh& mesh) const
   {
     return flatten(
-      mesh, parameters::flipping(
-              m_flipping, parameters::maximum_log_scale(std::numeric_limits<double>::infinity())));
+      mesh,
+      parameters::flipping(m_flipping).maximum_log_scale(std::numeric_limits<double>::infinity()));
   }
 
   template <typename VertexUVMap>

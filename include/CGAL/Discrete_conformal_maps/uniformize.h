@@ -65,9 +65,12 @@ Uniformization uniformize(const Graph& g,
     case Surface_type::disk: result.spherical.emplace(map_to_sphere(g, np)); break;
     case Surface_type::hyperbolic: result.hyperbolic.emplace(uniformize_hyperbolic(g, np)); break;
     default:
-      const auto straight = boost::make_function_property_map<Vertex>(
+      auto straight = boost::make_function_property_map<Vertex>(
         [](Vertex) { return Vertex_condition::curvature(0); });
-      result.flat.emplace(flatten(g, parameters::vertex_condition_map(straight, np)));
+      typedef internal_np::Named_parameters<decltype(straight), internal_np::vertex_condition_map_t,
+                                            NamedParameters>
+        Parameters;
+      result.flat.emplace(flatten(g, Parameters(straight, np)));
       result.modulus = result.type == Surface_type::torus
                          ? torus_modulus(*result.flat)
                          : std::complex<double>(0, annulus_modulus(*result.flat));
