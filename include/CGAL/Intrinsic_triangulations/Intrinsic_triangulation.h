@@ -182,9 +182,9 @@ public:
   }
 
   /// moves everything; of `other` only assignment and destruction are left. Complexity: constant.
-  Intrinsic_triangulation(Self&& other) = default;
+  Intrinsic_triangulation(Self&& other) noexcept = default;
   /// moves everything; of `other` only assignment and destruction are left.
-  Self& operator=(Self&& other) = default;
+  Self& operator=(Self&& other) noexcept = default;
   /// copies everything. Complexity: linear.
   Self& operator=(const Self& other) { return *this = Self(other); }
 
@@ -538,7 +538,7 @@ public:
   {
     const Vertex_index v = m_mesh.source(h);
     if(m_spokes.degree(v) == 0)
-      return m_mesh.null_halfedge();
+      return Delta_complex::null_halfedge();
     const size_type r = m_coordinates.roundabout(h);
     if(m_coordinates.is_shared(m_mesh.edge(h)))
       return m_spokes.halfedge(v, r);
@@ -614,7 +614,7 @@ private:
   // of the corner opposite to `h`; null beyond the boundary
   Vertex_index apex(Halfedge_index h) const
   {
-    return m_mesh.is_border(h) ? m_mesh.null_vertex() : m_mesh.target(m_mesh.next(h));
+    return m_mesh.is_border(h) ? Delta_complex::null_vertex() : m_mesh.target(m_mesh.next(h));
   }
 
   static std::array<FT, 3> side_lengths(Halfedge_index h, const Delta_complex& mesh,

@@ -30,8 +30,9 @@ typedef Eigen::VectorXd Vector;
 class Multigrid_level
 {
 public:
-  explicit Multigrid_level(Matrix matrix) : m_matrix(std::move(matrix))
+  explicit Multigrid_level(Matrix matrix)
   {
+    m_matrix.swap(matrix); // Eigen's matrices are not moved
     m_matrix.makeCompressed();
     const Vector diagonal = m_matrix.diagonal();
     m_inverse_diagonal = (diagonal.array() > 0).select(diagonal.cwiseInverse(), 0); // empty rows
