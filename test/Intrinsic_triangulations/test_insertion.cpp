@@ -270,9 +270,10 @@ TEST(Insertion, exact_places_on_input_edges)
 TEST(Insertion, boundary_vertices_come_and_go)
 {
   const Mesh mesh = grid(2, 2, [](double x, double y) { return Point(x, y, 0); });
+  const Triangulation original(mesh);
   Triangulation t(mesh);
   Vertex_inserter inserter(t);
-  for(Edge_index e : Triangulation(mesh).mesh().edges())
+  for(Edge_index e : original.mesh().edges())
     if(t.mesh().is_border(e)) {
       const Halfedge_index h(2 * e.idx());
       const double length = t.length(e);
