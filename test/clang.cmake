@@ -2,7 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What g++ accepts, clang++ compiles too, with the same warnings as errors. Not optimised, and for the
+# What g++ accepts, clang++ compiles too, with the same warnings as errors. Not optimised, and the
 # unit tests without code, since only the diagnostics matter; without precompiled headers, which
 # could hide that an #include is missing.
 find_program(CLANGXX clang++)
