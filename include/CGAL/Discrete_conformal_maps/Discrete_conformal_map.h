@@ -85,8 +85,8 @@ public:
   Face_location place_on_C(const Face_location& p) const
   {
     using Intrinsic_triangulations::Side;
-    const Face_location on_B = point_across(Side::input, p, *m_data->correspondence_ab);
-    return point_across(Side::input, on_B, *m_data->correspondence_bc);
+    const Face_location on_B = point_across(*m_data->correspondence_ab, Side::input, p);
+    return point_across(*m_data->correspondence_bc, Side::input, on_B);
   }
 
 private:

@@ -224,10 +224,7 @@ private:
     return angle < 0 ? angle + turn : angle < turn ? angle : angle - turn;
   }
 
-  FT corner(Halfedge_index h) const
-  {
-    return internal::angle_at_source(h, m_tri.mesh(), m_tri.length_map());
-  }
+  FT corner(Halfedge_index h) const { return internal::angle_at_source(h, m_tri); }
 
   // What the corners on either side of `h` lack of the angle between its neighbors is shared out.
   FT angle_between_neighbors(Halfedge_index h) const

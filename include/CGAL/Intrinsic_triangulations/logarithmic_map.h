@@ -9,13 +9,11 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <CGAL/assertions.h>
-#include <boost/property_map/property_map.hpp>
 
 #include <complex>
 #include <cstddef>
@@ -66,8 +64,8 @@ class Logarithm_of_path
   typedef typename Shortest_paths<EdgeLengthMap>::Path Path;
 
 public:
-  Logarithm_of_path(bool from_vertex, const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_from_vertex(from_vertex), m_mesh(mesh), m_length(length)
+  Logarithm_of_path(const Surface_view<EdgeLengthMap>& surface, bool from_vertex)
+    : m_surface(surface), m_from_vertex(from_vertex)
   {}
 
   Logarithm<FT> operator()(const Path& path) const
@@ -82,13 +80,11 @@ private:
   FT angle(const Path& path) const
   {
     const FT in_frame = std::arg(path.direction);
-    return m_from_vertex ? Vertex_angles<FT>(path.frame, m_mesh, m_length).normalized(in_frame)
-                         : in_frame;
+    return m_from_vertex ? Vertex_angles<FT>(path.frame, m_surface).normalized(in_frame) : in_frame;
   }
 
+  Surface_view<EdgeLengthMap> m_surface;
   bool m_from_vertex;
-  const Delta_complex& m_mesh;
-  const EdgeLengthMap& m_length;
 };
 
 // The vertex where `p` is; null if it is none.
@@ -110,29 +106,28 @@ bool is_vertex(const Face_location<FT>& p, const Delta_complex& mesh)
 }
 
 // `source` is a vertex or a point that is none.
-template <typename Source, typename EdgeLengthMap, typename FT>
-Logarithm<FT> logarithm_at(const Source& source, const Face_location<FT>& target,
-                           const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename EdgeLengthMap, typename Source, typename FT>
+Logarithm<FT> logarithm_at(const Surface_view<EdgeLengthMap>& surface, const Source& source,
+                           const Face_location<FT>& target)
 {
-  typedef Shortest_paths<EdgeLengthMap> Paths;
-  const Logarithm_of_path<EdgeLengthMap> logarithm(is_vertex(source, mesh), mesh, length);
-  const Vertex_index v = vertex_at(target, mesh);
+  const Logarithm_of_path logarithm(surface, is_vertex(source, surface.mesh()));
+  const Vertex_index v = vertex_at(target, surface.mesh());
   const bool to_vertex = v != Delta_complex::null_vertex();
-  Paths paths(mesh, length, to_vertex ? Face_location<FT>() : target);
+  Shortest_paths paths(surface, to_vertex ? Face_location<FT>() : target);
   paths.start_at(source);
   return logarithm(to_vertex ? paths.path_to(v) : paths.path_to_target());
 }
 
-template <typename Source, typename EdgeLengthMap>
-auto logarithms_at(const Source& source, const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename EdgeLengthMap, typename Source>
+auto logarithms_at(const Surface_view<EdgeLengthMap>& surface, const Source& source)
 {
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
-  Shortest_paths<EdgeLengthMap> paths(mesh, length);
+  Shortest_paths paths(surface);
   paths.start_at(source);
   paths.run();
-  const Logarithm_of_path<EdgeLengthMap> logarithm(is_vertex(source, mesh), mesh, length);
-  std::vector<Logarithm<FT>> result(mesh.num_vertices());
-  for(Vertex_index v : mesh.vertices())
+  const Logarithm_of_path logarithm(surface, is_vertex(source, surface.mesh()));
+  std::vector<Logarithm<Length_of<Surface_view<EdgeLengthMap>>>> result(
+    surface.mesh().num_vertices());
+  for(Vertex_index v : surface.mesh().vertices())
     result[v.idx()] = logarithm(paths[v]);
   return result;
 }
@@ -140,8 +135,8 @@ auto logarithms_at(const Source& source, const Delta_complex& mesh, const EdgeLe
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the vertex `v`: the shortest tangent vector that leads to `target`, with
-/// an angle normalized as in `Tangent_frames`.
+/// computes the logarithmic map at the vertex `v`: the shortest tangent vector that leads to
+/// `target`, with an angle normalized as in `Tangent_frames`.
 ///
 /// The shortest path is found among all, by unfolding faces along the views from `v`, from edge
 /// lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at a
@@ -152,101 +147,55 @@ auto logarithms_at(const Source& source, const Delta_complex& mesh, const EdgeLe
 ///
 /// Lengths are accurate to rounding for every face passed. A vector that passes close to a vertex
 /// with curvature may be traced to the wrong side of it (see `trace_geodesic()`).
+/// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
+///        and faces that meet themselves are allowed
 /// \param v the vertex, not isolated
 /// \param target a point with barycentric coordinates that are not negative and sum up to one
-/// \param mesh a triangulated surface; loops, parallel edges and faces that meet themselves are
-///   welcome
-/// \param length a readable property map from its edges to their lengths, floating point numbers
 /// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views
 /// up to the distance of `target`; these can be quadratic in the number of faces or more, but tend
 /// to be some dozens for each face within that distance.
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
-template <typename EdgeLengthMap>
-Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type> logarithmic_map(
-  Vertex_index v,
-  const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& target,
-  const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, Vertex_index v,
+                                              const Face_location<Length_of<Surface>>& target)
 {
-  CGAL_precondition(!mesh.is_isolated(v));
-  return internal::logarithm_at(v, target, mesh, length);
+  CGAL_precondition(!surface.mesh().is_isolated(v));
+  return internal::logarithm_at(Surface_view(surface), v, target);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same at the point `p` of a face, with a vector in the frame of this face, whose real axis is
-/// along `halfedge(p.first)`.
+/// computes the logarithmic map at the point `p` of a face, with a vector in the frame of this face,
+/// whose real axis is along `halfedge(p.first)`; otherwise as at a vertex.
+/// \param surface, target as above
 /// \param p a point that is no vertex, with coordinates as those of `target`
-/// \param target, mesh, length as above
-template <typename EdgeLengthMap>
-Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type> logarithmic_map(
-  const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& p,
-  const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& target,
-  const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface,
+                                              const Face_location<Length_of<Surface>>& p,
+                                              const Face_location<Length_of<Surface>>& target)
 {
-  CGAL_precondition(!internal::is_vertex(p, mesh));
-  return internal::logarithm_at(p, target, mesh, length);
+  CGAL_precondition(!internal::is_vertex(p, surface.mesh()));
+  return internal::logarithm_at(Surface_view(surface), p, target);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the vertex `v` of all vertices, in a vector by their index; otherwise as
-/// above.
-template <typename EdgeLengthMap>
-std::vector<Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type>>
-logarithmic_map(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
+/// computes the logarithmic map at the vertex `v` of all vertices, in a vector by their index;
+/// otherwise as above.
+template <typename Surface>
+std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surface, Vertex_index v)
 {
-  CGAL_precondition(!mesh.is_isolated(v));
-  return internal::logarithms_at(v, mesh, length);
+  CGAL_precondition(!surface.mesh().is_isolated(v));
+  return internal::logarithms_at(Surface_view(surface), v);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the point `p` of all vertices, in a vector by their index; otherwise as
-/// above.
-template <typename EdgeLengthMap>
-std::vector<Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type>>
-logarithmic_map(const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& p,
-                const Delta_complex& mesh, const EdgeLengthMap& length)
+/// computes the logarithmic map at the point `p` of all vertices, in a vector by their index;
+/// otherwise as above.
+template <typename Surface>
+std::vector<Logarithm<Length_of<Surface>>>
+logarithmic_map(const Surface& surface, const Face_location<Length_of<Surface>>& p)
 {
-  CGAL_precondition(!internal::is_vertex(p, mesh));
-  return internal::logarithms_at(p, mesh, length);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same of one point on one of the two triangulations of `tri`, at a vertex.
-template <typename Traits>
-Logarithm<typename Traits::FT> logarithmic_map(Side side, Vertex_index v,
-                                               const Face_location<typename Traits::FT>& target,
-                                               const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithmic_map(v, target, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same of one point on one of the two triangulations of `tri`, at a point of a face.
-template <typename Traits>
-Logarithm<typename Traits::FT> logarithmic_map(Side side,
-                                               const Face_location<typename Traits::FT>& p,
-                                               const Face_location<typename Traits::FT>& target,
-                                               const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithmic_map(p, target, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same of all vertices on one of the two triangulations of `tri`, at a vertex.
-template <typename Traits>
-std::vector<Logarithm<typename Traits::FT>>
-logarithmic_map(Side side, Vertex_index v, const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithmic_map(v, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same of all vertices on one of the two triangulations of `tri`, at a point of a face.
-template <typename Traits>
-std::vector<Logarithm<typename Traits::FT>>
-logarithmic_map(Side side, const Face_location<typename Traits::FT>& p,
-                const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithmic_map(p, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
+  CGAL_precondition(!internal::is_vertex(p, surface.mesh()));
+  return internal::logarithms_at(Surface_view(surface), p);
 }
 
 } // namespace Intrinsic_triangulations

@@ -37,7 +37,7 @@ struct Start_in_input_face
     : location(tri.input_location(h)),
       axis(tri.input_spoke_before(h).is_valid() ? tri.input_spoke_before(h)
                                                 : tri.input_mesh().halfedge(location.first)),
-      face(axis, tri.input_mesh(), tri.input_length_map()),
+      face(axis, tri.input()),
       place(coordinates_from(axis, location, tri.input_mesh()))
   {}
 
