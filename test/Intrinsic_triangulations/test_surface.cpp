@@ -101,7 +101,6 @@ TEST(Intrinsic_surface, models_of_one_surface_give_equal_results)
   EXPECT_EQ(results(t), expected);
   EXPECT_EQ(results(t.surface(Side::intrinsic)), expected);
   EXPECT_EQ(results(IT::Surface_view(t.mesh(), t.length_map())), expected);
-  EXPECT_EQ(results(IT::Surface_view(Surface_archetype(t))), expected);
   EXPECT_EQ(results(t.surface(Side::input)), results(t.input()));
   EXPECT_NE(results(t.input()), expected);
 }

@@ -27,7 +27,7 @@ template <typename Source>
 Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& level)
 {
   Intrinsic_triangulations::internal::Shortest_paths paths{
-    Intrinsic_triangulations::Surface_view(level)};
+    Intrinsic_triangulations::internal::view_of(level)};
   paths.start_at(source);
   paths.run();
   Eigen::VectorXd result(static_cast<Eigen::Index>(level.mesh().num_vertices()));

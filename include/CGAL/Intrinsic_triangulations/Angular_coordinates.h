@@ -66,7 +66,7 @@ public:
   /// \throws Numerical_error if the angles at a vertex have no positive finite sum, or if the
   ///         layout of an edge has no positive finite length
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
-  explicit Angular_coordinates(const Triangulation& tri) : m_tri(tri), m_frames(Side::input, tri)
+  explicit Angular_coordinates(const Triangulation& tri) : m_tri(tri), m_frames(tri.input())
   {
     recompute();
   }

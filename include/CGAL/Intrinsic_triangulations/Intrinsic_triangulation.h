@@ -18,6 +18,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/input/check_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Merged_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/spoke_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
 
@@ -62,27 +64,18 @@ class Intrinsic_triangulation : public Triangulation_pair<Traits_>
   typedef Intrinsic_triangulation Self;
   typedef Triangulation_pair<Traits_> Base;
   using Base::attach;
-  using Base::first_inserted_spoke;
   using Base::m_coordinates;
   using Base::m_input;
-  using Base::m_input_length;
   using Base::m_inserted;
   using Base::m_is_constrained;
   using Base::m_length;
   using Base::m_mesh;
   using Base::m_spokes;
   using Base::m_traits;
-  using Base::part_length;
-  using Base::side_lengths;
 
 public:
-  typedef typename Base::Traits Traits;
-  typedef typename Base::FT FT;
-  typedef typename Base::Integer Integer;
-  typedef typename Base::Coordinates Coordinates;
-  typedef typename Base::size_type size_type;
-  typedef typename Base::Edge_length_map Edge_length_map;
   using Base::distance;
+  using Base::first_inserted_spoke;
   using Base::input;
   using Base::input_location;
   using Base::inserted_vertex;
@@ -91,8 +84,13 @@ public:
   using Base::is_inserted;
   using Base::lay_out;
   using Base::number_of_inserted_vertices;
-  using Base::place_along;
   using Base::shared_length;
+  using typename Base::Coordinates;
+  using typename Base::Edge_length_map;
+  using typename Base::FT;
+  using typename Base::Integer;
+  using typename Base::size_type;
+  using typename Base::Traits;
 
   /// \name Construction
   /// @{
@@ -235,9 +233,8 @@ public:
       const Halfedge_index h(2 * e.idx());
       const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(e, m)); };
       lengths[e] = m_coordinates.is_shared(e) ? shared_length(h)
-                   : crossings.count(e) == 0
-                     ? distance_from_inserted(input_location(h), input_location(m_mesh.opposite(h)))
-                     : lay_out(strip, h, exit, crossings.count(e));
+                   : crossings.count(e) == 0  ? length_in_face(h)
+                                              : lay_out(strip, h, exit, crossings.count(e));
       if(!m_traits.is_length_object()(lengths[e]))
         throw Numerical_error("the strip of edge " + std::to_string(e.idx()) +
                               " has no positive finite length");
@@ -287,8 +284,9 @@ public:
     const auto side = sides(p.first, m_mesh);
     std::array<FT, 3> spoke_length;
     for(std::size_t s = 0; s < 3; ++s)
-      spoke_length[s] = at.n[s] < 0 ? shared_length(q, at.r[s], m_mesh.source(side[s]))
-                                    : checked_length(distance_to_corner(side[0], p.second, s));
+      spoke_length[s] = at.n[s] < 0
+                          ? internal::shared_spoke_length(*this, q, at.r[s], m_mesh.source(side[s]))
+                          : internal::distance_to_corner(*this, side[0], p.second, s);
     const Vertex_index m =
       m_coordinates.split_face(side[0], at, first_inserted_spoke(q.along), m_mesh, m_spokes);
     set_inserted(m, q);
@@ -317,12 +315,16 @@ public:
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
     const bool was_constrained = m_is_constrained[e];
-    const Vertex_index i = m_mesh.source(h), j = m_mesh.target(h);
+    const auto shared = [&](size_type r, Vertex_index v) {
+      return internal::shared_spoke_length(*this, q, r, v);
+    };
+    const auto part = [&](const FT& t) { return internal::checked_length(*this, t * m_length[e]); };
+    const auto apex = [&](Halfedge_index x) { return m_mesh.target(m_mesh.next(x)); };
     const Edge_split<FT> length{
-      n.im < 0 ? shared_length(q, r.im, i) : checked_length(t * m_length[e]),
-      n.mj < 0 ? shared_length(q, r.mj, j) : checked_length((1 - t) * m_length[e]),
-      n.mk < 0 ? shared_length(q, r.mk, apex(h)) : distance_to_apex(h, t),
-      n.ml < 0 ? shared_length(q, r.ml, apex(o)) : distance_to_apex(o, 1 - t)};
+      n.im < 0 ? shared(r.im, m_mesh.source(h)) : part(t),
+      n.mj < 0 ? shared(r.mj, m_mesh.target(h)) : part(1 - t),
+      n.mk < 0 ? shared(r.mk, apex(h)) : internal::distance_to_apex(*this, h, t),
+      n.ml < 0 ? shared(r.ml, apex(o)) : internal::distance_to_apex(*this, o, FT(1 - t))};
     const Vertex_index m =
       m_coordinates.split_edge(h, n, r, first_inserted_spoke(q.along), m_mesh, m_spokes);
     set_inserted(m, q);
@@ -350,7 +352,7 @@ public:
   /// \pre `is_inserted(v)`, and `removal_status(v, mesh()) == Operation_status::possible`
   Face_index remove_degree_3_vertex(Vertex_index v)
   {
-    const Merged_edge merged = merged_edge(v);
+    const internal::Merged_edge merged = internal::merged_edge(*this, v);
     const Face_index f = Intrinsic_triangulations::remove_degree_3_vertex(v, m_mesh);
     if(merged.side.is_valid()) {
       m_coordinates.set_shared(merged.side, merged.r_source, merged.r_target);
@@ -404,55 +406,13 @@ private:
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
   }
 
-  // the length of a shared edge from a new vertex at `m` to the vertex `v`, along spoke `r` of the
-  // new one
-  FT shared_length(const Inserted_vertex<FT>& m, size_type r, Vertex_index v) const
-  {
-    const Halfedge_index first = first_inserted_spoke(m.along);
-    const Halfedge_index spoke = r == 0 ? first : m_input.opposite(first);
-    const FT t = edge_point(m.along, m.location, m_input).t;
-    const Halfedge_index back = m_input.opposite(spoke);
-    return checked_length(
-      part_length({spoke, spoke == m.along ? t : FT(1 - t)}, {back, place_along(back, v)}));
-  }
-
-  // of the corner opposite to `h`; null beyond the boundary
-  Vertex_index apex(Halfedge_index h) const
-  {
-    return m_mesh.is_border(h) ? m_mesh.null_vertex() : m_mesh.target(m_mesh.next(h));
-  }
-
-  // in the face of `h` in T2, whose corner 0 is the source of `h`
-  FT distance_to_corner(Halfedge_index h, const std::array<FT, 3>& p, std::size_t corner) const
-  {
-    return m_traits.compute_distance_object()(side_lengths(h, intrinsic()), p,
-                                              barycentric_coordinates(corner, FT(0)));
-  }
-
-  // the distance from the point at `t` on `h` to the opposite corner, 0 beyond the boundary
-  FT distance_to_apex(Halfedge_index h, const FT& t) const
-  {
-    if(m_mesh.is_border(h))
-      return FT(0);
-    return checked_length(distance_to_corner(h, barycentric_coordinates(0, t), 2));
-  }
-
-  // A distance that is asked for only if vertices have been inserted; otherwise 0, which is no
-  // length.
-  FT distance_from_inserted([[maybe_unused]] const Face_location<FT>& p,
-                            [[maybe_unused]] const Face_location<FT>& q) const
+  // of an edge inside a face of T1; 0, which is no length, if no vertices can be inserted
+  FT length_in_face([[maybe_unused]] Halfedge_index h) const
   {
     if constexpr(internal::Has_distance<Traits>::value)
-      return distance(p, q);
+      return distance(input_location(h), input_location(m_mesh.opposite(h)));
     else
       return FT(0);
-  }
-
-  FT checked_length(const FT& length) const
-  {
-    if(!m_traits.is_length_object()(length))
-      throw Numerical_error("an edge at an inserted vertex has no positive finite length");
-    return length;
   }
 
   void set_edge(Halfedge_index h, const FT& length, bool is_constrained)
@@ -467,38 +427,6 @@ private:
     if(i >= m_inserted.size())
       m_inserted.resize(i + 1);
     m_inserted[i] = place;
-  }
-
-  // The edge that takes the place of two at an inserted vertex which lie along one edge of T1.
-  struct Merged_edge
-  {
-    Halfedge_index side; // null if there are no such two
-    size_type r_source, r_target;
-    bool is_constrained;
-  };
-
-  // \pre `v` has three spokes
-  Merged_edge merged_edge(Vertex_index v) const
-  {
-    const Halfedge_index a = first_spoke(v, m_mesh);
-    if(m_mesh.is_border(v))
-      return merged_edge(next_spoke(next_spoke(a, m_mesh), m_mesh), a, a);
-    Halfedge_index x = a;
-    do {
-      const Halfedge_index y = next_spoke(x, m_mesh);
-      if(m_coordinates.is_shared(m_mesh.edge(x)) && m_coordinates.is_shared(m_mesh.edge(y)))
-        return merged_edge(x, y, m_mesh.next(x));
-      x = y;
-    } while(x != a);
-    return {};
-  }
-
-  // `side` will lead from the target of the spoke `x` to that of the spoke `y`
-  Merged_edge merged_edge(Halfedge_index x, Halfedge_index y, Halfedge_index side) const
-  {
-    return {side, m_coordinates.roundabout(m_mesh.opposite(x)),
-            m_coordinates.roundabout(m_mesh.opposite(y)),
-            is_constrained(m_mesh.edge(x)) && is_constrained(m_mesh.edge(y))};
   }
 
   // The first of the spokes of an inserted vertex follows from the boundary, or from the parity.

@@ -44,11 +44,6 @@ public:
     : m_mesh(&mesh), m_length_map(length)
   {}
 
-  /// refers to a surface with such a map.
-  template <typename Surface>
-  explicit Surface_view(const Surface& surface) : Surface_view(surface.mesh(), surface.length_map())
-  {}
-
   /// returns the connectivity.
   const Delta_complex& mesh() const { return *m_mesh; }
   /// returns the map of edge lengths.
@@ -59,10 +54,13 @@ private:
   EdgeLengthMap m_length_map;
 };
 
-template <typename Surface>
-explicit Surface_view(const Surface&) -> Surface_view<Length_map_of<Surface>>;
-
 namespace internal {
+
+template <typename Surface>
+Surface_view<Length_map_of<Surface>> view_of(const Surface& surface)
+{
+  return {surface.mesh(), surface.length_map()};
+}
 
 template <typename Surface>
 Length_of<Surface> edge_length(Halfedge_index h, const Surface& surface)

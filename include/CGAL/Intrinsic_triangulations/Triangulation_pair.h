@@ -35,7 +35,19 @@ struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_
   : std::true_type
 {};
 
+// of the face of `h`, beginning with `h`
+template <typename Surface>
+std::array<Length_of<Surface>, 3> side_lengths(Halfedge_index h, const Surface& surface)
+{
+  const Delta_complex& mesh = surface.mesh();
+  return {edge_length(h, surface), edge_length(mesh.next(h), surface),
+          edge_length(mesh.prev(h), surface)};
+}
+
 } // namespace internal
+
+template <typename Traits>
+class Intrinsic_triangulation;
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// two triangulations \f$T_1\f$ and \f$T_2\f$ of one surface: connectivity and edge lengths of
@@ -140,6 +152,16 @@ public:
     return {inside.halfedge, face_location(inside, m_input)};
   }
 
+  /// returns the first of the two spokes of a vertex inserted on the edge of `along`, null if `along`
+  /// is null: the one on the boundary, or the first halfedge of its edge.
+  Halfedge_index first_inserted_spoke(Halfedge_index along) const
+  {
+    return along.is_valid()
+             ? internal::first_inserted_spoke(along, m_input.is_border(along),
+                                              m_input.is_border(m_input.opposite(along)))
+             : along;
+  }
+
   /// returns the index of the spoke `spoke` at a vertex inserted on its edge.
   size_type number_of_inserted_spoke(Halfedge_index spoke) const
   {
@@ -154,8 +176,8 @@ public:
   /// `IntrinsicGeometryTraitsWithDistance`. \pre `p.first == q.first`
   FT distance(const Face_location<FT>& p, const Face_location<FT>& q) const
   {
-    return m_traits.compute_distance_object()(side_lengths(m_input.halfedge(p.first), input()),
-                                              p.second, q.second);
+    return m_traits.compute_distance_object()(
+      internal::side_lengths(m_input.halfedge(p.first), input()), p.second, q.second);
   }
 
   /// returns the place of the source of the halfedge `h` of \f$T_2\f$ on `input_spoke_before(h)`,
@@ -238,6 +260,16 @@ public:
     return m_spokes.halfedge(v, (r == 0 ? m_spokes.degree(v) : r) - 1);
   }
 
+  /// returns the length of the part of an edge of \f$T_1\f$ between two points, `start` on one of
+  /// its halfedges and `end` on the other; the result is bitwise equal from both sides.
+  FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
+  {
+    const bool is_even = start.halfedge.idx() % 2 == 0;
+    const FT &first = is_even ? start.t : end.t, &last = is_even ? end.t : start.t;
+    const FT& length = m_input_length[m_input.edge(start.halfedge)];
+    return first == 0 && last == 0 ? length : FT((1 - last - first) * length);
+  }
+
   /// returns the length that the edge of `h` in \f$T_2\f$ has on \f$T_1\f$.
   /// \pre the edge of `h` is shared
   FT shared_length(Halfedge_index h) const
@@ -247,7 +279,9 @@ public:
 
   /// @}
 
-protected:
+private:
+  friend class Intrinsic_triangulation<Traits>;
+
   explicit Triangulation_pair(const Traits& traits = Traits(), Delta_complex input = {},
                               Delta_complex mesh = {},
                               std::vector<Inserted_vertex<FT>> inserted = {})
@@ -272,7 +306,6 @@ protected:
   Triangulation_pair(Self&& other) = default;
   Self& operator=(Self&& other) = default;
   Self& operator=(const Self& other) { return *this = Self(other); }
-  ~Triangulation_pair() = default;
 
   // (re)binds the property maps to the meshes
   void attach()
@@ -288,32 +321,6 @@ protected:
                                                                      const char* name)
   {
     return mesh.template add_property_map<Edge_index, Value>(name, Value(0)).first;
-  }
-
-  // The length of the part of an edge of T1 between two points, one seen from each of its ends;
-  // bitwise equal from both sides.
-  FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
-  {
-    const bool is_even = start.halfedge.idx() % 2 == 0;
-    const FT &first = is_even ? start.t : end.t, &last = is_even ? end.t : start.t;
-    const FT& length = m_input_length[m_input.edge(start.halfedge)];
-    return first == 0 && last == 0 ? length : FT((1 - last - first) * length);
-  }
-
-  Halfedge_index first_inserted_spoke(Halfedge_index along) const
-  {
-    return along.is_valid()
-             ? internal::first_inserted_spoke(along, m_input.is_border(along),
-                                              m_input.is_border(m_input.opposite(along)))
-             : along;
-  }
-
-  template <typename Surface>
-  static std::array<FT, 3> side_lengths(Halfedge_index h, const Surface& surface)
-  {
-    const Delta_complex& mesh = surface.mesh();
-    const auto& length = surface.length_map();
-    return {length[mesh.edge(h)], length[mesh.edge(mesh.next(h))], length[mesh.edge(mesh.prev(h))]};
   }
 
   // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side`

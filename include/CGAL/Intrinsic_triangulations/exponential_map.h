@@ -54,7 +54,8 @@ Geodesic<Length_of<Surface>> trace_geodesic(const Surface& surface, Vertex_index
                                             At_boundary at_boundary = At_boundary::stop,
                                             OutputIterator path = OutputIterator())
 {
-  return internal::Geodesic_tracer(Surface_view(surface), at_boundary, path).from_vertex(v, vector);
+  return internal::Geodesic_tracer(internal::view_of(surface), at_boundary, path)
+    .from_vertex(v, vector);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
@@ -72,7 +73,8 @@ trace_geodesic(const Surface& surface, const Face_location<Length_of<Surface>>& 
                const std::complex<Length_of<Surface>>& vector,
                At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
 {
-  return internal::Geodesic_tracer(Surface_view(surface), at_boundary, path).from_point(p, vector);
+  return internal::Geodesic_tracer(internal::view_of(surface), at_boundary, path)
+    .from_point(p, vector);
 }
 
 namespace internal {

@@ -160,7 +160,7 @@ Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, Vertex_ind
                                               const Face_location<Length_of<Surface>>& target)
 {
   CGAL_precondition(!surface.mesh().is_isolated(v));
-  return internal::logarithm_at(Surface_view(surface), v, target);
+  return internal::logarithm_at(internal::view_of(surface), v, target);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
@@ -174,7 +174,7 @@ Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface,
                                               const Face_location<Length_of<Surface>>& target)
 {
   CGAL_precondition(!internal::is_vertex(p, surface.mesh()));
-  return internal::logarithm_at(Surface_view(surface), p, target);
+  return internal::logarithm_at(internal::view_of(surface), p, target);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
@@ -184,7 +184,7 @@ template <typename Surface>
 std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surface, Vertex_index v)
 {
   CGAL_precondition(!surface.mesh().is_isolated(v));
-  return internal::logarithms_at(Surface_view(surface), v);
+  return internal::logarithms_at(internal::view_of(surface), v);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
@@ -195,7 +195,7 @@ std::vector<Logarithm<Length_of<Surface>>>
 logarithmic_map(const Surface& surface, const Face_location<Length_of<Surface>>& p)
 {
   CGAL_precondition(!internal::is_vertex(p, surface.mesh()));
-  return internal::logarithms_at(Surface_view(surface), p);
+  return internal::logarithms_at(internal::view_of(surface), p);
 }
 
 } // namespace Intrinsic_triangulations
