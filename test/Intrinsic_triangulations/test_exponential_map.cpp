@@ -553,8 +553,9 @@ TEST(Exponential_map, needles)
       const Complex v = random_vector(i % 2 == 0 ? height : 20, random);
       const Geodesic g = IT::trace_geodesic(t.input(), p, v);
       const auto exact = IT::trace_geodesic(
+        IT::Surface_view(t.mesh(), map),
         IT::Face_location<long double>(p.first, {p.second[0], p.second[1], p.second[2]}),
-        std::complex<long double>(v.real(), v.imag()), t.mesh(), map);
+        std::complex<long double>(v.real(), v.imag()));
       const Location q(exact.end.first, {static_cast<double>(exact.end.second[0]),
                                          static_cast<double>(exact.end.second[1]),
                                          static_cast<double>(exact.end.second[2])});
