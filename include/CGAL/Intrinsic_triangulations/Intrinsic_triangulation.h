@@ -15,11 +15,9 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
-#include <CGAL/Intrinsic_triangulations/internal/input/check_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/Merged_edge.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/spoke_lengths.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
 

@@ -231,12 +231,12 @@ public:
   {
     if constexpr(internal::Has_distance<Traits>::value)
       internal::lay_out_strip(
-        strip, m_input, m_input_length, exit, n,
+        strip, input(), exit, n,
         std::make_pair(
           coordinates_beyond(exit(0), input_location(h)),
           coordinates_beyond(m_input.opposite(exit(n - 1)), input_location(m_mesh.opposite(h)))));
     else
-      internal::lay_out_strip(strip, m_input, m_input_length, exit, n);
+      internal::lay_out_strip(strip, input(), exit, n);
     return strip.length();
   }
 

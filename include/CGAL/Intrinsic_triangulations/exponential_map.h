@@ -22,8 +22,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// follows the geodesic that starts at the vertex `v` with the tangent vector `vector`, for the
-/// length of this vector: the exponential map at `v`.
+/// follows the geodesic that starts at `source` with the tangent vector `vector`, for the length of
+/// this vector: the exponential map.
+///
+/// At a vertex the angle of the vector is normalized as in `Tangent_frames`. At a point of a face
+/// the vector is in the frame of the face, whose real axis is along `halfedge(source.first)`. From a
+/// point on an edge it may point out of the face. At a corner its angle is measured from the sides
+/// of the face, on the surface, and may lead beyond the face too.
 ///
 /// In every face the geodesic is straight, and it runs straight from face to face. If it hits an
 /// interior vertex (to within `rounding_unit()`), it goes on with half of the angles there on
@@ -37,8 +42,9 @@ namespace Intrinsic_triangulations {
 ///
 /// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///        and faces that meet themselves are allowed
-/// \param v the start, not isolated
-/// \param vector the tangent vector, with an angle normalized as in `Tangent_frames`
+/// \param source the start: a vertex that is not isolated, or a `Face_location` with coordinates that
+///        are not negative and sum up to one
+/// \param vector the tangent vector
 /// \param at_boundary whether the geodesic stops at the boundary or goes on along it; in the latter
 ///        case it stays on the boundary until its length is used up
 /// \param path an output iterator for `Edge_point`s: where the geodesic crosses an edge, the
@@ -48,33 +54,14 @@ namespace Intrinsic_triangulations {
 /// Complexity: linear in the faces passed, and the degrees of vertices hit.
 /// \throws Numerical_error if the angles at a vertex on the way have no positive finite sum, or the
 ///         length is so great that steps vanish beside it
-template <typename Surface, typename OutputIterator = CGAL::Emptyset_iterator>
-Geodesic<Length_of<Surface>> trace_geodesic(const Surface& surface, Vertex_index v,
+template <typename Surface, typename Source, typename OutputIterator = CGAL::Emptyset_iterator>
+Geodesic<Length_of<Surface>> trace_geodesic(const Surface& surface, const Source& source,
                                             const std::complex<Length_of<Surface>>& vector,
                                             At_boundary at_boundary = At_boundary::stop,
                                             OutputIterator path = OutputIterator())
 {
   return internal::Geodesic_tracer(internal::view_of(surface), at_boundary, path)
-    .from_vertex(v, vector);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// follows the geodesic that starts at the point `p` with a vector in the frame of its face, whose
-/// real axis is along `halfedge(p.first)`; otherwise as from a vertex.
-///
-/// From a point on an edge the vector may point out of the face. At a vertex its angle is measured
-/// from the sides of the face, on the surface, and may lead beyond the face too.
-/// \param surface, at_boundary, path as above
-/// \param p the start, with barycentric coordinates that are not negative and sum up to one
-/// \param vector the vector
-template <typename Surface, typename OutputIterator = CGAL::Emptyset_iterator>
-Geodesic<Length_of<Surface>>
-trace_geodesic(const Surface& surface, const Face_location<Length_of<Surface>>& p,
-               const std::complex<Length_of<Surface>>& vector,
-               At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
-{
-  return internal::Geodesic_tracer(internal::view_of(surface), at_boundary, path)
-    .from_point(p, vector);
+    .from(source, vector);
 }
 
 namespace internal {

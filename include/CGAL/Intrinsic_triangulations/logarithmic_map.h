@@ -18,6 +18,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -97,49 +98,27 @@ Vertex_index vertex_at(const Face_location<FT>& p, const Delta_complex& mesh)
   return Delta_complex::null_vertex();
 }
 
-inline bool is_vertex(Vertex_index, const Delta_complex&) { return true; }
+template <typename Source>
+constexpr bool is_vertex = std::is_same<Source, Vertex_index>::value;
 
-template <typename FT>
-bool is_vertex(const Face_location<FT>& p, const Delta_complex& mesh)
+template <typename Source>
+bool is_valid_source(const Source& source, const Delta_complex& mesh)
 {
-  return vertex_at(p, mesh) != Delta_complex::null_vertex();
-}
-
-// `source` is a vertex or a point that is none.
-template <typename EdgeLengthMap, typename Source, typename FT>
-Logarithm<FT> logarithm_at(const Surface_view<EdgeLengthMap>& surface, const Source& source,
-                           const Face_location<FT>& target)
-{
-  const Logarithm_of_path logarithm(surface, is_vertex(source, surface.mesh()));
-  const Vertex_index v = vertex_at(target, surface.mesh());
-  const bool to_vertex = v != Delta_complex::null_vertex();
-  Shortest_paths paths(surface, to_vertex ? Face_location<FT>() : target);
-  paths.start_at(source);
-  return logarithm(to_vertex ? paths.path_to(v) : paths.path_to_target());
-}
-
-template <typename EdgeLengthMap, typename Source>
-auto logarithms_at(const Surface_view<EdgeLengthMap>& surface, const Source& source)
-{
-  Shortest_paths paths(surface);
-  paths.start_at(source);
-  paths.run();
-  const Logarithm_of_path logarithm(surface, is_vertex(source, surface.mesh()));
-  std::vector<Logarithm<Length_of<Surface_view<EdgeLengthMap>>>> result(
-    surface.mesh().num_vertices());
-  for(Vertex_index v : surface.mesh().vertices())
-    result[v.idx()] = logarithm(paths[v]);
-  return result;
+  if constexpr(is_vertex<Source>)
+    return !mesh.is_isolated(source);
+  else
+    return vertex_at(source, mesh) == Delta_complex::null_vertex();
 }
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the logarithmic map at the vertex `v`: the shortest tangent vector that leads to
-/// `target`, with an angle normalized as in `Tangent_frames`.
+/// computes the logarithmic map at `source`: the shortest tangent vector that leads to `target`. At
+/// a vertex its angle is normalized as in `Tangent_frames`; at a point of a face the real axis is
+/// along `halfedge(source.first)`.
 ///
-/// The shortest path is found among all, by unfolding faces along the views from `v`, from edge
-/// lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at a
+/// The shortest path is found among all, by unfolding faces along the views from the source, from
+/// edge lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at a
 /// vertex with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary.
 /// Behind such a vertex there may be points to which no straight line leads. A straight path may
 /// touch the boundary, where `At_boundary::slide` leads on. Of several shortest paths any one is
@@ -149,53 +128,44 @@ auto logarithms_at(const Surface_view<EdgeLengthMap>& surface, const Source& sou
 /// with curvature may be traced to the wrong side of it (see `trace_geodesic()`).
 /// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///        and faces that meet themselves are allowed
-/// \param v the vertex, not isolated
+/// \param source a vertex that is not isolated, or a `Face_location` that is no vertex
 /// \param target a point with barycentric coordinates that are not negative and sum up to one
 /// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views
 /// up to the distance of `target`; these can be quadratic in the number of faces or more, but tend
 /// to be some dozens for each face within that distance.
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
-template <typename Surface>
-Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, Vertex_index v,
+template <typename Surface, typename Source>
+Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, const Source& source,
                                               const Face_location<Length_of<Surface>>& target)
 {
-  CGAL_precondition(!surface.mesh().is_isolated(v));
-  return internal::logarithm_at(internal::view_of(surface), v, target);
+  const Delta_complex& mesh = surface.mesh();
+  CGAL_precondition(internal::is_valid_source(source, mesh));
+  const auto view = internal::view_of(surface);
+  const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
+  const Vertex_index v = internal::vertex_at(target, mesh);
+  const bool to_vertex = v != Delta_complex::null_vertex();
+  internal::Shortest_paths paths(view, to_vertex ? Face_location<Length_of<Surface>>() : target);
+  paths.start_at(source);
+  return logarithm(to_vertex ? paths.path_to(v) : paths.path_to_target());
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the logarithmic map at the point `p` of a face, with a vector in the frame of this face,
-/// whose real axis is along `halfedge(p.first)`; otherwise as at a vertex.
-/// \param surface, target as above
-/// \param p a point that is no vertex, with coordinates as those of `target`
-template <typename Surface>
-Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface,
-                                              const Face_location<Length_of<Surface>>& p,
-                                              const Face_location<Length_of<Surface>>& target)
+/// computes the logarithmic map of all vertices, in a vector by their index; otherwise as above.
+template <typename Surface, typename Source>
+std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surface,
+                                                           const Source& source)
 {
-  CGAL_precondition(!internal::is_vertex(p, surface.mesh()));
-  return internal::logarithm_at(internal::view_of(surface), p, target);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the logarithmic map at the vertex `v` of all vertices, in a vector by their index;
-/// otherwise as above.
-template <typename Surface>
-std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surface, Vertex_index v)
-{
-  CGAL_precondition(!surface.mesh().is_isolated(v));
-  return internal::logarithms_at(internal::view_of(surface), v);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the logarithmic map at the point `p` of all vertices, in a vector by their index;
-/// otherwise as above.
-template <typename Surface>
-std::vector<Logarithm<Length_of<Surface>>>
-logarithmic_map(const Surface& surface, const Face_location<Length_of<Surface>>& p)
-{
-  CGAL_precondition(!internal::is_vertex(p, surface.mesh()));
-  return internal::logarithms_at(internal::view_of(surface), p);
+  const Delta_complex& mesh = surface.mesh();
+  CGAL_precondition(internal::is_valid_source(source, mesh));
+  const auto view = internal::view_of(surface);
+  internal::Shortest_paths paths(view);
+  paths.start_at(source);
+  paths.run();
+  const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
+  std::vector<Logarithm<Length_of<Surface>>> result(mesh.num_vertices());
+  for(Vertex_index v : mesh.vertices())
+    result[v.idx()] = logarithm(paths[v]);
+  return result;
 }
 
 } // namespace Intrinsic_triangulations

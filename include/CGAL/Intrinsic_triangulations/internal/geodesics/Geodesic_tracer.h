@@ -46,7 +46,7 @@ public:
     : m_surface(surface), m_mesh(surface.mesh()), m_at_boundary(at_boundary), m_path(path)
   {}
 
-  Geodesic<FT> from_vertex(Vertex_index v, const Vector& vector)
+  Geodesic<FT> from(Vertex_index v, const Vector& vector)
   {
     CGAL_precondition(!m_mesh.is_isolated(v));
     start(first_spoke(v, m_mesh), {FT(1), FT(0), FT(0)}, vector);
@@ -54,7 +54,7 @@ public:
     return trace();
   }
 
-  Geodesic<FT> from_point(const Face_location<FT>& p, const Vector& vector)
+  Geodesic<FT> from(const Face_location<FT>& p, const Vector& vector)
   {
     start(m_mesh.halfedge(p.first), p.second, vector);
     for(std::size_t k = 0; k < 3; ++k)

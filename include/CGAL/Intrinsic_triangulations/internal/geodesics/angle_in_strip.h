@@ -74,7 +74,7 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
       start.face.between(start.place, coordinates_from(start.axis, end.location, mesh)));
   const std::size_t first = start.number(exit(0), mesh);
   const std::size_t last = end.number(mesh.opposite(exit(n - 1)), mesh);
-  lay_out_strip(strip, mesh, tri.input_length_map(), exit, n,
+  lay_out_strip(strip, tri.input(), exit, n,
                 std::make_pair(start.place_beyond(first), end.place_beyond(last)));
   if(!tri.traits().is_length_object()(strip.length()))
     throw Numerical_error("the strip of edge " + std::to_string(tri.mesh().edge(h).idx()) +

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SPOKE_LENGTHS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SPOKE_LENGTHS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -64,8 +64,40 @@ typename Traits::FT distance_to_apex(const Triangulation_pair<Traits>& pair, Hal
                                   : distance_to_corner(pair, h, barycentric_coordinates(0, t), 2);
 }
 
+// The edge that takes the place of two at an inserted vertex which lie along one edge of T1.
+struct Merged_edge
+{
+  Halfedge_index side; // null if there are no such two
+  Delta_complex::size_type r_source, r_target;
+  bool is_constrained;
+};
+
+// \pre `v` has three spokes
+template <typename Traits>
+Merged_edge merged_edge(const Triangulation_pair<Traits>& pair, Vertex_index v)
+{
+  const Delta_complex& mesh = pair.mesh();
+  const auto& coordinates = pair.coordinates();
+  // `side` will lead from the target of the spoke `x` to that of the spoke `y`
+  const auto merge = [&](Halfedge_index x, Halfedge_index y, Halfedge_index side) -> Merged_edge {
+    return {side, coordinates.roundabout(opposite(x)), coordinates.roundabout(opposite(y)),
+            pair.is_constrained(Edge_index(x)) && pair.is_constrained(Edge_index(y))};
+  };
+  const Halfedge_index a = first_spoke(v, mesh);
+  if(mesh.is_border(v))
+    return merge(next_spoke(next_spoke(a, mesh), mesh), a, a);
+  Halfedge_index x = a;
+  do {
+    const Halfedge_index y = next_spoke(x, mesh);
+    if(coordinates.is_shared(Edge_index(x)) && coordinates.is_shared(Edge_index(y)))
+      return merge(x, y, mesh.next(x));
+    x = y;
+  } while(x != a);
+  return {};
+}
+
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SPOKE_LENGTHS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H
