@@ -53,8 +53,8 @@ public:
   /// returns the pair of \f$T^B\f$, as `input()`, and \f$T^C\f$, as `intrinsic()`, both with the
   /// lengths that belong to scale factors of zero.
   const Ideal_triangulation& ideal() const { return m_data->bc; }
-  /// returns a layer as a model of `IntrinsicSurface`; the lengths of \f$T^C\f$ are those that belong
-  /// to scale factors of zero.
+  /// returns a layer as a model of `IntrinsicSurface`; the lengths of \f$T^C\f$ are those that
+  /// belong to scale factors of zero.
   auto surface(Layer layer) const
   {
     return layer == Layer::A   ? m_data->ab.input()

@@ -152,8 +152,8 @@ public:
     return {inside.halfedge, face_location(inside, m_input)};
   }
 
-  /// returns the first of the two spokes of a vertex inserted on the edge of `along`, null if `along`
-  /// is null: the one on the boundary, or the first halfedge of its edge.
+  /// returns the first of the two spokes of a vertex inserted on the edge of `along`, null if
+  /// `along` is null: the one on the boundary, or the first halfedge of its edge.
   Halfedge_index first_inserted_spoke(Halfedge_index along) const
   {
     return along.is_valid()
@@ -188,8 +188,8 @@ public:
     return {spoke, spoke.is_valid() ? place_along(spoke, m_mesh.source(h)) : FT(0)};
   }
 
-  /// returns the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose source it
-  /// is unless it has been inserted. \pre it lies on the edge of `input`
+  /// returns the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose
+  /// source it is unless it has been inserted. \pre it lies on the edge of `input`
   FT place_along(Halfedge_index input, Vertex_index v) const
   {
     if(!is_inserted(v))
@@ -199,9 +199,9 @@ public:
     return input == m.along ? t : FT(1 - t);
   }
 
-  /// returns the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of `at.halfedge`,
-  /// which contains `v`, unless `v` lies inside a face. If `v` is a vertex of \f$T_1\f$, its place
-  /// is `at`.
+  /// returns the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of
+  /// `at.halfedge`, which contains `v`, unless `v` lies inside a face. If `v` is a vertex of
+  /// \f$T_1\f$, its place is `at`.
   Face_location<FT> input_location(Vertex_index v, const Edge_point<FT>& at) const
   {
     if(!is_inserted(v))
@@ -211,8 +211,9 @@ public:
     return face_location(Edge_point<FT>{at.halfedge, place_along(at.halfedge, v)}, m_input);
   }
 
-  /// returns the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into which
-  /// `h` leads, or which lies on its left if its edge is shared. \pre `h` is no border halfedge
+  /// returns the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into
+  /// which `h` leads, or which lies on its left if its edge is shared. \pre `h` is no border
+  /// halfedge
   Face_location<FT> input_location(Halfedge_index h) const
   {
     return input_location(m_mesh.source(h), {input_spoke_before(h), FT(0)});
@@ -247,8 +248,8 @@ public:
     return m_coordinates.shared_halfedge(h, m_mesh, m_spokes);
   }
 
-  /// returns the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around its
-  /// source; null if the source lies inside a face of \f$T_1\f$.
+  /// returns the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around
+  /// its source; null if the source lies inside a face of \f$T_1\f$.
   Halfedge_index input_spoke_before(Halfedge_index h) const
   {
     const Vertex_index v = m_mesh.source(h);

@@ -26,9 +26,9 @@ namespace Intrinsic_triangulations {
 /// this vector: the exponential map.
 ///
 /// At a vertex the angle of the vector is normalized as in `Tangent_frames`. At a point of a face
-/// the vector is in the frame of the face, whose real axis is along `halfedge(source.first)`. From a
-/// point on an edge it may point out of the face. At a corner its angle is measured from the sides
-/// of the face, on the surface, and may lead beyond the face too.
+/// the vector is in the frame of the face, whose real axis is along `halfedge(source.first)`. From
+/// a point on an edge it may point out of the face. At a corner its angle is measured from the
+/// sides of the face, on the surface, and may lead beyond the face too.
 ///
 /// In every face the geodesic is straight, and it runs straight from face to face. If it hits an
 /// interior vertex (to within `rounding_unit()`), it goes on with half of the angles there on
@@ -42,8 +42,8 @@ namespace Intrinsic_triangulations {
 ///
 /// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///        and faces that meet themselves are allowed
-/// \param source the start: a vertex that is not isolated, or a `Face_location` with coordinates that
-///        are not negative and sum up to one
+/// \param source the start: a vertex that is not isolated, or a `Face_location` with coordinates
+///        that are not negative and sum up to one
 /// \param vector the tangent vector
 /// \param at_boundary whether the geodesic stops at the boundary or goes on along it; in the latter
 ///        case it stays on the boundary until its length is used up

@@ -118,8 +118,8 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// along `halfedge(source.first)`.
 ///
 /// The shortest path is found among all, by unfolding faces along the views from the source, from
-/// edge lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at a
-/// vertex with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary.
+/// edge lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at
+/// a vertex with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary.
 /// Behind such a vertex there may be points to which no straight line leads. A straight path may
 /// touch the boundary, where `At_boundary::slide` leads on. Of several shortest paths any one is
 /// taken.

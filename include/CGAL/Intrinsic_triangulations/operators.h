@@ -44,8 +44,8 @@ auto cotan_weights(const Surface& surface)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the matrix \f$L\f$ of the Dirichlet energy: \f$u^T L u = \int |\nabla u|^2\f$ for every function
-/// \f$u\f$ that is linear on the faces. An edge that joins two vertices has the weight
+/// computes the matrix \f$L\f$ of the Dirichlet energy: \f$u^T L u = \int |\nabla u|^2\f$ for every
+/// function \f$u\f$ that is linear on the faces. An edge that joins two vertices has the weight
 /// \f$\frac{1}{2}(\cot\alpha + \cot\beta)\f$ with the angles opposite to it; parallel edges add up,
 /// and a loop contributes nothing. \f$L\f$ is symmetric and positive semidefinite, its kernel are
 /// the functions that are constant on every component. If the triangulation is Delaunay, weights
@@ -75,9 +75,9 @@ auto cotan_laplacian(const Surface& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the integrals \f$\int \varphi_i \varphi_j\f$ of products of hat functions (the consistent mass
-/// matrix). The sum of a row is the entry of `lumped_mass_matrix()`, and the row of an isolated (or
-/// removed) vertex is empty. Complexity: linear.
+/// computes the integrals \f$\int \varphi_i \varphi_j\f$ of products of hat functions (the
+/// consistent mass matrix). The sum of a row is the entry of `lumped_mass_matrix()`, and the row of
+/// an isolated (or removed) vertex is empty. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`; its faces may have zero area
 template <typename Surface>
 auto mass_matrix(const Surface& surface)
@@ -95,9 +95,9 @@ auto mass_matrix(const Surface& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the diagonal matrix of the integrals \f$\int \varphi_i\f$ of the hat functions, which are a
-/// third of the areas of the faces around each vertex. The row of an isolated (or removed) vertex
-/// is empty. Complexity: linear.
+/// computes the diagonal matrix of the integrals \f$\int \varphi_i\f$ of the hat functions, which
+/// are a third of the areas of the faces around each vertex. The row of an isolated (or removed)
+/// vertex is empty. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`; its faces may have zero area
 template <typename Surface>
 auto lumped_mass_matrix(const Surface& surface)
@@ -114,10 +114,9 @@ auto lumped_mass_matrix(const Surface& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the matrix that takes the values of a function at the vertices to its gradients on the faces.
-/// Rows
-/// \f$2f\f$ and \f$2f+1\f$ are the components in the frame of face \f$f\f$, whose x-axis leads
-/// along `halfedge(f)` and whose y-axis points into the face. Complexity: linear.
+/// computes the matrix that takes the values of a function at the vertices to its gradients on the
+/// faces. Rows \f$2f\f$ and \f$2f+1\f$ are the components in the frame of face \f$f\f$, whose
+/// x-axis leads along `halfedge(f)` and whose y-axis points into the face. Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`
 /// \throws Numerical_error if the area of a face is zero or out of range
 template <typename Surface>
@@ -138,11 +137,11 @@ auto gradient_matrix(const Surface& surface)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// computes the matrix that takes a vector field that is constant on every face, with components as in
-/// `gradient_matrix()`, to its divergence integrated against the hat functions:
-/// \f$-\int \langle X, \nabla\varphi_i\rangle\f$. Its product with the gradient is
-/// \f$-L\f$, up to rounding (`cotan_laplacian()`). At the boundary, what flows out of the surface
-/// is subtracted. Complexity: linear.
+/// computes the matrix that takes a vector field that is constant on every face, with components as
+/// in `gradient_matrix()`, to its divergence integrated against the hat functions:
+/// \f$-\int \langle X, \nabla\varphi_i\rangle\f$. Its product with the gradient is \f$-L\f$, up to
+/// rounding (`cotan_laplacian()`). At the boundary, what flows out of the surface is subtracted.
+/// Complexity: linear.
 /// \param surface a model of `IntrinsicSurface`; its faces may have zero area
 template <typename Surface>
 auto divergence_matrix(const Surface& surface)
