@@ -426,7 +426,7 @@ TEST(Planar_conformal_map, does_not_depend_on_the_triangulation)
     std::vector<std::pair<Complex, Complex>> images;
     for(int i = 0; i < 500; ++i) {
       const Location p = random_location(t.input_mesh(), random);
-      images.emplace_back(one(p), two(IT::point_across(Side::input, p, correspondence)));
+      images.emplace_back(one(p), two(IT::point_across(correspondence, Side::input, p)));
     }
     const auto far = std::max_element(images.begin(), images.end(), [&](auto& a, auto& b) {
       return std::abs(a.first - images[0].first) < std::abs(b.first - images[0].first);

@@ -242,8 +242,7 @@ TEST(Prolongation, RestrictionIsAMeanThatKeepsIntegrals)
   const Eigen::SparseMatrix<double> r = IS::restriction_matrix(p, map);
   EXPECT_LT((r * Eigen::VectorXd::Ones(200) - Eigen::VectorXd::Ones(20)).cwiseAbs().maxCoeff(),
             1e-14);
-  const Eigen::SparseMatrix<double> mass =
-    IT::lumped_mass_matrix(s.fine.mesh(), s.fine.length_map());
+  const Eigen::SparseMatrix<double> mass = IT::lumped_mass_matrix(s.fine);
   const Eigen::VectorXd fine_mass = mass.diagonal(), coarse_mass = p.transpose() * fine_mass;
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(200, -1, 3);
   EXPECT_NEAR(coarse_mass.dot(r * x), fine_mass.dot(x), 1e-12);

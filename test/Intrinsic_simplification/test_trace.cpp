@@ -206,7 +206,7 @@ TEST(Trace, AfterFlipsAgreesWithIntegerCoordinates)
       std::multiset<Crossed> expected, found;
       for(Halfedge_index h : tri.mesh().halfedges()) {
         std::vector<Edge_index> crossed;
-        const auto trace = IT::trace_intrinsic_edge(h, tri);
+        const auto trace = IT::trace_intrinsic_edge(tri, h);
         for(std::size_t n = 1; n + 1 < trace.size(); ++n)
           crossed.push_back(tri.input_mesh().edge(trace[n].on_input.halfedge));
         expected.insert({tri.mesh().source(h), tri.mesh().target(h), crossed});

@@ -119,7 +119,7 @@ void check_recomputed_lengths(const Mesh& mesh)
     if(n == 0)
       continue;
     const auto exit = [&](std::size_t m) { return input.opposite(crossings(e, m)); };
-    IT::internal::lay_out_strip(strip, input, length, exit, n);
+    IT::internal::lay_out_strip(strip, IT::Surface_view(input, length), exit, n);
     EXPECT_NEAR(double(t.length(e) / strip.length()), 1, 4e-15 * double(n + 1)) << n;
   }
 }

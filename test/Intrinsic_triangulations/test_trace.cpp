@@ -101,8 +101,8 @@ void check_traces(const Triangulation& t)
       check_faces(side, trace, t);
       check_order(side, h, trace);
       check_lengths(side, h, trace, t);
-      expect_same(trace, side == Side::input ? IT::trace_input_edge(h, t)
-                                             : IT::trace_intrinsic_edge(h, t));
+      expect_same(trace, side == Side::input ? IT::trace_input_edge(t, h)
+                                             : IT::trace_intrinsic_edge(t, h));
     }
 }
 

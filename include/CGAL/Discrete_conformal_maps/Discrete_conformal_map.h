@@ -48,11 +48,19 @@ public:
   /// a point of the input.
   typedef Intrinsic_triangulations::Face_location<double> Face_location;
 
-  /// \f$T^A\f$ (as `input_mesh()`) and \f$T^B\f$.
+  /// returns the pair of \f$T^A\f$, as `input()`, and \f$T^B\f$, as `intrinsic()`.
   const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
-  /// \f$T^B\f$ (as `input_mesh()`) and \f$T^C\f$, both with the lengths that belong to scale
-  /// factors of zero.
+  /// returns the pair of \f$T^B\f$, as `input()`, and \f$T^C\f$, as `intrinsic()`, both with the
+  /// lengths that belong to scale factors of zero.
   const Ideal_triangulation& ideal() const { return m_data->bc; }
+  /// returns a layer as a model of `IntrinsicSurface`; the lengths of \f$T^C\f$ are those that
+  /// belong to scale factors of zero.
+  auto surface(Layer layer) const
+  {
+    return layer == Layer::A   ? m_data->ab.input()
+           : layer == Layer::B ? m_data->ab.intrinsic()
+                               : m_data->bc.intrinsic();
+  }
   /// the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
@@ -85,8 +93,8 @@ public:
   Face_location place_on_C(const Face_location& p) const
   {
     using Intrinsic_triangulations::Side;
-    const Face_location on_B = point_across(Side::input, p, *m_data->correspondence_ab);
-    return point_across(Side::input, on_B, *m_data->correspondence_bc);
+    const Face_location on_B = point_across(*m_data->correspondence_ab, Side::input, p);
+    return point_across(*m_data->correspondence_bc, Side::input, on_B);
   }
 
 private:

@@ -30,7 +30,8 @@ namespace Intrinsic_simplification {
 /// a surface from which vertices are removed, with the history that maps points of the surface as
 /// it was to points of the surface as it is.
 ///
-/// Elements keep their numbers; removed ones leave gaps. Vertices have the numbers of the input.
+/// Elements keep their indices; removed ones leave gaps. Vertices have the indices of the input.
+/// \cgalModels `IntrinsicSurface`
 class Evolving_surface
 {
 public:
@@ -57,8 +58,10 @@ public:
 
   /// the connectivity and the lengths at present.
   const Intrinsic_surface& surface() const { return m_surface; }
-  /// the connectivity at present.
+  /// returns the connectivity at present.
   const Delta_complex& mesh() const { return m_surface.mesh(); }
+  /// returns the lengths of the edges at present.
+  Intrinsic_surface::Length_map length_map() const { return m_surface.length_map(); }
 
   /// all that has been done.
   const Surface_history& history() const { return m_history; }

@@ -50,6 +50,7 @@ constexpr double pi = 3.14159265358979323846;
 /// frame of a vertex stays what it is.
 ///
 /// Memory besides the connectivity: 8 bytes for each edge and 16 for each halfedge.
+/// \cgalModels `IntrinsicSurface`
 class Intrinsic_surface
 {
 public:
@@ -80,7 +81,7 @@ public:
         m_is_constrained[e] = 1;
       }
     }
-    const IT::Tangent_frames<double> frames(m_mesh, length_map());
+    const IT::Tangent_frames<double> frames(*this);
     for(Halfedge_index h : m_mesh.halfedges())
       m_direction.push_back(std::polar(1., frames.angle(h)));
   }
@@ -95,7 +96,7 @@ public:
   double length(Edge_index e) const { return m_length[e]; }
   /// the length of the edge of `h`.
   double length(Halfedge_index h) const { return m_length[m_mesh.edge(h)]; }
-  /// the lengths of all edges.
+  /// returns the lengths of all edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
 
   /// the direction in which `h` leaves its source, a number of absolute value one.

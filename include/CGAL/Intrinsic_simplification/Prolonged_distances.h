@@ -26,9 +26,8 @@ namespace internal {
 template <typename Source>
 Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& level)
 {
-  const Surface_level::Length_map length = level.length_map();
-  Intrinsic_triangulations::internal::Shortest_paths<Surface_level::Length_map> paths(level.mesh(),
-                                                                                      length);
+  Intrinsic_triangulations::internal::Shortest_paths paths{
+    Intrinsic_triangulations::internal::view_of(level)};
   paths.start_at(source);
   paths.run();
   Eigen::VectorXd result(static_cast<Eigen::Index>(level.mesh().num_vertices()));

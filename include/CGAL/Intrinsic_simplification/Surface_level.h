@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a copy of an evolving surface as it is at one time, with elements numbered without gaps, in the
-/// same order. Several make a hierarchy.
+/// a copy of an evolving surface as it is at one time, with elements numbered without gaps, in
+/// their order. Several make a hierarchy.
+/// \cgalModels `IntrinsicSurface`
 class Surface_level
 {
 public:
@@ -31,19 +32,18 @@ public:
 
   /// copies the present state. Complexity: linear in the numbers that have been used for elements.
   explicit Surface_level(const Evolving_surface& surface)
-    : Surface_level(surface.history().size(), surface.mesh(), surface.surface().length_map())
+    : Surface_level(surface, surface.history().size())
   {}
 
-  /// copies a surface of which connectivity and lengths are known.
+  /// copies a surface.
+  /// \param surface a model of `IntrinsicSurface`; removed elements leave gaps in the indices
   /// \param time the number of operations that have led to it
-  /// \param mesh the connectivity; removed elements leave gaps in the numbers
-  /// \param length a readable property map from edges to their lengths
   /// Complexity: linear in the numbers that have been used for elements.
-  template <typename EdgeLengthMap>
-  Surface_level(Surface_history::Time time, const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_time(time)
+  template <typename Surface>
+  Surface_level(const Surface& surface, Surface_history::Time time) : m_time(time)
   {
     namespace IT = Intrinsic_triangulations;
+    const Delta_complex& mesh = surface.mesh();
     m_mesh.resize(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
     IT::internal::with_numbering(mesh, [&](const auto& numbering) {
       IT::internal::copy_connectivity(mesh, numbering, m_mesh);
@@ -51,16 +51,16 @@ public:
     m_surface_vertex.assign(mesh.vertices().begin(), mesh.vertices().end());
     m_surface_face.assign(mesh.faces().begin(), mesh.faces().end());
     for(Edge_index e : mesh.edges())
-      m_length.push_back(get(length, e));
+      m_length.push_back(get(surface.length_map(), e));
   }
 
   /// how many operations had been done.
   Surface_history::Time time() const { return m_time; }
 
-  /// the connectivity.
+  /// returns the connectivity.
   const Delta_complex& mesh() const { return m_mesh; }
 
-  /// the lengths of the edges.
+  /// returns the lengths of the edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
 
   /// an intrinsic triangulation with \f$T_1 = T_2\f$. Complexity: linear.

@@ -80,7 +80,7 @@ public:
       throw Intrinsic_triangulations::Invalid_input("the first level is no triangulated surface");
     for(Edge_index e : m_mesh.edges())
       check(is_length(length[e]), "a length is not positive and finite");
-    m_result.levels.emplace_back(Surface_history::Time(0), m_mesh, length);
+    m_result.levels.emplace_back(Intrinsic_triangulations::Surface_view(m_mesh, length), 0);
     const std::size_t levels = count();
     for(std::size_t n = 0; n < levels; ++n)
       read_level();
@@ -122,8 +122,9 @@ private:
       check(is_length(length[e]), "a length is not positive and finite");
       m_lines.end_line();
     }
-    m_result.levels.emplace_back(m_result.history.size(), m_mesh,
-                                 Surface_level::Length_map(length.data()));
+    m_result.levels.emplace_back(
+      Intrinsic_triangulations::Surface_view(m_mesh, Surface_level::Length_map(length.data())),
+      m_result.history.size());
   }
 
   void read_operation()
@@ -215,8 +216,7 @@ inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& his
   using namespace Intrinsic_triangulations::internal;
   CGAL_precondition(!levels.empty() && levels.front()->time() == 0);
   os << internal::hierarchy_header << '\n';
-  const Surface_level& first = *levels.front();
-  write_complex(os, first.mesh(), first.length_map(), [](Edge_index) { return std::string(); });
+  write_complex(os, *levels.front(), [](Edge_index) { return std::string(); });
   write_line(os, levels.size() - 1);
   for(std::size_t n = 1; n < levels.size(); ++n) {
     const Surface_history::Time start = levels[n - 1]->time(), end = levels[n]->time();

@@ -60,8 +60,7 @@ inline Eigen::SparseMatrix<double>
 restriction_matrix(const Eigen::SparseMatrix<double>& prolongation, const Surface_map& map)
 {
   const Surface_level &fine = map.fine(), &coarse = map.coarse();
-  const Eigen::SparseMatrix<double> mass =
-    Intrinsic_triangulations::lumped_mass_matrix(fine.mesh(), fine.length_map());
+  const Eigen::SparseMatrix<double> mass = Intrinsic_triangulations::lumped_mass_matrix(fine);
   Eigen::SparseMatrix<double, Eigen::RowMajor> result = prolongation.transpose() * mass;
   for(Vertex_index v : coarse.mesh().vertices()) {
     const int row = static_cast<int>(v.idx());

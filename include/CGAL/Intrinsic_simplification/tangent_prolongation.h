@@ -92,7 +92,7 @@ private:
 
   Flat_face flat_face(Face_index f) const
   {
-    return Flat_face(m_coarse.halfedge(f), m_coarse, m_map.coarse().length_map());
+    return Flat_face(m_coarse.halfedge(f), m_map.coarse());
   }
 
   static std::array<double, 3> coordinates(const Face_point& p)

@@ -66,7 +66,7 @@ public:
   /// \throws Numerical_error if the angles at a vertex have no positive finite sum, or if the
   ///         layout of an edge has no positive finite length
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
-  explicit Angular_coordinates(const Triangulation& tri) : m_tri(tri), m_frames(Side::input, tri)
+  explicit Angular_coordinates(const Triangulation& tri) : m_tri(tri), m_frames(tri.input())
   {
     recompute();
   }
@@ -224,10 +224,7 @@ private:
     return angle < 0 ? angle + turn : angle < turn ? angle : angle - turn;
   }
 
-  FT corner(Halfedge_index h) const
-  {
-    return internal::angle_at_source(h, m_tri.mesh(), m_tri.length_map());
-  }
+  FT corner(Halfedge_index h) const { return internal::angle_at_source(h, m_tri); }
 
   // What the corners on either side of `h` lack of the angle between its neighbors is shared out.
   FT angle_between_neighbors(Halfedge_index h) const

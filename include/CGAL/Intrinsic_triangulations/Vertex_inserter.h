@@ -221,8 +221,7 @@ private:
   FT foot_on_chord(const Coordinates& begin, const Coordinates& end,
                    const Face_location<FT>& p) const
   {
-    const internal::Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri.mesh(),
-                                       m_tri.length_map());
+    const internal::Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri);
     const auto chord = face.between(begin, end);
     const FT square = internal::dot(chord, chord);
     return square > 0 ? internal::dot(chord, face.between(begin, p.second)) / square : FT(0);
@@ -350,9 +349,8 @@ private:
   FT excess_at_source(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh();
-    return internal::angle_at_source(h, mesh, m_tri.length_map()) +
-           internal::angle_at_source(mesh.next(mesh.opposite(h)), mesh, m_tri.length_map()) -
-           FT(CGAL_PI);
+    return internal::angle_at_source(h, m_tri) +
+           internal::angle_at_source(mesh.next(mesh.opposite(h)), m_tri) - FT(CGAL_PI);
   }
 
   bool can_be_flipped(Halfedge_index h) const

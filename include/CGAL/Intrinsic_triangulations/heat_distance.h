@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
@@ -18,8 +18,6 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -57,8 +55,8 @@ public:
 
   /// prepares for distances on a surface. Complexity: two sparse Cholesky factorizations.
   ///
-  /// \param mesh the surface, with any number of components, with or without boundary
-  /// \param length a readable property map from its edges to their lengths
+  /// \param surface a model of `IntrinsicSurface`, with any number of components, with or without
+  ///   boundary
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{time_step_factor}
@@ -70,21 +68,13 @@ public:
   /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves a
   ///         matrix without a factorization
   /// \throws Invalid_input if the factor is not positive and finite
-  template <typename EdgeLengthMap,
-            typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  Heat_distance(const Delta_complex& mesh, const EdgeLengthMap& length,
-                const NamedParameters& np = CGAL::parameters::default_values())
-    : m_flow(mesh, length, np),
-      m_gradient(gradient_matrix(mesh, length)),
-      m_divergence(divergence_matrix(mesh, length)),
-      m_poisson(mesh, length)
-  {}
-
-  /// prepares for distances on one of the two triangulations of `tri`; otherwise as above.
-  template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  Heat_distance(Side side, const Intrinsic_triangulation<Traits>& tri,
-                const NamedParameters& np = CGAL::parameters::default_values())
-    : Heat_distance(internal::mesh_of(side, tri), internal::lengths_of(side, tri), np)
+  template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Heat_distance(const Surface& surface,
+                         const NamedParameters& np = CGAL::parameters::default_values())
+    : m_flow(surface, np),
+      m_gradient(gradient_matrix(surface)),
+      m_divergence(divergence_matrix(surface)),
+      m_poisson(surface)
   {}
 
   /// computes the distance of every vertex to the nearest source. On each component the least value
@@ -138,28 +128,16 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes the geodesic distance of every vertex to the nearest source (see `Heat_distance`).
 /// Complexity: two sparse Cholesky factorizations.
-/// \param mesh the surface
-/// \param length a readable property map from its edges to their lengths
+/// \param surface a model of `IntrinsicSurface`
 /// \param sources a vertex or a range of vertices
 /// \param np as for `Heat_distance`
 /// \throws Numerical_error, Invalid_input as `Heat_distance`
-template <typename EdgeLengthMap, typename Sources,
+template <typename Surface, typename Sources,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-auto heat_distance(const Delta_complex& mesh, const EdgeLengthMap& length, const Sources& sources,
+auto heat_distance(const Surface& surface, const Sources& sources,
                    const NamedParameters& np = CGAL::parameters::default_values())
 {
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
-  return Heat_distance<FT>(mesh, length, np).distances(sources);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits, typename Sources,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-auto heat_distance(Side side, const Intrinsic_triangulation<Traits>& tri, const Sources& sources,
-                   const NamedParameters& np = CGAL::parameters::default_values())
-{
-  return heat_distance(internal::mesh_of(side, tri), internal::lengths_of(side, tri), sources, np);
+  return Heat_distance<Length_of<Surface>>(surface, np).distances(sources);
 }
 
 } // namespace Intrinsic_triangulations

@@ -8,7 +8,6 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -37,7 +36,7 @@ interpolation_weights(Side side, Vertex_index v,
                       const Intrinsic_triangulation<Traits>& tri)
 {
   typedef typename Traits::FT FT;
-  const Delta_complex& mesh = mesh_of(side, tri);
+  const Delta_complex& mesh = tri.surface(side).mesh();
   if(v.idx() < mesh.number_of_vertices())
     return {1, {v}, {FT(1)}};
   if(subdivision.is_intrinsic_vertex(v) && !tri.inserted_vertex(v).along.is_valid()) {

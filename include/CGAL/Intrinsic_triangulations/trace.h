@@ -153,7 +153,7 @@ Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
 /// \throws Numerical_error if the layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
-trace_input_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+trace_input_edge(const Intrinsic_triangulation<Traits>& tri, Halfedge_index h)
 {
   return internal::scaled_input_trace(h, tri).points;
 }
@@ -217,7 +217,7 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
 /// \throws Numerical_error if a layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
-trace_intrinsic_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+trace_intrinsic_edge(const Intrinsic_triangulation<Traits>& tri, Halfedge_index h)
 {
   return internal::scaled_intrinsic_trace(h, tri).points;
 }

@@ -12,12 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-
-#ifdef CGAL_USE_MPFR
-#include <boost/multiprecision/mpfr.hpp>
-#else
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#endif
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,22 +23,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-#ifdef CGAL_USE_MPFR // many times as fast
-template <unsigned int digits>
-using Extended_backend =
-  boost::multiprecision::mpfr_float_backend<digits, boost::multiprecision::allocate_stack>;
-#else
-template <unsigned int digits>
-using Extended_backend = boost::multiprecision::cpp_bin_float<digits>;
-#endif
-
-// takes over where double has too few digits
-typedef boost::multiprecision::number<Extended_backend<34>, boost::multiprecision::et_off> Extended;
-
-// takes over from that where errors grow on very long ways
-typedef boost::multiprecision::number<Extended_backend<115>, boost::multiprecision::et_off>
-  More_extended;
 
 // The scale factors of a doubled problem, with faces of the geometry of `Triangle`.
 template <template <typename> class Triangle>

@@ -121,7 +121,7 @@ private:
         sector = FT(0);
       }
       if(!mesh.is_border(h))
-        sector += angle_at_source(h, mesh, m_tri.length_map());
+        sector += angle_at_source(h, m_tri);
     });
     if(mesh.is_border(v))
       return least;
