@@ -68,7 +68,7 @@ std::vector<double> interpolated(const std::vector<double>& values, const Subdiv
                                  const Triangulation& triangulation)
 {
   std::vector<double> result(subdivision.mesh().number_of_vertices());
-  IT::interpolate(IT::Side::intrinsic, subdivision, triangulation,
+  IT::interpolate(IT::Side::intrinsic, subdivision,
                   boost::make_iterator_property_map(values.begin(),
                                                     get(boost::vertex_index, triangulation.mesh())),
                   boost::make_iterator_property_map(result.begin(),

@@ -333,7 +333,7 @@ TEST(Heat_distance, on_the_common_subdivision)
   const auto value = boost::make_function_property_map<Vertex_index>(
     [&](Vertex_index v) { return distance[v.idx()]; });
   std::vector<double> there(subdivision.mesh().number_of_vertices());
-  IT::interpolate(Side::intrinsic, subdivision, t, value,
+  IT::interpolate(Side::intrinsic, subdivision, value,
                   boost::make_iterator_property_map(there.begin(), boost::identity_property_map()));
   for(Vertex_index v : mesh.vertices())
     EXPECT_EQ(there[v.idx()], distance[v.idx()]);

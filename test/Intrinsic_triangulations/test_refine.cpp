@@ -463,7 +463,7 @@ std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
   std::vector<Point> result(s.mesh().number_of_vertices());
   const auto result_map =
     boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, s.mesh()));
-  IT::interpolate(Side::input, s, t, mesh.points(), result_map);
+  IT::interpolate(Side::input, s, mesh.points(), result_map);
   result.resize(t.mesh().number_of_vertices());
   return result;
 }

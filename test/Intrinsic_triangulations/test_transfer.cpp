@@ -70,8 +70,8 @@ double integral_of_product(const Values& on_input, const Values& on_intrinsic,
   Subdivision s(c);
   s.triangulate();
   const Flat_faces faces(Side::input, t);
-  const Values u = IT::interpolation_matrix(Side::input, s, t) * on_input;
-  const Values v = IT::interpolation_matrix(Side::intrinsic, s, t) * on_intrinsic;
+  const Values u = IT::interpolation_matrix(Side::input, s) * on_input;
+  const Values v = IT::interpolation_matrix(Side::intrinsic, s) * on_intrinsic;
   double sum = 0;
   for(Face_index f : s.mesh().faces()) {
     std::vector<Vertex_index> corner;
@@ -134,7 +134,7 @@ TEST(Transfer, interpolation_matrices)
     const Correspondence c(t.triangulation);
     const Subdivision s(c);
     for(Side side : both_sides) {
-      const Matrix m = IT::interpolation_matrix(side, s, t.triangulation);
+      const Matrix m = IT::interpolation_matrix(side, s);
       EXPECT_EQ(m.rows(), Eigen::Index(s.mesh().number_of_vertices()));
       EXPECT_EQ(m.cols(), Eigen::Index(t.triangulation.mesh().number_of_vertices()));
       EXPECT_LT(largest(m * ones(m) - Values::Constant(m.rows(), 1)), 1e-15);

@@ -112,7 +112,7 @@ public:
     if(!is_seam(Edge_index(h)))
       return {};
     const Disk_motion<>& motion = m_gluing[m_seam[Edge_index(h).idx()]];
-    return h.idx() % 2 == 0 ? motion : motion.inverse();
+    return Intrinsic_triangulations::is_first_halfedge(h) ? motion : motion.inverse();
   }
 
   /// how far faces are from closing up around vertices without cones, seen from the origin: the

@@ -236,7 +236,7 @@ private:
     for(Halfedge_index h : cut.relation(c)) {
       const auto i = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), Edge_index(h)) -
                                               edges.begin());
-      const bool is_inverse = h.idx() % 2 == 1;
+      const bool is_inverse = !Intrinsic_triangulations::is_first_halfedge(h);
       group.relation.push_back({i, is_inverse});
       product = product * (is_inverse ? motion[i].inverse() : motion[i]);
     }

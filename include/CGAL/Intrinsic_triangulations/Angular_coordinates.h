@@ -99,12 +99,9 @@ public:
     const internal::Input_crossings crossings(m_tri.coordinates(), mesh, m_tri.spokes());
     m_angle.resize(mesh.num_halfedges());
     for(Halfedge_index h : mesh.halfedges()) {
-      const Edge_index e = mesh.edge(h);
-      const std::size_t n = crossings.count(e);
-      const bool is_first = h.idx() % 2 == 0;
-      m_angle[h.idx()] = angle_in_strip(h, n, [&](std::size_t m) {
-        return is_first ? m_tri.input_mesh().opposite(crossings(e, m)) : crossings(e, n - 1 - m);
-      });
+      const std::size_t n = crossings.count(mesh.edge(h));
+      m_angle[h.idx()] =
+        angle_in_strip(h, n, [&](std::size_t m) { return opposite(crossings(h, m)); });
     }
   }
 

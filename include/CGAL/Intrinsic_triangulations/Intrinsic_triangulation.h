@@ -228,8 +228,8 @@ public:
     std::vector<FT> lengths(m_mesh.num_edges());
     typename Traits::Geodesic_strip strip;
     for(Edge_index e : m_mesh.edges()) {
-      const Halfedge_index h(2 * e.idx());
-      const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(e, m)); };
+      const Halfedge_index h = first_halfedge(e);
+      const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(h, m)); };
       lengths[e] = m_coordinates.is_shared(e) ? shared_length(h)
                    : crossings.count(e) == 0  ? length_in_face(h)
                                               : lay_out(strip, h, exit, crossings.count(e));

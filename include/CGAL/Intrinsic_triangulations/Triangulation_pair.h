@@ -265,8 +265,8 @@ public:
   /// its halfedges and `end` on the other; the result is bitwise equal from both sides.
   FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
   {
-    const bool is_even = start.halfedge.idx() % 2 == 0;
-    const FT &first = is_even ? start.t : end.t, &last = is_even ? end.t : start.t;
+    const bool is_first = is_first_halfedge(start.halfedge);
+    const FT &first = is_first ? start.t : end.t, &last = is_first ? end.t : start.t;
     const FT& length = m_input_length[m_input.edge(start.halfedge)];
     return first == 0 && last == 0 ? length : FT((1 - last - first) * length);
   }

@@ -31,22 +31,20 @@ namespace Intrinsic_triangulations {
 /// one and have at most three entries, which are not negative. Complexity: linear.
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision
-/// \param tri the triangulation of which it is the subdivision
-template <typename Traits, typename Point>
-Eigen::SparseMatrix<typename Traits::FT>
-interpolation_matrix(Side side, const Common_subdivision<Traits, Point>& subdivision,
-                     const Intrinsic_triangulation<Traits>& tri)
+/// \tparam Subdivision a class derived from `Subdivision_base`
+template <typename Subdivision>
+Eigen::SparseMatrix<typename Subdivision::FT>
+interpolation_matrix(typename Subdivision::Side side, const Subdivision& subdivision)
 {
-  typedef typename Traits::FT FT;
-  const Delta_complex& mesh = tri.surface(side).mesh();
+  typedef typename Subdivision::FT FT;
   const std::size_t rows = subdivision.mesh().number_of_vertices();
   internal::Sparse_assembly<FT> assembly(2 * rows);
   for(Vertex_index v : subdivision.mesh().vertices()) {
-    const auto w = internal::interpolation_weights(side, v, subdivision, tri);
+    const auto w = subdivision.weights(side, v);
     for(std::size_t c = 0; c < w.size; ++c)
       assembly.add(v, w.vertex[c], w.weight[c]);
   }
-  return assembly.matrix(rows, mesh.number_of_vertices());
+  return assembly.matrix(rows, subdivision.mesh(side).number_of_vertices());
 }
 
 namespace internal {

@@ -57,10 +57,9 @@ public:
   // It leads from the mirrored target to the mirrored source.
   Halfedge_index mirrored(Halfedge_index h) const
   {
+    using namespace Intrinsic_triangulations;
     const Edge_index e(h);
-    const bool is_border = m_half.is_border(e);
-    return is_border ? m_half.opposite(h)
-                     : Halfedge_index(2 * m_edge[e.idx()].idx() + 1 - h.idx() % 2);
+    return opposite(m_half.is_border(e) ? h : directed_as(h, first_halfedge(m_edge[e.idx()])));
   }
 
 private:
