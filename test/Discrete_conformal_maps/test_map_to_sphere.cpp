@@ -324,16 +324,16 @@ TEST(map_to_sphere, is_continuous_on_the_subdivision)
   for(Halfedge_index h : subdivision.mesh().halfedges()) {
     const Vertex_index v = subdivision.mesh().target(h);
     const Position p =
-      Spherical_conformal_map::project(map.homogeneous_coordinates(subdivision.place_on_C(h)));
+      Spherical_conformal_map::project(map.homogeneous_coordinates(subdivision.location(Layer::C, h)));
     if(is_set[v]) {
       EXPECT_LT(distance(p, image[v]), 1e-12);
     }
     image[v] = p;
     is_set[v] = 1;
-    if(subdivision.is_input_vertex(v)) {
+    if(subdivision.is_vertex(Layer::A, v)) {
       EXPECT_LT(distance(p, map.position(v)), 1e-15);
     }
-    EXPECT_LT(distance(map(subdivision.place_on_A(v)), p), 1e-9);
+    EXPECT_LT(distance(map(subdivision.place(Layer::A, v).location), p), 1e-9);
   }
   // faces cover the sphere without folds
   for(Face_index f : subdivision.mesh().faces()) {

@@ -242,7 +242,7 @@ void check_subdivision(const Hyperbolic_conformal_map& map)
   const double tolerance = 1e-13 * std::exp(map.radius());
   const auto image = [&](Halfedge_index h) {
     return Hyperbolic_conformal_map::to_disk(
-      map.homogeneous_coordinates(subdivision.place_on_C(h)));
+      map.homogeneous_coordinates(subdivision.location(DC::Layer::C, h)));
   };
   for(Edge_index e : mesh.edges()) {
     const Edge_index c = subdivision.parent_edge(DC::Layer::C, e);
@@ -502,8 +502,8 @@ TEST(Uniformize_hyperbolic, maps_points_as_the_subdivision_does)
     Halfedge_index h = subdivision.mesh().halfedge(f);
     for(int i = 0; i < 3; ++i, h = subdivision.mesh().next(h)) {
       const Location p =
-        on_face(map, middle.first, subdivision.place_on_A(subdivision.mesh().target(h)));
-      const auto z = map.homogeneous_coordinates(subdivision.place_on_C(h));
+        on_face(map, middle.first, subdivision.place(DC::Layer::A, subdivision.mesh().target(h)).location);
+      const auto z = map.homogeneous_coordinates(subdivision.location(DC::Layer::C, h));
       for(std::size_t k = 0; k < 3; ++k) {
         middle.second[k] += p.second[k] / 3;
         sum[k] += z[k];

@@ -88,7 +88,7 @@ public:
   }
 
   /// the place of a point of the input on \f$T^C\f$: a face and weights of its corners, as
-  /// `Triple_subdivision::place_on_C()` gives them (Section 4.2.3).
+  /// `Triple_subdivision::location()` gives them (Section 4.2.3).
   /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
   Face_location place_on_C(const Face_location& p) const
   {

@@ -61,7 +61,7 @@ public:
   /// the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear on the
   /// faces of the common subdivision.
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
-  ///        `Triple_subdivision::place_on_C()` gives
+  ///        `Triple_subdivision::location()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
   {
     const Delta_complex& mesh = ideal().mesh();

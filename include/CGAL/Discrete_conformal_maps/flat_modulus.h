@@ -68,7 +68,7 @@ inline double boundary_length(const Planar_conformal_map& map)
     return map.is_front(subdivision.parent_face(Layer::A, mesh.face(h)));
   };
   const auto image = [&](Halfedge_index h) {
-    const auto z = map.homogeneous_coordinates(subdivision.place_on_C(h));
+    const auto z = map.homogeneous_coordinates(subdivision.location(Layer::C, h));
     return std::complex<double>(z[0], z[1]) / z[2];
   };
   double result = 0;

@@ -203,7 +203,7 @@ private:
       const Face_index f = subdivision.mesh().face(h);
       if(!f.is_valid() || !m_map.is_front(subdivision.parent_face(Layer::A, f)))
         continue;
-      const auto z = m_map.homogeneous_coordinates(subdivision.place_on_C(h));
+      const auto z = m_map.homogeneous_coordinates(subdivision.location(Layer::C, h));
       points[component(subdivision.parent_face(Layer::C, f))].emplace_back(z[0] / z[2],
                                                                            z[1] / z[2]);
     }
