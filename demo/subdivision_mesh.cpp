@@ -12,7 +12,8 @@ Vertex_kind kind(const Subdivision& subdivision, IT::Vertex_index v)
 {
   if(subdivision.is_vertex(IT::Side::input, v))
     return Vertex_kind::input;
-  return subdivision.is_vertex(IT::Side::intrinsic, v) ? Vertex_kind::inserted : Vertex_kind::crossing;
+  return subdivision.is_vertex(IT::Side::intrinsic, v) ? Vertex_kind::inserted
+                                                       : Vertex_kind::crossing;
 }
 
 // The place on the first halfedge of the edge of `side` inside which `v` lies; null if there is
@@ -24,8 +25,7 @@ IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Sid
   if(subdivision.is_vertex(side, v) || !p.along.is_valid())
     return {IT::Halfedge_index(), 0};
   return {IT::first_halfedge(IT::Edge_index(p.along)),
-          IT::place_on_first_halfedge(
-            IT::edge_point(p.along, p.location, subdivision.mesh(side)))};
+          IT::place_on_first_halfedge(IT::edge_point(p.along, p.location, subdivision.mesh(side)))};
 }
 
 // The edge inside which each vertex is; -1 for none.

@@ -323,8 +323,8 @@ TEST(map_to_sphere, is_continuous_on_the_subdivision)
   std::vector<char> is_set(image.size(), 0);
   for(Halfedge_index h : subdivision.mesh().halfedges()) {
     const Vertex_index v = subdivision.mesh().target(h);
-    const Position p =
-      Spherical_conformal_map::project(map.homogeneous_coordinates(subdivision.location(Layer::C, h)));
+    const Position p = Spherical_conformal_map::project(
+      map.homogeneous_coordinates(subdivision.location(Layer::C, h)));
     if(is_set[v]) {
       EXPECT_LT(distance(p, image[v]), 1e-12);
     }

@@ -502,8 +502,9 @@ TEST(Triple_subdivision, linear_functions_in_the_plane_from_every_layer)
     for(Layer layer : layers) {
       auto& values = value[static_cast<std::size_t>(layer)];
       values.resize(s.mesh().number_of_vertices());
-      IT::interpolate(layer, s, linear, boost::make_iterator_property_map(
-                                          values.begin(), boost::identity_property_map()));
+      IT::interpolate(
+        layer, s, linear,
+        boost::make_iterator_property_map(values.begin(), boost::identity_property_map()));
     }
     for(Vertex_index v : s.mesh().vertices()) {
       EXPECT_NEAR(value[0][v], value[1][v], 1e-12 * 7000);

@@ -33,9 +33,8 @@ namespace Intrinsic_triangulations {
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 /// \tparam Point the point type of the mesh
 template <typename Traits_ = Euclidean_geometry_traits<double>, typename Point = No_point>
-class Common_subdivision
-  : public Subdivision_base<Common_subdivision<Traits_, Point>, Side, 2, typename Traits_::FT,
-                            Point>
+class Common_subdivision : public Subdivision_base<Common_subdivision<Traits_, Point>, Side, 2,
+                                                   typename Traits_::FT, Point>
 {
   typedef Subdivision_base<Common_subdivision, Side, 2, typename Traits_::FT, Point> Base;
   friend Base;

@@ -123,7 +123,10 @@ public:
   size_type number_of_parts(Edge_index e) const { return m_part_numbers.size(e); }
 
   /// part `i` of the edge `e` of \f$T_1\f$, counted from the source of its first halfedge.
-  const Part& part(Edge_index e, size_type i) const { return m_parts[m_part_numbers.before(e) + i]; }
+  const Part& part(Edge_index e, size_type i) const
+  {
+    return m_parts[m_part_numbers.before(e) + i];
+  }
 
   /// the number of pieces into which crossings cut the parts that are not shared.
   size_type number_of_input_pieces() const
@@ -156,15 +159,15 @@ public:
       return seen_from_intrinsic(h, m_on_intrinsic(h, p));
     const Edge_index e(h);
     const size_type n = number_of_crossings(side, e);
-    return seen_from_input(h,
-                           m_order_on_input[part(e, 0).first + along_first_halfedge(h, p, n)]);
+    return seen_from_input(h, m_order_on_input[part(e, 0).first + along_first_halfedge(h, p, n)]);
   }
 
   /// the crossing with number `id`: its places on the first halfedges of its two edges.
   Trace_point<FT> crossing(size_type id) const
   {
     const Record& record = m_records[id];
-    return {{first_halfedge(Edge_index(record.input)), record.s}, {first_halfedge(record.intrinsic), record.t}};
+    return {{first_halfedge(Edge_index(record.input)), record.s},
+            {first_halfedge(record.intrinsic), record.t}};
   }
 
   /// the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$ that its
@@ -314,8 +317,7 @@ private:
       const auto& position = tracer.position(m);
       const size_type id = m_on_intrinsic(c.halfedge, static_cast<size_type>(c.number));
       m_records[id] = {directed_as(c.halfedge, start), Edge_index(c.halfedge), 0,
-                       part(position.along_line),
-                       edge_point(c.halfedge, position.along_edge).t};
+                       part(position.along_line), edge_point(c.halfedge, position.along_edge).t};
       if constexpr(internal::Has_scale<Traits>::value)
         m_scale[id] = position.scale;
       m_traced.push_back(id);

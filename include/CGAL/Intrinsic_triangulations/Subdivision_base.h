@@ -157,9 +157,8 @@ protected:
   Vertex_weights<FT> corner_weights(Side side, const Face_location<FT>& p) const
   {
     const auto h = sides(p.first, mesh(side));
-    return {3,
-            {mesh(side).source(h[0]), mesh(side).source(h[1]), mesh(side).source(h[2])},
-            p.second};
+    return {
+      3, {mesh(side).source(h[0]), mesh(side).source(h[1]), mesh(side).source(h[2])}, p.second};
   }
 
   // ---- Refined by subdivisions whose polygons are not convex, or that have data at corners ----

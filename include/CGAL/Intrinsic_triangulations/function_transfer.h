@@ -33,8 +33,8 @@ namespace Intrinsic_triangulations {
 /// \param subdivision the subdivision
 /// \tparam Subdivision a class derived from `Subdivision_base`
 template <typename Subdivision>
-Eigen::SparseMatrix<typename Subdivision::FT>
-interpolation_matrix(typename Subdivision::Side side, const Subdivision& subdivision)
+Eigen::SparseMatrix<typename Subdivision::FT> interpolation_matrix(typename Subdivision::Side side,
+                                                                   const Subdivision& subdivision)
 {
   typedef typename Subdivision::FT FT;
   const std::size_t rows = subdivision.mesh().number_of_vertices();

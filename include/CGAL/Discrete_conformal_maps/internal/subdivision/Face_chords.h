@@ -164,8 +164,7 @@ private:
     }
     const Mark<FT>& mark = m_marks[end.side][end.mark];
     chord.vertex[i] = mark.vertex;
-    chord.along =
-      end.is_first ? opposite(mark.across) : mark.across;
+    chord.along = end.is_first ? opposite(mark.across) : mark.across;
     chord.weight[i] = {mark.weight[1 - i], mark.weight[i]};
     chord.place[i] = place(end.side, mark.here);
   }

@@ -22,19 +22,19 @@ namespace internal {
 
 using Intrinsic_triangulations::Correspondence;
 using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_marks;
+using Intrinsic_triangulations::directed_as;
 using Intrinsic_triangulations::Edge_index;
+using Intrinsic_triangulations::Edge_marks;
+using Intrinsic_triangulations::edge_point;
 using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Face_location;
+using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::Halfedge_index;
+using Intrinsic_triangulations::is_first_halfedge;
+using Intrinsic_triangulations::opposite;
 using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::Surface_place;
 using Intrinsic_triangulations::Vertex_index;
-using Intrinsic_triangulations::directed_as;
-using Intrinsic_triangulations::edge_point;
-using Intrinsic_triangulations::first_halfedge;
-using Intrinsic_triangulations::is_first_halfedge;
-using Intrinsic_triangulations::opposite;
 
 // whether two meshes have the same connectivity, with the same numbers
 inline bool is_same_complex(const Delta_complex& a, const Delta_complex& b)
@@ -51,7 +51,7 @@ inline bool is_same_complex(const Delta_complex& a, const Delta_complex& b)
 // the point of the edge of `h` with these weights of its source and its target, in the face of `h`
 template <typename FT>
 Surface_place<FT> place_on_edge(Halfedge_index h, const std::array<FT, 2>& weight,
-                                   const Delta_complex& mesh)
+                                const Delta_complex& mesh)
 {
   const std::size_t s = Intrinsic_triangulations::side_number(h, mesh);
   Surface_place<FT> result{h, {mesh.face(h), {FT(0), FT(0), FT(0)}}};

@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/internal/maps/Curve_tracer.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
@@ -18,27 +18,6 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
-
-// a straight part of an edge of the coarse level, in a face of the fine level, and the numbers of
-// the marks at its ends
-struct Coarse_piece
-{
-  Curve_segment segment;
-  Edge_index edge;
-  std::array<Delta_complex::size_type, 2> marks;
-  Vertex_index target;
-  Halfedge_index halfedge;
-};
-
-inline std::size_t corner_number(const Face_point& p)
-{
-  return p.corners == bit(0) ? 0 : p.corners == bit(1) ? 1 : 2;
-}
-
-inline std::size_t side_number(const Face_point& p)
-{
-  return (p.corners & bit(2)) == 0 ? 0 : (p.corners & bit(0)) == 0 ? 1 : 2;
-}
 
 // The order in which curves cross an edge. Curves that do not cross each other go on side by side
 // until they leave a face by different sides or corners: there they tell their order, without any
@@ -54,9 +33,10 @@ public:
   // `a` is before that of `b`, zero if the curves never separate.
   int compare(std::size_t a, std::size_t b) const
   {
-    const Halfedge_index left(2 * (side_of_end(a).idx() / 2));
+    const Halfedge_index left =
+      Intrinsic_triangulations::first_halfedge(Edge_index(side_of_end(a)));
     const int result = compare_ahead(strand(a, left), strand(b, left), left);
-    const Halfedge_index right = m_mesh.opposite(left);
+    const Halfedge_index right = Intrinsic_triangulations::opposite(left);
     return result != 0 ? result : -compare_ahead(strand(a, right), strand(b, right), right);
   }
 
@@ -68,14 +48,10 @@ private:
     bool is_forward;
   };
 
-  Halfedge_index side(std::size_t piece, const Face_point& p) const
-  {
-    return Intrinsic_triangulations::sides(m_pieces[piece].segment.face, m_mesh)[side_number(p)];
-  }
-
   Halfedge_index side_of_end(std::size_t piece) const
   {
-    return side(piece, m_pieces[piece].segment.to);
+    const Curve_segment& segment = m_pieces[piece].segment;
+    return internal::side_of_end(segment, segment.to, m_mesh);
   }
 
   // on the left of `h`, away from where a piece comes to its edge
@@ -95,7 +71,7 @@ private:
   // goes on to where a curve leaves the face
   void leave_face(Strand& s) const
   {
-    while(end(s).corners == 7)
+    while(is_bend(end(s)))
       advance(s);
   }
 
@@ -104,8 +80,8 @@ private:
   std::size_t exit(const Strand& s, std::size_t n) const
   {
     const Face_point& p = end(s);
-    return is_pair(p.corners) ? 2 * ((side_number(p) + 3 - n) % 3)
-                              : 2 * ((corner_number(p) + 2 - n) % 3) + 1;
+    return is_on_side(p) ? 2 * ((side_number(p) + 3 - n) % 3)
+                         : 2 * ((corner_number(p) + 2 - n) % 3) + 1;
   }
 
   // Compares the places where two curves enter the face of `h` by `h`.
@@ -116,11 +92,12 @@ private:
       leave_face(b);
       const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
       const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
-      if(exit_a == 0 || exit_b == 0 || (exit_a == exit_b && is_single(end(a).corners)))
+      if(exit_a == 0 || exit_b == 0 || (exit_a == exit_b && is_at_corner(end(a))))
         return 0;
       if(exit_a != exit_b)
         return exit_a > exit_b ? -1 : 1;
-      h = m_mesh.opposite(side(a.piece, end(a)));
+      h = Intrinsic_triangulations::opposite(
+        internal::side_of_end(m_pieces[a.piece].segment, end(a), m_mesh));
       advance(a);
       advance(b);
     }
