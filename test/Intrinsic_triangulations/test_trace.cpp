@@ -20,7 +20,7 @@ using namespace Test_surfaces;
 using Trace = std::vector<Trace_place>;
 
 // The number along the first halfedge of the edge.
-double along_edge(const Edge_place& p) { return p.halfedge.idx() % 2 == 0 ? p.t : 1 - p.t; }
+double along_edge(const Edge_place& p) { return IT::place_on_first_halfedge(p); }
 
 // ---- Every trace ----
 

@@ -73,7 +73,7 @@ private:
       return {m_mesh.face(spoke), regions.region_at_side(s, 0)};
     // to the left of the curve that leaves this corner
     const auto mark = m_correspondence.crossings_on_intrinsic().position(
-      m_correspondence.crossing(Side::input, input, 0).id, m_mesh.next(spoke));
+      m_mesh.next(spoke), m_correspondence.crossing(Side::input, input, 0).id);
     return {m_mesh.face(spoke), regions.region_at_side((s + 1) % 3, mark + 1)};
   }
 
