@@ -194,7 +194,7 @@ private:
 
   void add_region(Face_index f, const internal::Region& region, const Sides& side)
   {
-    Face_index input_face = m_correspondence.triangulation().input_location(side[0]).first;
+    Face_index input_face;
     std::array<Halfedge_index, 6> halfedge;
     for(std::size_t c = 0; c < region.size(); ++c)
       if(region[c].arc_follows) {
@@ -210,7 +210,15 @@ private:
       m_mesh.set_target(halfedge[c], vertex(region.next(c), side));
     }
     m_mesh.set_halfedge(f, halfedge[0]);
-    m_result.set_parent(Side::input, f, input_face);
+    m_result.set_parent(Side::input, f, input_face.is_valid() ? input_face : face_across(side[0]));
+  }
+
+  // the face of T1 in which a face of T2 lies if no edge of T1 crosses it
+  Face_index face_across(Halfedge_index side) const
+  {
+    const Halfedge_index spoke = m_correspondence.spoke_before(Side::intrinsic, side);
+    return spoke.is_valid() ? m_input.face(spoke)
+                            : m_correspondence.triangulation().input_location(side).first;
   }
 
   // The halfedge of T1 along the curve from one corner of a region to another, and its piece there.

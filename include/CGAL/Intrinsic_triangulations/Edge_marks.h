@@ -94,9 +94,9 @@ public:
   /// mark `p - 1` and ends at mark `p`.
   Halfedge_index piece(Halfedge_index h, size_type p) const
   {
-    const Edge_index e(h);
-    return directed_as(
-      h, first_halfedge(Edge_index(before(e) + e.idx() + along_first_halfedge(h, p, size(e) + 1))));
+    const size_type e = Edge_index(h).idx();
+    const size_type marks = is_first_halfedge(h) ? m_first[e] + p : m_first[e + 1] - p;
+    return directed_as(h, first_halfedge(Edge_index(e + marks)));
   }
   /// returns the last piece of the halfedge `h`, which ends where `h` ends.
   Halfedge_index last_piece(Halfedge_index h) const { return piece(h, size(Edge_index(h))); }
