@@ -254,12 +254,13 @@ void expect_pieces_of_subdivision(const Surface_map& map)
 
 bool is_isometric(const Evolving_surface& s)
 {
-  for(std::size_t t = 0; t < s.history().size(); ++t) {
-    const IS::Surface_operation& operation = s.history()[t];
-    if(operation.kind == IS::Surface_operation::Kind::scaling && operation.id[2] != 0)
-      return false;
-  }
-  return true;
+  bool result = true;
+  for(std::size_t t = 0; t < s.history().size(); ++t)
+    s.history()[t].visit([&](const auto& operation) {
+      if constexpr(std::is_same_v<decltype(operation), const IS::Scaling&>)
+        result = result && operation.number_of_corners == 0;
+    });
+  return result;
 }
 
 // Barycentric coordinates are mapped linearly where nothing is scaled.

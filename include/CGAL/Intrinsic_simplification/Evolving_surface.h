@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/Flip_geometry.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/Loop_flipper.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/Star_polygon.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/recorded_changes.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -155,9 +155,7 @@ private:
 
   void apply_scaling(const Flattened_star& star)
   {
-    m_history.add_scaling(star, mesh());
-    for(std::size_t n = 0; n < star.size(); ++n)
-      m_surface.set_length(mesh().edge(star[n].halfedge), star.flat_length(n));
+    internal::scale(star, m_surface, m_history);
     for(std::size_t n = 0; n < star.size(); ++n)
       m_surface.place_between_neighbors(mesh().opposite(star[n].halfedge));
   }
@@ -165,8 +163,7 @@ private:
   void cut_ears()
   {
     for(const internal::Spoke_flip& flip : m_polygon.flips()) {
-      m_history.add_flip(flip.halfedge, mesh(), flip.s, flip.t);
-      m_surface.flip(flip.halfedge, flip.length);
+      internal::flip(flip.halfedge, flip.geometry, m_surface, m_history);
       m_waiting.push_back(mesh().edge(flip.halfedge));
     }
   }
@@ -214,13 +211,12 @@ private:
   template <typename Touch>
   void flip(Halfedge_index h, const Touch& touch)
   {
-    const internal::Flip_geometry flip = internal::flip_geometry(m_surface.diamond(h));
-    if(!Intrinsic_surface::Traits::Is_length()(flip.length))
+    const internal::Flip_geometry geometry = internal::flip_geometry(m_surface.diamond(h));
+    if(!Intrinsic_surface::Traits::Is_length()(geometry.length))
       stop_flipping<Intrinsic_triangulations::Numerical_error>(
         "a flip gives no positive finite length");
-    m_history.add_flip(h, mesh(), flip.s, flip.t);
-    m_surface.flip(h, flip.length);
-    const Halfedge_index o = mesh().opposite(h);
+    internal::flip(h, geometry, m_surface, m_history);
+    const Halfedge_index o = opposite(h);
     for(Halfedge_index side : {mesh().next(h), mesh().prev(h), mesh().next(o), mesh().prev(o)}) {
       m_waiting.push_back(mesh().edge(side));
       touch(mesh().target(side));

@@ -33,6 +33,10 @@ using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
+using Intrinsic_triangulations::first_spoke;
+using Intrinsic_triangulations::next_spoke;
+using Intrinsic_triangulations::opposite;
+
 namespace internal {
 
 constexpr double pi = 3.14159265358979323846;

@@ -44,28 +44,48 @@ namespace internal {
 
 constexpr const char* hierarchy_header = "intrinsic_simplification 1";
 
-// The kind of an operation is its number in the enumeration.
-inline void write_operation(std::ostream& os, const Surface_operation& o)
+// Writes an operation in a line, beginning with its code.
+class Operation_writer
 {
-  using Intrinsic_triangulations::internal::hexadecimal_text;
-  using Intrinsic_triangulations::internal::write_line;
-  const int kind = static_cast<int>(o.kind);
-  const std::string x = hexadecimal_text(o.x[0]), y = hexadecimal_text(o.x[1]);
-  switch(o.kind) {
-    case Surface_operation::Kind::scaling:
-      return write_line(os, kind, o.id[0], o.id[2] > 0 ? 1 : 0, x);
-    case Surface_operation::Kind::flip: return write_line(os, kind, o.id[0], x, y);
-    case Surface_operation::Kind::removal:
-    case Surface_operation::Kind::border_removal:
-      return write_line(os, kind, o.id[0], static_cast<int>(o.corner[0]), x, y);
+public:
+  explicit Operation_writer(std::ostream& os) : m_os(os) {}
+
+  void operator()(const Scaling& s) const
+  {
+    write(s.code, s.vertex, s.number_of_corners > 0 ? 1 : 0, text(s.factor));
   }
-}
+  void operator()(const Flip& f) const
+  {
+    write(f.code, f.halfedge, text(f.crossing_before), text(f.crossing_after));
+  }
+  void operator()(const Removal& r) const { write_removal(r, r.weight[0], r.weight[1]); }
+  void operator()(const Border_removal& r) const { write_removal(r, r.weight, 0); }
+
+private:
+  template <typename Removal>
+  void write_removal(const Removal& r, double x, double y) const
+  {
+    write(r.code, r.corners[0].face(), r.corners[0].index(), text(x), text(y));
+  }
+
+  static std::string text(double x)
+  {
+    return Intrinsic_triangulations::internal::hexadecimal_text(x);
+  }
+
+  template <typename... Values>
+  void write(const Values&... values) const
+  {
+    Intrinsic_triangulations::internal::write_line(m_os, values...);
+  }
+
+  std::ostream& m_os;
+};
 
 // Reads a hierarchy and does the operations once more, as far as connectivity is concerned.
 class Hierarchy_reader
 {
   typedef Delta_complex::size_type size_type;
-  typedef Surface_operation::Kind Kind;
 
 public:
   explicit Hierarchy_reader(std::istream& is) : m_reader(is), m_lines(m_reader.lines()) {}
@@ -129,12 +149,10 @@ private:
 
   void read_operation()
   {
-    const auto kind = static_cast<Kind>(m_lines.integer<int>(0, 3));
-    switch(kind) {
-      case Kind::scaling: return read_scaling();
-      case Kind::flip: return read_flip();
-      case Kind::removal:
-      case Kind::border_removal: return read_removal(kind);
+    switch(const int code = m_lines.integer<int>(Scaling::code, Border_removal::code); code) {
+      case Scaling::code: return read_scaling();
+      case Flip::code: return read_flip();
+      default: return read_removal(code == Border_removal::code);
     }
   }
 
@@ -172,7 +190,7 @@ private:
     IT::flip_edge(h, m_mesh);
   }
 
-  void read_removal(Kind kind)
+  void read_removal(bool is_border)
   {
     namespace IT = Intrinsic_triangulations;
     const Face_index f(index(m_mesh.num_faces()));
@@ -180,7 +198,6 @@ private:
     const Halfedge_index a = IT::sides(f, m_mesh)[m_lines.integer<std::size_t>(0, 2)];
     const double w_a = part(), w_b = part();
     const Vertex_index v = m_mesh.source(a);
-    const bool is_border = kind == Kind::border_removal;
     check(IT::removal_status(v, m_mesh) == IT::Operation_status::possible &&
             m_mesh.is_border(v) == is_border &&
             (!is_border || m_mesh.is_border(m_mesh.opposite(a))),
@@ -223,7 +240,7 @@ inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& his
     CGAL_precondition(start <= end && end <= history.size());
     write_line(os, end - start);
     for(Surface_history::Time t = start; t < end; ++t)
-      internal::write_operation(os, history[t]);
+      history[t].visit(internal::Operation_writer(os));
     for(Edge_index e : levels[n]->mesh().edges())
       write_line(os, hexadecimal_text(levels[n]->length_map()[e]));
   }

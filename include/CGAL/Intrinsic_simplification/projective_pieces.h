@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Cell_joiner.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Face_cutter.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/carry_point.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
 
 #include <array>
 #include <cstddef>

@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOLERANCES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOLERANCES_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// Every tolerance of the package, with its reason. They are relative, or angles: none depends on the
+// unit of length.
+
+inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<double>(); }
+
+// The part of a homogeneous coordinate that may be due to rounding where a point comes to a vertex
+// or an edge: the coordinates of a crossing are sums of a few products.
+inline double rounding() { return 16 * rounding_unit(); }
+
+// By which the sum of so many angles may differ from its exact value: each is rounded to a unit of
+// a full turn.
+inline double angle_rounding(std::size_t number_of_angles)
+{
+  return rounding_unit() * 2 * CGAL_PI * static_cast<double>(number_of_angles);
+}
+
+// An excess of angles from which one more step of Newton's method, which squares it, leads to about
+// half of all digits. That is enough for a cost, which decides only about the order of removals.
+constexpr double nearly_flat = 1e-4;
+
+// The last step of Newton's method may change the scale factor by no more than this. If a small
+// excess hardly changes with the scale factor, it vanishes in the limit of length zero only.
+constexpr double greatest_last_step = 0.1;
+
+// Beyond this step Newton's method leaves the range where the linear model means anything: a factor
+// of e^4 is the square of one between lengths.
+constexpr double greatest_newton_step = 4;
+
+// The square of the tangent up to which five terms of the series of the arc tangent are exact up to
+// rounding: 0.0036^6 / 13 is half a unit of rounding.
+constexpr double greatest_squared_tangent = 0.0036;
+
+// The part of the sum of all absolute values of a Laplace matrix that its sum may have by rounding:
+// each entry is a sum of some ten numbers.
+constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
+
+// The part of a residual below which the residual that conjugate gradients carry along may not be
+// the true one: it has gone through some hundred updates.
+constexpr double residual_rounding = 1000 * std::numeric_limits<double>::epsilon();
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOLERANCES_H
