@@ -37,13 +37,13 @@ class Evolving_surface
 public:
   /// the type of the input.
   typedef Intrinsic_surface::Triangulation Triangulation;
-  /// the type of numbers of elements.
+  /// the type of indices of elements.
   typedef Delta_complex::size_type size_type;
 
   /// starts with the intrinsic triangulation \f$T_2\f$ of `tri`; its constrained edges will stay.
   /// Complexity: linear.
   /// \throws Intrinsic_triangulations::Numerical_error if the angles at a vertex are all zero
-  /// \pre no vertex of `tri` has been removed and not been collected
+  /// \pre `tri` has no garbage
   explicit Evolving_surface(const Triangulation& tri)
     : m_surface(tri), m_is_protected(tri.mesh().num_vertices(), 0)
   {}
@@ -56,23 +56,24 @@ public:
     : Evolving_surface(Triangulation(g, np))
   {}
 
-  /// the connectivity and the lengths at present.
+  /// returns the connectivity and the lengths at present.
   const Intrinsic_surface& surface() const { return m_surface; }
   /// returns the connectivity at present.
   const Delta_complex& mesh() const { return m_surface.mesh(); }
   /// returns the lengths of the edges at present.
   Intrinsic_surface::Length_map length_map() const { return m_surface.length_map(); }
 
-  /// all that has been done.
+  /// returns all operations that have been done.
   const Surface_history& history() const { return m_history; }
 
   /// makes `v` a vertex that cannot be removed.
   void protect(Vertex_index v) { m_is_protected[v] = 1; }
-  /// whether `v` has been protected.
+  /// returns whether `v` has been protected.
   bool is_protected(Vertex_index v) const { return m_is_protected[v] != 0; }
 
-  /// the star of `v` as it would be if `v` was removed. Complexity: linear in the degree of `v`.
-  /// \returns whether `v` can be removed, as far as can be told without trying: a vertex with a
+  /// computes the star of `v` as it would be if `v` was removed. Complexity: linear in the degree of
+  /// `v`.
+  /// \returns whether `v` can be removed, as far as is known without trying: a vertex with a
   ///          loop may turn out to be not separable.
   Removal_status flatten(Vertex_index v, Flattened_star& star) const
   {
@@ -114,7 +115,7 @@ public:
     return Removal_status::possible;
   }
 
-  /// the same, without telling what may have changed.
+  /// removes the center of `star` without notification of what may have changed.
   Removal_status remove(Flattened_star& star)
   {
     return remove(star, [](Vertex_index) {});
@@ -157,7 +158,7 @@ private:
   {
     internal::scale(star, m_surface, m_history);
     for(std::size_t n = 0; n < star.size(); ++n)
-      m_surface.place_between_neighbors(mesh().opposite(star[n].halfedge));
+      m_surface.place_between_neighbors(opposite(star[n].halfedge));
   }
 
   void cut_ears()
@@ -170,10 +171,9 @@ private:
 
   void remove_interior_center(Vertex_index v)
   {
-    using namespace Intrinsic_triangulations;
     const Halfedge_index a = first_spoke(v, mesh()), b = next_spoke(a, mesh());
     m_history.add_removal(a, mesh(), m_polygon.weight(a), m_polygon.weight(b));
-    remove_degree_3_vertex(v, m_surface.mesh());
+    Intrinsic_triangulations::remove_degree_3_vertex(v, m_surface.mesh());
   }
 
   // the first border edge takes the place of both

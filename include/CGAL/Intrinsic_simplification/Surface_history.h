@@ -64,7 +64,7 @@ public:
   {
     const std::size_t first = m_corners.size();
     if(has_corners)
-      Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+      for_each_spoke(v, mesh, [&](Halfedge_index h) {
         if(!mesh.is_border(h))
           m_corners.emplace_back(h, mesh);
       });

@@ -70,10 +70,16 @@ public:
 
   /// maps a point of the fine surface to the coarse surface. Complexity: linear in the operations
   /// that move the point, times the logarithm of the number of operations on a face.
-  Location to_coarse(const Location& p) const { return internal::carry_point(p, route(true)); }
+  Location to_coarse(const Location& p) const
+  {
+    return internal::carry_point<true>(p, route(true));
+  }
 
   /// maps a point of the coarse surface to the fine surface. Complexity: as `to_coarse()`.
-  Location to_fine(const Location& p) const { return internal::carry_point(p, route(false)); }
+  Location to_fine(const Location& p) const
+  {
+    return internal::carry_point<false>(p, route(false));
+  }
 
 private:
   friend class internal::Curve_tracer;

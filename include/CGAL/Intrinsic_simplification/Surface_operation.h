@@ -28,12 +28,16 @@ public:
   Face_corner() = default;
 
   /// makes the corner at the source of `h` in its face.
-  /// \throws Intrinsic_triangulations::Overflow_error if there are more than \f$2^{30}\f$ faces
   Face_corner(Halfedge_index h, const Delta_complex& mesh)
-    : m_code(4 * static_cast<std::uint32_t>(mesh.face(h)) +
-             static_cast<std::uint32_t>(Intrinsic_triangulations::side_number(h, mesh)))
+    : Face_corner(mesh.face(h), Intrinsic_triangulations::side_number(h, mesh))
+  {}
+
+  /// makes the corner of `f` with this index among the barycentric coordinates.
+  /// \throws Intrinsic_triangulations::Overflow_error if there are more than \f$2^{30}\f$ faces
+  Face_corner(Face_index f, std::size_t index)
+    : m_code(4 * static_cast<std::uint32_t>(f) + static_cast<std::uint32_t>(index))
   {
-    if(mesh.face(h).idx() > std::numeric_limits<std::uint32_t>::max() / 4)
+    if(f.idx() > std::numeric_limits<std::uint32_t>::max() / 4)
       throw Intrinsic_triangulations::Overflow_error("too many faces for the history");
   }
 

@@ -44,43 +44,36 @@ namespace internal {
 
 constexpr const char* hierarchy_header = "intrinsic_simplification 1";
 
-// Writes an operation in a line, beginning with its code.
-class Operation_writer
+using Intrinsic_triangulations::internal::hexadecimal_text;
+using Intrinsic_triangulations::internal::write_line;
+
+inline void write_operation(std::ostream& os, const Scaling& s)
 {
-public:
-  explicit Operation_writer(std::ostream& os) : m_os(os) {}
+  write_line(os, s.code, s.vertex, s.number_of_corners > 0 ? 1 : 0, hexadecimal_text(s.factor));
+}
 
-  void operator()(const Scaling& s) const
-  {
-    write(s.code, s.vertex, s.number_of_corners > 0 ? 1 : 0, text(s.factor));
-  }
-  void operator()(const Flip& f) const
-  {
-    write(f.code, f.halfedge, text(f.crossing_before), text(f.crossing_after));
-  }
-  void operator()(const Removal& r) const { write_removal(r, r.weight[0], r.weight[1]); }
-  void operator()(const Border_removal& r) const { write_removal(r, r.weight, 0); }
+inline void write_operation(std::ostream& os, const Flip& f)
+{
+  write_line(os, f.code, f.halfedge, hexadecimal_text(f.crossing_before),
+             hexadecimal_text(f.crossing_after));
+}
 
-private:
-  template <typename Removal>
-  void write_removal(const Removal& r, double x, double y) const
-  {
-    write(r.code, r.corners[0].face(), r.corners[0].index(), text(x), text(y));
-  }
+template <typename Operation>
+void write_removal(std::ostream& os, const Operation& r, double x, double y)
+{
+  write_line(os, r.code, r.corners[0].face(), r.corners[0].index(), hexadecimal_text(x),
+             hexadecimal_text(y));
+}
 
-  static std::string text(double x)
-  {
-    return Intrinsic_triangulations::internal::hexadecimal_text(x);
-  }
+inline void write_operation(std::ostream& os, const Removal& r)
+{
+  write_removal(os, r, r.weight[0], r.weight[1]);
+}
 
-  template <typename... Values>
-  void write(const Values&... values) const
-  {
-    Intrinsic_triangulations::internal::write_line(m_os, values...);
-  }
-
-  std::ostream& m_os;
-};
+inline void write_operation(std::ostream& os, const Border_removal& r)
+{
+  write_removal(os, r, r.weight, 0);
+}
 
 // Reads a hierarchy and does the operations once more, as far as connectivity is concerned.
 class Hierarchy_reader
@@ -219,8 +212,8 @@ private:
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// writes levels of an evolving surface and the operations between them, exactly: what
-/// `read_surface_hierarchy()` makes of it has the same elements with the same numbers, and the same
-/// lengths and maps to the bit. The format is described in the user manual (\ref
+/// `read_surface_hierarchy()` makes of it has equal elements with equal indices, and lengths and
+/// maps that are equal to the bit. The format is described in the user manual (\ref
 /// Intrinsic_simplification_file_format). Complexity: linear.
 /// \param os the stream
 /// \param history the history of the surface
@@ -230,17 +223,18 @@ private:
 inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& history,
                                     const std::vector<const Surface_level*>& levels)
 {
-  using namespace Intrinsic_triangulations::internal;
+  using namespace internal;
   CGAL_precondition(!levels.empty() && levels.front()->time() == 0);
-  os << internal::hierarchy_header << '\n';
-  write_complex(os, *levels.front(), [](Edge_index) { return std::string(); });
+  os << hierarchy_header << '\n';
+  Intrinsic_triangulations::internal::write_complex(os, *levels.front(),
+                                                    [](Edge_index) { return std::string(); });
   write_line(os, levels.size() - 1);
   for(std::size_t n = 1; n < levels.size(); ++n) {
     const Surface_history::Time start = levels[n - 1]->time(), end = levels[n]->time();
     CGAL_precondition(start <= end && end <= history.size());
     write_line(os, end - start);
     for(Surface_history::Time t = start; t < end; ++t)
-      history[t].visit(internal::Operation_writer(os));
+      history[t].visit([&](const auto& operation) { write_operation(os, operation); });
     for(Edge_index e : levels[n]->mesh().edges())
       write_line(os, hexadecimal_text(levels[n]->length_map()[e]));
   }

@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 
 #include <cstddef>
 #include <limits>
@@ -29,7 +29,8 @@ inline double rounding() { return 16 * rounding_unit(); }
 // a full turn.
 inline double angle_rounding(std::size_t number_of_angles)
 {
-  return rounding_unit() * 2 * CGAL_PI * static_cast<double>(number_of_angles);
+  return rounding_unit() * 2 * Intrinsic_triangulations::pi<double>() *
+         static_cast<double>(number_of_angles);
 }
 
 // An excess of angles from which one more step of Newton's method, which squares it, leads to about

@@ -42,7 +42,7 @@ public:
   Curve_tracer(const Surface_map& map, bool forward) : m_route(map.route(forward)) {}
 
   // The edge of `h`, a halfedge of the level where the curve starts, from its source to its target.
-  // Faces have the numbers of the evolving surface.
+  // Faces have the indices of the evolving surface.
   const std::vector<Curve_segment>& trace(Halfedge_index h)
   {
     carry_edge(h);
@@ -149,7 +149,7 @@ private:
   void pass(const Flip& flip, const Curve_segment& s)
   {
     const Turned_edge turn(flip, m_route.is_forward());
-    const Patch_face& face = turn.before(s.face);
+    const Patch_face face = turn.before(turn.has_r(s.face));
     const Patch_point from = face.in_patch(s.from), to = face.in_patch(s.to);
     const int from_side = turn.side(from), to_side = turn.side(to);
     if(from_side * to_side >= 0)
@@ -164,7 +164,7 @@ private:
   {
     if(!m_route.is_forward())
       return insert_vertex(sectors, s);
-    const Patch_face& face = sectors.sector_of(s.face);
+    const Patch_face face = sectors.sector_of(s.face);
     add_part(sectors.whole(), sectors.in_whole(face.in_patch(s.from)),
              sectors.in_whole(face.in_patch(s.to)));
   }
@@ -177,8 +177,7 @@ private:
       return add_part(sectors[from.first], from.point, to.point);
     if(to.is_in(from.last))
       return add_part(sectors[from.last], from.point, to.point);
-    // one way around the vertex there is one spoke; where its line is crossed tells which way is
-    // right
+    // one way around the vertex there is one spoke; where its line is crossed decides on the way
     const bool one_ahead = sectors.is_border() ? from.last == 0 : (from.last + 1) % 3 == to.first;
     const std::size_t spoke = one_ahead ? (from.last + 1) % 3 : from.first;
     auto [point, excess] = sectors.on_line(spoke, x, y);

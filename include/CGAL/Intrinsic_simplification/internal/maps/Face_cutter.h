@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
-// A side of a polygon, by the point where it starts and the number of the line on which it is.
+// A side of a polygon, by the point where it starts and the index of the line on which it is.
 struct Cell_side
 {
   Face_point from;
@@ -40,7 +40,7 @@ struct Cell
   std::vector<Cell_side> sides; // counterclockwise
 };
 
-// whether side number `n` lies on an edge of the face
+// whether the side with index `n` lies on an edge of the face
 inline bool is_on_edge(const Cell& cell, std::size_t n)
 {
   const std::size_t next = n + 1 == cell.sides.size() ? 0 : n + 1;
@@ -68,14 +68,14 @@ double polygon_area(std::size_t n, const At& at)
 
 // Carries a face of the fine level through the operations to the coarse level. Like a curve it is
 // cut where it is crossed by a new edge, and its cells go their ways alone. Those on the two sides
-// of a cut know their common points by number, and agree on their coordinates to the last bit. So
+// of a cut know their common points by index, and agree on their coordinates to the last bit. So
 // whatever rounding does, cells are a subdivision of the face.
 class Face_cutter
 {
 public:
   explicit Face_cutter(const Surface_map& map) : m_route(map.route(true)) {}
 
-  // The cells of `f`. Faces have the numbers of the evolving surface.
+  // The cells of `f`. Faces have the indices of the evolving surface.
   const std::vector<Cell>& cut(Face_index f)
   {
     m_result.clear();
@@ -163,7 +163,7 @@ private:
 
   void pass(const Vertex_sectors& sectors, Timed_cell& c)
   {
-    const Patch_face& sector = sectors.sector_of(c.cell.face);
+    const Patch_face sector = sectors.sector_of(c.cell.face);
     c.cell.face = sectors.whole().face;
     change_points(c.cell, [&](const Face_point& p) {
       return sectors.whole().in_face(sectors.in_whole(sector.in_patch(p)));
@@ -174,7 +174,7 @@ private:
   void pass(const Flip& flip, const Timed_cell& c)
   {
     const Turned_edge turn(flip, true);
-    const Patch_face& before = turn.before(c.cell.face);
+    const Patch_face before = turn.before(turn.has_r(c.cell.face));
     m_points.clear();
     for(const Cell_side& s : c.cell.sides) {
       Patch_point x = before.in_patch(s.from);
@@ -254,7 +254,7 @@ private:
 
   void add_part(const Turned_edge& turn, bool has_p, const Part& part, Route::Time t)
   {
-    const Patch_face& after = turn.after(has_p);
+    const Patch_face after = turn.after(has_p);
     Cell result{after.face, {}, {}};
     for(const Sided_point& p : part)
       result.sides.push_back({after.in_face(turn.turned(p.point)), p.line});

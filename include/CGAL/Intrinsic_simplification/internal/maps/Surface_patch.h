@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/Surface_operation.h>
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
@@ -70,6 +70,10 @@ struct Patch_face
   Face_index face;
   std::size_t base; // the index of the first of the corners in the face
   std::array<std::size_t, 3> corner;
+
+  Patch_face(const Face_corner& first, const std::array<std::size_t, 3>& corners)
+    : face(first.face()), base(first.index()), corner(corners)
+  {}
 
   std::size_t in_face(std::size_t n) const { return (base + n) % 3; }
 

@@ -34,24 +34,33 @@ public:
   Turned_edge(const Flip& flip, bool forward)
   {
     const auto& [left, right] = flip.corners;
+    const Face_corner first(left.face(), 0), second(right.face(), 0);
     const double s = flip.crossing_before, t = flip.crossing_after;
     if(forward) {
-      m_before = {
-        {{left.face(), left.index(), {p, q, r}}, {right.face(), right.index(), {q, p, o}}}};
-      m_after = {{{left.face(), 0, {o, r, p}}, {right.face(), 0, {r, o, q}}}};
+      m_before = {left, right};
+      m_after = {first, second};
       m_crossing = {1 - s, s, 1 - t, t};
     } else {
-      m_before = {{{left.face(), 0, {p, q, r}}, {right.face(), 0, {q, p, o}}}};
-      m_after = {
-        {{right.face(), right.index(), {o, r, p}}, {left.face(), left.index(), {r, o, q}}}};
+      m_before = {first, second};
+      m_after = {right, left};
       m_crossing = {1 - t, t, s, 1 - s};
     }
   }
 
-  // the face `f` before the turn
-  const Patch_face& before(Face_index f) const { return m_before[f == m_before[0].face ? 0 : 1]; }
+  // whether `f` is the face with r before the turn
+  bool has_r(Face_index f) const { return f == m_before[0].face(); }
+
+  // the face with r or that with o, before the turn
+  Patch_face before(bool has_r) const
+  {
+    return has_r ? Patch_face(m_before[0], {p, q, r}) : Patch_face(m_before[1], {q, p, o});
+  }
+
   // the face with p or that with q, after the turn
-  const Patch_face& after(bool has_p) const { return m_after[has_p ? 0 : 1]; }
+  Patch_face after(bool has_p) const
+  {
+    return has_p ? Patch_face(m_after[0], {o, r, p}) : Patch_face(m_after[1], {r, o, q});
+  }
 
   // whether a point of the faces before the turn belongs to the face with p after it
   bool is_beside_p(const Patch_coordinates& x) const
@@ -132,8 +141,8 @@ private:
     x[r] += amount * m_crossing[r];
   }
 
-  std::array<Patch_face, 2> m_before, m_after;
-  Patch_coordinates m_crossing; // of p and q, and of o and r
+  std::array<Face_corner, 2> m_before, m_after; // at p and q, and at o and r
+  Patch_coordinates m_crossing;                 // of p and q, and of o and r
 };
 
 } // namespace internal

@@ -27,29 +27,24 @@ public:
   static constexpr std::size_t m = 3;
 
   Vertex_sectors(const Removal& removal)
-    : m_is_border(false),
-      m_vertex(from_first_two(removal.weight[0], removal.weight[1])),
-      m_whole{removal.corners[0].face(), 0, {0, 1, 2}},
-      m_sector{sector(removal.corners[0], 0), sector(removal.corners[1], 1),
-               sector(removal.corners[2], 2)}
+    : Vertex_sectors(removal.corners, removal.weight[0], removal.weight[1], 0, false)
   {}
-
   Vertex_sectors(const Border_removal& removal)
-    : m_is_border(true),
-      m_vertex(from_first_two(removal.weight, 0)),
-      m_whole{removal.corners[0].face(), 1, {0, 1, 2}},
-      m_sector{sector(removal.corners[0], 0), sector(removal.corners[1], 1),
-               sector(Face_corner(), 2)}
+    : Vertex_sectors({removal.corners[0], removal.corners[1], Face_corner()}, removal.weight, 0, 1,
+                     true)
   {}
 
   bool is_border() const { return m_is_border; }
-  const Patch_face& whole() const { return m_whole; }
-  const Patch_face& operator[](std::size_t n) const { return m_sector[n]; }
+  Patch_face whole() const { return Patch_face(m_whole, {0, 1, 2}); }
+  Patch_face operator[](std::size_t n) const
+  {
+    return Patch_face(m_sector[n], {m, n, (n + 1) % 3});
+  }
 
   // the sector that has the face `f`
-  const Patch_face& sector_of(Face_index f) const
+  Patch_face sector_of(Face_index f) const
   {
-    return m_sector[f == m_sector[0].face ? 0 : f == m_sector[1].face ? 1 : 2];
+    return (*this)[f == m_sector[0].face() ? 0 : f == m_sector[1].face() ? 1 : 2];
   }
 
   // expresses the vertex by the corners of the whole face
@@ -145,15 +140,13 @@ private:
   static constexpr Corner_set whole_face() { return bit(0) | bit(1) | bit(2); }
   static constexpr Corner_set border_side() { return bit(0) | bit(2); }
 
-  static Coordinates from_first_two(double x, double y)
-  {
-    return {x, y, (std::max)(1 - x - y, 0.)};
-  }
-
-  static Patch_face sector(const Face_corner& c, std::size_t n)
-  {
-    return {c.face(), c.index(), {m, n, (n + 1) % 3}};
-  }
+  Vertex_sectors(const std::array<Face_corner, 3>& corners, double x, double y, std::size_t first,
+                 bool is_border)
+    : m_is_border(is_border),
+      m_vertex{x, y, (std::max)(1 - x - y, 0.)},
+      m_whole(corners[0].face(), first),
+      m_sector(corners)
+  {}
 
   // The corner of which a point has the least, compared with the vertex: the point and this corner
   // are on opposite sides of the vertex.
@@ -174,8 +167,8 @@ private:
 
   bool m_is_border;
   Coordinates m_vertex; // in the whole face
-  Patch_face m_whole;
-  std::array<Patch_face, 3> m_sector;
+  Face_corner m_whole;  // 0
+  std::array<Face_corner, 3> m_sector;
 };
 
 } // namespace internal

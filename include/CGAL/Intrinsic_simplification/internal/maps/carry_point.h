@@ -19,7 +19,8 @@ namespace Intrinsic_simplification {
 namespace internal {
 
 // Carries a point, which is in a face of the evolving surface, through operations on its face.
-// Coordinates are homogeneous.
+// Coordinates are homogeneous. The direction is a constant, for speed.
+template <bool is_forward>
 class Carried_point
 {
 public:
@@ -36,16 +37,19 @@ public:
 
   void pass(const Flip& flip)
   {
-    const Turned_edge turn(flip, m_route.is_forward());
-    Patch_coordinates x = turn.before(m_point.first).in_patch(m_point.second);
-    const bool has_p = turn.is_beside_p(x);
-    turn.change_inside(x, has_p);
-    move_to(turn.after(has_p), x);
+    const Turned_edge turn(flip, is_forward);
+    // constant arguments make the indices of corners constants
+    Patch_coordinates x = turn.has_r(m_point.first) ? turn.before(true).in_patch(m_point.second)
+                                                    : turn.before(false).in_patch(m_point.second);
+    if(turn.is_beside_p(x))
+      change(turn, true, x);
+    else
+      change(turn, false, x);
   }
 
   void pass(const Vertex_sectors& sectors)
   {
-    if(m_route.is_forward()) {
+    if constexpr(is_forward) {
       Patch_coordinates x = sectors.sector_of(m_point.first).in_patch(m_point.second);
       sectors.merge(x);
       move_to(sectors.whole(), x);
@@ -57,6 +61,12 @@ public:
   }
 
 private:
+  void change(const Turned_edge& turn, bool has_p, Patch_coordinates& x)
+  {
+    turn.change_inside(x, has_p);
+    move_to(turn.after(has_p), x);
+  }
+
   void move_to(const Patch_face& face, const Patch_coordinates& x)
   {
     m_point = {face.face, face.in_face(x)};
@@ -67,10 +77,11 @@ private:
 };
 
 // Carries a point of the level where `route` starts to that where it ends.
-inline Location carry_point(Location p, const Route& route)
+template <bool is_forward>
+Location carry_point(Location p, const Route& route)
 {
   p.first = route.start().surface_face(p.first);
-  Carried_point carried(route, p);
+  Carried_point<is_forward> carried(route, p);
   const auto next = [&](Route::Time now) { return route.next(carried.location().first, now); };
   for(Route::Time t = next(route.start().time()); t != route.end().time();)
     t = next(route.pass(t, [&](const auto& operation) { carried.pass(operation); }));

@@ -7,11 +7,15 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+
 #include <cmath>
 
 namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
+
+using Intrinsic_triangulations::pi;
 
 // The sum of angles between 0 and pi, given by their cosines and sines: a product of complex
 // numbers, with the quadrants counted that it passes. One arc tangent is needed for all.
@@ -34,10 +38,9 @@ public:
   // the sum minus `angle`, a multiple of pi, without the rounding of a large sum
   double minus(double angle) const
   {
-    constexpr double pi = 3.14159265358979323846;
     const double rest = std::atan2(m_sine, m_cosine);
-    const double turns = std::round((m_quadrant + 0.5) / 4 - rest / (2 * pi));
-    return (2 * pi * turns - angle) + rest;
+    const double turns = std::round((m_quadrant + 0.5) / 4 - rest / (2 * pi<double>()));
+    return (2 * pi<double>() * turns - angle) + rest;
   }
 
 private:
