@@ -81,7 +81,7 @@ public:
 private:
   FT normalized_sum(Vertex_index v) const
   {
-    return m_is_border[v.idx()] ? internal::pi<FT>() : 2 * internal::pi<FT>();
+    return m_is_border[v.idx()] ? pi<FT>() : 2 * pi<FT>();
   }
 
   // The angles on the surface first, then normalized.
