@@ -9,7 +9,8 @@
 
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/Angle_sum.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/First_spokes.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/angles.h>
 #include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -274,10 +274,10 @@ private:
         const Corner before = original_corner(n), after = corner(n);
         const double old_area = quadrupled_area(before), new_area = quadrupled_area(after);
         m_area_change += share(n) * (new_area - old_area) / 4;
-        m_change[2 * n] = turn(before.p, before.opposite, before.q, old_area, //
-                               after.p, after.opposite, after.q, new_area);
-        m_change[2 * next(n) + 1] = turn(before.q, before.opposite, before.p, old_area, //
-                                         after.q, after.opposite, after.p, new_area);
+        m_change[2 * n] = internal::turn({before.p, before.opposite, before.q, old_area},
+                                         {after.p, after.opposite, after.q, new_area});
+        m_change[2 * next(n) + 1] = internal::turn({before.q, before.opposite, before.p, old_area},
+                                                   {after.q, after.opposite, after.p, new_area});
       }
     for(std::size_t n = 0; n < size(); ++n)
       m_spokes[n].angle_change = angle_change(n);
@@ -288,16 +288,7 @@ private:
     const Complex &after = m_change[2 * n], &before = m_change[2 * n + 1];
     if(m_has_loop || !(after.real() > 0) || !(before.real() > 0))
       return share(n) * std::arg(after) + share(previous(n)) * std::arg(before);
-    return argument(after * before);
-  }
-
-  // the argument; near zero by a series up to rounding, which is faster
-  static double argument(const Complex& z)
-  {
-    const double t = z.imag() / z.real(), s = t * t;
-    if(!(z.real() > 0) || s > internal::greatest_squared_tangent)
-      return std::arg(z);
-    return t * (1 - s * (1 / 3. - s * (1 / 5. - s * (1 / 7. - s * (1 / 9. - s / 11)))));
+    return internal::argument(after * before);
   }
 
   // of a corner in its face: one with a loop has two corners at the center
@@ -311,16 +302,6 @@ private:
   static double quadrupled_area(const Corner& c)
   {
     return Intrinsic_triangulations::quadrupled_area(c.opposite, c.p, c.q);
-  }
-
-  // a complex number whose argument is the change of the angle between the sides a and b
-  static Complex turn(double a, double b, double c, double area, double new_a, double new_b,
-                      double new_c, double new_area)
-  {
-    using Intrinsic_triangulations::doubled_corner_product;
-    const double x = doubled_corner_product(c, a, b);
-    const double new_x = doubled_corner_product(new_c, new_a, new_b);
-    return {x * new_x + area * new_area, new_area * x - new_x * area};
   }
 
   void set_weights()
@@ -338,32 +319,10 @@ private:
                      : sum > 0    ? std::abs(spoke.angle_change) / sum
                                   : 1 / static_cast<double>(others);
     }
-    find_repeated_neighbors();
-  }
-
-  // with a hash table of its own, which stays in the cache
-  void find_repeated_neighbors()
-  {
-    std::uint32_t bits = 3;
-    while((std::size_t(1) << bits) < 2 * size())
-      ++bits;
-    m_first.assign(std::size_t(1) << bits, no_spoke);
+    m_neighbors.start(size());
     for(std::size_t n = 0; n < size(); ++n)
-      m_spokes[n].first_with_neighbor = first_with(n, bits);
+      m_spokes[n].first_with_neighbor = m_neighbors.first(m_spokes[n].neighbor, n);
   }
-
-  std::size_t first_with(std::size_t n, std::uint32_t bits)
-  {
-    const Vertex_index j = m_spokes[n].neighbor;
-    std::size_t place = (j.idx() * 2654435769U) >> (32 - bits);
-    while(m_first[place] != no_spoke && m_spokes[m_first[place]].neighbor != j)
-      place = (place + 1) % m_first.size();
-    if(m_first[place] == no_spoke)
-      m_first[place] = static_cast<std::uint32_t>(n);
-    return m_first[place];
-  }
-
-  static constexpr std::uint32_t no_spoke = std::numeric_limits<std::uint32_t>::max();
 
   Vertex_index m_center;
   bool m_is_border = false, m_has_loop = false;
@@ -371,9 +330,9 @@ private:
   double m_area_change = 0;
   std::array<double, 3> m_power{1, 1, 1}; // by the number of ends at the center
   std::vector<Star_spoke> m_spokes;
-  std::vector<double> m_opposite;     // of each corner
-  std::vector<Complex> m_change;      // of the angles after and before each spoke
-  std::vector<std::uint32_t> m_first; // hash table of the first spokes with their neighbors
+  std::vector<double> m_opposite; // of each corner
+  std::vector<Complex> m_change;  // of the angles after and before each spoke
+  internal::First_spokes m_neighbors;
 };
 
 } // namespace Intrinsic_simplification

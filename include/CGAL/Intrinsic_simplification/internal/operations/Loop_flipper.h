@@ -26,14 +26,15 @@ namespace internal {
 class Loop_flipper
 {
 public:
-  // Whether no loop is left at the center of `star`. The change of scale and the flips are appended
-  // to `history`.
+  // Returns whether no loop is left at the center of `star`. The change of scale and the flips are
+  // appended to `history`.
   bool operator()(const Flattened_star& star, Intrinsic_surface& surface, Surface_history& history)
   {
     m_start = history.size();
     m_undo.clear();
     scale(star, surface, history);
-    for(;;) {
+    // a flip makes the degree smaller, unless both new ends are at the center too
+    for(std::size_t limit = 10 * star.size(); limit > 0; --limit) {
       const Loops loops = find_loops(star.center(), surface);
       if(loops.count == 0)
         return true;
@@ -41,6 +42,7 @@ public:
         return false;
       flip_loop(loops.flippable, surface, history);
     }
+    return false;
   }
 
   // restores what was before the last call
