@@ -71,8 +71,8 @@ public:
   /// returns whether `v` has been protected.
   bool is_protected(Vertex_index v) const { return m_is_protected[v] != 0; }
 
-  /// computes the star of `v` as it would be if `v` was removed. Complexity: linear in the degree of
-  /// `v`.
+  /// computes the star of `v` as it would be if `v` was removed. Complexity: linear in the degree
+  /// of `v`.
   /// \returns whether `v` can be removed, as far as is known without trying: a vertex with a
   ///          loop may turn out to be not separable.
   Removal_status flatten(Vertex_index v, Flattened_star& star) const

@@ -56,9 +56,9 @@ struct Star_spoke
 class Flattened_star
 {
 public:
-  /// computes the spokes of `v` and its scale factor, to about half of its digits if they have to be
-  /// searched for: enough for a cost. Complexity: linear in the degree of `v`, for each step of
-  /// Newton's method.
+  /// computes the spokes of `v` and its scale factor, to about half of its digits unless it is
+  /// zero: enough for a cost. Complexity: linear in the degree of `v`, for each step of Newton's
+  /// method.
   /// \returns whether `v` can be flattened; if it can, the functions below return the result
   Removal_status flatten(Vertex_index v, const Intrinsic_surface& surface)
   {
@@ -92,8 +92,8 @@ public:
   /// returns the number of corners of faces at the center.
   std::size_t number_of_corners() const { return size() - (m_is_border ? 1 : 0); }
 
-  /// returns the spoke with index `n`, in counterclockwise order; at the boundary the first and the last are border
-  /// edges.
+  /// returns the spoke with index `n`, in counterclockwise order; at the boundary the first and the
+  /// last are border edges.
   const Star_spoke& operator[](std::size_t n) const { return m_spokes[n]; }
 
   /// returns the spoke after `n` in counterclockwise order.

@@ -31,7 +31,7 @@ enum class Multigrid_status
 {
   converged,       ///< the error is below the tolerance
   iteration_limit, ///< it is not after as many iterations as were allowed
-  no_progress ///< it does not become smaller any more: by rounding, or because a number is not finite
+  no_progress ///< it does not become smaller any more: by rounding, or as a number is not finite
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef

@@ -106,7 +106,7 @@ public:
     return m_prolongation * to_coarse;
   }
 
-  /// all distances between vertices of the fine level. Complexity: quadratic.
+  /// computes all distances between vertices of the fine level. Complexity: quadratic.
   /// Memory: \f$8 n (n + n_c)\f$ bytes for \f$n\f$ vertices.
   Eigen::MatrixXd matrix() const
   {

@@ -169,8 +169,8 @@ public:
   /// returns the mass with index `c` of a vertex.
   double mass(Vertex_index v, std::size_t c) const { return m_state[v * m_channels + c].mass; }
 
-  /// returns the mass with index `c` of a vertex times the vector to the center of where it came from,
-  /// in the frame of the vertex.
+  /// returns the mass with index `c` of a vertex times the vector to the center of where it came
+  /// from, in the frame of the vertex.
   std::complex<double> moment(Vertex_index v, std::size_t c) const
   {
     return m_state[v * m_channels + c].moment;

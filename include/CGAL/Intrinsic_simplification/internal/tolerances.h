@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
-// Every tolerance of the package, with its reason. They are relative, or angles: none depends on the
-// unit of length.
+// Every tolerance of the package, with its reason. They are relative, or angles: none depends on
+// the unit of length.
 
 inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<double>(); }
 
@@ -41,12 +41,12 @@ constexpr double nearly_flat = 1e-4;
 // excess hardly changes with the scale factor, it vanishes in the limit of length zero only.
 constexpr double greatest_last_step = 0.1;
 
-// Beyond this step Newton's method leaves the range where the linear model means anything: a factor
-// of e^4 is the square of one between lengths.
+// Newton's method does not take a longer step, which would multiply lengths by more than e^2 at
+// once: the linear model is of no use that far away.
 constexpr double greatest_newton_step = 4;
 
-// The square of the tangent up to which five terms of the series of the arc tangent are exact up to
-// rounding: 0.0036^6 / 13 is half a unit of rounding.
+// The square of the tangent up to which six terms of the series of the arc tangent are exact up to
+// rounding: the next term is at most 0.0036^6 / 13, that is 1.7e-16, of the result.
 constexpr double greatest_squared_tangent = 0.0036;
 
 // The part of the sum of all absolute values of a Laplace matrix that its sum may have by rounding:

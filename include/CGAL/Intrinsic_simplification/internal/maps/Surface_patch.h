@@ -19,8 +19,8 @@ namespace Intrinsic_simplification {
 namespace internal {
 
 // The faces that an operation changes, before and after it, are a patch with four corners. On
-// homogeneous coordinates of the patch an operation is linear. A point has coordinates only; a point
-// of a curve or polygon also knows by combinatorics on which edge or at which corner it is.
+// homogeneous coordinates of the patch an operation is linear. A point has coordinates only; a
+// point of a curve or polygon also knows by combinatorics on which edge or at which corner it is.
 
 typedef std::array<double, 3> Coordinates;       // in a face
 typedef std::array<double, 4> Patch_coordinates; // in a patch
