@@ -164,7 +164,7 @@ private:
   {
     if(!m_route.is_forward())
       return insert_vertex(sectors, s);
-    const Patch_face face = sectors.sector_of(s.face);
+    const Patch_face face = sectors[sectors.sector_of(s.face)];
     add_part(sectors.whole(), sectors.in_whole(face.in_patch(s.from)),
              sectors.in_whole(face.in_patch(s.to)));
   }

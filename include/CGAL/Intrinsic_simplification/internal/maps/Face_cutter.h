@@ -163,7 +163,7 @@ private:
 
   void pass(const Vertex_sectors& sectors, Timed_cell& c)
   {
-    const Patch_face sector = sectors.sector_of(c.cell.face);
+    const Patch_face sector = sectors[sectors.sector_of(c.cell.face)];
     c.cell.face = sectors.whole().face;
     change_points(c.cell, [&](const Face_point& p) {
       return sectors.whole().in_face(sectors.in_whole(sector.in_patch(p)));

@@ -41,10 +41,10 @@ public:
     return Patch_face(m_sector[n], {m, n, (n + 1) % 3});
   }
 
-  // the sector that has the face `f`
-  Patch_face sector_of(Face_index f) const
+  // the index of the sector that has the face `f`
+  std::size_t sector_of(Face_index f) const
   {
-    return (*this)[f == m_sector[0].face() ? 0 : f == m_sector[1].face() ? 1 : 2];
+    return f == m_sector[0].face() ? 0 : f == m_sector[1].face() ? 1 : 2;
   }
 
   // expresses the vertex by the corners of the whole face

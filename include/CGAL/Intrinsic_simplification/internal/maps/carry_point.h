@@ -19,7 +19,8 @@ namespace Intrinsic_simplification {
 namespace internal {
 
 // Carries a point, which is in a face of the evolving surface, through operations on its face.
-// Coordinates are homogeneous. The direction is a constant, for speed.
+// Coordinates are homogeneous. The direction is a constant, and faces of a patch are named by
+// constants, so that no index is computed.
 template <bool is_forward>
 class Carried_point
 {
@@ -38,7 +39,6 @@ public:
   void pass(const Flip& flip)
   {
     const Turned_edge turn(flip, is_forward);
-    // constant arguments make the indices of corners constants
     Patch_coordinates x = turn.has_r(m_point.first) ? turn.before(true).in_patch(m_point.second)
                                                     : turn.before(false).in_patch(m_point.second);
     if(turn.is_beside_p(x))
@@ -50,7 +50,11 @@ public:
   void pass(const Vertex_sectors& sectors)
   {
     if constexpr(is_forward) {
-      Patch_coordinates x = sectors.sector_of(m_point.first).in_patch(m_point.second);
+      const Coordinates& b = m_point.second;
+      const std::size_t n = sectors.sector_of(m_point.first);
+      Patch_coordinates x = n == 0   ? sectors[0].in_patch(b)
+                            : n == 1 ? sectors[1].in_patch(b)
+                                     : sectors[2].in_patch(b);
       sectors.merge(x);
       move_to(sectors.whole(), x);
     } else {
