@@ -235,24 +235,11 @@ TEST(Subdivision, OfOneLevel)
   expect_parents(subdivision);
 }
 
-bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
-{
-  const auto side = [](const Point& p, const Point& q, const Point& r) {
-    return CGAL::orientation(Kernel::Point_2(p.x(), p.y()), Kernel::Point_2(q.x(), q.y()),
-                             Kernel::Point_2(r.x(), r.y()));
-  };
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
 // In the plane every vertex is at the same place on both levels, and brute force counts the
 // crossings.
 TEST(Subdivision, OfAFlatPolygon)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Mesh mesh = flat_mesh(seed);
-    const Simplified s = simplified_inside(mesh);
-    const Surface_map map(s.surface, s.fine, s.coarse);
+  for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {
     const Subdivision subdivision(map);
     std::size_t expected = 0, found = 0;
     for(Edge_index e : s.coarse.mesh().edges())
@@ -270,7 +257,7 @@ TEST(Subdivision, OfAFlatPolygon)
                 1e-8);
     }
     EXPECT_EQ(found, expected);
-  }
+  });
 }
 
 // Coarse edges run through vertices and along edges, but for rounding.

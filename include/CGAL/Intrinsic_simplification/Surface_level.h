@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a copy of an evolving surface as it is at one time, with elements numbered without gaps, in
-/// their order. Several make a hierarchy.
+/// a copy of an evolving surface as it is at one time, with indices of elements without gaps, in
+/// the order of those of the surface. Several make a hierarchy.
 /// \cgalModels `IntrinsicSurface`
 class Surface_level
 {
@@ -30,7 +30,7 @@ public:
   /// the type of the map of edge lengths.
   typedef Intrinsic_surface::Length_map Length_map;
 
-  /// copies the present state. Complexity: linear in the numbers that have been used for elements.
+  /// copies the present state. Complexity: linear in the indices that have been used for elements.
   explicit Surface_level(const Evolving_surface& surface)
     : Surface_level(surface, surface.history().size())
   {}
@@ -38,7 +38,7 @@ public:
   /// copies a surface.
   /// \param surface a model of `IntrinsicSurface`; removed elements leave gaps in the indices
   /// \param time the number of operations that have led to it
-  /// Complexity: linear in the numbers that have been used for elements.
+  /// Complexity: linear in the indices that have been used for elements.
   template <typename Surface>
   Surface_level(const Surface& surface, Surface_history::Time time) : m_time(time)
   {
@@ -54,7 +54,7 @@ public:
       m_length.push_back(get(surface.length_map(), e));
   }
 
-  /// how many operations had been done.
+  /// returns the number of operations that had been done.
   Surface_history::Time time() const { return m_time; }
 
   /// returns the connectivity.
@@ -63,30 +63,31 @@ public:
   /// returns the lengths of the edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
 
-  /// an intrinsic triangulation with \f$T_1 = T_2\f$. Complexity: linear.
+  /// returns an intrinsic triangulation with \f$T_1 = T_2\f$. Complexity: linear.
   Evolving_surface::Triangulation triangulation() const
   {
     return Evolving_surface::Triangulation(
       m_mesh, Intrinsic_triangulations::parameters::edge_length_map(length_map()));
   }
 
-  /// the number that the vertex `v` of this level has in the evolving surface, and in the input.
+  /// returns the index of the vertex `v` of this level in the evolving surface, and in the input.
   Vertex_index surface_vertex(Vertex_index v) const { return m_surface_vertex[v]; }
 
-  /// the number that the face `f` of this level has in the evolving surface.
+  /// returns the index of the face `f` of this level in the evolving surface.
   Face_index surface_face(Face_index f) const { return m_surface_face[f]; }
 
-  /// one more than the greatest number of a face in the evolving surface at this time and later.
+  /// returns one more than the greatest index of a face in the evolving surface at this time and
+  /// later.
   Delta_complex::size_type number_of_surface_faces() const
   {
     return m_surface_face.empty() ? 0 : m_surface_face.back().idx() + 1;
   }
 
-  /// the number that the vertex `v` of the evolving surface has in this level; null if it has been
+  /// returns the index in this level of the vertex `v` of the evolving surface; null if it has been
   /// removed before. Complexity: logarithmic.
   Vertex_index level_vertex(Vertex_index v) const { return find(m_surface_vertex, v); }
 
-  /// the number that the face `f` of the evolving surface has in this level; null if it has been
+  /// returns the index in this level of the face `f` of the evolving surface; null if it has been
   /// removed before. Complexity: logarithmic.
   Face_index level_face(Face_index f) const { return find(m_surface_face, f); }
 

@@ -207,7 +207,7 @@ private:
       m_angle[h.idx()] = sum;
       sum += mesh.is_border(h) ? FT(0) : corner(h);
     });
-    const FT before_start = angle(start), whole = (mesh.is_border(v) ? 1 : 2) * internal::pi<FT>();
+    const FT before_start = angle(start), whole = (mesh.is_border(v) ? 1 : 2) * pi<FT>();
     for_each_spoke(v, mesh, [&](Halfedge_index h) {
       const FT part = sum > 0 ? (angle(h) - before_start) / sum : FT(0);
       m_angle[h.idx()] =
@@ -217,7 +217,7 @@ private:
 
   static FT wrapped(const FT& angle)
   {
-    const FT turn = 2 * internal::pi<FT>();
+    const FT turn = 2 * pi<FT>();
     return angle < 0 ? angle + turn : angle < turn ? angle : angle - turn;
   }
 
@@ -227,7 +227,7 @@ private:
   FT angle_between_neighbors(Halfedge_index h) const
   {
     const Halfedge_index before = previous_spoke(h, m_tri.mesh());
-    const FT scale = scale_at(h), turn = 2 * internal::pi<FT>();
+    const FT scale = scale_at(h), turn = 2 * pi<FT>();
     const FT right = scale * corner(before), both = right + scale * corner(h);
     const FT gap = angle(next_spoke(h, m_tri.mesh())) - angle(before);
     const FT lack = std::remainder(gap - both, turn);

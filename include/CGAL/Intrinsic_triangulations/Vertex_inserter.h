@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
@@ -350,7 +351,7 @@ private:
   {
     const Delta_complex& mesh = m_tri.mesh();
     return internal::angle_at_source(h, m_tri) +
-           internal::angle_at_source(mesh.next(mesh.opposite(h)), m_tri) - FT(CGAL_PI);
+           internal::angle_at_source(mesh.next(mesh.opposite(h)), m_tri) - pi<FT>();
   }
 
   bool can_be_flipped(Halfedge_index h) const

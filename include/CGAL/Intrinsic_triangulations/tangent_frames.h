@@ -79,10 +79,7 @@ public:
   }
 
 private:
-  FT normalized_sum(Vertex_index v) const
-  {
-    return m_is_border[v.idx()] ? internal::pi<FT>() : 2 * internal::pi<FT>();
-  }
+  FT normalized_sum(Vertex_index v) const { return m_is_border[v.idx()] ? pi<FT>() : 2 * pi<FT>(); }
 
   // The angles on the surface first, then normalized.
   template <typename Surface>

@@ -48,7 +48,7 @@ public:
       relax(j, b, x);
   }
 
-  // the same in reverse, which makes both together symmetric
+  // a sweep in reverse, which makes both together symmetric
   void smooth_back(const Vector& b, Vector& x) const
   {
     for(Eigen::Index j = x.size(); j-- > 0;)

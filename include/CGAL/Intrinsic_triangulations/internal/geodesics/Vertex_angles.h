@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 
@@ -19,12 +20,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-template <typename FT>
-FT pi()
-{
-  return std::acos(FT(-1));
-}
 
 // The angles at one vertex: on the surface, counterclockwise from a given spoke, and normalized,
 // from its first spoke (Section 2.3.2).

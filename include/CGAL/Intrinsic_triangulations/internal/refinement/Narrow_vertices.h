@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 
@@ -37,7 +38,7 @@ public:
     : m_tri(tri), m_is_narrow(tri.mesh().num_vertices(), false)
   {
     for(Vertex_index v : tri.mesh().vertices())
-      m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < FT(CGAL_PI) / 3;
+      m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < pi<FT>() / 3;
   }
 
   // Why a bad face may stay, and the narrow vertex that is to blame. `lists` has the crossings on
