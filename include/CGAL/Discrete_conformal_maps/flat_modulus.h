@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -47,8 +48,9 @@ inline double flat_area(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
   const auto length = [&](Halfedge_index h) {
-    return map.ideal().length(mesh.edge(h)) *
-           std::exp((map.log_scale(mesh.source(h)) + map.log_scale(mesh.target(h))) / 2);
+    return scaled_length(
+      map.ideal().length(mesh.edge(h)),
+      length_factor(map.log_scale(mesh.source(h)) + map.log_scale(mesh.target(h))));
   };
   double result = 0;
   for(Face_index f : mesh.faces()) {

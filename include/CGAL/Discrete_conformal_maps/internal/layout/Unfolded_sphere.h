@@ -154,8 +154,7 @@ private:
   {
     Ptolemy_surface<double> ideal(m_problem.triangulation().mesh(),
                                   m_problem.triangulation().length_map());
-    for(Halfedge_index h : m_flips)
-      ideal.flip(h);
+    ideal.replay(m_flips);
     const Delta_complex& mesh = ideal.mesh();
     m_cross_ratio_error = max_stereographic_cross_ratio_error(
       mesh, [&](Edge_index e) { return ideal.length(e); }, position, m_at_infinity);
