@@ -18,7 +18,7 @@ near()
 # is_conformal FILE: the statistics are those of a map that nothing is wrong with.
 is_conformal()
 {
-  grep -q '"status": "converged"' "$1"
+  grep -q '"status": "success"' "$1"
   grep -q '"flipped_triangles": 0,' "$1"
   grep -q '"degenerate_triangles": 0,' "$1"
   near "$(number "$1" max_curvature_error)" 0 1e-10

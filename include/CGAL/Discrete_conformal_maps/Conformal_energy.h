@@ -62,15 +62,15 @@ public:
   typedef Eigen::VectorXd Vector;
 
   /// the energy of a surface.
-  /// \param mesh the connectivity, without boundary; intrinsic Delaunay, unless it is fixed
+  /// \param complex the connectivity, without boundary; intrinsic Delaunay, unless it is fixed
   /// \param length a readable property map from the edges to positive lengths
   /// \param target_defect the angle defects \f$\Omega^*\f$ of the minimum, in radians, by the
   ///        indices of vertices
   /// \param flipping whether the triangulation follows the scale factors
   template <typename EdgeLengthMap>
-  Conformal_energy(const Delta_complex& mesh, const EdgeLengthMap& length,
+  Conformal_energy(const Delta_complex& complex, const EdgeLengthMap& length,
                    const Vector& target_defect, Flipping flipping = Flipping::to_Delaunay)
-    : Base(Penner_surface<FT>(mesh, length, flipping), flipping == Flipping::none),
+    : Base(Penner_surface<FT>(complex, length, flipping), flipping == Flipping::none),
       m_target_defect(target_defect)
   {
     this->evaluate(Vector::Zero(target_defect.size()));

@@ -18,8 +18,8 @@ using Intrinsic_triangulations::Delta_complex;
 using Intrinsic_triangulations::Edge_index;
 using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Halfedge_index;
-using Intrinsic_triangulations::Vertex_index;
 using Intrinsic_triangulations::opposite;
+using Intrinsic_triangulations::Vertex_index;
 
 } // namespace Discrete_conformal_maps
 } // namespace CGAL

@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>

@@ -38,10 +38,13 @@ public:
   template <typename Scale_factors>
   void set_scale_factors(const Scale_factors& scale)
   {
+    m_data.status = scale.status();
     m_data.minimization = scale.result();
     m_data.max_curvature_error = scale.max_curvature_error();
     m_data.log_scale.assign(scale.values().data(), scale.values().data() + scale.values().size());
   }
+
+  void set_status(Map_status status) { m_data.status = status; }
 
   void add_to_scale_factors(const std::vector<double>& correction)
   {

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,8 @@ public:
     FT greatest(0);
     for(Vertex_index v : mesh().vertices())
       greatest = (std::max)(greatest, FT(abs(u[v.idx()])));
-    m_margin = 16 * std::numeric_limits<FT>::epsilon() * (1 + greatest);
+    m_margin =
+      tolerance::roundings_of_squares * std::numeric_limits<FT>::epsilon() * (1 + greatest);
     m_surface.set_scale_factors(u);
     m_surface.flip_until([this](Halfedge_index h) { return is_Delaunay(h); });
   }

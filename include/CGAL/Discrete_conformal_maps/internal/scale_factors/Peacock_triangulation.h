@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
 #include <algorithm>
@@ -89,7 +90,7 @@ private:
     FT& end = m_end[e.idx()];
     end = (std::max)(FT(-shrinking / growing), m_scale);
     // a tie is not broken by rounding, lest edges be flipped without end
-    if(growing > 16 * std::numeric_limits<FT>::epsilon() * center_size)
+    if(growing > tolerance::roundings_of_squares * std::numeric_limits<FT>::epsilon() * center_size)
       m_queue.emplace(end, e.idx());
     else
       end = std::numeric_limits<FT>::infinity();

@@ -37,8 +37,9 @@ public:
 
   // `length` is a readable property map of the lengths of edges
   template <typename EdgeLengthMap>
-  Spherical_energy(const Delta_complex& mesh, const EdgeLengthMap& length, Vertex_index at_infinity)
-    : Base(Partially_decorated_surface<FT>(mesh, length, at_infinity), false)
+  Spherical_energy(const Delta_complex& complex, const EdgeLengthMap& length,
+                   Vertex_index at_infinity)
+    : Base(Partially_decorated_surface<FT>(complex, length, at_infinity), false)
   {}
 
   FT value() const;
