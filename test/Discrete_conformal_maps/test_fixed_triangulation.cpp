@@ -298,14 +298,18 @@ TEST(Fixed_triangulation, fails_with_hard_cones_where_flips_succeed)
   EXPECT_GT(failures, 20u);
 }
 
-TEST(Map_status, names)
+// Enumerators are numbered from zero on; the value after the last has no text.
+TEST(Map_status, every_value_has_a_name_and_a_message)
 {
-  std::set<std::string> names;
-  for(const Map_status status :
-      {Map_status::success, Map_status::not_converged,
-       Map_status::triangle_inequality, Map_status::no_minimum,
-       Map_status::layout_collapsed})
-    names.insert(DC::to_string(status));
-  EXPECT_EQ(names.size(), 5u);
-  EXPECT_EQ(names.count("unknown"), 0u);
+  std::set<std::string> names, messages;
+  for(int i = 0; i <= int(Map_status::not_glued); ++i) {
+    names.insert(DC::to_string(Map_status(i)));
+    messages.insert(DC::message(Map_status(i)));
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"success", "not_converged", "triangle_inequality",
+                                          "no_minimum", "layout_collapsed", "not_convex",
+                                          "not_conformal", "not_glued"}));
+  EXPECT_EQ(messages.size(), names.size());
+  EXPECT_EQ(messages.count("unknown"), 0u);
+  EXPECT_EQ(DC::to_string(Map_status(int(Map_status::not_glued) + 1)), std::string("unknown"));
 }

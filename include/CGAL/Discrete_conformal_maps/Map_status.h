@@ -29,8 +29,8 @@ enum class Map_status
                  ///< 4.4.3
   not_conformal, ///< a length cross ratio on the sphere is not that of the input, by more than
                  ///< \f$10^{-8}\f$: numbers have too few digits
-  not_glued      ///< in the hyperbolic plane, a product of gluing motions that must be the identity
-                 ///< differs from it by more than \f$10^{-9}\f$: numbers have too few digits
+  not_glued ///< in the hyperbolic plane, faces do not close up around a vertex: a product of gluing
+            ///< motions differs from the identity by more than \f$10^{-9}\f$
 };
 
 namespace internal {

@@ -95,8 +95,8 @@ private:
     if(error > tolerance::gluing && tolerance::extended_gain * error <= tolerance::gluing)
       error = lay_out_with_more_digits<Extended>(cut);
     if(!(error <= tolerance::gluing))
-      error = lay_out_with_more_digits<More_extended>(cut);
-    if(m_map.status() == Map_status::success && !(error <= tolerance::gluing))
+      lay_out_with_more_digits<More_extended>(cut);
+    if(m_map.status() == Map_status::success && !(m_map.max_gluing_error() <= tolerance::gluing))
       m_builder.set_status(Map_status::not_glued);
   }
 

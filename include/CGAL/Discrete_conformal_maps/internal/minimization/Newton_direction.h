@@ -9,12 +9,12 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Supernodal_Cholesky.h>
 #else
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Simplicial_Cholesky.h>
-#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #endif
 
 #include <Eigen/SparseCore>
