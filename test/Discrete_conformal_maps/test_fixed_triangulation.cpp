@@ -20,8 +20,8 @@
 namespace {
 
 using namespace Test_surfaces;
-using DC::Map_status;
 using DC::Flipping;
+using DC::Map_status;
 typedef Eigen::VectorXd Numbers;
 typedef CGAL::Discrete_conformal_maps::internal::Flat_triangle<double> Flat_triangle;
 
@@ -244,8 +244,8 @@ TEST(Fixed_triangulation, a_vertex_may_need_more_angle_than_its_faces_have)
       EXPECT_NE(fixed.status(), Map_status::no_minimum);
       continue;
     }
-    EXPECT_EQ(fixed.status(), curvature < -pi ? Map_status::no_minimum
-                                              : Map_status::triangle_inequality);
+    EXPECT_EQ(fixed.status(),
+              curvature < -pi ? Map_status::no_minimum : Map_status::triangle_inequality);
     for(Face_index f : mesh_C(fixed).faces())
       EXPECT_FALSE(fixed.is_laid_out(f));
   }
@@ -306,9 +306,9 @@ TEST(Map_status, every_value_has_a_name_and_a_message)
     names.insert(DC::to_string(Map_status(i)));
     messages.insert(DC::message(Map_status(i)));
   }
-  EXPECT_EQ(names, (std::set<std::string>{"success", "not_converged", "triangle_inequality",
-                                          "no_minimum", "layout_collapsed", "not_convex",
-                                          "not_conformal", "not_glued"}));
+  EXPECT_EQ(
+    names, (std::set<std::string>{"success", "not_converged", "triangle_inequality", "no_minimum",
+                                  "layout_collapsed", "not_convex", "not_conformal", "not_glued"}));
   EXPECT_EQ(messages.size(), names.size());
   EXPECT_EQ(messages.count("unknown"), 0u);
   EXPECT_EQ(DC::to_string(Map_status(int(Map_status::not_glued) + 1)), std::string("unknown"));

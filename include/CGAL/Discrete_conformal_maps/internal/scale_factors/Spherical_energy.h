@@ -34,6 +34,7 @@ class Spherical_energy
 
 public:
   typedef FT_ FT;
+  using Base::surface;
 
   // `length` is a readable property map of the lengths of edges
   template <typename EdgeLengthMap>
@@ -46,7 +47,6 @@ public:
 
 private:
   using Base::mesh;
-  using Base::surface;
 
   template <typename Index>
   bool is_remaining(Index i) const
