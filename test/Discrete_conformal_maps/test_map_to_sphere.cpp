@@ -61,6 +61,7 @@ double cross_ratio(const std::array<unsigned, 4>& v, const Distance& distance)
 void check_map(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
+  EXPECT_EQ(map.status(), DC::Map_status::success);
   EXPECT_TRUE(map.certificate().is_convex());
   EXPECT_EQ(map.bound_violations(), 0u);
   EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);

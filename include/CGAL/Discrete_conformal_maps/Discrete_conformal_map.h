@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
@@ -73,7 +74,10 @@ public:
   /// the logarithmic scale factor at `v`.
   double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
 
-  /// how the minimization of the energy has ended.
+  /// returns whether the map has what is prescribed, and if not, why.
+  Map_status status() const { return m_data->status; }
+
+  /// returns how the minimization of the energy has ended.
   const Minimization_result& minimization() const { return m_data->minimization; }
 
   /// the greatest difference of a curvature from what was prescribed, in radians.
@@ -111,6 +115,7 @@ private:
     std::size_t number_of_front_faces = 0;
     std::vector<Vertex_index> input_vertex;
     std::vector<double> log_scale;
+    Map_status status = Map_status::success;
     Minimization_result minimization;
     double max_curvature_error = 0;
     std::array<std::size_t, 3> number_of_flips{0, 0, 0};

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Disk_motion.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,7 @@ public:
   {
     const double u =
       log_scale(ideal().mesh().vertex(e, 0)) + log_scale(ideal().mesh().vertex(e, 1));
-    return 2 * std::asinh(ideal().length(e) * std::exp(u / 2));
+    return 2 * std::asinh(internal::scaled_length(ideal().length(e), internal::length_factor(u)));
   }
 
   /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the
