@@ -307,6 +307,7 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
 ///         cannot be: the error says where, and for curvatures the excess
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map flatten(const Graph& g,
                              const NamedParameters& np = CGAL::parameters::default_values())
