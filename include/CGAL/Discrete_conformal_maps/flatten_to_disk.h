@@ -95,17 +95,29 @@ private:
 /// The exterior angles of a polygon in a circle depend on the lengths of its edges, and these on
 /// the angles. So the surface is flattened several times, each time with the angles for the lengths
 /// before, until they change by at most \f$10^{-10}\f$; Anderson's method accelerates this. The
-/// `minimization()` of the result is the last one. On a disk without cones the result is, up to a
-/// Moebius transformation, that of `map_to_sphere()` in the plane, which takes one minimization;
-/// this function allows handles, cones and several components.
+/// `minimization()` of the result is the last one. Where no edge of
+/// \f$T^B\f$ and \f$T^C\f$ crosses the boundary, the image of a disk without cones is, up to a Moebius
+/// transformation, that of `map_to_sphere()` in the plane, which takes one minimization. This
+/// function also allows several components, and handles if there are cones.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param g a manifold triangle mesh whose components have one boundary loop each; isolated
 ///   vertices are allowed
-/// \param np the parameters of `flatten()`, where a `vertex_condition_map` applies to vertices
-///   inside, and
+/// \param np the parameters of `flatten()`, and
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_condition_map}
+///     \cgalParamDescription{what is prescribed at each vertex inside}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
+///       value}
+///     \cgalParamDefault{curvature zero}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_log_scale}
+///     \cgalParamDescription{as for `flatten()`; cones are also placed on the boundary, which has
+///       corners there, or is no circle}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{infinity}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{how many times the surface may be flattened}
 ///     \cgalParamType{`std::size_t`}
@@ -117,8 +129,7 @@ private:
 /// \returns a map with one of the statuses of `flatten()`; if a minimization fails, the map that it
 ///   gave
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
-///   does: a component with handles has no disk unless conditions or `maximum_log_scale` give it
-///   cones
+///   does: a component with handles has no disk unless a condition inside gives it a cone
 /// \throws Intrinsic_triangulations::Numerical_error if the boundary has not become a circle in
 ///   that number of iterations, or where numbers have not enough digits
 /// \throws Intrinsic_triangulations::Overflow_error where integers have not enough digits

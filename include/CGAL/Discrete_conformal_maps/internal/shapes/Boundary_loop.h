@@ -57,12 +57,13 @@ inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mes
     result.push_back(loop_after(border, mesh));
     for(Halfedge_index h : result.back())
       is_seen[h.idx()] = 1;
-    if(result.back().size() < least_size)
-      throw Invalid_input(std::string("a boundary has too few vertices for ") + shape);
   }
   for(Vertex_index v : mesh.vertices())
     if(!mesh.is_isolated(v) && !has_loop[components[v.idx()]])
       throw Invalid_input("a component has no boundary, but this shape is for one boundary loop");
+  for(const Boundary_loop& loop : result)
+    if(loop.size() < least_size)
+      throw Invalid_input(std::string("a boundary has too few vertices for ") + shape);
   return result;
 }
 
