@@ -47,7 +47,7 @@ public:
     return stage();
   }
 
-  // Begins a stage that lasts until the next. The seconds of stages with the same name are added up.
+  // Begins a stage that lasts until the next. The seconds of stages with one name are added up.
   void start_stage(const std::string& name)
   {
     end_stage();
