@@ -107,7 +107,8 @@ private:
 /// \param np the parameters of `flatten()`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_condition_map}
-///     \cgalParamDescription{what is prescribed at each vertex inside}
+///     \cgalParamDescription{what is prescribed at each vertex inside; with cones there need not be
+///       a circle}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
 ///       value}
 ///     \cgalParamDefault{curvature zero}
