@@ -147,6 +147,7 @@ public:
     }
   }
 
+  /// \cond SKIP_IN_MANUAL
 protected:
   explicit Subdivision_base(const std::array<const Delta_complex*, number_of_sides>& sides)
     : m_side(sides)
@@ -208,6 +209,7 @@ protected:
   {
     m_parent_face[index(side)][f.idx()] = parent;
   }
+  /// \endcond
 
 private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
