@@ -368,8 +368,8 @@ TEST(Insertion, linear_functions_of_the_plane)
   const Triangulation t = changed(Triangulation(mesh), 1, 100);
   const Correspondence c(t);
   const Subdivision s(c);
-  const auto from_input = IT::interpolation_matrix(Side::input, s, t);
-  const auto from_intrinsic = IT::interpolation_matrix(Side::intrinsic, s, t);
+  const auto from_input = IT::interpolation_matrix(Side::input, s);
+  const auto from_intrinsic = IT::interpolation_matrix(Side::intrinsic, s);
   Eigen::VectorXd x(Eigen::Index(mesh.number_of_vertices()));
   for(Vertex_index v : mesh.vertices())
     x[Eigen::Index(v.idx())] = mesh.point(v).x() + 2 * mesh.point(v).y();

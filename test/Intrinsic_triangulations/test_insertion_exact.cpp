@@ -245,8 +245,8 @@ void check_interpolation(const Flat_insertion::Result& r, const Flat_surface& su
       result[Eigen::Index(i)] = double(points[i].x) + 2 * double(points[i].y);
     return result;
   };
-  const auto from_input = IT::interpolation_matrix(Side::input, s, t);
-  const auto from_intrinsic = IT::interpolation_matrix(Side::intrinsic, s, t);
+  const auto from_input = IT::interpolation_matrix(Side::input, s);
+  const auto from_intrinsic = IT::interpolation_matrix(Side::intrinsic, s);
   const Eigen::VectorXd a = from_input * values(surface.point),
                         b = from_intrinsic * values(r.point);
   EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-10 * b.cwiseAbs().maxCoeff());
