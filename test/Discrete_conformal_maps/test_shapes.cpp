@@ -65,11 +65,7 @@ std::vector<Flat_boundary> flat_boundaries(const Planar_conformal_map& map)
       continue;
     result.emplace_back();
     for(Halfedge_index h = start; seen.insert(h).second;) {
-<<<<<<< HEAD
       const auto z = map.homogeneous_coordinates(s.location(Layer::C, h));
-=======
-      const auto z = map.homogeneous_coordinates(s.location(DC::Layer::C, h));
->>>>>>> subdivision
       result.back().points.push_back(Complex(z[0], z[1]) / z[2]);
       const Vertex_index v = mesh.target(h);
       result.back().vertices.push_back(v.idx() < mesh_A(map).number_of_vertices() ? v
