@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -378,7 +379,7 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
   for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
-  const FT tolerance(1e-6); // beyond rounding of the angles
+  const FT tolerance = internal::flat_angle_tolerance<FT>();
   FT least = std::numeric_limits<FT>::infinity();
   Halfedge_index result;
   for_each_spoke(v, mesh, [&](Halfedge_index spoke) {

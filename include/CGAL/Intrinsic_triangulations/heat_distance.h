@@ -94,9 +94,9 @@ public:
   {}
 
   /// computes the distance of every vertex to the nearest source. It is exactly zero at the sources
-  /// and infinite on a component without a source; elsewhere it can be below zero by an error of the
-  /// method. Complexity: linear in the size of the factorizations; if a component has more than one
-  /// source, another sparse Cholesky factorization.
+  /// and infinite on a component without a source; elsewhere it can be below zero by an error of
+  /// the method. Complexity: linear in the size of the factorizations; if a component has more than
+  /// one source, another sparse Cholesky factorization.
   /// \param sources a range of vertices
   /// \throws Numerical_error if the heat is below the range of `FT` somewhere: with `double` that
   ///         takes some 1400 mean edge lengths (and less with a factor below one)

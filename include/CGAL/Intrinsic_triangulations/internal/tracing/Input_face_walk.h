@@ -10,6 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,7 +56,7 @@ public:
         break;
       place = *next;
     }
-    if(squared_distance(place, p.second) > closeness() * closeness())
+    if(squared_distance(place, p.second) > CGAL::square(region_tolerance<FT>()))
       place = closest_place(start, p.second);
     return {place.first, Face_of_place(place, *this).map.inverse()(p.second)};
   }
@@ -159,14 +162,13 @@ private:
   FT squared_distance(const Place& place, const Coordinates& p) const
   {
     const Face_of_place face(place, *this);
-    const FT tolerance = closeness() * closeness();
     std::size_t long_pieces = 0;
     bool is_outside = false;
     FT least = std::numeric_limits<FT>::infinity();
     for(std::size_t c = 0; c < face.region.size(); ++c) {
       const Coordinates &a = face.corner(c), &b = face.corner(c + 1);
       least = (std::min)(least, squared_distance(a, b, p));
-      if(dot(a, b, a, b) > tolerance) {
+      if(dot(a, b, a, b) > CGAL::square(region_tolerance<FT>())) {
         ++long_pieces;
         is_outside = is_outside || orientation(a, b, p) < 0;
       }
@@ -185,9 +187,6 @@ private:
       foot[s] = a[s] + t * (b[s] - a[s]);
     return dot(foot, p, foot, p);
   }
-
-  // A point that is outside of its region by no more is there by rounding.
-  static FT closeness() { return FT(1e-12); }
 
   const Correspondence<Traits>& m_correspondence;
   const Delta_complex& m_mesh;
