@@ -121,10 +121,10 @@ public:
   ///
   /// The angles at \f$k\f$ and \f$l\f$ add up to more than \f$\pi\f$ if one of them, at \f$k\f$
   /// say, is obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In floating
-  /// point an edge counts as non-Delaunay only if it is so for all lengths within `rounding_unit()`
-  /// of the stored ones. So four cocircular points are a tie and ties are kept, an edge that has
-  /// just been flipped is never flipped back, and a triangle of zero area over its long side gives
-  /// way.
+  /// point the tolerance is one-sided: an edge counts as non-Delaunay only if it is so for all
+  /// lengths within `rounding_unit()` of the stored ones. So four cocircular points are a tie and
+  /// ties are kept, an edge that has just been flipped is never flipped back, and a triangle of zero
+  /// area over its long side gives way.
   struct Is_locally_Delaunay
   {
     /// returns whether the edge is Delaunay.
