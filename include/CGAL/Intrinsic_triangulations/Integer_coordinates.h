@@ -159,7 +159,9 @@ public:
     return {opposite_side, static_cast<Integer>(curves_around(mesh.prev(spoke), mesh) + k)};
   }
 
-  /// moves `c` to the next crossing of its curve; leaves it unchanged if the curve ends.
+  /// moves `c` to the next crossing of its curve; leaves it unchanged if the curve ends. Repeated, it
+  /// comes to an end for every curve that starts at a corner, whatever the coordinates: a crossing
+  /// has one successor and one predecessor, and the first has none, so that no crossing repeats.
   Turn advance(Crossing& c, const Delta_complex& mesh) const
   {
     const Halfedge_index ji = mesh.opposite(c.halfedge);

@@ -116,13 +116,14 @@ public:
   /// Complexity: in practice quadratic in the degree.
   /// \param v the vertex
   /// \param after_flip a function that is called with a halfedge of every flipped edge
-  /// \returns the face that takes its place; null if no more edges could be flipped: then the
-  ///          vertex stays, and the triangulation is valid, but perhaps not Delaunay
+  /// \returns the face that takes its place; null if no more edges could be flipped, or 10,000 flips
+  ///          were not enough: then the vertex stays, and the triangulation is valid, but perhaps
+  ///          not Delaunay
   /// \pre `triangulation().is_inserted(v)`
   template <typename After_flip>
   Face_index remove(Vertex_index v, const After_flip& after_flip);
 
-  /// the same.
+  /// removes the inserted vertex `v` without notifying of flips.
   Face_index remove(Vertex_index v)
   {
     return remove(v, [](Halfedge_index) {});

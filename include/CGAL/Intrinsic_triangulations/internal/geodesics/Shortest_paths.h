@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
@@ -244,11 +245,21 @@ private:
 
   // ---- Following views ----
 
+  // More steps than surfaces need: on embedded ones views are at most quadratic in the size, and a
+  // hundred million are for few faces that paths wind around. Rounding could make it more.
+  std::size_t greatest_number_of_steps() const
+  {
+    const std::size_t n = m_mesh.number_of_halfedges();
+    return 100000000 + n * n;
+  }
+
   template <typename Limit>
   void run(const Limit& limit)
   {
     const FT infinity = std::numeric_limits<FT>::infinity();
-    while(!m_views.empty() || !m_bends.empty()) {
+    for(std::size_t steps = 0; !m_views.empty() || !m_bends.empty(); ++steps) {
+      if(steps > greatest_number_of_steps())
+        throw Numerical_error("the search for shortest paths does not end");
       const FT view = m_views.empty() ? infinity : m_views.top().least;
       const FT bend = m_bends.empty() ? infinity : m_bends.top().length;
       if((std::min)(view, bend) > limit() * (1 + rounding_unit<FT>()))

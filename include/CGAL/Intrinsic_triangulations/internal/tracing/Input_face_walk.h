@@ -137,7 +137,7 @@ private:
     return result;
   }
 
-  // Of all regions in the face of T1 the one that is closest to `p`.
+  // Returns the region in the face of T1 that is closest to `p`. Each is looked at once.
   Place closest_place(const Place& start, const Coordinates& p) const
   {
     std::set<Place> seen{start};
