@@ -64,8 +64,8 @@ inline std::string refusal_of_data_mesh(const std::string& file)
   return found == refused_data_meshes().end() ? std::string() : found->second;
 }
 
-// Calls `visit(mesh)` for CGAL's triangle meshes up to a size of files in bytes, none left out: what
-// the soup lacks in orientation or at vertices, CGAL repairs as it reads.
+// Calls `visit(mesh)` for CGAL's triangle meshes up to a size of files in bytes, none left out:
+// what the soup lacks in orientation or at vertices, CGAL repairs as it reads.
 template <typename Visit>
 void for_each_data_mesh(std::uintmax_t largest_file, const Visit& visit)
 {

@@ -53,8 +53,8 @@ inline std::vector<char> fixed_edges(const Triangulation& t)
   return result;
 }
 
-// The least angle between two of the input edges at `v` that are `fixed`; the angle sum if there are
-// fewer.
+// The least angle between two of the input edges at `v` that are `fixed`; the angle sum if there
+// are fewer.
 inline Real least_sector(Vertex_index v, const Triangulation& t, const std::vector<char>& fixed)
 {
   const Delta_complex& mesh = t.input_mesh();

@@ -57,8 +57,8 @@ public:
       m_predicate(predicate)
   {}
 
-  // Whether `f` violates the bound on angles. With sides a <= b <= c, the sine of the least angle
-  // is a * quadrupled_area / (2 abc).
+  // Returns whether `f` violates the bound on angles. With sides a <= b <= c, the sine of the least
+  // angle is a * quadrupled_area / (2 abc).
   bool is_too_thin(Face_index f) const
   {
     const std::array<FT, 3> side = sides_of(f);
@@ -66,7 +66,7 @@ public:
            2 * side[0] * side[1] * side[2] * m_sine;
   }
 
-  // whether `f` violates the bound on the circumradius, or the predicate wants it refined
+  // returns whether `f` violates the bound on the circumradius, or the predicate wants it refined
   bool is_too_large(Face_index f) const
   {
     const std::array<FT, 3> side = sides_of(f);

@@ -29,12 +29,12 @@ constexpr bool is_rounded()
 /// returns the relative error that a decision grants to every length: 0 for exact number types; for
 /// floating point 16 units in the last place, while a length comes from fewer than ten roundings.
 ///
-/// All decisions about lengths and directions use it: whether an edge is Delaunay or can be flipped,
-/// whether lengths obey the triangle inequality, whether a geodesic hits a vertex, and whether
-/// barycentric coordinates sum up to 1. It is relative: to the lengths that are compared, to a whole
-/// turn or angle sum, or to 1. The other tolerances of the package, in this header too, choose where
-/// vertices are inserted, which edges are flipped to remove them, and when a search goes over all
-/// regions of a face; none of them decides what is Delaunay.
+/// All decisions about lengths and directions use it: whether an edge is Delaunay or can be
+/// flipped, whether lengths obey the triangle inequality, whether a geodesic hits a vertex, and
+/// whether barycentric coordinates sum up to 1. It is relative: to the lengths that are compared,
+/// to a whole turn or angle sum, or to 1. The other tolerances of the package, in this header too,
+/// choose where vertices are inserted, which edges are flipped to remove them, and when a search
+/// goes over all regions of a face; none of them decides what is Delaunay.
 template <typename FT>
 constexpr FT rounding_unit()
 {
@@ -64,9 +64,9 @@ FT circumcenter_tolerance()
   return flat_angle_tolerance<FT>();
 }
 
-// The distance from a region, in barycentric coordinates of a face of T1, up to which a point counts
-// as in it. A line through the face passes many edges, each with the rounding of its crossing; for
-// `double` this is 2^-40. Beyond it, all regions of the face are looked at.
+// The distance from a region, in barycentric coordinates of a face of T1, up to which a point
+// counts as in it. A line through the face passes many edges, each with the rounding of its
+// crossing; for `double` this is 2^-40. Beyond it, all regions of the face are looked at.
 template <typename FT>
 constexpr FT region_tolerance()
 {

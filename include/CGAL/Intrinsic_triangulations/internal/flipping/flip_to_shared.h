@@ -49,8 +49,8 @@ std::size_t flip_to_shared(Integer_coordinates<Integer>& coordinates, Delta_comp
   return flips;
 }
 
-// Returns whether the curve that starts as number `k` in the corner of `spoke` ends where the edge of
-// `input` along which it starts does.
+// Returns whether the curve that starts as number `k` in the corner of `spoke` ends where the edge
+// of `input` along which it starts does.
 template <typename Integer>
 bool ends_at_twin(Halfedge_index spoke, const Integer& k,
                   const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
@@ -64,7 +64,7 @@ bool ends_at_twin(Halfedge_index spoke, const Integer& k,
   return coordinates.spoke_at_end(crossing, mesh, spokes) == input.opposite(start);
 }
 
-// The first edge of `input` that does not run over `mesh` to its other end, in words.
+// Returns the first edge of `input` that does not run over `mesh` to its other end, in words.
 template <typename Integer>
 std::string curve_defect(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
                          const Delta_complex& input, const Vertex_spokes& spokes)

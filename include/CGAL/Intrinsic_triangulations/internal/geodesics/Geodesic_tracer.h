@@ -91,7 +91,7 @@ private:
       m_status, {f, m_place}, m_direction, m_direction * std::conj(m_start), m_total - m_remaining};
   }
 
-  // the side of the present face that `h` is, counted from `m_h`
+  // returns the side of the present face that `h` is, counted from `m_h`
   std::size_t number_of(Halfedge_index h) const
   {
     return h == m_h ? 0 : h == m_mesh.next(m_h) ? 1 : 2;

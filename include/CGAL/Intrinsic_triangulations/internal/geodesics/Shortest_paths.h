@@ -82,7 +82,7 @@ public:
     run([] { return std::numeric_limits<FT>::infinity(); });
   }
 
-  // The path to a vertex, after run().
+  // Returns the path to a vertex, after run().
   const Path& operator[](Vertex_index v) const { return m_path[v.idx()]; }
 
   // to the vertex `v` alone
@@ -92,7 +92,7 @@ public:
     return m_path[v.idx()];
   }
 
-  // The path to the point given at construction alone.
+  // Returns the path to the point given at construction alone.
   Path path_to_target()
   {
     run([&] { return m_path_to_target.length; });
@@ -138,7 +138,8 @@ private:
 
   // ---- Paths ----
 
-  // Of two paths that are equal but for rounding the straight one is better.
+  // Replaces `path` by `other` if that is better, and returns whether it was: of two paths that are
+  // equal up to rounding the straight one is better.
   static bool improve(Path& path, const Path& other)
   {
     const FT tolerance = rounding_unit<FT>() * other.length;
@@ -156,7 +157,8 @@ private:
       m_bends.push({path.length, v});
   }
 
-  // The shadow of a vertex that is not counted is no wider than the tolerance of what is seen.
+  // Returns whether shortest paths bend at `v`. The shadow of a vertex that is not counted is no
+  // wider than the tolerance of what is seen.
   bool can_bend(Vertex_index v) const
   {
     const Vertex_angles<FT> angles(first_spoke(v, m_mesh), m_mesh, m_length);
@@ -226,13 +228,14 @@ private:
       m_views.push(view);
   }
 
-  // of the origin from the point of the edge at `x`, with the path before the origin
+  // returns the distance of the source from the point of the edge at `x`, through the origin
   static FT distance(const View& view, const FT& x)
   {
     return view.origin.before + std::abs(view.position - x);
   }
 
-  // Whether all paths through the view are longer than those by one of the ends of the edge.
+  // Returns whether all paths through the view are longer than those by one of the ends of the
+  // edge.
   bool is_useless(const View& view) const
   {
     const FT by_source = m_path[m_mesh.source(view.edge).idx()].length + view.end;
@@ -288,7 +291,7 @@ private:
       unfold(view);
   }
 
-  // Where the line from the origin to the point `z` beyond the edge crosses the edge.
+  // Returns where the line from the origin to the point `z` beyond the edge crosses the edge.
   static FT crossing(const View& view, const Vector& z)
   {
     const Vector& p = view.position;
@@ -296,8 +299,8 @@ private:
     return height > 0 ? p.real() + (z.real() - p.real()) * (p.imag() / height) : z.real();
   }
 
-  // The place between `a` and `b` where the ray through the point of the edge at `x` meets that
-  // side of the next face; 0 at `a`.
+  // Returns the place between `a` and `b` where the ray through the point of the edge at `x` meets
+  // that side of the next face; 0 at `a`.
   static FT hit(const View& view, const FT& x, const Vector& a, const Vector& b)
   {
     const Vector d = x - view.position;

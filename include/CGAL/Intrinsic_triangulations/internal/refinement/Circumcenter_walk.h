@@ -80,7 +80,7 @@ public:
 
   const FT& along() const { return m_along; }
 
-  // the distance by which the circumcenter may be moved onto an edge
+  // returns the distance by which the circumcenter may be moved onto an edge
   FT closeness() const { return m_radius * circumcenter_tolerance<FT>(); }
 
 private:
@@ -103,8 +103,8 @@ private:
     return s == 0 ? m_halfedge : s == 1 ? m_mesh.next(m_halfedge) : m_mesh.prev(m_halfedge);
   }
 
-  // the side with its source to the right of the line from `start` to the center, its target to the
-  // left
+  // returns the side with its source to the right of the line from `start` to the center, its
+  // target to the left
   std::size_t first_exit(const Vector& start) const
   {
     std::array<FT, 3> left;

@@ -75,8 +75,8 @@ private:
     return {};
   }
 
-  // The ends of an edge of T1 that crosses `f`, or if there is none, the corners of the face that
-  // contains it.
+  // Returns the ends of an edge of T1 that crosses `f`, or if there is none, the corners of the
+  // face that contains it.
   std::array<Vertex_index, 3> first_candidates(Face_index f,
                                                const Crossing_lists<Traits>& lists) const
   {

@@ -59,10 +59,11 @@ public:
       });
   }
 
-  // the number of crossings on the edge `e` of T2
+  // returns the number of crossings on the edge `e` of T2
   size_type count(Edge_index e) const { return m_first[e.idx() + 1] - m_first[e]; }
 
-  // the halfedge of T1 that crosses the first halfedge of `e` as its number `m` from left to right
+  // returns the halfedge of T1 that crosses the first halfedge of `e` as its number `m` from left
+  // to right
   Halfedge_index operator()(Edge_index e, std::size_t m) const
   {
     return m_crossing[m_first[e] + m];

@@ -27,8 +27,8 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the face
-// straight to the point, through regions of faces of T2. Should rounding lead astray, all regions
-// are looked at.
+// straight to the point, through regions of faces of T2. If rounding leads to a wrong region, all
+// regions are searched.
 template <typename Traits>
 class Input_face_walk
 {
@@ -45,7 +45,7 @@ public:
     : m_correspondence(correspondence), m_mesh(correspondence.mesh(Side::intrinsic))
   {}
 
-  // the place on T2 of the point `p` of a face of T1
+  // returns the place on T2 of the point `p` of a face of T1
   Face_location<FT> operator()(const Face_location<FT>& p) const
   {
     Place place = first_place(p.first);
@@ -64,7 +64,7 @@ public:
 private:
   std::size_t side_of(Halfedge_index h) const { return side_number(h, m_mesh); }
 
-  // the region at the source of the first side of a face of T1
+  // returns the region at the source of the first side of a face of T1
   Place first_place(Face_index f) const
   {
     const Halfedge_index input = m_correspondence.mesh(Side::input).halfedge(f);
@@ -104,7 +104,8 @@ private:
     Polygon_map<FT> map;
   };
 
-  // the region beyond the piece of a side of `face` after corner `c`; none beyond the face of T1
+  // returns the region beyond the piece of a side of `face` after corner `c`; none beyond the face
+  // of T1
   std::optional<Place> beyond(const Face_of_place& face, const Place& place, std::size_t c) const
   {
     const Region_corner& corner = face.region[c];
@@ -117,8 +118,8 @@ private:
                  regions_of(m_mesh.face(o)).region_at_side(side_of(o), from_target));
   }
 
-  // The region beyond the piece through which the line from the first corner of the face of T1 to
-  // `p` leaves the region; none if `p` is not beyond it.
+  // Returns the region beyond the piece through which the line from the first corner of the face of
+  // T1 to `p` leaves the region; none if `p` is not beyond it.
   std::optional<Place> next_place(const Place& place, const Coordinates& p) const
   {
     const Face_of_place face(place, *this);
@@ -157,8 +158,8 @@ private:
     return best.second;
   }
 
-  // Of `p` from a region, in barycentric coordinates. Pieces that are so short that rounding may
-  // turn them do not say where the inside is.
+  // Returns the squared distance of `p` from a region, in barycentric coordinates. Pieces that are
+  // so short that rounding may turn them do not determine where the inside is.
   FT squared_distance(const Place& place, const Coordinates& p) const
   {
     const Face_of_place face(place, *this);
@@ -176,7 +177,7 @@ private:
     return long_pieces > 1 && !is_outside ? FT(0) : least;
   }
 
-  // of `p` from the piece from `a` to `b`
+  // returns the squared distance of `p` from the piece from `a` to `b`
   static FT squared_distance(const Coordinates& a, const Coordinates& b, const Coordinates& p)
   {
     const FT square = dot(a, b, a, b);
