@@ -118,7 +118,7 @@ double flat_length(CM::Halfedge_index h, const CM::Planar_conformal_map& map)
 {
   const auto& subdivision = map.subdivision();
   const auto position = [&](CM::Halfedge_index x) {
-    const auto z = map.homogeneous_coordinates(subdivision.place_on_C(x));
+    const auto z = map.homogeneous_coordinates(subdivision.location(CM::Layer::C, x));
     return std::complex<double>(z[0], z[1]) / z[2];
   };
   return std::abs(position(h) - position(subdivision.mesh().prev(h)));

@@ -46,7 +46,7 @@ std::vector<Mesh::Face_index> polygons(const Mesh& mesh)
 Vertex_kind kind(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices,
                  IS::Vertex_index v)
 {
-  if(subdivision.is_fine_vertex(v))
+  if(subdivision.is_vertex(IS::Level::fine, v))
     return v.idx() < number_of_input_vertices ? Vertex_kind::input : Vertex_kind::inserted;
   return subdivision.place(IS::Level::fine, v).along.is_valid() ? Vertex_kind::crossing
                                                                 : Vertex_kind::bend;
@@ -112,12 +112,14 @@ Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_origin
   const Mesh& mesh = subdivision.mesh();
   const std::vector<Mesh::Face_index> faces = polygons(mesh);
   Output_mesh result = output_mesh_with_edges(mesh, faces);
-  result.point_data = {
-    attribute("coarse_vertex", mesh.vertices(),
-              [&](Mesh::Vertex_index v) { return number_of(subdivision.coarse_vertex(v)); }),
-    attribute("kind", mesh.vertices(), [&](Mesh::Vertex_index v) {
-      return std::int64_t(kind(subdivision, origin.number_of_vertices, v));
-    })};
+  result.point_data = {attribute("coarse_vertex", mesh.vertices(),
+                                 [&](Mesh::Vertex_index v) {
+                                   return number_of(
+                                     subdivision.parent_vertex(IS::Level::coarse, v));
+                                 }),
+                       attribute("kind", mesh.vertices(), [&](Mesh::Vertex_index v) {
+                         return std::int64_t(kind(subdivision, origin.number_of_vertices, v));
+                       })};
   result.edge_data = edge_data(subdivision, origin);
   result.polygon_data = polygon_data(subdivision, faces, origin);
   add_coarse_edges(subdivision, result);

@@ -57,7 +57,7 @@ std::vector<double> distances(const Triangulation& triangulation,
                               const std::vector<IT::Vertex_index>& sources, double time_step_factor)
 {
   const auto np = IT::parameters::time_step_factor(time_step_factor);
-  const auto values = IT::heat_distance(IT::Side::intrinsic, triangulation, sources, np);
+  const auto values = IT::heat_distance(triangulation.intrinsic(), sources, np);
   std::vector<double> result(values.begin(), values.end());
   std::transform(result.begin(), result.end(), result.begin(), presentable);
   return result;
@@ -68,7 +68,7 @@ std::vector<double> interpolated(const std::vector<double>& values, const Subdiv
                                  const Triangulation& triangulation)
 {
   std::vector<double> result(subdivision.mesh().number_of_vertices());
-  IT::interpolate(IT::Side::intrinsic, subdivision, triangulation,
+  IT::interpolate(IT::Side::intrinsic, subdivision,
                   boost::make_iterator_property_map(values.begin(),
                                                     get(boost::vertex_index, triangulation.mesh())),
                   boost::make_iterator_property_map(result.begin(),

@@ -126,7 +126,7 @@ private:
       if(is_open(mesh().next(x)))
         break;
     }
-    m_result.texture.coordinates.push_back(coordinates(subdivision().place_on_C(first)));
+    m_result.texture.coordinates.push_back(coordinates(subdivision().location(Layer::C, first)));
   }
 
   // whether the faces of `h` are not beside each other in the plane

@@ -70,6 +70,7 @@ public:
     m_log_scale.resize(mesh().number_of_vertices(), 0);
     const CM::Planar_conformal_map map =
       m_options.boundary[0] == "disk" ? flattened_to_disk() : flattened();
+    check_status(map);
     m_run.timed("write", [&] {
       const Output_mesh result = flat_mesh(map, mesh(), cones(map), m_options.is_homogeneous);
       describe_map(map, result);
@@ -89,7 +90,8 @@ private:
   {
     CM::Planar_conformal_map result = solved();
     m_run.end_stage();
-    check(result);
+    if(result.status() != CM::Map_status::layout_collapsed) // which may be so before the last round
+      check_status(result);
     for(const Mesh::Vertex_index v : mesh().vertices())
       m_log_scale[v] = result.log_scale(CM::Vertex_index(v.idx()));
     return result;
@@ -122,21 +124,6 @@ private:
                                  .flipping(flipping)
                                  .minimizer(minimizer)
                                  .visitor(std::ref(visitor)));
-  }
-
-  static void check(const CM::Planar_conformal_map& map)
-  {
-    if(map.status() == CM::Flattening_status::success ||
-       map.status() == CM::Flattening_status::layout_collapsed) // which statistics tell
-      return;
-    std::ostringstream text;
-    if(map.status() == CM::Flattening_status::not_converged)
-      text << "the minimization has not converged: " << CM::to_string(map.minimization().status);
-    else
-      text << "the triangulation of the mesh has no such scale factors: "
-           << CM::to_string(map.status());
-    text << ", with an error of curvatures of " << map.max_curvature_error() << " radians";
-    throw std::runtime_error(text.str());
   }
 
   Eigen::VectorXd prescribed() const
@@ -199,7 +186,7 @@ private:
     Statistics& statistics = m_run.statistics();
     statistics["cones"] = cones(map).size();
     statistics["iterations"] = (std::max)(m_iterations, map.minimization().iterations);
-    statistics["status"] = CM::to_string(map.minimization().status);
+    statistics["status"] = CM::to_string(map.status());
     statistics["max_curvature_error"] = map.max_curvature_error();
     statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
     describe_triangles(statistics, result);

@@ -53,7 +53,7 @@ public:
 private:
   Mesh& mesh() { return m_run.input().mesh; }
 
-  // Throws std::runtime_error if the minimization has not converged.
+  // Throws std::runtime_error if there is no such map.
   CM::Hyperbolic_conformal_map uniformized()
   {
     Stage_visitor visitor{m_run};
@@ -64,7 +64,7 @@ private:
                                           .edge_length_map(m_length)
                                           .visitor(std::ref(visitor)));
     m_run.end_stage();
-    check_convergence(result);
+    check_status(result);
     return result;
   }
 
@@ -82,7 +82,7 @@ private:
     Statistics& statistics = m_run.statistics();
     statistics["cones"] = cones().size();
     statistics["iterations"] = map.minimization().iterations;
-    statistics["status"] = CM::to_string(map.minimization().status);
+    statistics["status"] = CM::to_string(map.status());
     statistics["max_curvature_error"] = map.max_curvature_error();
     statistics["max_gluing_error"] = map.max_gluing_error();
     statistics["area"] = map.area();

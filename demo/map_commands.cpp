@@ -40,14 +40,16 @@ Mesh_format format_with_texture(const std::string& path, const std::string& form
   return format;
 }
 
-void check_convergence(const CM::Discrete_conformal_map& map)
+void check_status(const CM::Discrete_conformal_map& map)
 {
-  const CM::Minimization_status status = map.minimization().status;
-  if(status == CM::Minimization_status::converged)
+  if(map.status() == CM::Map_status::success)
     return;
+  const char* reason = map.status() == CM::Map_status::not_converged
+                         ? CM::to_string(map.minimization().status)
+                         : CM::to_string(map.status());
   std::ostringstream text;
-  text << "the minimization has not converged: " << CM::to_string(status)
-       << ", with an error of curvatures of " << map.max_curvature_error() << " radians";
+  text << CM::message(map.status()) << ": " << reason << ", with an error of curvatures of "
+       << map.max_curvature_error() << " radians";
   throw std::runtime_error(text.str());
 }
 

@@ -31,8 +31,8 @@ struct Stage_visitor
 // Throws Program_error if the format has no texture coordinates.
 Mesh_format format_with_texture(const std::string& path, const std::string& format_name);
 
-// Throws std::runtime_error if the minimization of a map has not converged.
-void check_convergence(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
+// Throws std::runtime_error, with the errors that are left, if a map is no success.
+void check_status(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
 
 // Adds the range of the logarithmic scale factors, which vertices without faces have not, the
 // numbers of flips and the size of the output.

@@ -50,7 +50,8 @@ protected:
   template <class Function>
   void for_each_corner(Vertex_index v, const Function& function) const
   {
-    const auto& [face, weight] = subdivision().place_on_A(v);
+    using CGAL::Discrete_conformal_maps::Layer;
+    const auto [face, weight] = subdivision().place(Layer::A, v).location;
     const auto& a = m_map.Delaunay().input_mesh();
     Halfedge_index h = a.halfedge(face);
     for(const double w : weight) {

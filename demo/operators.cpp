@@ -18,37 +18,36 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-constexpr IT::Side side = IT::Side::intrinsic;
-
 std::string laplacian(const Triangulation& tri)
 {
-  return matrix_market(IT::cotan_laplacian(side, tri), Matrix_symmetry::SYMMETRIC);
+  return matrix_market(IT::cotan_laplacian(tri.intrinsic()), Matrix_symmetry::SYMMETRIC);
 }
 
 std::string mass(const Triangulation& tri)
 {
-  return matrix_market(IT::mass_matrix(side, tri), Matrix_symmetry::SYMMETRIC);
+  return matrix_market(IT::mass_matrix(tri.intrinsic()), Matrix_symmetry::SYMMETRIC);
 }
 
 std::string lumped_mass(const Triangulation& tri)
 {
-  return matrix_market(IT::lumped_mass_matrix(side, tri), Matrix_symmetry::SYMMETRIC);
+  return matrix_market(IT::lumped_mass_matrix(tri.intrinsic()), Matrix_symmetry::SYMMETRIC);
 }
 
 std::string connection_laplacian(const Triangulation& tri)
 {
-  const IT::Tangent_frames<double> frames(side, tri);
-  return matrix_market(IT::connection_laplacian(side, tri, frames), Matrix_symmetry::HERMITIAN);
+  const IT::Tangent_frames<double> frames(tri.intrinsic());
+  return matrix_market(IT::connection_laplacian(tri.intrinsic(), frames),
+                       Matrix_symmetry::HERMITIAN);
 }
 
 std::string gradient(const Triangulation& tri)
 {
-  return matrix_market(IT::gradient_matrix(side, tri), Matrix_symmetry::GENERAL);
+  return matrix_market(IT::gradient_matrix(tri.intrinsic()), Matrix_symmetry::GENERAL);
 }
 
 std::string divergence(const Triangulation& tri)
 {
-  return matrix_market(IT::divergence_matrix(side, tri), Matrix_symmetry::GENERAL);
+  return matrix_market(IT::divergence_matrix(tri.intrinsic()), Matrix_symmetry::GENERAL);
 }
 
 struct Matrix_description

@@ -4,6 +4,8 @@
 
 #include "sharp_edges.h"
 
+#include <boost/math/constants/constants.hpp>
+
 #include <cmath>
 
 namespace {
@@ -22,7 +24,7 @@ Vector normal(Mesh::Halfedge_index h, const Mesh& mesh)
 double angle_in_degrees(const Vector& a, const Vector& b)
 {
   const double sine = std::sqrt(CGAL::cross_product(a, b).squared_length());
-  return std::atan2(sine, a * b) * 180 / CGAL_PI;
+  return std::atan2(sine, a * b) * 180 / boost::math::constants::pi<double>();
 }
 
 } // namespace

@@ -288,7 +288,7 @@ private:
   {
     for(const Mesh::Vertex_index v : subdivision.mesh().vertices())
       subdivision.mesh().point(v) =
-        subdivision.is_fine_vertex(v)
+        subdivision.is_vertex(IS::Level::fine, v)
           ? m_points[v]
           : point_at(subdivision.place(IS::Level::fine, v).location, m_levels[0].mesh());
   }

@@ -26,7 +26,7 @@ public:
     for(const Halfedge_index h : mesh().halfedges())
       if(is_front(h))
         m_homogeneous[mesh().target(h).idx()] =
-          map.homogeneous_coordinates(subdivision().place_on_C(h));
+          map.homogeneous_coordinates(subdivision().location(CM::Layer::C, h));
   }
 
   Output_mesh build()

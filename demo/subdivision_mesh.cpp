@@ -10,9 +10,10 @@ namespace {
 
 Vertex_kind kind(const Subdivision& subdivision, IT::Vertex_index v)
 {
-  if(subdivision.is_input_vertex(v))
+  if(subdivision.is_vertex(IT::Side::input, v))
     return Vertex_kind::input;
-  return subdivision.is_intrinsic_vertex(v) ? Vertex_kind::inserted : Vertex_kind::crossing;
+  return subdivision.is_vertex(IT::Side::intrinsic, v) ? Vertex_kind::inserted
+                                                       : Vertex_kind::crossing;
 }
 
 // The place on the first halfedge of the edge of `side` inside which `v` lies; null if there is
@@ -20,14 +21,11 @@ Vertex_kind kind(const Subdivision& subdivision, IT::Vertex_index v)
 IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Side side,
                                          IT::Vertex_index v)
 {
-  const bool is_vertex =
-    side == IT::Side::input ? subdivision.is_input_vertex(v) : subdivision.is_intrinsic_vertex(v);
-  const IT::Edge_point<double>& p = subdivision.place(side, v);
-  if(is_vertex || !p.halfedge.is_valid())
+  const IT::Surface_place<double> p = subdivision.place(side, v);
+  if(subdivision.is_vertex(side, v) || !p.along.is_valid())
     return {IT::Halfedge_index(), 0};
-  if(p.halfedge.idx() % 2 == 0)
-    return p;
-  return {IT::Halfedge_index(p.halfedge.idx() - 1), 1 - p.t};
+  return {IT::first_halfedge(IT::Edge_index(p.along)),
+          IT::place_on_first_halfedge(IT::edge_point(p.along, p.location, subdivision.mesh(side)))};
 }
 
 // The edge inside which each vertex is; -1 for none.
@@ -49,7 +47,7 @@ std::vector<Attribute> point_data(const Subdivision& subdivision)
 {
   const auto vertices = subdivision.mesh().vertices();
   const auto input_vertex = [&](IT::Vertex_index v) {
-    return subdivision.is_input_vertex(v) ? number_of(v) : -1;
+    return subdivision.is_vertex(IT::Side::input, v) ? number_of(v) : -1;
   };
   return {attribute("kind", vertices,
                     [&](IT::Vertex_index v) { return std::int64_t(kind(subdivision, v)); }),

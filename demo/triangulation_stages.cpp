@@ -138,7 +138,7 @@ Subdivision subdivide(Command_run& run, const Triangulation& triangulation)
     run.timed("trace", [&] { return IT::Correspondence<>(triangulation); });
   Subdivision result = run.timed("subdivide", [&] {
     Subdivision subdivision(correspondence);
-    IT::interpolate(IT::Side::input, subdivision, triangulation, run.input().mesh.points(),
+    IT::interpolate(IT::Side::input, subdivision, run.input().mesh.points(),
                     subdivision.mesh().points());
     return subdivision;
   });

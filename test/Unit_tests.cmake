@@ -5,25 +5,38 @@
 include(GoogleTest)
 find_package(OpenMesh QUIET)
 
-# One executable with the tests in the source files of a directory.
+add_custom_target(unit_tests)
+add_custom_target(unit_tests_syntax)
+
+# One executable with the tests in the source files of a directory, which need what the target
+# <name>_dependencies has, and for compilers that only look for warnings a target <name>_syntax.
 function(add_unit_tests name)
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   if(NOT Ceres_FOUND)
     list(FILTER sources EXCLUDE REGEX "_ceres_")
   endif()
-  add_executable(${name} ${sources})
-  target_link_libraries(${name} PRIVATE Intrinsic_triangulations CGAL::Data GTest::gtest_main)
+  add_library(${name}_dependencies INTERFACE)
+  target_link_libraries(${name}_dependencies
+    INTERFACE Intrinsic_triangulations CGAL::Data GTest::gtest_main)
   if(OpenMesh_FOUND)
-    target_link_libraries(${name} PRIVATE OpenMeshCore)
-    target_compile_definitions(${name} PRIVATE CGAL_USE_OPENMESH)
+    target_link_libraries(${name}_dependencies INTERFACE OpenMeshCore)
+    target_compile_definitions(${name}_dependencies INTERFACE CGAL_USE_OPENMESH)
   endif()
 
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE ${name}_dependencies)
   # With CGAL's assertions on. Full optimisation would take longer than it saves.
   target_compile_options(${name} PRIVATE -UNDEBUG $<$<CONFIG:Release>:-O1>)
+  add_dependencies(unit_tests ${name})
   precompile_dependencies(${name})
   target_precompile_headers(${name} PRIVATE <gtest/gtest.h>)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/test/Intrinsic_triangulations/counted_new.cpp"
     PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+
+  add_library(${name}_syntax OBJECT EXCLUDE_FROM_ALL ${sources})
+  target_link_libraries(${name}_syntax PRIVATE ${name}_dependencies)
+  target_compile_options(${name}_syntax PRIVATE -UNDEBUG -fsyntax-only)
+  add_dependencies(unit_tests_syntax ${name}_syntax)
 
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -32,7 +32,7 @@ struct Score
   std::array<std::size_t, 5> ended{}; // by status
   double milliseconds = 0;            // of all
 
-  std::size_t ended_with(CM::Flattening_status status) const
+  std::size_t ended_with(CM::Map_status status) const
   {
     return ended[static_cast<std::size_t>(status)];
   }
@@ -101,7 +101,7 @@ void run_hard_cones(unsigned int seed, std::map<std::string, Scores>& table)
 
 void print(const std::string& name, const Scores& s)
 {
-  using Status = CM::Flattening_status;
+  using Status = CM::Map_status;
   std::printf("%-26s%7zu", name.c_str(), s.problems);
   for(const Score& score : {s.with_flips, s.fixed})
     std::printf("%9.1f %%%9.1f",

@@ -32,7 +32,7 @@ class Poisson_comparison
 public:
   explicit Poisson_comparison(const Mesh& mesh)
     : m_fine(IS::Evolving_surface(mesh)),
-      m_mass(IT::lumped_mass_matrix(m_fine.mesh(), m_fine.length_map()).diagonal()),
+      m_mass(IT::lumped_mass_matrix(m_fine).diagonal()),
       m_moments(moments_of_height(mesh)),
       m_solution(solve(m_fine, m_moments))
   {}
@@ -52,7 +52,7 @@ public:
 private:
   static Eigen::VectorXd solve(const IS::Surface_level& level, const Eigen::VectorXd& moments)
   {
-    return IT::Poisson_solver<>(level.mesh(), level.length_map()).solve(moments);
+    return IT::Poisson_solver<>(level).solve(moments);
   }
 
   Eigen::VectorXd moments_of_height(const Mesh& mesh) const

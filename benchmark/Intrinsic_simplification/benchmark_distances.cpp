@@ -86,7 +86,7 @@ double quadric_error(const Mesh& mesh, std::size_t vertices, const Truth& truth)
 void benchmark_heat(const Truth& truth)
 {
   Samples samples;
-  const IT::Heat_distance<> heat(truth.fine().mesh(), truth.fine().length_map());
+  const IT::Heat_distance<> heat(truth.fine());
   const double error = truth.error([&](IT::Vertex_index v) { return heat.distances(v); }, samples);
   std::printf("%10s%10.2f%10.1f%10.2f\n", "heat", samples.median(),
               truth.milliseconds() / samples.median(), error);

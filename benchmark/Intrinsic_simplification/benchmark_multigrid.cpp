@@ -36,8 +36,8 @@ struct Problem
   Vector masses, right_side; // the third coordinate, minus its mean
 
   Problem(const IS::Surface_level& level, const Mesh& mesh)
-    : laplacian(IT::cotan_laplacian(level.mesh(), level.length_map())),
-      masses(IT::lumped_mass_matrix(level.mesh(), level.length_map()).diagonal()),
+    : laplacian(IT::cotan_laplacian(level)),
+      masses(IT::lumped_mass_matrix(level).diagonal()),
       right_side(masses.size())
   {
     for(Vertex v : mesh.vertices())

@@ -28,7 +28,7 @@ class Signpost_baseline
 {
 public:
   explicit Signpost_baseline(const IT::Intrinsic_triangulation<>& tri)
-    : m_tri(tri), m_frames(m_tri.input(), m_tri.input_length_map())
+    : m_tri(tri), m_frames(IT::Surface_view(m_tri.input(), m_tri.input_length_map()))
   {
     for(Halfedge_index h : m_tri.mesh().halfedges())
       m_angle.push_back(m_frames.angle(h));
@@ -72,9 +72,9 @@ private:
   Traced_curve trace(Halfedge_index h) const
   {
     Traced_curve result{h, {}, {}};
-    result.end = IT::trace_geodesic(m_tri.mesh().source(h), std::polar(m_tri.length(h), m_angle[h]),
-                                    m_tri.input(), m_tri.input_length_map(), IT::At_boundary::stop,
-                                    std::back_inserter(result.crossings))
+    result.end = IT::trace_geodesic(IT::Surface_view(m_tri.input(), m_tri.input_length_map()),
+                                    m_tri.mesh().source(h), std::polar(m_tri.length(h), m_angle[h]),
+                                    IT::At_boundary::stop, std::back_inserter(result.crossings))
                    .end.first;
     return result;
   }

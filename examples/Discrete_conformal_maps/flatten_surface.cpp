@@ -23,7 +23,7 @@ void write_obj(std::ostream& out, const DCM::Planar_conformal_map& map, const Me
 {
   const auto& s = map.subdivision();
   for(auto v : s.mesh().vertices())
-    if(const auto p = s.place_on_A(v); map.is_front(p.first))
+    if(const auto p = s.place(DCM::Layer::A, v).location; map.is_front(p.first))
       out << "v " << PMP::construct_point(p, mesh) << '\n';
     else
       out << "v 0 0 0\n"; // on the second copy of a surface with boundary
@@ -33,7 +33,7 @@ void write_obj(std::ostream& out, const DCM::Planar_conformal_map& map, const Me
       continue;
     std::string face = "f";
     for(auto h : halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
-      const auto z = map.homogeneous_coordinates(s.place_on_C(h));
+      const auto z = map.homogeneous_coordinates(s.location(DCM::Layer::C, h));
       out << "vt " << z[0] / z[2] << ' ' << z[1] / z[2] << '\n';
       face += ' ' + std::to_string(s.mesh().target(h) + 1) + '/' + std::to_string(++corners);
     }

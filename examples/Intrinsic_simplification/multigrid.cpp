@@ -30,8 +30,8 @@ int main(int argc, char* argv[])
   IS::Evolving_surface surface(mesh);
   const IS::Surface_level fine(surface);
   const auto prolongations = IS::prolongation_hierarchy(surface);
-  const Eigen::SparseMatrix<double> laplacian = IT::cotan_laplacian(fine.mesh(), fine.length_map());
-  const Eigen::SparseMatrix<double> mass = IT::lumped_mass_matrix(fine.mesh(), fine.length_map());
+  const Eigen::SparseMatrix<double> laplacian = IT::cotan_laplacian(fine);
+  const Eigen::SparseMatrix<double> mass = IT::lumped_mass_matrix(fine);
   std::cout << prolongations.size() << " coarse levels\n";
 
   // one unit of heat at the first vertex

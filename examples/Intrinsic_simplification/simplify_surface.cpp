@@ -27,7 +27,7 @@ typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 // hat functions.
 Eigen::VectorXd solution(const IS::Surface_level& level, const Eigen::VectorXd& moments)
 {
-  return IT::Poisson_solver<>(level.mesh(), level.length_map()).solve(moments);
+  return IT::Poisson_solver<>(level).solve(moments);
 }
 
 int main(int argc, char* argv[])
@@ -58,7 +58,7 @@ int main(int argc, char* argv[])
   Eigen::VectorXd height(mesh.number_of_vertices());
   for(Mesh::Vertex_index v : mesh.vertices())
     height[v] = mesh.point(v).z();
-  const Eigen::VectorXd moments = IT::lumped_mass_matrix(fine.mesh(), fine.length_map()) * height;
+  const Eigen::VectorXd moments = IT::lumped_mass_matrix(fine) * height;
   const Eigen::SparseMatrix<double> prolongation = IS::prolongation_matrix(map);
   const Eigen::VectorXd exact = solution(fine, moments);
   const Eigen::VectorXd approximate =

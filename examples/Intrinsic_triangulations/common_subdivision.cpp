@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
 
   const IT::Correspondence<> correspondence(tri);
   IT::Common_subdivision<Triangulation::Traits, Point> subdivision(correspondence);
-  IT::interpolate(IT::Side::input, subdivision, tri, mesh.points(), subdivision.mesh().points());
+  IT::interpolate(IT::Side::input, subdivision, mesh.points(), subdivision.mesh().points());
 
   // which face of the Delaunay triangulation has been cut into most parts?
   std::vector<int> parts(tri.mesh().number_of_faces(), 0);

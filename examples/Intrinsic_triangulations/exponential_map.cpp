@@ -37,18 +37,18 @@ int main(int argc, char* argv[])
   for(int k = 0; k < 8; ++k) {
     const auto vector = std::polar(length, k * CGAL_PI / 4);
     std::vector<IT::Edge_point<double>> path;
-    const auto on_input = IT::trace_geodesic(IT::Side::input, v, vector, tri, IT::At_boundary::stop,
-                                             std::back_inserter(path));
+    const auto on_input =
+      IT::trace_geodesic(tri.input(), v, vector, IT::At_boundary::stop, std::back_inserter(path));
     std::cout << "to " << PMP::construct_point(on_input.end, mesh) << " over " << path.size()
               << " edges of the mesh: " << to_string(on_input.status) << '\n';
 
     // back along the same line
     const auto back =
-      IT::trace_geodesic(IT::Side::input, on_input.end, -on_input.length * on_input.direction, tri);
+      IT::trace_geodesic(tri.input(), on_input.end, -on_input.length * on_input.direction);
     std::cout << "  and back to " << PMP::construct_point(back.end, mesh) << '\n';
 
     // the first edge around the vertex may be another one on the other side
-    const auto on_intrinsic = IT::trace_geodesic(IT::Side::intrinsic, v, vector, tri);
+    const auto on_intrinsic = IT::trace_geodesic(tri.intrinsic(), v, vector);
     std::cout << "  on the other triangulation in face " << on_intrinsic.end.first << '\n';
   }
 }

@@ -29,10 +29,10 @@ int main(int argc, char* argv[])
   IT::make_Delaunay(tri);
 
   const IT::Vertex_index source(0);
-  const Eigen::VectorXd on_mesh = IT::heat_distance(IT::Side::input, tri, source);
+  const Eigen::VectorXd on_mesh = IT::heat_distance(tri.input(), source);
 
   // prepared once, asked as often as wanted
-  const IT::Heat_distance<> distance(IT::Side::intrinsic, tri);
+  const IT::Heat_distance<> distance(tri.intrinsic());
   const Eigen::VectorXd on_Delaunay = distance.distances(source);
 
   std::cout << "the greatest distance from vertex 0 is " << on_mesh.maxCoeff()

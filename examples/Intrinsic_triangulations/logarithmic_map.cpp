@@ -28,7 +28,7 @@ int main(int argc, char* argv[])
     return 1;
 
   const IT::Intrinsic_triangulation<> tri(mesh);
-  const auto logarithms = IT::logarithmic_map(IT::Side::input, IT::Vertex_index(0), tri);
+  const auto logarithms = IT::logarithmic_map(tri.input(), IT::Vertex_index(0));
   const auto farthest =
     std::max_element(logarithms.begin(), logarithms.end(), [](const auto& a, const auto& b) {
       return std::abs(a.vector) < std::abs(b.vector);
@@ -36,7 +36,6 @@ int main(int argc, char* argv[])
   std::cout << "vertex " << farthest - logarithms.begin() << " is at the distance "
             << std::abs(farthest->vector) << ": " << to_string(farthest->status) << '\n';
 
-  const auto walk =
-    IT::trace_geodesic(IT::Side::input, IT::Vertex_index(0), 0.5 * farthest->vector, tri);
+  const auto walk = IT::trace_geodesic(tri.input(), IT::Vertex_index(0), 0.5 * farthest->vector);
   std::cout << "halfway a straight line is at " << PMP::construct_point(walk.end, mesh) << '\n';
 }

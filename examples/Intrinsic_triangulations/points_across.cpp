@@ -46,8 +46,8 @@ int main(int argc, char* argv[])
   double largest = 0;
   for(IT::Face_index f : tri.mesh().faces()) {
     const IT::Face_location<double> center(f, {1. / 3, 1. / 3, 1. / 3});
-    const auto on_input = IT::point_across(IT::Side::intrinsic, center, correspondence);
-    const auto back = IT::point_across(IT::Side::input, on_input, correspondence);
+    const auto on_input = IT::point_across(correspondence, IT::Side::intrinsic, center);
+    const auto back = IT::point_across(correspondence, IT::Side::input, on_input);
     largest = (std::max)(largest, difference(center, back));
     if(f.idx() < 3)
       std::cout << "face " << f << ": center in face " << on_input.first << " of the mesh, at "

@@ -43,7 +43,7 @@ int main(int argc, char* argv[])
 
   const IT::Correspondence<> correspondence(tri);
   IT::Common_subdivision<IT::Euclidean_geometry_traits<double>, Point> subdivision(correspondence);
-  IT::interpolate(IT::Side::input, subdivision, tri, mesh.points(), subdivision.mesh().points());
+  IT::interpolate(IT::Side::input, subdivision, mesh.points(), subdivision.mesh().points());
   std::ofstream out("refined.ply");
   return CGAL::IO::write_PLY(out, subdivision.mesh()) ? 0 : 1;
 }

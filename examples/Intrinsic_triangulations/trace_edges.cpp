@@ -43,6 +43,6 @@ int main(int argc, char* argv[])
     edges.begin(), edges.end(), [&](IT::Edge_index a, IT::Edge_index b) { return n[a] < n[b]; });
 
   std::cout << "edge " << e << " of length " << tri.length(e) << " crosses " << n[e] << " edges\n";
-  for(const auto& p : IT::trace_intrinsic_edge(tri.mesh().halfedge(e), tri))
+  for(const auto& p : IT::trace_intrinsic_edge(tri, tri.mesh().halfedge(e)))
     std::cout << "at " << p.on_intrinsic.t << ": " << position(p.on_input, mesh) << '\n';
 }

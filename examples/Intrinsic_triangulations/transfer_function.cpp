@@ -40,11 +40,11 @@ int main(int argc, char* argv[])
   const IT::Correspondence<> correspondence(tri);
 
   const Eigen::VectorXd height = heights(mesh);
-  const Eigen::VectorXd there = IT::transfer_function(IT::Side::input, height, correspondence);
-  const Eigen::VectorXd back = IT::transfer_function(IT::Side::intrinsic, there, correspondence);
+  const Eigen::VectorXd there = IT::transfer_function(correspondence, IT::Side::input, height);
+  const Eigen::VectorXd back = IT::transfer_function(correspondence, IT::Side::intrinsic, there);
 
-  const auto mass = IT::mass_matrix(IT::Side::input, tri);
-  const auto intrinsic_mass = IT::mass_matrix(IT::Side::intrinsic, tri);
+  const auto mass = IT::mass_matrix(tri.input());
+  const auto intrinsic_mass = IT::mass_matrix(tri.intrinsic());
   const Eigen::VectorXd error = back - height;
   std::cout << "integral on the mesh " << (mass * height).sum()
             << ", on the Delaunay triangulation " << (intrinsic_mass * there).sum() << '\n'

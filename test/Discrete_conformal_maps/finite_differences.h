@@ -5,9 +5,29 @@
 #ifndef TEST_FINITE_DIFFERENCES_H
 #define TEST_FINITE_DIFFERENCES_H
 
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Random.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
+
+// The ideal polyhedron of a triangulation after many flips.
+template <typename FT, typename Triangulation>
+CGAL::Discrete_conformal_maps::internal::Ptolemy_surface<FT>
+flipped_at_random(const Triangulation& t)
+{
+  namespace IT = CGAL::Intrinsic_triangulations;
+  CGAL::Discrete_conformal_maps::internal::Ptolemy_surface<FT> result(t.mesh(), t.length_map());
+  CGAL::Random random(31);
+  for(std::size_t i = 0; i < 3 * result.mesh().number_of_edges(); ++i) {
+    const IT::Halfedge_index h(static_cast<IT::Delta_complex::size_type>(
+      random.get_int(0, int(result.mesh().number_of_halfedges()))));
+    if(IT::flip_status(h, result.mesh()) == IT::Operation_status::possible)
+      result.flip(h);
+  }
+  return result;
+}
 
 // The derivatives of `function()`, a range of precise numbers, by central differences from the
 // origin of an energy: a column for each of its variables.

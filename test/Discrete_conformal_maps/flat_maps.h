@@ -184,10 +184,13 @@ inline Planar_conformal_map flatten(const Triangulation& t, const Conditions& co
 
 // ---- The flat surface ----
 
-inline const Delta_complex& mesh_C(const Planar_conformal_map& map) { return map.ideal().mesh(); }
+inline const Delta_complex& mesh_C(const Planar_conformal_map& map)
+{
+  return map.surface(DC::Layer::C).mesh();
+}
 inline const Delta_complex& mesh_A(const DC::Discrete_conformal_map& map)
 {
-  return map.Delaunay().input_mesh();
+  return map.surface(DC::Layer::A).mesh();
 }
 
 inline std::vector<double> scaled_lengths(const Planar_conformal_map& map)

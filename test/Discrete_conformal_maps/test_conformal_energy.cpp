@@ -384,26 +384,14 @@ TYPED_TEST(Conformal_energy, is_convex_and_continuous_along_segments)
 TYPED_TEST(Conformal_energy, does_not_depend_on_the_triangulation)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;
-  const IT::Ideal_geometry_traits<Quad> traits;
   for(const Named_triangulation& s : surfaces()) {
     SCOPED_TRACE(s.name);
     Triangulation t = s.triangulation;
     IT::make_Delaunay(t);
-    Delta_complex mesh = t.mesh();
-    std::vector<Quad> length;
-    for(Edge_index e : mesh.edges())
-      length.push_back(Quad(t.length(e)));
-    CGAL::Random random(31);
-    const auto map =
-      boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e]; });
-    for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i) {
-      const Halfedge_index h(
-        static_cast<Delta_complex::size_type>(random.get_int(0, int(mesh.number_of_halfedges()))));
-      if(IT::flip_status(h, mesh) != IT::Operation_status::possible)
-        continue;
-      length[Edge_index(h)] = traits.compute_flipped_length_object()(IT::diamond(map, h, mesh));
-      IT::flip_edge(h, mesh);
-    }
+    const auto surface = flipped_at_random<Quad>(t);
+    const Delta_complex& mesh = surface.mesh();
+    const auto map = boost::make_function_property_map<Edge_index>(
+      [&](Edge_index e) { return surface.length(e); });
     const Numbers target = random_targets(t), u = random_numbers(mesh.number_of_vertices(), 2, 37);
     Energy one(t.mesh(), t.length_map(), target), other(mesh, map, target);
     one.evaluate(u);

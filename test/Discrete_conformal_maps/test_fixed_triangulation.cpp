@@ -20,8 +20,8 @@
 namespace {
 
 using namespace Test_surfaces;
-using DC::Flattening_status;
 using DC::Flipping;
+using DC::Map_status;
 typedef Eigen::VectorXd Numbers;
 typedef CGAL::Discrete_conformal_maps::internal::Flat_triangle<double> Flat_triangle;
 
@@ -185,7 +185,7 @@ TEST(Fixed_triangulation, takes_scaling_back)
        Triangulation(unit_sphere(3)), Triangulation(perturbed(embedded_torus(8, 6), 0.1, 5))}) {
     const std::vector<double> u = random_scales(t.mesh().number_of_vertices(), 0.1, 6);
     const Planar_conformal_map map = flatten_fixed(scaled(t, u), as_curvatures(curvatures(t)));
-    ASSERT_EQ(map.status(), Flattening_status::success);
+    ASSERT_EQ(map.status(), Map_status::success);
     for(std::size_t v = 0; v < u.size(); ++v)
       EXPECT_NEAR(log_scale(map, v) + u[v], log_scale(map, 0) + u[0], 1e-9) << v;
     check_layout(map);
@@ -204,7 +204,7 @@ TEST(Fixed_triangulation, lays_out_the_faces_of_a_disk)
     perturbed(grid(6, 5, [](double x, double y) { return Point(x, y, 0.2 * x * y); }), 0.1, 3);
   const Triangulation t(disk);
   const Planar_conformal_map map = flatten_fixed(t, default_conditions(t.mesh()));
-  ASSERT_EQ(map.status(), Flattening_status::success);
+  ASSERT_EQ(map.status(), Map_status::success);
   check_conditions(map, t.mesh(), default_conditions(t.mesh()), 1e-12);
   check_layout(map);
   const auto position = [&](Vertex_index v) { return map(corner(mesh_A(map), v)); };
@@ -238,14 +238,14 @@ TEST(Fixed_triangulation, a_vertex_may_need_more_angle_than_its_faces_have)
   for(double curvature : {-0.9 * pi, -pi, -1.1 * pi, -1.9 * pi}) {
     const Conditions condition = around_apex(curvature);
     const Planar_conformal_map fixed = flatten_fixed(t, condition), free = flatten(t, condition);
-    EXPECT_EQ(free.status(), Flattening_status::success) << curvature;
+    EXPECT_EQ(free.status(), Map_status::success) << curvature;
     check_conditions(free, t.mesh(), condition, 1e-10);
     if(curvature > -pi) {
-      EXPECT_NE(fixed.status(), Flattening_status::no_minimum);
+      EXPECT_NE(fixed.status(), Map_status::no_minimum);
       continue;
     }
-    EXPECT_EQ(fixed.status(), curvature < -pi ? Flattening_status::no_minimum
-                                              : Flattening_status::triangle_inequality);
+    EXPECT_EQ(fixed.status(),
+              curvature < -pi ? Map_status::no_minimum : Map_status::triangle_inequality);
     for(Face_index f : mesh_C(fixed).faces())
       EXPECT_FALSE(fixed.is_laid_out(f));
   }
@@ -259,18 +259,18 @@ TEST(Fixed_triangulation, fails_where_flips_succeed)
     const Named_mesh m = near_degenerate_mesh(seed);
     SCOPED_TRACE(m.name + " " + std::to_string(seed));
     const Planar_conformal_map free = DC::flatten(m.mesh);
-    ASSERT_EQ(free.status(), Flattening_status::success);
+    ASSERT_EQ(free.status(), Map_status::success);
     const Triangulation t(m.mesh);
     Conditions condition = default_conditions(t.mesh());
     for(Vertex_index v : free.cones())
       condition[v] = Vertex_condition::log_scale(0);
     const Planar_conformal_map fixed = flatten_fixed(t, condition);
-    if(fixed.status() == Flattening_status::success) {
+    if(fixed.status() == Map_status::success) {
       ++successes;
       check_conditions(fixed, t.mesh(), condition, 1e-6); // by the cosine law
     } else {
       ++failures;
-      EXPECT_EQ(fixed.status(), Flattening_status::triangle_inequality);
+      EXPECT_EQ(fixed.status(), Map_status::triangle_inequality);
       EXPECT_LE(least_slack(fixed), 1e-15);
     }
   }
@@ -288,9 +288,9 @@ TEST(Fixed_triangulation, fails_with_hard_cones_where_flips_succeed)
     const Triangulation t(mesh);
     const Conditions condition = as_curvatures(hard_cones(mesh, seed));
     const Planar_conformal_map free = flatten(t, condition), fixed = flatten_fixed(t, condition);
-    ASSERT_EQ(free.status(), Flattening_status::success);
+    ASSERT_EQ(free.status(), Map_status::success);
     EXPECT_LT(free.max_curvature_error(), 1e-10);
-    if(fixed.status() == Flattening_status::success)
+    if(fixed.status() == Map_status::success)
       check_conditions(fixed, t.mesh(), condition, 1e-6);
     else
       ++failures;
@@ -298,14 +298,18 @@ TEST(Fixed_triangulation, fails_with_hard_cones_where_flips_succeed)
   EXPECT_GT(failures, 20u);
 }
 
-TEST(Flattening_status, names)
+// Enumerators are numbered from zero on; the value after the last has no text.
+TEST(Map_status, every_value_has_a_name_and_a_message)
 {
-  std::set<std::string> names;
-  for(const Flattening_status status :
-      {Flattening_status::success, Flattening_status::not_converged,
-       Flattening_status::triangle_inequality, Flattening_status::no_minimum,
-       Flattening_status::layout_collapsed})
-    names.insert(DC::to_string(status));
-  EXPECT_EQ(names.size(), 5u);
-  EXPECT_EQ(names.count("unknown"), 0u);
+  std::set<std::string> names, messages;
+  for(int i = 0; i <= int(Map_status::not_glued); ++i) {
+    names.insert(DC::to_string(Map_status(i)));
+    messages.insert(DC::message(Map_status(i)));
+  }
+  EXPECT_EQ(
+    names, (std::set<std::string>{"success", "not_converged", "triangle_inequality", "no_minimum",
+                                  "layout_collapsed", "not_convex", "not_conformal", "not_glued"}));
+  EXPECT_EQ(messages.size(), names.size());
+  EXPECT_EQ(messages.count("unknown"), 0u);
+  EXPECT_EQ(DC::to_string(Map_status(int(Map_status::not_glued) + 1)), std::string("unknown"));
 }

@@ -4,6 +4,8 @@
 
 #include "flat_maps.h"
 
+#include <CGAL/Intrinsic_triangulations/operators.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -552,6 +554,16 @@ TEST(Flatten, gives_the_same_bits_twice)
     EXPECT_EQ(one.log_scale(v), two.log_scale(v));
   for(Halfedge_index h : mesh_C(one).halfedges())
     EXPECT_EQ(one.position(h), two.position(h));
+}
+
+TEST(Flatten, layers_are_surfaces)
+{
+  const Planar_conformal_map map = DC::flatten(plate_with_holes(2));
+  const auto area = [&](DC::Layer layer) { return IT::mass_matrix(map.surface(layer)).sum(); };
+  EXPECT_NEAR(area(DC::Layer::A), area(DC::Layer::B), 1e-12 * area(DC::Layer::A));
+  EXPECT_EQ(&map.surface(DC::Layer::A).mesh(), &map.Delaunay().input_mesh());
+  EXPECT_EQ(&map.surface(DC::Layer::B).mesh(), &map.Delaunay().mesh());
+  EXPECT_EQ(&map.surface(DC::Layer::C).mesh(), &map.ideal().mesh());
 }
 
 TEST(Flatten, empty_mesh_gives_an_empty_map)

@@ -383,7 +383,7 @@ std::vector<std::vector<Halfedge_index>> passages(const IT::Intrinsic_triangulat
     std::vector<std::vector<Halfedge_index>> both;
     for(Halfedge_index x : {h, t.mesh().opposite(h)}) {
       both.emplace_back();
-      for(const auto& p : IT::trace_intrinsic_edge(x, t))
+      for(const auto& p : IT::trace_intrinsic_edge(t, x))
         both.back().push_back(p.on_input.halfedge);
       both.back().pop_back();
     }
@@ -576,10 +576,10 @@ TEST(Ideal_geometry, points_go_there_and_back_exactly)
     const Exact_correspondence c(t);
     for(Side side : both_sides)
       for(const auto& p : sample<Exact_traits>(c.mesh(side), 12, 11)) {
-        const auto q = IT::point_across(side, p, c);
-        EXPECT_EQ(q, IT::point_across(side, p, t));
-        const auto back = IT::point_across(other(side), q, c);
-        EXPECT_EQ(back, IT::point_across(other(side), q, t));
+        const auto q = IT::point_across(c, side, p);
+        EXPECT_EQ(q, IT::point_across(t, side, p));
+        const auto back = IT::point_across(c, other(side), q);
+        EXPECT_EQ(back, IT::point_across(t, other(side), q));
         if(p.second[1] != 0) { // otherwise it may be seen from the other side of its edge
           EXPECT_EQ(back, p);
         }
@@ -650,7 +650,7 @@ public:
   // the end of a halfedge of T2 that starts at the source of the spoke `a` of T1
   Vector_3 end_of(Halfedge_index h, Lifted_triangle a) const
   {
-    const auto trace = IT::trace_intrinsic_edge(h, m_t);
+    const auto trace = IT::trace_intrinsic_edge(m_t, h);
     for(std::size_t m = 1; m + 1 < trace.size(); ++m)
       a = beyond(turned(a, trace[m].on_input.halfedge));
     return trace.size() == 2 ? a.q[1] : a.q[2];
@@ -727,7 +727,7 @@ TEST(Ideal_geometry, points_across_are_central_projections)
     for(const auto& p : sample<Exact_traits>(t.mesh(), 20, 12)) {
       if(p.second[1] == 0)
         continue;
-      const auto q = IT::point_across(Side::intrinsic, p, c);
+      const auto q = IT::point_across(c, Side::intrinsic, p);
       const auto [h, w] = cone.project(p);
       ASSERT_EQ(q.first, t.input_mesh().face(h));
       EXPECT_EQ(IT::coordinates_from(h, q, t.input_mesh()), w);

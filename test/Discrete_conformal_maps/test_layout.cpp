@@ -121,7 +121,8 @@ double area_on_A(const Planar_conformal_map& map, Face_index f)
   const auto& s = map.subdivision();
   std::vector<Complex> corners;
   for(Halfedge_index h : CGAL::halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
-    const Location p = on_face(map, s.parent_face(Layer::A, f), s.place_on_A(s.mesh().target(h)));
+    const Location p =
+      on_face(map, s.parent_face(Layer::A, f), s.place(Layer::A, s.mesh().target(h)).location);
     corners.emplace_back(p.second[1], p.second[2]);
   }
   return doubled_area(corners);
@@ -136,8 +137,9 @@ Sample random_point(const Planar_conformal_map& map, Face_index f, CGAL::Random&
   double sum = 0, weight = 0;
   for(Halfedge_index h : CGAL::halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
     const double t = random.get_double(0.01, 1);
-    const Location p = on_face(map, result.on_A.first, s.place_on_A(s.mesh().target(h)));
-    const auto z = map.homogeneous_coordinates(s.place_on_C(h));
+    const Location p =
+      on_face(map, result.on_A.first, s.place(Layer::A, s.mesh().target(h)).location);
+    const auto z = map.homogeneous_coordinates(s.location(Layer::C, h));
     for(std::size_t i = 0; i < 3; ++i)
       result.on_A.second[i] += t * p.second[i];
     result.expected += t * Complex(z[0], z[1]);
@@ -298,7 +300,7 @@ TEST(Layout, faces_of_the_subdivision_are_not_turned_over)
         continue;
       std::vector<Complex> corners;
       for(Halfedge_index h : CGAL::halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
-        const auto z = m.map.homogeneous_coordinates(s.place_on_C(h));
+        const auto z = m.map.homogeneous_coordinates(s.location(Layer::C, h));
         EXPECT_GT(z[2], 0);
         corners.push_back(Complex(z[0], z[1]) / z[2]);
       }
@@ -426,7 +428,7 @@ TEST(Planar_conformal_map, does_not_depend_on_the_triangulation)
     std::vector<std::pair<Complex, Complex>> images;
     for(int i = 0; i < 500; ++i) {
       const Location p = random_location(t.input_mesh(), random);
-      images.emplace_back(one(p), two(IT::point_across(Side::input, p, correspondence)));
+      images.emplace_back(one(p), two(IT::point_across(correspondence, Side::input, p)));
     }
     const auto far = std::max_element(images.begin(), images.end(), [&](auto& a, auto& b) {
       return std::abs(a.first - images[0].first) < std::abs(b.first - images[0].first);

@@ -188,11 +188,11 @@ void check_seams(const Planar_conformal_map& one, const Planar_conformal_map& tw
 void check_layouts_agree(const Problem& problem)
 {
   const Planar_conformal_map reference = problem.map(Layout::least_squares);
-  ASSERT_EQ(reference.status(), DC::Flattening_status::success);
+  ASSERT_EQ(reference.status(), DC::Map_status::success);
   for(const Layout layout : layouts) {
     SCOPED_TRACE(problem.name + ", layout " + std::to_string(int(layout)));
     const Planar_conformal_map map = problem.map(layout);
-    EXPECT_EQ(map.status(), DC::Flattening_status::success);
+    EXPECT_EQ(map.status(), DC::Map_status::success);
     check_layout(map);
     check_seams(reference, map, 1e-9);
     for(const auto& chart : charts(map))
@@ -310,7 +310,7 @@ TEST(Layout_choice, large_ranges_of_scale)
     for(const Layout layout : layouts) {
       SCOPED_TRACE(problem.name + ", layout " + std::to_string(int(layout)));
       const Planar_conformal_map map = problem.map(layout);
-      EXPECT_EQ(map.status(), DC::Flattening_status::success);
+      EXPECT_EQ(map.status(), DC::Map_status::success);
       const double range = log_scale(map, 0) - log_scale(map, std::size_t(4 * rings));
       EXPECT_GT(range, rings);
       // a dozen roundings on each of the ways through 4 faces per ring
@@ -325,7 +325,7 @@ TEST(Layout_choice, faces_smaller_than_rounding_are_reported)
   for(const Layout layout : layouts) {
     const Planar_conformal_map map = tube(60).map(layout);
     EXPECT_GT(log_scale(map, 0) - log_scale(map, 240), std::log(1e20));
-    EXPECT_EQ(map.status(), DC::Flattening_status::layout_collapsed);
+    EXPECT_EQ(map.status(), DC::Map_status::layout_collapsed);
   }
 }
 

@@ -61,6 +61,7 @@ double cross_ratio(const std::array<unsigned, 4>& v, const Distance& distance)
 void check_map(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
+  EXPECT_EQ(map.status(), DC::Map_status::success);
   EXPECT_TRUE(map.certificate().is_convex());
   EXPECT_EQ(map.bound_violations(), 0u);
   EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
@@ -323,17 +324,17 @@ TEST(map_to_sphere, is_continuous_on_the_subdivision)
   std::vector<char> is_set(image.size(), 0);
   for(Halfedge_index h : subdivision.mesh().halfedges()) {
     const Vertex_index v = subdivision.mesh().target(h);
-    const Position p =
-      Spherical_conformal_map::project(map.homogeneous_coordinates(subdivision.place_on_C(h)));
+    const Position p = Spherical_conformal_map::project(
+      map.homogeneous_coordinates(subdivision.location(Layer::C, h)));
     if(is_set[v]) {
       EXPECT_LT(distance(p, image[v]), 1e-12);
     }
     image[v] = p;
     is_set[v] = 1;
-    if(subdivision.is_input_vertex(v)) {
+    if(subdivision.is_vertex(Layer::A, v)) {
       EXPECT_LT(distance(p, map.position(v)), 1e-15);
     }
-    EXPECT_LT(distance(map(subdivision.place_on_A(v)), p), 1e-9);
+    EXPECT_LT(distance(map(subdivision.place(Layer::A, v).location), p), 1e-9);
   }
   // faces cover the sphere without folds
   for(Face_index f : subdivision.mesh().faces()) {

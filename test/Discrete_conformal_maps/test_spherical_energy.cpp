@@ -255,25 +255,32 @@ TEST(Spherical_energy, vertex_at_infinity_has_no_influence)
   });
 }
 
+TEST(Ptolemy_surface, flips_can_be_replayed)
+{
+  for(const Triangulation& t : spheres()) {
+    const auto surface = flipped_at_random<Quad>(t);
+    DC::internal::Ptolemy_surface<Quad> other(t.mesh(), t.length_map());
+    other.replay(surface.flips());
+    EXPECT_EQ(other.flips(), surface.flips());
+    for(Edge_index e : t.mesh().edges())
+      EXPECT_EQ(other.length(e), surface.length(e));
+  }
+}
+
+TEST(Ptolemy_surface, flips_have_a_limit)
+{
+  const std::size_t limit = IT::internal::default_flip_limit(30);
+  EXPECT_NO_THROW(IT::internal::check_flip_limit(limit - 1, 30));
+  EXPECT_THROW(IT::internal::check_flip_limit(limit, 30), IT::Flip_limit_exceeded);
+}
+
 TEST(Spherical_energy, does_not_depend_on_the_triangulation)
 {
-  const IT::Ideal_geometry_traits<Quad> traits;
   for(const Triangulation& t : spheres()) {
-    Delta_complex mesh = t.mesh();
-    std::vector<Quad> length;
-    for(Edge_index e : mesh.edges())
-      length.push_back(Quad(t.length(e)));
-    CGAL::Random random(31);
-    const auto map =
-      boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e]; });
-    for(std::size_t i = 0; i < 3 * mesh.number_of_edges(); ++i) {
-      const Halfedge_index h(
-        static_cast<Delta_complex::size_type>(random.get_int(0, int(mesh.number_of_halfedges()))));
-      if(IT::flip_status(h, mesh) != IT::Operation_status::possible)
-        continue;
-      length[Edge_index(h)] = traits.compute_flipped_length_object()(IT::diamond(map, h, mesh));
-      IT::flip_edge(h, mesh);
-    }
+    const auto surface = flipped_at_random<Quad>(t);
+    const Delta_complex& mesh = surface.mesh();
+    const auto map = boost::make_function_property_map<Edge_index>(
+      [&](Edge_index e) { return surface.length(e); });
     const Numbers u = random_numbers(mesh.number_of_vertices(), 2, 37);
     Energy one(t.mesh(), t.length_map(), Vertex_index(1)), other(mesh, map, Vertex_index(1));
     one.evaluate(u);

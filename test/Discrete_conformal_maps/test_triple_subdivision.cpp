@@ -9,11 +9,12 @@
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
-#include <CGAL/Discrete_conformal_maps/interpolation.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -120,7 +121,7 @@ void check_pieces(Layer layer, const Subdivision& s, const Three& three)
     std::vector<Vertex_index> input;
     std::multiset<Vertex_index> crossings;
     for(Vertex_index v : ends[e])
-      if(s.is_input_vertex(v))
+      if(s.is_vertex(Layer::A, v))
         input.push_back(v);
       else
         crossings.insert(v);
@@ -148,7 +149,7 @@ void check_numbers(const Subdivision& s, const Three& three)
     EXPECT_TRUE(s.parent_edge(Layer::A, e).is_valid() || s.parent_edge(Layer::B, e).is_valid() ||
                 s.parent_edge(Layer::C, e).is_valid());
   for(Vertex_index v : s.mesh().vertices())
-    if(!s.is_input_vertex(v)) {
+    if(!s.is_vertex(Layer::A, v)) {
       EXPECT_EQ(s.mesh().degree(v), 4u);
     }
 }
@@ -169,7 +170,7 @@ void check_measures(const Subdivision& s, const Three& three, double tolerance)
     const Face_index parent = s.parent_face(Layer::C, f);
     Polygon polygon; // corner k is the target of halfedge k
     for(Halfedge_index h : halfedges) {
-      const auto& p = s.place_on_C(h);
+      const auto& p = s.location(Layer::C, h);
       ASSERT_EQ(p.first, parent);
       ASSERT_NEAR(p.second[0] + p.second[1] + p.second[2], 1, 1e-15);
       polygon.push_back(faces.place(faces.sides(parent)[0], p));
@@ -243,9 +244,14 @@ void check_places(const Subdivision& s, const Flat_triangulation& ab, const Flat
   for(Halfedge_index h : s.mesh().halfedges())
     if(!s.mesh().is_border(h)) {
       const Vertex_index v = s.mesh().target(h);
-      const Complex b = on_B.place(s.place_on_B(v));
-      EXPECT_LT(on_B.distance(on_A.place(s.place_on_A(v)), b), tolerance) << v;
-      EXPECT_LT(on_B.distance(on_C.place(s.place_on_C(h)), b), tolerance) << v;
+      const Complex b = on_B.place(s.place(Layer::B, v).location);
+      EXPECT_LT(on_B.distance(on_A.place(s.place(Layer::A, v).location), b), tolerance) << v;
+      EXPECT_LT(on_B.distance(on_C.place(s.place(Layer::C, v).location), b), tolerance) << v;
+      EXPECT_LT(on_B.distance(on_A.place(s.location(Layer::A, h)), b), tolerance) << v;
+      EXPECT_LT(on_B.distance(on_B.place(s.location(Layer::B, h)), b), tolerance) << v;
+      EXPECT_LT(on_B.distance(on_C.place(s.location(Layer::C, h)), b), tolerance) << v;
+      for(Layer layer : layers)
+        EXPECT_EQ(s.location(layer, h).first, s.parent_face(layer, s.mesh().face(h)));
     }
 }
 
@@ -355,10 +361,10 @@ std::size_t check_ideal(const Subdivision& s, const Triangulation& ab,
       continue;
     std::vector<Barycentric> in_A, in_B, in_C;
     for(Halfedge_index h : sides_of(f, s)) {
-      in_A.push_back(in_face(f_a, s.place_on_A(s.mesh().target(h)), a));
-      in_B.push_back(in_face(f_b, s.place_on_B(s.mesh().target(h)), b));
-      EXPECT_EQ(s.place_on_C(h).first, f_c);
-      in_C.push_back(s.place_on_C(h).second);
+      in_A.push_back(in_face(f_a, s.place(Layer::A, s.mesh().target(h)).location, a));
+      in_B.push_back(in_face(f_b, s.place(Layer::B, s.mesh().target(h)).location, b));
+      EXPECT_EQ(s.location(Layer::C, h).first, f_c);
+      in_C.push_back(s.location(Layer::C, h).second);
     }
     const double size_of_A = longest_side(f_a, a, ab.input_length_map()),
                  size_of_B = longest_side(f_b, b, ab.length_map()),
@@ -464,6 +470,47 @@ TEST(Triple_subdivision, vertices_are_where_all_descriptions_say)
       bc.flip_at_random(500, seed + 100);
       check_places(Subdivision(Correspondence(*three.ab), Correspondence(*bc)), three.ab, bc);
     }
+}
+
+TEST(Triple_subdivision, triangulate)
+{
+  for(const Named_three& t : all_threes()) {
+    SCOPED_TRACE(t.name);
+    Subdivision s = t.three.subdivision();
+    s.triangulate();
+    for(Face_index f : s.mesh().faces())
+      EXPECT_EQ(sides_of(f, s).size(), 3u);
+    EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.three.mesh(Layer::A)));
+    check_measures(s, t.three, 1e-8);
+  }
+}
+
+TEST(Triple_subdivision, linear_functions_in_the_plane_from_every_layer)
+{
+  for(unsigned int seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Flat_three three(flat_grid(7, 6, seed));
+    three.ab.flip_at_random(1000, seed);
+    Flat_triangulation bc = three.next();
+    bc.flip_at_random(1000, seed + 100);
+    const Subdivision s(Correspondence(*three.ab), Correspondence(*bc));
+    const auto linear = boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
+      const Vector p = three.ab.surface().point[v];
+      return 3 + 0.7 * static_cast<double>(p.x) - 0.2 * static_cast<double>(p.y);
+    });
+    std::array<std::vector<double>, 3> value;
+    for(Layer layer : layers) {
+      auto& values = value[static_cast<std::size_t>(layer)];
+      values.resize(s.mesh().number_of_vertices());
+      IT::interpolate(
+        layer, s, linear,
+        boost::make_iterator_property_map(values.begin(), boost::identity_property_map()));
+    }
+    for(Vertex_index v : s.mesh().vertices()) {
+      EXPECT_NEAR(value[0][v], value[1][v], 1e-12 * 7000);
+      EXPECT_NEAR(value[0][v], value[2][v], 1e-12 * 7000);
+    }
+  }
 }
 
 TEST(Triple_subdivision, agrees_with_an_arrangement_of_segments)
@@ -615,7 +662,7 @@ TEST(Triple_subdivision, positions_in_space)
       DC::Triple_subdivision<double, Point> s{Correspondence(three.ab), Correspondence(three.bc)};
       const auto points = boost::make_function_property_map<Vertex_index>(
         [&](Vertex_index v) { return m.mesh.point(v); });
-      DC::interpolate(s, three.mesh(Layer::A), points, s.mesh().points());
+      IT::interpolate(Layer::A, s, points, s.mesh().points());
       for(Vertex_index v : m.mesh.vertices())
         EXPECT_EQ(s.mesh().point(v), m.mesh.point(v));
       for(Layer layer : layers) {

@@ -76,6 +76,7 @@ TEST(Uniformize, flat_tori_have_their_modulus)
         length.push_back(surface.scaled_length(e));
       const DC::Uniformization result = uniformize(surface.mesh(), length);
       EXPECT_EQ(result.type, Surface_type::torus);
+      EXPECT_EQ(result.status(), DC::Map_status::success);
       EXPECT_FALSE(result.hyperbolic);
       EXPECT_LT(std::abs(result.modulus - modulus(torus)), 1e-10) << m << ' ' << n << ' ' << bound;
     }
@@ -119,7 +120,9 @@ TEST(Uniformize, others_become_hyperbolic)
   EXPECT_FALSE(result.flat);
   ASSERT_TRUE(result.hyperbolic);
   EXPECT_EQ(result.hyperbolic->group(0).genus, 2u);
+  EXPECT_EQ(result.status(), DC::Map_status::success);
   EXPECT_TRUE(DC::uniformize(punctured(embedded_torus(5, 4), {0})).hyperbolic);
+  EXPECT_EQ(DC::uniformize(straight_plate_with_holes(120)).status(), DC::Map_status::not_glued);
 }
 
 TEST(Uniformize, simply_connected_surfaces_become_round)
@@ -127,6 +130,7 @@ TEST(Uniformize, simply_connected_surfaces_become_round)
   const DC::Uniformization sphere = DC::uniformize(tetrahedron());
   EXPECT_EQ(sphere.type, Surface_type::sphere);
   ASSERT_TRUE(sphere.spherical);
+  EXPECT_EQ(sphere.status(), DC::Map_status::success);
   EXPECT_TRUE(sphere.spherical->certificate().is_convex());
   const DC::Uniformization disk = DC::uniformize(punctured(cube(), {0}));
   EXPECT_EQ(disk.type, Surface_type::disk);

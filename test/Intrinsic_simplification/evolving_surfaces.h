@@ -25,7 +25,7 @@ using IS::Evolving_surface;
 using IS::Flattened_star;
 using IS::Removal_status;
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = IT::pi<double>();
 
 // ---- Measuring, straight from the law of cosines ----
 

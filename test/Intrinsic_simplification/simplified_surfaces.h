@@ -130,7 +130,7 @@ inline Point place(const Location& p, const Surface_level& level, const Mesh& me
   return CGAL::ORIGIN + sum;
 }
 
-// a polygon in the plane whose corners cannot be removed for less than the rest
+// a polygon in the plane
 inline Mesh flat_mesh(unsigned int seed) { return planar_mesh(random_points(60, 1000, seed)); }
 
 inline Simplified simplified_inside(const Mesh& mesh)
@@ -140,6 +140,40 @@ inline Simplified simplified_inside(const Mesh& mesh)
     if(mesh.is_border(v))
       s.protect(v);
   return Simplified(std::move(s), 0);
+}
+
+// In the plane every vertex is at the same place on both levels.
+template <typename Check>
+void for_each_flat_polygon(const Check& check)
+{
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Mesh mesh = flat_mesh(seed);
+    const Simplified s = simplified_inside(mesh);
+    check(mesh, s, Surface_map(s.surface, s.fine, s.coarse));
+  }
+}
+
+// whether two segments of the plane cross
+inline bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const auto side = [](const Point& p, const Point& q, const Point& r) {
+    return CGAL::orientation(Kernel::Point_2(p.x(), p.y()), Kernel::Point_2(q.x(), q.y()),
+                             Kernel::Point_2(r.x(), r.y()));
+  };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+// a regular tetrahedron, and what is left without its first vertex
+inline Simplified without_tip()
+{
+  Evolving_surface s(tetrahedron());
+  const Surface_level fine(s);
+  Flattened_star star;
+  EXPECT_EQ(s.flatten(Vertex_index(0), star), Removal_status::possible);
+  EXPECT_EQ(s.remove(star), Removal_status::possible);
+  const Surface_level coarse(s);
+  return {std::move(s), fine, coarse};
 }
 
 // Each face gets a vertex that is next to one of its corners.

@@ -112,9 +112,9 @@ TEST(Surface_hierarchy, FollowsARefinement)
   const Surface_map map(second.history, second.levels[0], second.levels[1]);
   for(Face_index f : mesh.faces()) {
     const Location p{f, {0.2, 0.3, 0.5}};
-    const Location fine = IT::point_across(IT::Side::input, p, correspondence);
+    const Location fine = IT::point_across(correspondence, IT::Side::input, p);
     const Location back = map.to_fine(map.to_coarse(fine));
-    expect_same_place(IT::point_across(IT::Side::intrinsic, back, correspondence), p,
+    expect_same_place(IT::point_across(correspondence, IT::Side::intrinsic, back), p,
                       first.input_mesh());
   }
 }

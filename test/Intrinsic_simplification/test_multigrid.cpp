@@ -37,8 +37,8 @@ struct System
   {
     Evolving_surface surface(mesh);
     const IS::Surface_level fine(surface);
-    laplacian = IT::cotan_laplacian(fine.mesh(), fine.length_map());
-    mass = IT::lumped_mass_matrix(fine.mesh(), fine.length_map());
+    laplacian = IT::cotan_laplacian(fine);
+    mass = IT::lumped_mass_matrix(fine);
     prolongations = IS::prolongation_hierarchy(surface, coarsest);
   }
 

@@ -185,19 +185,14 @@ TEST(Projective_pieces, OfOneLevel)
 // the corners: squared lengths at the tip become a third, so its coordinate is multiplied by three.
 TEST(Projective_pieces, OfATip)
 {
-  Evolving_surface s(tetrahedron());
-  const Surface_level fine(s);
-  Flattened_star star;
-  ASSERT_EQ(s.flatten(Vertex_index(0), star), Removal_status::possible);
-  ASSERT_EQ(s.remove(star), Removal_status::possible);
-  const Surface_level coarse(s);
-  const Pieces pieces = all_pieces(Surface_map(s, fine, coarse));
+  const Simplified s = without_tip();
+  const Pieces pieces = all_pieces(Surface_map(s.surface, s.fine, s.coarse));
   ASSERT_EQ(pieces.size(), 4u);
   for(const Projective_piece& p : pieces) {
     EXPECT_EQ(p.corners.size(), 3u);
     bool has_tip = false;
-    for(Halfedge_index h : IT::sides(p.fine_face, fine.mesh()))
-      has_tip = has_tip || fine.mesh().source(h) == Vertex_index(0);
+    for(Halfedge_index h : IT::sides(p.fine_face, s.fine.mesh()))
+      has_tip = has_tip || s.fine.mesh().source(h) == Vertex_index(0);
     Coordinates image = p.to_coarse({1 / 3., 1 / 3., 1 / 3.});
     std::sort(image.begin(), image.end());
     for(std::size_t c = 0; c < 3; ++c)
@@ -254,12 +249,13 @@ void expect_pieces_of_subdivision(const Surface_map& map)
 
 bool is_isometric(const Evolving_surface& s)
 {
-  for(std::size_t t = 0; t < s.history().size(); ++t) {
-    const IS::Surface_operation& operation = s.history()[t];
-    if(operation.kind == IS::Surface_operation::Kind::scaling && operation.id[2] != 0)
-      return false;
-  }
-  return true;
+  bool result = true;
+  for(std::size_t t = 0; t < s.history().size(); ++t)
+    s.history()[t].visit([&](const auto& operation) {
+      if constexpr(std::is_same_v<decltype(operation), const IS::Scaling&>)
+        result = result && operation.number_of_corners == 0;
+    });
+  return result;
 }
 
 // Barycentric coordinates are mapped linearly where nothing is scaled.

@@ -9,6 +9,13 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <vector>
 
 namespace {
 
@@ -111,12 +118,12 @@ void expect_parts_of_coarse_edges(const Subdivision& subdivision)
     for(Halfedge_index h : subdivision.parts_of_coarse_edge(e)) {
       EXPECT_EQ(subdivision.parent_halfedge(Level::coarse, h), coarse.halfedge(e));
       EXPECT_TRUE(end.is_valid() ? mesh.source(h) == end
-                                 : subdivision.coarse_vertex(mesh.source(h)) ==
+                                 : subdivision.parent_vertex(Level::coarse, mesh.source(h)) ==
                                      coarse.source(coarse.halfedge(e)));
       end = mesh.target(h);
       ++parts;
     }
-    EXPECT_EQ(subdivision.coarse_vertex(end), coarse.target(coarse.halfedge(e)));
+    EXPECT_EQ(subdivision.parent_vertex(Level::coarse, end), coarse.target(coarse.halfedge(e)));
   }
   for(Edge_index e : mesh.edges())
     parts -= subdivision.parent_halfedge(Level::coarse, mesh.halfedge(e)).is_valid();
@@ -157,6 +164,53 @@ TEST(Subdivision, HasPositivePolygons)
   EXPECT_GT(faces, 1000u);
 }
 
+// Triangles have no negative area on the fine surface, however bent the polygons are.
+TEST(Subdivision, Triangulates)
+{
+  std::size_t cut = 0;
+  for_each_random_surface([&](const Simplified& s, const Surface_map& map) {
+    Subdivision subdivision(map, Bends::of_all_edges);
+    const std::size_t before = subdivision.mesh().number_of_faces();
+    subdivision.triangulate();
+    cut += subdivision.mesh().number_of_faces() - before;
+    ASSERT_TRUE(subdivision.mesh().is_valid());
+    for(Face_index f : subdivision.mesh().faces()) {
+      EXPECT_LE(subdivision.mesh().degree(f), 3u);
+      EXPECT_GT(subdivision.signed_area(Level::fine, f), -1e-13 * total_area(s.fine));
+    }
+    expect_parts_of_coarse_edges(subdivision);
+    expect_areas(subdivision, Level::fine, s.fine);
+    expect_areas(subdivision, Level::coarse, s.coarse);
+  });
+  EXPECT_GT(cut, 1000u);
+}
+
+// Values at vertices agree with those at all corners of faces.
+TEST(Subdivision, InterpolatesFromBothLevels)
+{
+  for_each_random_surface([&](const Simplified&, const Surface_map& map) {
+    const Subdivision subdivision(map, Bends::of_all_edges);
+    const auto value = boost::make_function_property_map<Vertex_index>(
+      [](Vertex_index v) { return std::sin(double(v.idx())); });
+    for(const Level side : {Level::fine, Level::coarse}) {
+      std::vector<double> result(subdivision.mesh().number_of_vertices());
+      IT::interpolate(
+        side, subdivision, value,
+        boost::make_iterator_property_map(result.begin(), boost::identity_property_map()));
+      const Delta_complex& level = subdivision.mesh(side);
+      for(Halfedge_index h : subdivision.mesh().halfedges())
+        if(!subdivision.mesh().is_border(h)) {
+          const auto [f, b] = subdivision.location(side, h);
+          const auto corner = IT::sides(f, level);
+          double expected = 0;
+          for(std::size_t c = 0; c < 3; ++c)
+            expected += b[c] * get(value, level.source(corner[c]));
+          EXPECT_NEAR(result[subdivision.mesh().target(h)], expected, 1e-13);
+        }
+    }
+  });
+}
+
 TEST(Subdivision, OfLevelsOfAHierarchy)
 {
   const Simplified s = simplified_twice();
@@ -181,24 +235,11 @@ TEST(Subdivision, OfOneLevel)
   expect_parents(subdivision);
 }
 
-bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
-{
-  const auto side = [](const Point& p, const Point& q, const Point& r) {
-    return CGAL::orientation(Kernel::Point_2(p.x(), p.y()), Kernel::Point_2(q.x(), q.y()),
-                             Kernel::Point_2(r.x(), r.y()));
-  };
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
 // In the plane every vertex is at the same place on both levels, and brute force counts the
 // crossings.
 TEST(Subdivision, OfAFlatPolygon)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Mesh mesh = flat_mesh(seed);
-    const Simplified s = simplified_inside(mesh);
-    const Surface_map map(s.surface, s.fine, s.coarse);
+  for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {
     const Subdivision subdivision(map);
     std::size_t expected = 0, found = 0;
     for(Edge_index e : s.coarse.mesh().edges())
@@ -209,13 +250,14 @@ TEST(Subdivision, OfAFlatPolygon)
     for(Vertex_index v : subdivision.mesh().vertices()) {
       const auto &fine = subdivision.place(Level::fine, v),
                  &coarse = subdivision.place(Level::coarse, v);
-      found += !subdivision.is_fine_vertex(v) && fine.along.is_valid() && coarse.along.is_valid();
+      found +=
+        !subdivision.is_vertex(Level::fine, v) && fine.along.is_valid() && coarse.along.is_valid();
       EXPECT_LT(std::sqrt(CGAL::squared_distance(place(fine.location, s.fine, mesh),
                                                  place(coarse.location, s.coarse, mesh))),
                 1e-8);
     }
     EXPECT_EQ(found, expected);
-  }
+  });
 }
 
 // Coarse edges run through vertices and along edges, but for rounding.
@@ -270,7 +312,7 @@ TEST(Subdivision, KeepsIsolatedVertices)
   const Surface_map map(s.surface, s.fine, s.coarse);
   const Subdivision subdivision(map);
   EXPECT_TRUE(subdivision.mesh().is_isolated(alone));
-  EXPECT_TRUE(subdivision.is_coarse_vertex(alone));
+  EXPECT_TRUE(subdivision.is_vertex(Level::coarse, alone));
   expect_mapped(subdivision, map);
 }
 

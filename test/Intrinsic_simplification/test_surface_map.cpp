@@ -132,18 +132,14 @@ TEST(Surface_map, KeepsTheOrientation)
 
 TEST(Surface_map, OfAFlatPolygonIsTheIdentity)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Mesh mesh = flat_mesh(seed);
-    const Simplified s = simplified_inside(mesh);
-    const Surface_map map(s.surface, s.fine, s.coarse);
+  for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {
     CGAL::Random random(3);
     for(int n = 0; n < 300; ++n) {
       const Location p = random_location(s.fine.mesh(), random);
       const Point before = place(p, s.fine, mesh), after = place(map.to_coarse(p), s.coarse, mesh);
       EXPECT_LT(std::sqrt(CGAL::squared_distance(before, after)), 1e-8);
     }
-  }
+  });
 }
 
 // A map over two levels is the two maps one after the other.
@@ -176,17 +172,12 @@ TEST(Surface_map, LevelsOfAHierarchy)
 // circumcircles, where the sum of l_ij^2 b_i b_j is zero, become circumcircles.
 TEST(Surface_map, ChangesOfScaleKeepCircumcircles)
 {
-  Evolving_surface s(tetrahedron());
-  const Surface_level fine(s);
-  Flattened_star star;
-  ASSERT_EQ(s.flatten(Vertex_index(0), star), Removal_status::possible);
-  ASSERT_EQ(s.remove(star), Removal_status::possible);
-  const Surface_level coarse(s);
-  const Surface_map map(s, fine, coarse);
-  for(Halfedge_index h : fine.mesh().halfedges()) {
-    if(fine.mesh().source(h) != Vertex_index(0))
+  const Simplified s = without_tip();
+  const Surface_map map(s.surface, s.fine, s.coarse);
+  for(Halfedge_index h : s.fine.mesh().halfedges()) {
+    if(s.fine.mesh().source(h) != Vertex_index(0))
       continue;
-    const Location q = map.to_coarse({fine.mesh().face(h), {1 / 3., 1 / 3., 1 / 3.}});
+    const Location q = map.to_coarse({s.fine.mesh().face(h), {1 / 3., 1 / 3., 1 / 3.}});
     // the tip, in the middle of the new face, has three fifths, and two corners have one fifth each
     const Coordinates expected{1 / 5., 2 / 5., 2 / 5.};
     Coordinates sorted = q.second;
@@ -242,8 +233,7 @@ TEST(Prolongation, RestrictionIsAMeanThatKeepsIntegrals)
   const Eigen::SparseMatrix<double> r = IS::restriction_matrix(p, map);
   EXPECT_LT((r * Eigen::VectorXd::Ones(200) - Eigen::VectorXd::Ones(20)).cwiseAbs().maxCoeff(),
             1e-14);
-  const Eigen::SparseMatrix<double> mass =
-    IT::lumped_mass_matrix(s.fine.mesh(), s.fine.length_map());
+  const Eigen::SparseMatrix<double> mass = IT::lumped_mass_matrix(s.fine);
   const Eigen::VectorXd fine_mass = mass.diagonal(), coarse_mass = p.transpose() * fine_mass;
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(200, -1, 3);
   EXPECT_NEAR(coarse_mass.dot(r * x), fine_mass.dot(x), 1e-12);

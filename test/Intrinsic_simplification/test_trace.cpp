@@ -206,7 +206,7 @@ TEST(Trace, AfterFlipsAgreesWithIntegerCoordinates)
       std::multiset<Crossed> expected, found;
       for(Halfedge_index h : tri.mesh().halfedges()) {
         std::vector<Edge_index> crossed;
-        const auto trace = IT::trace_intrinsic_edge(h, tri);
+        const auto trace = IT::trace_intrinsic_edge(tri, h);
         for(std::size_t n = 1; n + 1 < trace.size(); ++n)
           crossed.push_back(tri.input_mesh().edge(trace[n].on_input.halfedge));
         expected.insert({tri.mesh().source(h), tri.mesh().target(h), crossed});
@@ -234,23 +234,10 @@ double length(const Trace& trace, const Surface_level& level, const Mesh& mesh)
   return sum;
 }
 
-bool cross(const Point& a, const Point& b, const Point& c, const Point& d)
-{
-  const auto side = [](const Point& p, const Point& q, const Point& r) {
-    return CGAL::orientation(Kernel::Point_2(p.x(), p.y()), Kernel::Point_2(q.x(), q.y()),
-                             Kernel::Point_2(r.x(), r.y()));
-  };
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
 // No three of the points are on a line, but for those on the boundary.
 TEST(Trace, OfAFlatPolygonIsStraight)
 {
-  for(unsigned int seed = 0; seed < 10; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    const Mesh mesh = flat_mesh(seed);
-    const Simplified s = simplified_inside(mesh);
-    const Surface_map map(s.surface, s.fine, s.coarse);
+  for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {
     for(Edge_index e : s.coarse.mesh().edges()) {
       const Halfedge_index h = s.coarse.mesh().halfedge(e);
       const Trace trace = IS::trace_coarse_edge(h, map);
@@ -269,7 +256,7 @@ TEST(Trace, OfAFlatPolygonIsStraight)
         EXPECT_LT(std::sqrt(CGAL::squared_distance(there, expected)), 1e-8);
       }
     }
-  }
+  });
 }
 
 // A subdivided cube loses all but its corners at no cost.

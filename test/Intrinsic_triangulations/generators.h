@@ -370,7 +370,7 @@ inline Flat_surface flat_torus(int m, int n, unsigned int seed)
 // could be neighbours are on a circle.
 inline Flat_surface flat_cylinder(int n, int twists, int height = 700)
 {
-  const int width = 1000, shift = 300;
+  const std::int64_t width = 1000, shift = 300;
   const auto bottom = [&](int i) { return i % n * 4 + 1; };
   const auto top = [&](int i) { return i % n * 4 + 2; };
   const auto across = [&](int i) { return i % n * 4 + 3; };

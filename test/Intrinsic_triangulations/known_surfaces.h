@@ -105,7 +105,7 @@ struct Cone
   // distance and angle (on the surface) from the apex
   Complex polar(const Location& p) const
   {
-    const Complex v = IT::logarithm(Side::input, spoke(p.first), p, mesh);
+    const Complex v = IT::logarithm(mesh.input(), spoke(p.first), p);
     return {std::abs(v), std::arg(v) / (2 * pi) * total};
   }
 
@@ -113,7 +113,7 @@ struct Cone
   Complex outwards(const Location& p) const
   {
     const Location tip = Flat_faces(Side::input, mesh).on(spoke(p.first), 0);
-    const Complex v = IT::logarithm(Side::input, tip, p, mesh);
+    const Complex v = IT::logarithm(mesh.input(), tip, p);
     return v / std::abs(v);
   }
 

@@ -238,20 +238,17 @@ template <typename Subdivision>
 std::vector<Location> places_in(Side side, Face_index parent, Vertex_index v, const Subdivision& s,
                                 const Flat_faces& faces)
 {
-  const Triangulation& t = faces.triangulation();
-  if(side == Side::input && s.is_intrinsic_vertex(v) && t.is_inserted(v) &&
-     !t.inserted_vertex(v).along.is_valid()) {
-    const Location& p = t.inserted_vertex(v).location;
-    return p.first == parent ? std::vector<Location>{p} : std::vector<Location>();
-  }
+  const auto p = s.place(side, v);
+  if(!p.along.is_valid())
+    return p.location.first == parent ? std::vector<Location>{p.location} : std::vector<Location>();
   std::vector<Location> result;
   for(Halfedge_index h : faces.sides(parent))
-    if(side == Side::input ? s.is_input_vertex(v) : s.is_intrinsic_vertex(v)) {
+    if(s.is_vertex(side, v)) {
       if(faces.mesh().source(h) == v)
         result.push_back(faces.on(h, 0));
-    } else if(Edge_index(h) == Edge_index(s.place(side, v).halfedge)) {
-      const Edge_place& p = s.place(side, v);
-      result.push_back(faces.on(h, p.halfedge == h ? p.t : 1 - p.t));
+    } else if(Edge_index(h) == Edge_index(p.along)) {
+      const double t = IT::edge_point(p.along, p.location, faces.mesh()).t;
+      result.push_back(faces.on(h, p.along == h ? t : 1 - t));
     }
   return result;
 }

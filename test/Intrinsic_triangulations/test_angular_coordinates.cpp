@@ -40,9 +40,9 @@ double angle_from_crossing(Halfedge_index h, const Triangulation& t,
 {
   if(t.coordinates().is_shared(t.mesh().edge(h)))
     return frames.angle(t.input_halfedge(h));
-  const Edge_place p = IT::trace_intrinsic_edge(h, t)[1].on_input;
+  const Edge_place p = IT::trace_intrinsic_edge(t, h)[1].on_input;
   const Location location = IT::face_location(p, t.input_mesh());
-  return std::arg(IT::logarithm(Side::input, t.input_mesh().prev(p.halfedge), location, t));
+  return std::arg(IT::logarithm(t.input(), t.input_mesh().prev(p.halfedge), location));
 }
 
 Complex complex(const Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
@@ -286,7 +286,7 @@ void check_by_walking(const Triangulation& t, const Angles& angles)
     if(t.mesh().is_border(Edge_index(h)))
       continue;
     const Complex vector = std::polar(t.length(t.mesh().edge(h)), angles.angle(h));
-    const auto g = IT::trace_geodesic(Side::input, t.mesh().source(h), vector, t);
+    const auto g = IT::trace_geodesic(t, Side::input, t.mesh().source(h), vector);
 
     const Location end = t.input_location(t.mesh().opposite(h));
     EXPECT_LT(static_cast<double>(faces.path(g.end, end)), 1e-9 * size) << h;
@@ -321,9 +321,9 @@ TEST(Angular_coordinates, of_vectors_in_the_plane)
       SCOPED_TRACE(s.name + ", seed " + std::to_string(seed));
       Flat_triangulation flat(s.surface);
       flat.flip_at_random(20 * s.surface.mesh.number_of_edges(), seed);
-      const IT::Tangent_frames<> frames(Side::input, *flat);
+      const IT::Tangent_frames<> frames(flat->input());
       for(Halfedge_index h : flat->mesh().halfedges())
-        expect_same_direction(IT::angle_on_input(h, *flat), angle_in_plane(h, flat, frames), 1e-12);
+        expect_same_direction(IT::angle_on_input(*flat, h), angle_in_plane(h, flat, frames), 1e-12);
     }
 }
 
@@ -332,14 +332,14 @@ TEST(Angular_coordinates, of_crossings)
   for(const Named_triangulation& named : triangulations()) {
     SCOPED_TRACE(named.name);
     const Triangulation& t = named.triangulation;
-    const IT::Tangent_frames<> frames(Side::input, t);
+    const IT::Tangent_frames<> frames(t.input());
     const Angles angles(t);
     for(Halfedge_index h : t.mesh().halfedges()) {
       expect_same_direction(angles.angle(h), angle_from_crossing(h, t, frames), 1e-9);
-      expect_same_direction(angles.angle(h), IT::angle_on_input(h, t), 1e-14);
+      expect_same_direction(angles.angle(h), IT::angle_on_input(t, h), 1e-14);
       if(t.coordinates().is_shared(t.mesh().edge(h))) {
         EXPECT_EQ(angles.angle(h), frames.angle(t.input_halfedge(h)));
-        EXPECT_EQ(IT::angle_on_input(h, t), frames.angle(t.input_halfedge(h)));
+        EXPECT_EQ(IT::angle_on_input(t, h), frames.angle(t.input_halfedge(h)));
       }
     }
   }
@@ -391,21 +391,21 @@ TEST(Angular_coordinates, tangent_vectors_across)
   for(const Named_triangulation& named : triangulations()) {
     SCOPED_TRACE(named.name);
     const Triangulation& t = named.triangulation;
-    const IT::Tangent_frames<> frames(Side::intrinsic, t);
+    const IT::Tangent_frames<> frames(t.intrinsic());
     const Angles angles(t);
     for(Halfedge_index h : t.mesh().halfedges()) {
       const Vertex_index v = t.mesh().source(h), w = t.mesh().target(h);
       const Complex vector = std::polar(2., frames.angle(h));
-      const Complex on_input = IT::tangent_vector_across(Side::intrinsic, v, vector, t);
+      const Complex on_input = IT::tangent_vector_across(t, Side::intrinsic, v, vector);
       EXPECT_NEAR(std::abs(on_input - std::polar(2., angles.angle(h))), 0, 1e-9);
-      EXPECT_LT(std::abs(IT::tangent_vector_across(Side::input, v, on_input, t) - vector), 1e-14);
-      EXPECT_LT(std::abs(IT::tangent_vector_across(Side::intrinsic, v, vector, angles) - on_input),
+      EXPECT_LT(std::abs(IT::tangent_vector_across(t, Side::input, v, on_input) - vector), 1e-14);
+      EXPECT_LT(std::abs(IT::tangent_vector_across(angles, Side::intrinsic, v, vector) - on_input),
                 1e-14);
       if(t.mesh().is_border(v)) {
         EXPECT_EQ(on_input, vector);
       }
       const Complex there =
-        IT::tangent_vector_across(Side::intrinsic, w, vector * frames.transport(h), t);
+        IT::tangent_vector_across(t, Side::intrinsic, w, vector * frames.transport(h));
       EXPECT_LT(std::abs(there - on_input * angles.transport(h)), 1e-9);
     }
   }
@@ -428,7 +428,7 @@ TEST(Angular_coordinates, of_vectors_between_inserted_vertices_in_the_plane)
         counts[k] += changes.counts[k];
       for(Halfedge_index h : t.mesh().halfedges()) {
         const double angle = angle_in_plane(h, vectors, flat);
-        expect_same_direction(IT::angle_on_input(h, t), angle, 1e-9);
+        expect_same_direction(IT::angle_on_input(t, h), angle, 1e-9);
         expect_same_direction(vectors.angle(h), angle, 1e-9);
       }
     }
@@ -445,12 +445,12 @@ TEST(Angular_coordinates, kept_through_insertions_and_removals)
       Angles_only angles(t);
       Random_changes<Angles_only>(t, seed, angles).change(10 * t.mesh().number_of_edges());
       for(Halfedge_index h : t.mesh().halfedges())
-        expect_same_direction(angles.angle(h), IT::angle_on_input(h, t), 1e-9);
+        expect_same_direction(angles.angle(h), IT::angle_on_input(t, h), 1e-9);
       t.collect_garbage();
       angles.recompute();
       check_kept(angles, t, 0);
       for(Halfedge_index h : t.mesh().halfedges())
-        expect_same_direction(angles.angle(h), IT::angle_on_input(h, t), 1e-14);
+        expect_same_direction(angles.angle(h), IT::angle_on_input(t, h), 1e-14);
       check_by_walking(t, angles);
     }
 }
@@ -495,14 +495,14 @@ TEST(Angular_coordinates, tangent_vectors_across_at_inserted_vertices)
     SCOPED_TRACE(named.name);
     Triangulation t = named.triangulation;
     IT::refine(t);
-    const IT::Tangent_frames<> frames(Side::intrinsic, t);
+    const IT::Tangent_frames<> frames(t.intrinsic());
     const Angles angles(t);
     for(Halfedge_index h : t.mesh().halfedges()) {
       const Vertex_index v = t.mesh().source(h);
       const Complex vector = std::polar(2., frames.angle(h));
-      const Complex on_input = IT::tangent_vector_across(Side::intrinsic, v, vector, t);
+      const Complex on_input = IT::tangent_vector_across(t, Side::intrinsic, v, vector);
       EXPECT_LT(std::abs(on_input - std::polar(2., angles.angle(h))), 1e-9);
-      EXPECT_LT(std::abs(IT::tangent_vector_across(Side::input, v, on_input, angles) - vector),
+      EXPECT_LT(std::abs(IT::tangent_vector_across(angles, Side::input, v, on_input) - vector),
                 1e-13);
       if(t.mesh().is_border(v)) {
         EXPECT_EQ(on_input, vector);
@@ -519,10 +519,10 @@ void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
 {
   const Triangulation& t = angles.triangulation();
   IT::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
-    EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(h, t), 2 * pi), 0, 1e-12);
+    EXPECT_NEAR(std::remainder(angles.angle(h) - IT::angle_on_input(t, h), 2 * pi), 0, 1e-12);
     if(t.mesh().is_border(h))
       return;
-    const double corner = IT::internal::angle_at_source(h, t.mesh(), t.length_map());
+    const double corner = IT::internal::angle_at_source(h, t);
     const double gap = angles.angle(IT::next_spoke(h, t.mesh())) - angles.angle(h);
     const double scale = t.is_inserted(v) ? 1 : angles.frames().scale(v);
     EXPECT_NEAR(std::remainder(gap - scale * corner, 2 * pi), 0, 1e-12);

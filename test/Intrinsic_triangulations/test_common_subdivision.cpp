@@ -162,8 +162,30 @@ TEST(Common_subdivision, isolated_vertices_keep_their_numbers)
   for(Vertex_index v : s.mesh().vertices()) {
     const bool is_isolated = std::count(isolated.begin(), isolated.end(), v.idx()) > 0;
     EXPECT_EQ(s.mesh().is_isolated(v), is_isolated);
-    EXPECT_EQ(s.place(Side::input, v).halfedge.is_valid(), !is_isolated);
-    EXPECT_EQ(s.place(Side::intrinsic, v).halfedge.is_valid(), !is_isolated);
+    EXPECT_EQ(s.place(Side::input, v).along.is_valid(), !is_isolated);
+    EXPECT_EQ(s.place(Side::intrinsic, v).along.is_valid(), !is_isolated);
+  }
+}
+
+// The coordinates at each corner are one of the places that its vertex has in the face.
+TEST(Common_subdivision, coordinates_at_corners)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    const Subdivision s{Correspondence(t.triangulation)};
+    for(Side side : both_sides) {
+      const Flat_faces faces(side, t.triangulation);
+      for(Halfedge_index h : s.mesh().halfedges()) {
+        const Location p = s.location(side, h);
+        EXPECT_EQ(p.first.is_valid(), !s.mesh().is_border(h));
+        if(s.mesh().is_border(h))
+          continue;
+        const auto places = places_in(side, p.first, s.mesh().target(h), s, faces);
+        EXPECT_EQ(std::count(places.begin(), places.end(), p), 1);
+        const Halfedge_index parent = s.parent_halfedge(side, h);
+        EXPECT_TRUE(!parent.is_valid() || faces.mesh().face(parent) == p.first);
+      }
+    }
   }
 }
 
@@ -177,7 +199,7 @@ TEST(Common_subdivision, positions_in_space)
     IT::Common_subdivision<IT::Euclidean_geometry_traits<>, Point> s(c);
     const auto points = boost::make_function_property_map<Vertex_index>(
       [&](Vertex_index v) { return m.mesh.point(v); });
-    IT::interpolate(Side::input, s, t, points, s.mesh().points());
+    IT::interpolate(Side::input, s, points, s.mesh().points());
     for(Vertex_index v : m.mesh.vertices())
       EXPECT_EQ(s.mesh().point(v), m.mesh.point(v));
     Flat_faces faces(Side::intrinsic, t);
@@ -205,11 +227,11 @@ TEST(Common_subdivision, linear_functions_in_the_plane_from_either_side)
     });
     auto from_input = s.mesh().add_property_map<Vertex_index, double>("v:a").first;
     auto from_intrinsic = s.mesh().add_property_map<Vertex_index, double>("v:b").first;
-    IT::interpolate(Side::input, s, *flat, linear, from_input);
-    IT::interpolate(Side::intrinsic, s, *flat, linear, from_intrinsic);
+    IT::interpolate(Side::input, s, linear, from_input);
+    IT::interpolate(Side::intrinsic, s, linear, from_intrinsic);
     for(Vertex_index v : s.mesh().vertices()) {
       EXPECT_NEAR(from_input[v], from_intrinsic[v], 1e-12 * 7000);
-      if(s.is_input_vertex(v)) {
+      if(s.is_vertex(Side::input, v)) {
         EXPECT_EQ(from_input[v], get(linear, v));
         EXPECT_EQ(from_intrinsic[v], get(linear, v));
       }

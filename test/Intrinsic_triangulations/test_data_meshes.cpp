@@ -126,14 +126,14 @@ void check_points_across(const Correspondence& c, const Mesh& mesh)
   for(int i = 0; i < 500; ++i) {
     const Location p = random_location(input.mesh(), random);
     const Location p_back =
-      IT::point_across(Side::intrinsic, IT::point_across(Side::input, p, c), c);
+      IT::point_across(c, Side::intrinsic, IT::point_across(c, Side::input, p));
     EXPECT_LT(std::sqrt(CGAL::squared_distance(place_in_space(p, input, mesh),
                                                place_in_space(p_back, input, mesh))),
               1e-9 * size_of(mesh))
       << i;
     const Location q = random_location(intrinsic.mesh(), random);
     const Location q_back =
-      IT::point_across(Side::input, IT::point_across(Side::intrinsic, q, c), c);
+      IT::point_across(c, Side::input, IT::point_across(c, Side::intrinsic, q));
     EXPECT_LT(static_cast<double>(intrinsic.path(q, q_back)), 1e-9 * size_of(mesh)) << i;
   }
 }

@@ -83,7 +83,8 @@ void check_flat(Side side, const Flat_triangulation& t, unsigned int seed)
   for(int i = 0; i < 200; ++i) {
     const Location p = random_location(mesh, random);
     const Complex v = random_vector(8000, random);
-    check_straight(IT::trace_geodesic(side, p, v, *t), flat.place(p), flat.frame(p.first), v, flat);
+    check_straight(IT::trace_geodesic(t->surface(side), p, v), flat.place(p), flat.frame(p.first),
+                   v, flat);
   }
   for(Vertex_index v : mesh.vertices()) {
     if(mesh.is_border(v))
@@ -91,7 +92,7 @@ void check_flat(Side side, const Flat_triangulation& t, unsigned int seed)
     const Complex vector = random_vector(8000, random);
     const Complex axis = flat.vector(IT::first_spoke(v, mesh));
     const auto& origin = t.surface().point[v];
-    check_straight(IT::trace_geodesic(side, v, vector, *t),
+    check_straight(IT::trace_geodesic(t->surface(side), v, vector),
                    {static_cast<double>(origin.x), static_cast<double>(origin.y)},
                    axis / std::abs(axis), vector, flat);
   }
@@ -108,8 +109,9 @@ void check_reverse(Side side, const Triangulation& t)
   for(int i = 0; i < 40; ++i) {
     const Location p = random_location(faces.mesh(), random);
     const Complex v = random_vector(5 * size, random);
-    const Geodesic there = IT::trace_geodesic(side, p, v, t);
-    const Geodesic back = IT::trace_geodesic(side, there.end, -there.length * there.direction, t);
+    const Geodesic there = IT::trace_geodesic(t.surface(side), p, v);
+    const Geodesic back =
+      IT::trace_geodesic(t.surface(side), there.end, -there.length * there.direction);
     EXPECT_EQ(back.status, Status::reached);
     EXPECT_LT(static_cast<double>(faces.path(p, back.end)), 1e-9 * size) << i;
     if(back.end.first == p.first) {
@@ -123,16 +125,16 @@ void check_edges(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
   const Delta_complex& mesh = faces.mesh();
-  const IT::Tangent_frames<> frames(side, t);
+  const IT::Tangent_frames<> frames(t.surface(side));
   for(Halfedge_index h : mesh.halfedges()) {
     const Complex vector = std::polar(static_cast<double>(faces.length(h)), frames.angle(h));
-    const Geodesic g = IT::trace_geodesic(side, mesh.source(h), vector, t);
+    const Geodesic g = IT::trace_geodesic(t.surface(side), mesh.source(h), vector);
     EXPECT_EQ(g.status, Status::reached);
     const std::size_t s = corner_at(g.end);
     ASSERT_LT(s, 3u) << h;
     const Halfedge_index spoke = faces.sides(g.end.first)[s];
     EXPECT_EQ(mesh.source(spoke), mesh.target(h));
-    const Complex arrival = IT::tangent_vector_at_vertex(side, spoke, g.direction, t);
+    const Complex arrival = IT::tangent_vector_at_vertex(t.surface(side), spoke, g.direction);
     expect_close(arrival * std::abs(vector) / vector, frames.transport(h), 1e-11);
   }
 }
@@ -146,15 +148,15 @@ void check_logarithm(Side side, const Triangulation& t)
   for(int i = 0; i < 40; ++i) {
     const Location p = random_location(faces.mesh(), random);
     for(Halfedge_index h : faces.sides(p.first)) {
-      const Complex v = IT::logarithm(side, h, p, t);
-      const Geodesic g = IT::trace_geodesic(side, faces.mesh().source(h), v, t);
+      const Complex v = IT::logarithm(t.surface(side), h, p);
+      const Geodesic g = IT::trace_geodesic(t.surface(side), faces.mesh().source(h), v);
       EXPECT_LT(static_cast<double>(faces.path(p, g.end)), 1e-12 * size);
       EXPECT_NEAR(std::abs(v), static_cast<double>(faces.distance(p, faces.on(h, 0))),
                   1e-12 * size);
     }
     Location q = random_location(faces.mesh(), random);
     q.first = p.first;
-    const Geodesic g = IT::trace_geodesic(side, p, IT::logarithm(side, p, q, t), t);
+    const Geodesic g = IT::trace_geodesic(t.surface(side), p, IT::logarithm(t.surface(side), p, q));
     EXPECT_LT(static_cast<double>(faces.path(q, g.end)), 1e-12 * size);
   }
 }
@@ -169,7 +171,7 @@ void check_path(Side side, const Triangulation& t)
   for(int i = 0; i < 20; ++i) {
     const Location p = random_location(mesh, random);
     std::vector<Edge_place> path;
-    const Geodesic g = IT::trace_geodesic(side, p, random_vector(5 * size, random), t,
+    const Geodesic g = IT::trace_geodesic(t.surface(side), p, random_vector(5 * size, random),
                                           At_boundary::stop, std::back_inserter(path));
     Location from = p;
     Real sum = 0;
@@ -206,13 +208,13 @@ void check_independence(const Triangulation& t, int count, double tolerance)
     const Vertex_index v(static_cast<Delta_complex::size_type>(
       random.get_int(0, static_cast<int>(t.mesh().number_of_vertices()))));
     const Complex vector = random_vector(3 * size, random);
-    const Geodesic on_intrinsic = IT::trace_geodesic(Side::intrinsic, v, vector, t);
+    const Geodesic on_intrinsic = IT::trace_geodesic(t.intrinsic(), v, vector);
     const Geodesic on_input = IT::trace_geodesic(
-      Side::input, v, IT::tangent_vector_across(Side::intrinsic, v, vector, t), t);
+      t, Side::input, v, IT::tangent_vector_across(t, Side::intrinsic, v, vector));
     EXPECT_EQ(on_intrinsic.status, on_input.status);
     EXPECT_NEAR(on_intrinsic.length, on_input.length, tolerance * size);
     EXPECT_LT(static_cast<double>(
-                faces.path(on_intrinsic.end, IT::point_across(Side::input, on_input.end, c))),
+                faces.path(on_intrinsic.end, IT::point_across(c, Side::input, on_input.end))),
               tolerance * size)
       << i;
   }
@@ -225,13 +227,12 @@ void check_cone(const Cone& cone, unsigned int seed)
 {
   CGAL::Random random(seed);
   for(int i = 0; i < 100; ++i) {
-    const Geodesic out = IT::trace_geodesic(Side::input, cone.apex,
-                                            std::polar(0.3, random.get_double(-pi, pi)), cone.mesh);
+    const Geodesic out =
+      IT::trace_geodesic(cone.mesh.input(), cone.apex, std::polar(0.3, random.get_double(-pi, pi)));
     const Complex from = cone.polar(out.end);
     EXPECT_NEAR(from.real(), 0.3, 1e-12);
     const Complex v = std::polar(random.get_double(0, 0.5), random.get_double(-pi, pi));
-    const Geodesic g =
-      IT::trace_geodesic(Side::input, out.end, v * cone.outwards(out.end), cone.mesh);
+    const Geodesic g = IT::trace_geodesic(cone.mesh.input(), out.end, v * cone.outwards(out.end));
     const Complex end = 0.3 + v, to = cone.polar(g.end);
     EXPECT_EQ(g.status, Status::reached);
     EXPECT_NEAR(to.real(), std::abs(end), 1e-11);
@@ -246,13 +247,13 @@ Complex holonomy(const Cone& cone)
 {
   const int corners = 100;
   const double step = cone.total / corners;
-  const Geodesic out = IT::trace_geodesic(Side::input, cone.apex, std::polar(0.4, 0.3), cone.mesh);
+  const Geodesic out = IT::trace_geodesic(cone.mesh.input(), cone.apex, std::polar(0.4, 0.3));
   Location p = out.end;
   const Complex start = cone.outwards(p);
   Complex vector = start;
   for(int i = 0; i < corners; ++i) {
     const Complex chord = std::polar(0.8 * std::sin(step / 2), pi / 2 + step / 2);
-    const Geodesic g = IT::trace_geodesic(Side::input, p, chord * cone.outwards(p), cone.mesh);
+    const Geodesic g = IT::trace_geodesic(cone.mesh.input(), p, chord * cone.outwards(p));
     vector *= g.transport;
     p = g.end;
   }
@@ -319,7 +320,7 @@ Geodesic trace_in_space(const Point& p, const Kernel::Vector_3& v, const Mesh& m
                         At_boundary at_boundary = At_boundary::stop)
 {
   const Location start = locate(p, mesh);
-  return IT::trace_geodesic(Side::input, start, in_frame(v, start.first, mesh), Triangulation(mesh),
+  return IT::trace_geodesic(Triangulation(mesh).input(), start, in_frame(v, start.first, mesh),
                             at_boundary);
 }
 
@@ -392,8 +393,8 @@ TEST(Exponential_map, from_a_vertex_inserted_in_a_face)
     if(!t.is_inserted(v) || t.inserted_vertex(v).along.is_valid())
       continue;
     const Complex vector = random_vector(2, random);
-    const Geodesic a = IT::trace_geodesic(Side::input, v, vector, t);
-    const Geodesic b = IT::trace_geodesic(Side::input, t.inserted_vertex(v).location, vector, t);
+    const Geodesic a = IT::trace_geodesic(t, Side::input, v, vector);
+    const Geodesic b = IT::trace_geodesic(t.input(), t.inserted_vertex(v).location, vector);
     EXPECT_EQ(a.end, b.end);
     EXPECT_EQ(a.transport, b.transport);
     ++count;
@@ -417,7 +418,7 @@ TEST(Exponential_map, from_a_vertex_inserted_on_an_edge)
       const Halfedge_index h = t.spokes().halfedge(v, r);
       const double length = t.input_length(mesh.edge(h)) * (1 - t.place_along(h, v));
       const Complex vector = length * Complex(r == 0 ? 1 : -1);
-      const Geodesic g = IT::trace_geodesic(Side::input, v, vector, t);
+      const Geodesic g = IT::trace_geodesic(t, Side::input, v, vector);
       EXPECT_EQ(g.status, Status::reached);
       const std::size_t s = corner_at(g.end);
       ASSERT_LT(s, 3u);
@@ -519,8 +520,8 @@ TEST(Exponential_map, slides_from_a_boundary_vertex)
 {
   const Triangulation t = square();
   for(double angle : {-0.5, -pi / 2, pi + 0.5}) {
-    const Geodesic g = IT::trace_geodesic(Side::input, Vertex_index(4), std::polar(1., angle), t,
-                                          At_boundary::slide);
+    const Geodesic g =
+      IT::trace_geodesic(t.input(), Vertex_index(4), std::polar(1., angle), At_boundary::slide);
     EXPECT_EQ(g.status, Status::slid_along_boundary);
     const Halfedge_index spoke = Flat_faces(Side::input, t).sides(g.end.first)[corner_at(g.end)];
     EXPECT_EQ(t.input_mesh().source(spoke), Vertex_index(angle < 0 ? 8 : 0));
@@ -542,10 +543,11 @@ TEST(Exponential_map, needles)
     for(int i = 0; i < 300; ++i) {
       const Location p = random_location(t.mesh(), random);
       const Complex v = random_vector(i % 2 == 0 ? height : 20, random);
-      const Geodesic g = IT::trace_geodesic(Side::input, p, v, t);
+      const Geodesic g = IT::trace_geodesic(t.input(), p, v);
       const auto exact = IT::trace_geodesic(
+        IT::Surface_view(t.mesh(), map),
         IT::Face_location<long double>(p.first, {p.second[0], p.second[1], p.second[2]}),
-        std::complex<long double>(v.real(), v.imag()), t.mesh(), map);
+        std::complex<long double>(v.real(), v.imag()));
       const Location q(exact.end.first, {static_cast<double>(exact.end.second[0]),
                                          static_cast<double>(exact.end.second[1]),
                                          static_cast<double>(exact.end.second[2])});
@@ -571,14 +573,14 @@ TEST(Exponential_map, faces_without_area)
   for(int i = 0; i < 2000; ++i) {
     const Location p = random_location(t.mesh(), random);
     const Complex v = random_vector(3, random);
-    const Geodesic g = IT::trace_geodesic(Side::input, p, v, t);
+    const Geodesic g = IT::trace_geodesic(t.input(), p, v);
     const Halfedge_index h = mesh.halfedge(p.first);
     const Point &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h));
     const Complex axis(b.x() - a.x(), b.y() - a.y());
     const Complex step = std::polar(g.length, std::arg(v) + std::arg(axis));
     const Point start = place_in_space(p, mesh);
     expect_at(g, start + Kernel::Vector_3(step.real(), step.imag(), 0), mesh);
-    expect_at(IT::trace_geodesic(Side::input, g.end, -g.length * g.direction, t), start, mesh);
+    expect_at(IT::trace_geodesic(t.input(), g.end, -g.length * g.direction), start, mesh);
   }
 }
 
@@ -586,7 +588,7 @@ TEST(Exponential_map, no_length)
 {
   const Triangulation t(cube());
   const Location p{Face_index(3), {0.2, 0.3, 0.5}};
-  const Geodesic g = IT::trace_geodesic(Side::input, p, Complex(0), t);
+  const Geodesic g = IT::trace_geodesic(t.input(), p, Complex(0));
   EXPECT_EQ(g.status, Status::reached);
   EXPECT_EQ(g.end, p);
   EXPECT_EQ(g.length, 0);
@@ -596,10 +598,9 @@ TEST(Exponential_map, no_length)
 TEST(Exponential_map, endless_lengths_are_refused)
 {
   const Triangulation t(cube());
-  EXPECT_THROW(IT::trace_geodesic(Side::input, Vertex_index(0), Complex(1e30), t),
-               IT::Numerical_error);
+  EXPECT_THROW(IT::trace_geodesic(t.input(), Vertex_index(0), Complex(1e30)), IT::Numerical_error);
   const Triangulation s = square();
   EXPECT_THROW(
-    IT::trace_geodesic(Side::input, Vertex_index(0), Complex(0, -1e30), s, At_boundary::slide),
+    IT::trace_geodesic(s.input(), Vertex_index(0), Complex(0, -1e30), At_boundary::slide),
     IT::Numerical_error);
 }

@@ -269,7 +269,7 @@ TEST(Heat_distance, plane)
     const Vertex_index source = vertex(n / 2 * (n + 1) + n / 2);
     const Values exact =
       exact_distances(mesh, [&](const Point& p) { return straight(p, mesh.point(source)); });
-    errors.push_back(error(IT::heat_distance(Side::input, Triangulation(mesh), source), exact));
+    errors.push_back(error(IT::heat_distance(Triangulation(mesh).input(), source), exact));
   }
   expect_decreasing(errors);
   EXPECT_LT(errors.back(), 0.015);
@@ -283,7 +283,7 @@ TEST(Heat_distance, sphere)
     const Vertex_index source = vertex(3);
     const Values exact = exact_distances(
       mesh, [&](const Point& p) { return along_great_circle(p, mesh.point(source)); });
-    errors.push_back(error(IT::heat_distance(Side::input, Triangulation(mesh), source), exact));
+    errors.push_back(error(IT::heat_distance(Triangulation(mesh).input(), source), exact));
   }
   expect_decreasing(errors);
   EXPECT_LT(errors.back(), 0.01);
@@ -297,7 +297,7 @@ TEST(Heat_distance, flat_torus)
     Triangulation t = triangulation(torus);
     IT::make_Delaunay(t);
     errors.push_back(
-      error(IT::heat_distance(Side::intrinsic, t, vertex(7)), torus_distances(torus, vertex(7))));
+      error(IT::heat_distance(t.intrinsic(), vertex(7)), torus_distances(torus, vertex(7))));
   }
   expect_decreasing(errors);
   EXPECT_LT(errors.back(), 0.02);
@@ -313,9 +313,9 @@ TEST(Heat_distance, bad_triangulation_of_a_good_shape)
     const double angle = smallest_angle(bad);
     EXPECT_LT(angle, 2);
     IT::make_Delaunay(bad);
-    const Values expected = IT::heat_distance(Side::intrinsic, good, vertex(5));
-    const Values on_input = IT::heat_distance(Side::input, bad, vertex(5));
-    const Values computed = IT::heat_distance(Side::intrinsic, bad, vertex(5));
+    const Values expected = IT::heat_distance(good.intrinsic(), vertex(5));
+    const Values on_input = IT::heat_distance(bad.input(), vertex(5));
+    const Values computed = IT::heat_distance(bad.intrinsic(), vertex(5));
     EXPECT_LT((computed - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.maxCoeff());
     EXPECT_GT(error(on_input, expected), 0.1);
   }
@@ -331,8 +331,8 @@ TEST(Heat_distance, swept_triangles)
   IT::make_Delaunay(t);
   const Values exact =
     exact_distances(mesh, [&](const Point& p) { return straight(p, mesh.point(vertex(1500))); });
-  EXPECT_GT(error(IT::heat_distance(Side::input, t, vertex(1500)), exact), 0.2);
-  EXPECT_LT(error(IT::heat_distance(Side::intrinsic, t, vertex(1500)), exact), 0.05);
+  EXPECT_GT(error(IT::heat_distance(t.input(), vertex(1500)), exact), 0.2);
+  EXPECT_LT(error(IT::heat_distance(t.intrinsic(), vertex(1500)), exact), 0.05);
 }
 
 TEST(Heat_distance, sources_and_components)
@@ -341,7 +341,7 @@ TEST(Heat_distance, sources_and_components)
   const std::size_t alone = mesh.add_vertex(Point(9, 9, 9)).idx();
   const std::size_t lonely = mesh.add_vertex(Point(8, 8, 8)).idx();
   CGAL::copy_face_graph(tetrahedron(), mesh);
-  const IT::Heat_distance<> distance(Side::input, Triangulation(mesh));
+  const IT::Heat_distance<> distance(Triangulation(mesh).input());
   const Values a = distance.distances(vertex(3)), b = distance.distances(vertex(60));
   const Values both = distance.distances(std::vector{vertex(3), vertex(60), vertex(alone)});
   const auto torus = static_cast<Eigen::Index>(alone);
@@ -361,7 +361,7 @@ TEST(Heat_distance, many_sources_in_closed_form)
 {
   for(const Known_distances& known : known_distances()) {
     SCOPED_TRACE(known.name);
-    const Values computed = IT::heat_distance(Side::intrinsic, known.t, known.sources);
+    const Values computed = IT::heat_distance(known.t.intrinsic(), known.sources);
     for(Vertex_index source : known.sources)
       EXPECT_EQ(computed[source.idx()], 0);
     EXPECT_LT((computed - known.exact).cwiseAbs().mean(), known.bound * mean_length(known.t));
@@ -372,15 +372,14 @@ TEST(Heat_distance, time_step)
 {
   const Mesh mesh = unit_square(10, 1);
   const Triangulation t(mesh);
-  const Values one = IT::heat_distance(Side::input, t, vertex(0));
-  const Values same =
-    IT::heat_distance(Side::input, t, vertex(0), IT::parameters::time_step_factor(1));
+  const Values one = IT::heat_distance(t.input(), vertex(0));
+  const Values same = IT::heat_distance(t.input(), vertex(0), IT::parameters::time_step_factor(1));
   const Values smooth =
-    IT::heat_distance(Side::input, t, vertex(0), IT::parameters::time_step_factor(100.));
+    IT::heat_distance(t.input(), vertex(0), IT::parameters::time_step_factor(100.));
   EXPECT_EQ(one, same);
   EXPECT_GT((one - smooth).cwiseAbs().maxCoeff(), 1e-3);
   for(double factor : {0., -1., std::numeric_limits<double>::infinity(), std::nan("")})
-    EXPECT_THROW(IT::Heat_distance<>(Side::input, t, IT::parameters::time_step_factor(factor)),
+    EXPECT_THROW(IT::Heat_distance<>(t.input(), IT::parameters::time_step_factor(factor)),
                  IT::Invalid_input);
 }
 
@@ -388,11 +387,12 @@ TEST(Heat_distance, unit_of_length)
 {
   const Mesh mesh = unit_sphere(5);
   const Triangulation t(mesh);
-  const Values expected = IT::heat_distance(Side::input, t, vertex(0));
+  const Values expected = IT::heat_distance(t.input(), vertex(0));
   for(double factor : {1e-30, 1e30}) {
     const auto length = boost::make_function_property_map<Edge_index>(
       [&](Edge_index e) { return factor * t.input_length(e); });
-    const Values computed = IT::heat_distance(t.input_mesh(), length, vertex(0)) / factor;
+    const Values computed =
+      IT::heat_distance(IT::Surface_view(t.input_mesh(), length), vertex(0)) / factor;
     EXPECT_LT((computed - expected).cwiseAbs().maxCoeff(), 1e-10);
   }
 }
@@ -400,11 +400,11 @@ TEST(Heat_distance, unit_of_length)
 TEST(Heat_distance, far_away)
 {
   const Triangulation t(strip(1200)), longer(strip(3000));
-  const Values distance = IT::heat_distance(Side::input, t, vertex(0));
+  const Values distance = IT::heat_distance(t.input(), vertex(0));
   EXPECT_NEAR(distance[2400] / 1200, 1, 0.01);
-  EXPECT_THROW(IT::heat_distance(Side::input, longer, vertex(0)), IT::Numerical_error);
+  EXPECT_THROW(IT::heat_distance(longer.input(), vertex(0)), IT::Numerical_error);
   const Values with_more_time =
-    IT::heat_distance(Side::input, longer, vertex(0), IT::parameters::time_step_factor(9));
+    IT::heat_distance(longer.input(), vertex(0), IT::parameters::time_step_factor(9));
   EXPECT_NEAR(with_more_time[6000] / 3000, 1, 0.01);
 }
 
@@ -412,7 +412,7 @@ TEST(Heat_distance, all_complexes)
 {
   for(const Named_triangulation& t : triangulations()) {
     SCOPED_TRACE(t.name);
-    const Values distance = IT::heat_distance(Side::intrinsic, t.triangulation, vertex(0));
+    const Values distance = IT::heat_distance(t.triangulation.intrinsic(), vertex(0));
     EXPECT_TRUE(distance.allFinite());
     EXPECT_EQ(distance[0], 0);
   }
@@ -420,7 +420,7 @@ TEST(Heat_distance, all_complexes)
 
 TEST(Heat_distance, empty_surface)
 {
-  EXPECT_EQ(IT::heat_distance(Side::input, Triangulation(), std::vector<Vertex_index>()).size(), 0);
+  EXPECT_EQ(IT::heat_distance(Triangulation().input(), std::vector<Vertex_index>()).size(), 0);
 }
 
 TEST(Heat_distance, on_the_common_subdivision)
@@ -428,12 +428,12 @@ TEST(Heat_distance, on_the_common_subdivision)
   const Mesh mesh = perturbed(embedded_torus(10, 8), 0.3, 1);
   Triangulation t(mesh);
   IT::make_Delaunay(t);
-  const Values distance = IT::heat_distance(Side::intrinsic, t, vertex(0));
+  const Values distance = IT::heat_distance(t.intrinsic(), vertex(0));
   const IT::Common_subdivision<> subdivision{Correspondence(t)};
   const auto value = boost::make_function_property_map<Vertex_index>(
     [&](Vertex_index v) { return distance[v.idx()]; });
   std::vector<double> there(subdivision.mesh().number_of_vertices());
-  IT::interpolate(Side::intrinsic, subdivision, t, value,
+  IT::interpolate(Side::intrinsic, subdivision, value,
                   boost::make_iterator_property_map(there.begin(), boost::identity_property_map()));
   for(Vertex_index v : mesh.vertices())
     EXPECT_EQ(there[v.idx()], distance[v.idx()]);
@@ -447,7 +447,7 @@ TEST(Vector_heat, flat_torus)
   for(const auto& [m, n] : {std::pair(1, 1), std::pair(2, 1), std::pair(9, 7)}) {
     const Flat_surface torus = flat_torus(m, n, 4);
     Triangulation t = triangulation(torus);
-    const IT::Vector_heat<> heat(Side::input, t);
+    const IT::Vector_heat<> heat(t.input());
     const Field field = heat.transport(vertex(0), Complex(2, 1));
     for(Halfedge_index h : torus.mesh.halfedges()) {
       const Complex there = heat.frames().transport(h) * field[torus.mesh.source(h).idx()];
@@ -463,7 +463,7 @@ TEST(Vector_heat, holonomy_around_a_cone)
   for(double angle : {1.5 * pi, pi}) {
     const Round_cone cone{40, 60, angle};
     const Mesh mesh = cone.mesh();
-    const IT::Vector_heat<> heat(Side::input, Triangulation(mesh));
+    const IT::Vector_heat<> heat(Triangulation(mesh).input());
     EXPECT_NEAR(heat.frames().angle_defect(vertex(0)), 2 * pi - angle, 0.01);
     const auto outward = [&](std::size_t ring, std::size_t i) {
       const Halfedge_index h =
@@ -496,7 +496,7 @@ TEST(Vector_heat, sphere)
   for(const auto& [factor, bound] : {std::pair(1., 0.06), std::pair(16., 0.005)})
     for(std::size_t n : {8u, 16u, 32u}) {
       const Mesh mesh = unit_sphere(n);
-      const IT::Vector_heat<> heat(Side::input, Triangulation(mesh),
+      const IT::Vector_heat<> heat(Triangulation(mesh).input(),
                                    IT::parameters::time_step_factor(factor));
       const Vertex_index source = vertex(0);
       const Field field = heat.transport(source, Complex(1, 0));
@@ -517,7 +517,7 @@ TEST(Vector_heat, sources)
   Mesh mesh = unit_sphere(8);
   const auto n = static_cast<Eigen::Index>(mesh.number_of_vertices());
   mesh.add_vertex(Point(9, 9, 9));
-  const IT::Vector_heat<> heat(Side::input, Triangulation(mesh));
+  const IT::Vector_heat<> heat(Triangulation(mesh).input());
   const Field x = heat.transport(vertex(3), Complex(0, 1));
   EXPECT_EQ(x.size(), n + 1);
   EXPECT_EQ(x[n], Complex(0));
@@ -537,7 +537,7 @@ TEST(Vector_heat, all_complexes)
 {
   for(const Named_triangulation& t : triangulations()) {
     SCOPED_TRACE(t.name);
-    const IT::Vector_heat<> heat(Side::intrinsic, t.triangulation);
+    const IT::Vector_heat<> heat(t.triangulation.intrinsic());
     const Field field = heat.transport(vertex(0), Complex(1));
     EXPECT_TRUE(field.allFinite());
     EXPECT_LT((field.cwiseAbs() - Values::Ones(field.size())).cwiseAbs().maxCoeff(), 1e-6);

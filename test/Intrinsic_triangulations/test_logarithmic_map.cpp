@@ -45,7 +45,8 @@ template <typename Source>
 void expect_end(Side side, const Source& source, const Location& target, const Logarithm& logarithm,
                 const Triangulation& t, double tolerance)
 {
-  const auto g = IT::trace_geodesic(side, source, logarithm.vector, t, IT::At_boundary::slide);
+  const auto g =
+    IT::trace_geodesic(t.surface(side), source, logarithm.vector, IT::At_boundary::slide);
   EXPECT_LT(static_cast<double>(Flat_faces(side, t).path(g.end, target)), tolerance)
     << logarithm.vector;
 }
@@ -67,7 +68,7 @@ void check_flat(Side side, const Flat_triangulation& t, unsigned int seed)
   for(int i = 0; i < 50; ++i) {
     const Location p = random_location(flat.faces().mesh(), random);
     const Location q = random_location(flat.faces().mesh(), random);
-    const Logarithm logarithm = IT::logarithmic_map(side, p, q, *t);
+    const Logarithm logarithm = IT::logarithmic_map(t->surface(side), p, q);
     EXPECT_EQ(logarithm.status, Status::straight);
     EXPECT_NEAR(std::abs(logarithm.vector), shortest(flat.place(p) - flat.place(q), t.surface()),
                 1e-11 * size);
@@ -75,7 +76,7 @@ void check_flat(Side side, const Flat_triangulation& t, unsigned int seed)
   }
   for(Vertex_index v : flat.faces().mesh().vertices()) {
     const Location q = random_location(flat.faces().mesh(), random);
-    const Logarithm logarithm = IT::logarithmic_map(side, v, q, *t);
+    const Logarithm logarithm = IT::logarithmic_map(t->surface(side), v, q);
     EXPECT_EQ(logarithm.status, Status::straight);
     EXPECT_NEAR(std::abs(logarithm.vector),
                 shortest(flat.place(at_vertex(side, v, *t)) - flat.place(q), t.surface()),
@@ -95,8 +96,8 @@ void check_inverse(Side side, const Triangulation& t)
   for(int i = 0; i < 30; ++i) {
     const Location p = random_location(faces.mesh(), random);
     const Location q = random_location(faces.mesh(), random);
-    const Logarithm logarithm = IT::logarithmic_map(side, p, q, t);
-    const Logarithm back = IT::logarithmic_map(side, q, p, t);
+    const Logarithm logarithm = IT::logarithmic_map(t.surface(side), p, q);
+    const Logarithm back = IT::logarithmic_map(t.surface(side), q, p);
     EXPECT_EQ(logarithm.status, back.status);
     EXPECT_NEAR(std::abs(logarithm.vector), std::abs(back.vector), 1e-12 * size);
     if(logarithm.status == Status::straight)
@@ -112,24 +113,25 @@ void check_lines(Side side, const Triangulation& t)
   CGAL::Random random(8);
   for(int i = 0; i < 30; ++i) {
     const Location p = random_location(faces.mesh(), random);
-    const auto g = IT::trace_geodesic(side, p, random_vector(3 * size, random), t);
-    EXPECT_LE(std::abs(IT::logarithmic_map(side, p, g.end, t).vector), g.length + 1e-9 * size);
+    const auto g = IT::trace_geodesic(t.surface(side), p, random_vector(3 * size, random));
+    EXPECT_LE(std::abs(IT::logarithmic_map(t.surface(side), p, g.end).vector),
+              g.length + 1e-9 * size);
   }
 }
 
 void check_all_at_once(Side side, const Triangulation& t)
 {
   const Flat_faces faces(side, t);
-  const auto of_vertices = IT::logarithmic_map(side, Vertex_index(0), t);
+  const auto of_vertices = IT::logarithmic_map(t.surface(side), Vertex_index(0));
   CGAL::Random random(9);
   const Location p = random_location(faces.mesh(), random);
-  const auto at_point = IT::logarithmic_map(side, p, t);
+  const auto at_point = IT::logarithmic_map(t.surface(side), p);
   for(Vertex_index v : faces.mesh().vertices()) {
     const Location q = at_vertex(side, v, t);
-    const Logarithm one = IT::logarithmic_map(side, Vertex_index(0), q, t);
+    const Logarithm one = IT::logarithmic_map(t.surface(side), Vertex_index(0), q);
     EXPECT_EQ(one.status, of_vertices[v].status);
     EXPECT_DOUBLE_EQ(std::abs(one.vector), std::abs(of_vertices[v].vector));
-    EXPECT_DOUBLE_EQ(std::abs(IT::logarithmic_map(side, p, q, t).vector),
+    EXPECT_DOUBLE_EQ(std::abs(IT::logarithmic_map(t.surface(side), p, q).vector),
                      std::abs(at_point[v].vector));
     // the rounded lengths of T2 let lines miss the vertices that they pass by symmetry
     if(one.status == Status::straight && side == Side::input)
@@ -159,8 +161,8 @@ void check_with_CGAL(const Mesh& mesh)
     CGAL::Surface_mesh_shortest_path<Traits> paths(mesh);
     i == 0 ? paths.add_source_point(Vertex_index(0))
            : paths.add_source_point(p.first, {p.second[0], p.second[1], p.second[2]});
-    const auto logarithms = i == 0 ? IT::logarithmic_map(Side::input, Vertex_index(0), t)
-                                   : IT::logarithmic_map(Side::input, p, t);
+    const auto logarithms =
+      i == 0 ? IT::logarithmic_map(t.input(), Vertex_index(0)) : IT::logarithmic_map(t.input(), p);
     for(Vertex_index v : mesh.vertices()) {
       const double truth = paths.shortest_distance_to_source_points(v).first;
       const double distance = std::abs(logarithms[v].vector);
@@ -223,11 +225,11 @@ TEST(Logarithmic_map, logarithm_of_the_exponential_map)
     for(int i = 0; i < 50; ++i) {
       const Location p = random_location(t.mesh(), random);
       double nearest = std::numeric_limits<double>::infinity();
-      for(const Logarithm& logarithm : IT::logarithmic_map(Side::input, p, t))
+      for(const Logarithm& logarithm : IT::logarithmic_map(t.input(), p))
         nearest = (std::min)(nearest, std::abs(logarithm.vector));
       const Complex v = random_vector(nearest / 2, random);
-      const auto g = IT::trace_geodesic(Side::input, p, v, t);
-      const Logarithm logarithm = IT::logarithmic_map(Side::input, p, g.end, t);
+      const auto g = IT::trace_geodesic(t.input(), p, v);
+      const Logarithm logarithm = IT::logarithmic_map(t.input(), p, g.end);
       EXPECT_EQ(logarithm.status, Status::straight);
       EXPECT_LT(std::abs(logarithm.vector - v), 1e-13);
     }
@@ -243,11 +245,11 @@ TEST(Logarithmic_map, same_on_both_triangulations)
     CGAL::Random random(seed);
     for(Vertex_index v : t.mesh().vertices()) {
       const Location q = random_location(t.input_mesh(), random);
-      const Logarithm on_input = IT::logarithmic_map(Side::input, v, q, t);
+      const Logarithm on_input = IT::logarithmic_map(t.input(), v, q);
       const Logarithm on_intrinsic =
-        IT::logarithmic_map(Side::intrinsic, v, IT::point_across(Side::input, q, c), t);
+        IT::logarithmic_map(t.intrinsic(), v, IT::point_across(c, Side::input, q));
       EXPECT_EQ(on_input.status, on_intrinsic.status);
-      EXPECT_LT(std::abs(IT::tangent_vector_across(Side::intrinsic, v, on_intrinsic.vector, t) -
+      EXPECT_LT(std::abs(IT::tangent_vector_across(t, Side::intrinsic, v, on_intrinsic.vector) -
                          on_input.vector),
                 1e-9);
     }
@@ -263,12 +265,12 @@ TEST(Logarithmic_map, on_a_cone)
     for(int i = 0; i < 100; ++i) {
       const auto place = [&] {
         const Complex v = std::polar(random.get_double(0.1, 1), random.get_double(-pi, pi));
-        return IT::trace_geodesic(Side::input, cone.apex, v, cone.mesh).end;
+        return IT::trace_geodesic(cone.mesh.input(), cone.apex, v).end;
       };
       const Location p = place(), q = place();
       const Complex from = cone.polar(p), to = cone.polar(q);
       const double turn = std::remainder(to.imag() - from.imag(), cone.total);
-      const Logarithm logarithm = IT::logarithmic_map(Side::input, p, q, cone.mesh);
+      const Logarithm logarithm = IT::logarithmic_map(cone.mesh.input(), p, q);
       const bool is_straight = std::abs(turn) < pi;
       EXPECT_EQ(logarithm.status, is_straight ? Status::straight : Status::bent);
       const Complex truth =
@@ -281,7 +283,7 @@ TEST(Logarithmic_map, on_a_cone)
 TEST(Logarithmic_map, over_the_edges_of_a_cube)
 {
   const Triangulation t(cube());
-  const auto logarithms = IT::logarithmic_map(Side::input, Vertex_index(0), t);
+  const auto logarithms = IT::logarithmic_map(t.input(), Vertex_index(0));
   for(std::size_t v = 0; v < 8; ++v) {
     const int different =
       static_cast<int>(v & 1) + static_cast<int>(v >> 1 & 1) + static_cast<int>(v >> 2);
@@ -291,7 +293,7 @@ TEST(Logarithmic_map, over_the_edges_of_a_cube)
   }
   // between the midpoints of diagonals, the centers of opposite sides
   const Location bottom{Face_index(0), {0.5, 0, 0.5}}, top{Face_index(2), {0.5, 0, 0.5}};
-  EXPECT_NEAR(std::abs(IT::logarithmic_map(Side::input, bottom, top, t).vector), 2, 1e-14);
+  EXPECT_NEAR(std::abs(IT::logarithmic_map(t.input(), bottom, top).vector), 2, 1e-14);
 }
 
 // Four unit squares without the first one: the path from corner to corner bends where they meet.
@@ -299,7 +301,7 @@ TEST(Logarithmic_map, bends_at_the_boundary)
 {
   const Triangulation t(
     punctured(grid(2, 2, [](double x, double y) { return Point(x, y, 0); }), {0, 1}));
-  const auto logarithms = IT::logarithmic_map(Side::input, Vertex_index(1), t);
+  const auto logarithms = IT::logarithmic_map(t.input(), Vertex_index(1));
   EXPECT_EQ(logarithms[3].status, Status::bent);
   EXPECT_NEAR(std::abs(logarithms[3].vector), 2, 1e-15);
   EXPECT_NEAR(std::arg(logarithms[3].vector), 0, 1e-15);
@@ -313,7 +315,7 @@ TEST(Logarithmic_map, needles)
   const auto height = [](double x) { return 0.3 * std::sin(x); };
   const Triangulation t(
     grid(60, 60, [&](double x, double y) { return Point(x, 1e-5 * y, height(x)); }));
-  const auto logarithms = IT::logarithmic_map(Side::input, Vertex_index(0), t);
+  const auto logarithms = IT::logarithmic_map(t.input(), Vertex_index(0));
   double unrolled = 0;
   for(std::size_t i = 0; i <= 60; ++i) {
     for(std::size_t j = 0; j <= 60; ++j)
@@ -328,9 +330,9 @@ TEST(Logarithmic_map, itself)
 {
   const Triangulation t(cube());
   const Location p{Face_index(3), {0.2, 0.3, 0.5}}, corner{Face_index(3), {0, 1, 0}};
-  EXPECT_EQ(IT::logarithmic_map(Side::input, p, p, t).vector, Complex(0));
+  EXPECT_EQ(IT::logarithmic_map(t.input(), p, p).vector, Complex(0));
   const Vertex_index v = t.input_mesh().target(t.input_mesh().halfedge(Face_index(3)));
-  EXPECT_EQ(IT::logarithmic_map(Side::input, v, corner, t).vector, Complex(0));
+  EXPECT_EQ(IT::logarithmic_map(t.input(), v, corner).vector, Complex(0));
 }
 
 // From an edge into both of its faces.
@@ -342,7 +344,7 @@ TEST(Logarithmic_map, from_an_edge)
     const Location p = faces.on(h, 0.3);
     for(Halfedge_index x : {h, t.input_mesh().opposite(h)}) {
       const Location q{t.input_mesh().face(x), {0.2, 0.3, 0.5}};
-      const Logarithm logarithm = IT::logarithmic_map(Side::input, p, q, t);
+      const Logarithm logarithm = IT::logarithmic_map(t.input(), p, q);
       EXPECT_NEAR(std::abs(logarithm.vector),
                   static_cast<double>(faces.distance(faces.on(x, x == h ? 0.3 : 0.7), q)), 1e-14);
       expect_end(Side::input, p, q, logarithm, t, 1e-14);
@@ -355,11 +357,11 @@ TEST(Logarithmic_map, other_component)
   Mesh mesh = tetrahedron();
   mesh.join(cube());
   const Triangulation t(mesh);
-  const auto logarithms = IT::logarithmic_map(Side::input, Vertex_index(0), t);
+  const auto logarithms = IT::logarithmic_map(t.input(), Vertex_index(0));
   for(std::size_t v = 4; v < 12; ++v) {
     EXPECT_EQ(logarithms[v].status, Status::unreachable);
     EXPECT_EQ(std::abs(logarithms[v].vector), std::numeric_limits<double>::infinity());
   }
   const Location p{Face_index(0), {0.2, 0.3, 0.5}}, q{Face_index(9), {0.2, 0.3, 0.5}};
-  EXPECT_EQ(IT::logarithmic_map(Side::input, p, q, t).status, Status::unreachable);
+  EXPECT_EQ(IT::logarithmic_map(t.input(), p, q).status, Status::unreachable);
 }

@@ -119,10 +119,11 @@ void check_recomputed_lengths(const Mesh& mesh)
   IT::Euclidean_strip<Real> strip;
   for(Edge_index e : t.mesh().edges()) {
     const std::size_t n = crossings.count(e);
+    const Halfedge_index h = IT::first_halfedge(e);
     if(n == 0)
       continue;
-    const auto exit = [&](std::size_t m) { return input.opposite(crossings(e, m)); };
-    IT::internal::lay_out_strip(strip, input, length, exit, n);
+    const auto exit = [&](std::size_t m) { return IT::opposite(crossings(h, m)); };
+    IT::internal::lay_out_strip(strip, IT::Surface_view(input, length), exit, n);
     EXPECT_NEAR(double(t.length(e) / strip.length()), 1, 4e-15 * double(n + 1)) << n;
   }
 }

@@ -54,9 +54,9 @@ void check_there_and_back(const Triangulation& t)
     const Flat_faces faces(side, t);
     const double size = static_cast<double>(faces.longest_edge());
     for(const Location& p : sample(faces.mesh(), 40, 1)) {
-      const Location q = IT::point_across(side, p, c);
+      const Location q = IT::point_across(c, side, p);
       expect_in_face(q);
-      const Location back = IT::point_across(other(side), q, c);
+      const Location back = IT::point_across(c, other(side), q);
       expect_in_face(back);
       EXPECT_LT(static_cast<double>(faces.path(p, back)) / size, 1e-9);
     }
@@ -68,7 +68,7 @@ void expect_single_equals_many(const Triangulation& t)
   const Correspondence c(t);
   for(Side side : both_sides)
     for(const Location& p : sample(c.mesh(side), 10, 2)) {
-      const Location many = IT::point_across(side, p, c), single = IT::point_across(side, p, t);
+      const Location many = IT::point_across(c, side, p), single = IT::point_across(t, side, p);
       EXPECT_EQ(many.first, single.first);
       for(std::size_t s = 0; s < 3; ++s)
         EXPECT_NEAR(many.second[s], single.second[s], 1e-11); // of two ways to lay out the edges
@@ -82,7 +82,7 @@ void check_vertices(const Triangulation& t)
     const Flat_faces faces(side, t), other_faces(other(side), t);
     for(Halfedge_index h : faces.mesh().halfedges())
       if(!faces.mesh().is_border(h)) {
-        const Location q = IT::point_across(side, faces.on(h, 0), c);
+        const Location q = IT::point_across(c, side, faces.on(h, 0));
         const auto corner = std::find(q.second.begin(), q.second.end(), 1.);
         ASSERT_NE(corner, q.second.end());
         EXPECT_EQ(std::count(q.second.begin(), q.second.end(), 0.), 2);
@@ -100,7 +100,7 @@ void check_shared_edges(const Triangulation& t)
     for(Halfedge_index h : faces.mesh().halfedges())
       if(!faces.mesh().is_border(h) && c.is_shared(side, Edge_index(h)))
         for(double x : {1e-300, 1e-17, 0.1, 0.7, 1 - 1e-16}) {
-          const Location q = IT::point_across(side, faces.on(h, x), c);
+          const Location q = IT::point_across(c, side, faces.on(h, x));
           const auto zero = std::find(q.second.begin(), q.second.end(), 0.);
           ASSERT_NE(zero, q.second.end());
           const Halfedge_index twin = c.spoke_before(side, h);
@@ -125,8 +125,8 @@ void check_continuity(const Triangulation& t)
       if(!faces.mesh().is_border(Edge_index(h)))
         for(double x : {0.03, 0.2, 0.5, 0.9}) {
           const Halfedge_index o = faces.mesh().opposite(h);
-          const Location left = IT::point_across(side, faces.on(h, x), c);
-          const Location right = IT::point_across(side, faces.on(o, 1 - x), c);
+          const Location left = IT::point_across(c, side, faces.on(h, x));
+          const Location right = IT::point_across(c, side, faces.on(o, 1 - x));
           EXPECT_LT(static_cast<double>(other_faces.path(left, right)) / size, 1e-9);
         }
   }
@@ -163,7 +163,7 @@ void check_flat(const Flat_triangulation& flat)
     };
     const Flat_faces faces(side, *flat), other_faces(other(side), *flat);
     for(const Location& p : sample(faces.mesh(), 100, 3)) {
-      const Location q = IT::point_across(side, p, c);
+      const Location q = IT::point_across(c, side, p);
       const Place here = flat_place(p, faces, flat.surface(), vector_of(side));
       const Place there = flat_place(q, other_faces, flat.surface(), vector_of(other(side)));
       EXPECT_LT(static_cast<double>(distance_modulo_lattice(here, there, flat.surface()) /
@@ -294,7 +294,7 @@ void check_by_geodesics(Triangulation t, unsigned int seed)
   CGAL::Random random(seed);
   for(int i = 0; i < 30; ++i) {
     const Location p = random_location(t.input_mesh(), random);
-    const Location q = IT::point_across(Side::input, p, c);
+    const Location q = IT::point_across(c, Side::input, p);
     const Location expected = signposts.across(p, static_cast<std::size_t>(i % 3));
     EXPECT_LT(static_cast<double>(faces.path(q, expected) / faces.longest_edge()), 1e-9) << i;
   }
@@ -358,7 +358,7 @@ TEST(Point_across, boundary_stays_boundary)
       const Flat_faces faces(side, t.triangulation), other_faces(other(side), t.triangulation);
       for(Halfedge_index h : mesh.halfedges())
         if(mesh.is_border(mesh.opposite(h))) {
-          const Location q = IT::point_across(side, faces.on(h, 0.3), c);
+          const Location q = IT::point_across(c, side, faces.on(h, 0.3));
           const auto on_border = [&](std::size_t s) {
             return q.second[(s + 2) % 3] == 0 &&
                    other_faces.mesh().is_border(Edge_index(other_faces.sides(q.first)[s]));
@@ -385,7 +385,7 @@ TEST(Point_across, there_and_back_between_near_coincident_vertices)
         double farthest = 0;
         for(const Location& p : sample(input.mesh(), 100, seed)) {
           const Location back =
-            IT::point_across(Side::intrinsic, IT::point_across(Side::input, p, c), c);
+            IT::point_across(c, Side::intrinsic, IT::point_across(c, Side::input, p));
           farthest =
             (std::max)(farthest, CGAL::squared_distance(place_in_space(p, input, mesh),
                                                         place_in_space(back, input, mesh)));

@@ -433,7 +433,7 @@ std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
   std::vector<Point> result(s.mesh().number_of_vertices());
   const auto result_map =
     boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, s.mesh()));
-  IT::interpolate(Side::input, s, t, mesh.points(), result_map);
+  IT::interpolate(Side::input, s, mesh.points(), result_map);
   result.resize(t.mesh().number_of_vertices());
   return result;
 }
@@ -466,8 +466,8 @@ TEST(Refine, Poisson_is_of_second_order)
     }
     const auto is_fixed = boost::make_function_property_map<Vertex_index>(
       [&](Vertex_index v) { return t.mesh().is_border(v); });
-    const Values error = IT::solve_poisson(Side::intrinsic, t, f, is_fixed, u) - u;
-    errors.push_back(std::sqrt(error.dot(IT::mass_matrix(Side::intrinsic, t) * error)));
+    const Values error = IT::solve_poisson(t.intrinsic(), f, is_fixed, u) - u;
+    errors.push_back(std::sqrt(error.dot(IT::mass_matrix(t.intrinsic()) * error)));
   }
   for(std::size_t i = 1; i < errors.size(); ++i)
     EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.7) << errors[i - 1] << ' ' << errors[i];
@@ -481,9 +481,9 @@ TEST(Refine, heat_distance_on_a_terrible_mesh)
   IT::make_Delaunay(good);
   const std::vector<Point> place = positions(t, terrible);
   const auto distance =
-    IT::heat_distance(Side::intrinsic, t, std::vector<Vertex_index>{Vertex_index(0)});
+    IT::heat_distance(t.intrinsic(), std::vector<Vertex_index>{Vertex_index(0)});
   const auto on_good =
-    IT::heat_distance(Side::intrinsic, good, std::vector<Vertex_index>{Vertex_index(0)});
+    IT::heat_distance(good.intrinsic(), std::vector<Vertex_index>{Vertex_index(0)});
   const auto error = [](double d, const Point& p) { return d - std::hypot(p.x(), p.y()); };
   double mean = 0, mean_on_good = 0;
   for(Vertex_index v : t.mesh().vertices())

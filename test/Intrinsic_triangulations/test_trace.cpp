@@ -20,7 +20,7 @@ using namespace Test_surfaces;
 using Trace = std::vector<Trace_place>;
 
 // The number along the first halfedge of the edge.
-double along_edge(const Edge_place& p) { return p.halfedge.idx() % 2 == 0 ? p.t : 1 - p.t; }
+double along_edge(const Edge_place& p) { return IT::place_on_first_halfedge(p); }
 
 // ---- Every trace ----
 
@@ -101,8 +101,8 @@ void check_traces(const Triangulation& t)
       check_faces(side, trace, t);
       check_order(side, h, trace);
       check_lengths(side, h, trace, t);
-      expect_same(trace, side == Side::input ? IT::trace_input_edge(h, t)
-                                             : IT::trace_intrinsic_edge(h, t));
+      expect_same(trace, side == Side::input ? IT::trace_input_edge(t, h)
+                                             : IT::trace_intrinsic_edge(t, h));
     }
 }
 

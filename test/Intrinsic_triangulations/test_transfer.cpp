@@ -54,7 +54,7 @@ void check_matrices(const Triangulation& t)
   EXPECT_LT(largest(mixed * ones(mixed) - out), 1e-9 * area);
   EXPECT_LT(largest(transposed * ones(transposed) - in), 1e-9 * area);
   for(Side side : both_sides) {
-    const Matrix mass = IT::mass_matrix(side, t);
+    const Matrix mass = IT::mass_matrix(t.surface(side));
     EXPECT_NEAR(mass.sum() / area, 1, 1e-12 + (side == Side::input ? 0 : 1e-10));
     EXPECT_EQ((mass - Matrix(mass.transpose())).norm(), 0);
     EXPECT_LT(largest(mass * ones(mass) - (side == Side::input ? in : out)), 1e-14 * area);
@@ -70,8 +70,8 @@ double integral_of_product(const Values& on_input, const Values& on_intrinsic,
   Subdivision s(c);
   s.triangulate();
   const Flat_faces faces(Side::input, t);
-  const Values u = IT::interpolation_matrix(Side::input, s, t) * on_input;
-  const Values v = IT::interpolation_matrix(Side::intrinsic, s, t) * on_intrinsic;
+  const Values u = IT::interpolation_matrix(Side::input, s) * on_input;
+  const Values v = IT::interpolation_matrix(Side::intrinsic, s) * on_intrinsic;
   double sum = 0;
   for(Face_index f : s.mesh().faces()) {
     std::vector<Vertex_index> corner;
@@ -95,10 +95,10 @@ double squared_distance(const Values& on_input, const Values& on_intrinsic, cons
 void check_closest(const Triangulation& t)
 {
   const Correspondence c(t);
-  const Matrix m1 = IT::mass_matrix(Side::input, t), m2 = IT::mass_matrix(Side::intrinsic, t);
+  const Matrix m1 = IT::mass_matrix(t.input()), m2 = IT::mass_matrix(t.intrinsic());
   const Matrix mixed = IT::mixed_mass_matrix(c);
   const Values f = random_values(t.mesh().number_of_vertices(), 1);
-  const Values g = IT::transfer_function(Side::input, f, c);
+  const Values g = IT::transfer_function(c, Side::input, f);
   const double least = squared_distance(f, g, m1, m2, mixed);
   const double scale = f.dot(m1 * f);
   EXPECT_GT(least, -1e-10 * scale);
@@ -114,11 +114,11 @@ void check_closest(const Triangulation& t)
 void check_adjoint(const Triangulation& t)
 {
   const Correspondence c(t);
-  const Matrix m1 = IT::mass_matrix(Side::input, t), m2 = IT::mass_matrix(Side::intrinsic, t);
+  const Matrix m1 = IT::mass_matrix(t.input()), m2 = IT::mass_matrix(t.intrinsic());
   const Values f = random_values(t.mesh().number_of_vertices(), 1);
   const Values g = random_values(t.mesh().number_of_vertices(), 2);
-  const Values f_there = IT::transfer_function(Side::input, f, c);
-  const Values g_back = IT::transfer_function(Side::intrinsic, g, c);
+  const Values f_there = IT::transfer_function(c, Side::input, f);
+  const Values g_back = IT::transfer_function(c, Side::intrinsic, g);
   const double scale = std::sqrt(f.dot(m1 * f) * g.dot(m2 * g));
   EXPECT_NEAR((f_there.dot(m2 * g) - f.dot(m1 * g_back)) / scale, 0, 1e-9);
   EXPECT_LE(f_there.dot(m2 * f_there), f.dot(m1 * f) * (1 + 1e-9));
@@ -134,7 +134,7 @@ TEST(Transfer, interpolation_matrices)
     const Correspondence c(t.triangulation);
     const Subdivision s(c);
     for(Side side : both_sides) {
-      const Matrix m = IT::interpolation_matrix(side, s, t.triangulation);
+      const Matrix m = IT::interpolation_matrix(side, s);
       EXPECT_EQ(m.rows(), Eigen::Index(s.mesh().number_of_vertices()));
       EXPECT_EQ(m.cols(), Eigen::Index(t.triangulation.mesh().number_of_vertices()));
       EXPECT_LT(largest(m * ones(m) - Values::Constant(m.rows(), 1)), 1e-15);
@@ -196,7 +196,7 @@ TEST(Transfer, identity_where_nothing_was_flipped)
     const Correspondence c(t);
     const Values f = random_values(t.mesh().number_of_vertices(), 2);
     for(Side side : both_sides)
-      EXPECT_LT(largest(IT::transfer_function(side, f, c) - f), 1e-12);
+      EXPECT_LT(largest(IT::transfer_function(c, side, f) - f), 1e-12);
   }
 }
 
@@ -212,7 +212,7 @@ TEST(Transfer, linear_functions_in_the_plane_stay)
       f[v.idx()] = 3 + 0.7e-3 * static_cast<double>(flat.surface().point[v].x) -
                    0.2e-3 * static_cast<double>(flat.surface().point[v].y);
     for(Side side : both_sides)
-      EXPECT_LT(largest(IT::transfer_function(side, f, c) - f), 1e-10);
+      EXPECT_LT(largest(IT::transfer_function(c, side, f) - f), 1e-10);
   }
 }
 
@@ -224,7 +224,7 @@ TEST(Transfer, constants_stay_everywhere)
     const Values f =
       Values::Constant(Eigen::Index(t.triangulation.mesh().number_of_vertices()), 2.5);
     for(Side side : both_sides)
-      EXPECT_LT(largest(IT::transfer_function(side, f, c) - f), 1e-7);
+      EXPECT_LT(largest(IT::transfer_function(c, side, f) - f), 1e-7);
   }
 }
 
@@ -235,7 +235,7 @@ TEST(Transfer, isolated_vertices_keep_their_values)
   Triangulation t(mesh);
   EXPECT_GT(IT::make_Delaunay(t), 0u);
   const Values f = random_values(mesh.number_of_vertices(), 3);
-  EXPECT_EQ(IT::transfer_function(Side::input, f, Correspondence(t))[alone.idx()], f[alone.idx()]);
+  EXPECT_EQ(IT::transfer_function(Correspondence(t), Side::input, f)[alone.idx()], f[alone.idx()]);
 }
 
 #endif

@@ -35,7 +35,7 @@ Mesh thin_quadrilateral()
 bool is_flattened(const Mesh& mesh)
 {
   namespace CM = CGAL::Discrete_conformal_maps;
-  return CM::flatten(mesh).status() == CM::Flattening_status::success;
+  return CM::flatten(mesh).status() == CM::Map_status::success;
 }
 #else
 bool is_flattened(const Mesh&)

@@ -18,7 +18,7 @@ near()
 # is_conformal FILE: the statistics are those of a map that nothing is wrong with.
 is_conformal()
 {
-  grep -q '"status": "converged"' "$1"
+  grep -q '"status": "success"' "$1"
   grep -q '"flipped_triangles": 0,' "$1"
   grep -q '"degenerate_triangles": 0,' "$1"
   near "$(number "$1" max_curvature_error)" 0 1e-10
@@ -285,6 +285,29 @@ rm a.*
 expect 1 flatten regular.mesh.off -o a.obj --cones cones --solver cetm
 says 'the triangulation of the mesh has no such scale factors: no_minimum'
 rm cones
+
+# A tube with four faces around: each ring has a fifth of the size of the one before.
+tube()
+{
+  awk -v n="$1" 'BEGIN {
+    print "OFF\n" 4 * n + 4, 8 * n + 2, 0
+    for(i = 0; i <= n; ++i) print "0 0 " i "\n1 0 " i "\n1 1 " i "\n0 1 " i
+    for(i = 0; i < n; ++i)
+      for(j = 0; j < 4; ++j) {
+        a = 4 * i + j; b = 4 * i + (j + 1) % 4
+        print 3, a, b, b + 4 "\n" 3, a, b + 4, a + 4
+      }
+    print 3, 4 * n, 4 * n + 1, 4 * n + 2 "\n" 3, 4 * n, 4 * n + 2, 4 * n + 3
+  }' >"$2.mesh.off"
+}
+tube 5 short
+expect 0 flatten short.mesh.off -o a.obj --cones none --stats a.json
+is_conformal a.json
+rm a.*
+tube 60 tube
+expect 1 flatten tube.mesh.off -o a.obj --cones none --stats a.json
+says 'some faces are smaller than rounding in the plane: layout_collapsed'
+[ ! -e a.obj ] && [ ! -e a.json ] || fail 'files after a failure'
 
 # The Ceres Solver gives the same with fewer digits, or says that it is not there.
 if "$program" flatten square.mesh.off -o a.obj --solver ceres --stats a.json --quiet 2>err; then

@@ -15,7 +15,7 @@ below()
 # is_convex FILE: the statistics are those of a map that nothing is wrong with.
 is_convex()
 {
-  grep -q '"status": "converged"' "$1"
+  grep -q '"status": "success"' "$1"
   grep -q '"convex": true' "$1"
   for key in concave_edges flipped_triangles bound_violations; do
     [ "$(number "$1" $key)" = 0 ] || fail "$key in $1"

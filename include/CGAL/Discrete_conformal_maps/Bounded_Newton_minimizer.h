@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Bounded_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_iteration.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <CGAL/assertions.h>
 
@@ -41,7 +42,7 @@ public:
   ///        greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
-  explicit Bounded_Newton_minimizer(double gradient_tolerance = 1e-13,
+  explicit Bounded_Newton_minimizer(double gradient_tolerance = internal::tolerance::gradient,
                                     std::size_t maximum_number_of_iterations = 500)
     : m_limits{gradient_tolerance, maximum_number_of_iterations}
   {
@@ -76,7 +77,7 @@ public:
     return iteration.run();
   }
 
-  /// the same without a visitor.
+  /// minimizes without a visitor.
   template <typename Energy>
   Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
                                  const Eigen::VectorXd& lower_bound,

@@ -7,19 +7,19 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Ceres_iteration.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
-
-#include <CGAL/assertions.h>
-
-#include <Eigen/Core>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Iterative_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
+
+namespace internal {
+template <typename Energy, typename Visitor>
+using Ceres_steps = Ceres_iteration<Energy, Visitor>;
+}
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by the L-BFGS method of the Ceres Solver, which needs no Hessian.
@@ -32,8 +32,11 @@ namespace Discrete_conformal_maps {
 ///
 /// The header needs the Ceres Solver.
 ///
+/// Complexity of an iteration: linear, and an evaluation of the energy, its value and gradient, or
+/// a few.
+///
 /// \cgalModels `ConvexMinimizer`
-class Ceres_minimizer
+class Ceres_minimizer : public internal::Iterative_minimizer<internal::Ceres_steps>
 {
 public:
   /// makes a minimizer.
@@ -41,44 +44,11 @@ public:
   ///        minimized; the rounding error of the gradient takes its place if that is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
-  explicit Ceres_minimizer(double gradient_tolerance = 1e-6,
+  explicit Ceres_minimizer(double gradient_tolerance = internal::tolerance::lbfgs_gradient,
                            std::size_t maximum_number_of_iterations = 10000)
-    : m_limits{gradient_tolerance, maximum_number_of_iterations}
-  {
-    CGAL_precondition(gradient_tolerance >= 0);
-  }
-
-  /// minimizes `energy` from `u` on. Complexity of an iteration: linear, and an evaluation of the
-  /// energy, its value and gradient, or a few.
-  /// \tparam Energy a model of `ConvexEnergy`
-  /// \tparam Visitor a model of `MinimizationVisitor`
-  /// \param energy the energy; afterwards it has been evaluated at `u`
-  /// \param u the point to start from; afterwards the point with the least gradient (max norm) that
-  ///        has been seen. Fixed variables keep their values; on a component without one, the mean
-  ///        stays, but for rounding.
-  /// \param domain which variables are fixed
-  /// \param visitor sees every step; if it throws, `u` is the best point so far
-  /// \pre The size of `u` is that of the energy.
-  template <typename Energy, typename Visitor>
-  Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
-                                 const Minimization_domain& domain, Visitor&& visitor) const
-  {
-    CGAL_precondition(static_cast<std::size_t>(u.size()) == energy.size());
-    const internal::Free_variables variables(domain, energy.size());
-    internal::Ceres_iteration<Energy, Visitor> iteration(energy, u, variables, m_limits, visitor);
-    return iteration.run();
-  }
-
-  /// the same without a visitor.
-  template <typename Energy>
-  Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
-                                 const Minimization_domain& domain = Minimization_domain()) const
-  {
-    return (*this)(energy, u, domain, Default_minimization_visitor());
-  }
-
-private:
-  internal::Minimization_limits m_limits;
+    : internal::Iterative_minimizer<internal::Ceres_steps>(gradient_tolerance,
+                                                           maximum_number_of_iterations)
+  {}
 };
 
 } // namespace Discrete_conformal_maps

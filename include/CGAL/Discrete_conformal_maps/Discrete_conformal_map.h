@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
@@ -48,11 +49,19 @@ public:
   /// a point of the input.
   typedef Intrinsic_triangulations::Face_location<double> Face_location;
 
-  /// \f$T^A\f$ (as `input_mesh()`) and \f$T^B\f$.
+  /// returns the pair of \f$T^A\f$, as `input()`, and \f$T^B\f$, as `intrinsic()`.
   const Euclidean_triangulation& Delaunay() const { return m_data->ab; }
-  /// \f$T^B\f$ (as `input_mesh()`) and \f$T^C\f$, both with the lengths that belong to scale
-  /// factors of zero.
+  /// returns the pair of \f$T^B\f$, as `input()`, and \f$T^C\f$, as `intrinsic()`, both with the
+  /// lengths that belong to scale factors of zero.
   const Ideal_triangulation& ideal() const { return m_data->bc; }
+  /// returns a layer as a model of `IntrinsicSurface`; the lengths of \f$T^C\f$ are those that
+  /// belong to scale factors of zero.
+  auto surface(Layer layer) const
+  {
+    return layer == Layer::A   ? m_data->ab.input()
+           : layer == Layer::B ? m_data->ab.intrinsic()
+                               : m_data->bc.intrinsic();
+  }
   /// the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
@@ -65,7 +74,10 @@ public:
   /// the logarithmic scale factor at `v`.
   double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
 
-  /// how the minimization of the energy has ended.
+  /// returns whether the map has what is prescribed, and if not, why.
+  Map_status status() const { return m_data->status; }
+
+  /// returns how the minimization of the energy has ended.
   const Minimization_result& minimization() const { return m_data->minimization; }
 
   /// the greatest difference of a curvature from what was prescribed, in radians.
@@ -80,13 +92,13 @@ public:
   }
 
   /// the place of a point of the input on \f$T^C\f$: a face and weights of its corners, as
-  /// `Triple_subdivision::place_on_C()` gives them (Section 4.2.3).
+  /// `Triple_subdivision::location()` gives them (Section 4.2.3).
   /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
   Face_location place_on_C(const Face_location& p) const
   {
     using Intrinsic_triangulations::Side;
-    const Face_location on_B = point_across(Side::input, p, *m_data->correspondence_ab);
-    return point_across(Side::input, on_B, *m_data->correspondence_bc);
+    const Face_location on_B = point_across(*m_data->correspondence_ab, Side::input, p);
+    return point_across(*m_data->correspondence_bc, Side::input, on_B);
   }
 
 private:
@@ -103,6 +115,7 @@ private:
     std::size_t number_of_front_faces = 0;
     std::vector<Vertex_index> input_vertex;
     std::vector<double> log_scale;
+    Map_status status = Map_status::success;
     Minimization_result minimization;
     double max_curvature_error = 0;
     std::array<std::size_t, 3> number_of_flips{0, 0, 0};

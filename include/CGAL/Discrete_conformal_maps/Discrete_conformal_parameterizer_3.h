@@ -177,9 +177,9 @@ private:
                           VertexUVMap uvmap)
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type Point_2;
-    if(map.status() == Flattening_status::not_converged)
+    if(map.status() == Map_status::not_converged)
       return Surface_mesh_parameterization::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-    if(map.status() == Flattening_status::layout_collapsed)
+    if(map.status() == Map_status::layout_collapsed)
       return Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING;
     internal::for_each_corner(
       map, component.mesh(), [&](Halfedge_index h, const std::array<double, 3>& z) {

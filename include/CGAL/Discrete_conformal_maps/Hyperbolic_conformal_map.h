@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Disk_motion.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,7 @@ public:
   {
     const double u =
       log_scale(ideal().mesh().vertex(e, 0)) + log_scale(ideal().mesh().vertex(e, 1));
-    return 2 * std::asinh(ideal().length(e) * std::exp(u / 2));
+    return 2 * std::asinh(internal::scaled_length(ideal().length(e), internal::length_factor(u)));
   }
 
   /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the
@@ -112,7 +113,7 @@ public:
     if(!is_seam(Edge_index(h)))
       return {};
     const Disk_motion<>& motion = m_gluing[m_seam[Edge_index(h).idx()]];
-    return h.idx() % 2 == 0 ? motion : motion.inverse();
+    return Intrinsic_triangulations::is_first_halfedge(h) ? motion : motion.inverse();
   }
 
   /// how far faces are from closing up around vertices without cones, seen from the origin: the
@@ -132,7 +133,7 @@ public:
   /// hyperboloid. They are linear on the faces of the common subdivision, \f$(x/t, y/t)\f$ is the
   /// point in Klein's disk.
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
-  ///        `Triple_subdivision::place_on_C()` gives
+  ///        `Triple_subdivision::location()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
   {
     const Delta_complex& mesh = ideal().mesh();

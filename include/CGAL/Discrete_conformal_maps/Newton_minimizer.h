@@ -7,19 +7,19 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/Minimization.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Iterative_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_iteration.h>
-
-#include <CGAL/assertions.h>
-
-#include <Eigen/Core>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <cstddef>
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
+
+namespace internal {
+template <typename Energy, typename Visitor>
+using Newton_steps = Newton_iteration<Energy, Visitor>;
+}
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by Newton's method with a sparse Cholesky factorization.
@@ -37,8 +37,11 @@ namespace Discrete_conformal_maps {
 ///
 /// The same input gives the same result, bit by bit.
 ///
+/// Complexity of an iteration: a sparse Cholesky factorization (two where the Hessian has to be
+/// damped) and an evaluation of the energy, rarely more, at most 40.
+///
 /// \cgalModels `ConvexMinimizer`
-class Newton_minimizer
+class Newton_minimizer : public internal::Iterative_minimizer<internal::Newton_steps>
 {
 public:
   /// makes a minimizer.
@@ -46,45 +49,11 @@ public:
   ///        minimized; the rounding error of the gradient takes its place if that is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
-  explicit Newton_minimizer(double gradient_tolerance = 1e-13,
+  explicit Newton_minimizer(double gradient_tolerance = internal::tolerance::gradient,
                             std::size_t maximum_number_of_iterations = 500)
-    : m_limits{gradient_tolerance, maximum_number_of_iterations}
-  {
-    CGAL_precondition(gradient_tolerance >= 0);
-  }
-
-  /// minimizes `energy` from `u` on. Complexity of an iteration: a sparse Cholesky factorization
-  /// (two where the Hessian has to be damped) and an evaluation of the energy, rarely more, at most
-  /// 40.
-  /// \tparam Energy a model of `ConvexEnergy`
-  /// \tparam Visitor a model of `MinimizationVisitor`
-  /// \param energy the energy; afterwards it has been evaluated at `u`
-  /// \param u the point to start from; afterwards the point with the least gradient (max norm) that
-  ///        has been seen. Fixed variables keep their values; on a component without one, the mean
-  ///        stays, but for rounding.
-  /// \param domain which variables are fixed
-  /// \param visitor sees every step; if it throws, `u` is the best point so far
-  /// \pre The size of `u` is that of the energy.
-  template <typename Energy, typename Visitor>
-  Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
-                                 const Minimization_domain& domain, Visitor&& visitor) const
-  {
-    CGAL_precondition(static_cast<std::size_t>(u.size()) == energy.size());
-    const internal::Free_variables variables(domain, energy.size());
-    internal::Newton_iteration<Energy, Visitor> iteration(energy, u, variables, m_limits, visitor);
-    return iteration.run();
-  }
-
-  /// the same without a visitor.
-  template <typename Energy>
-  Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
-                                 const Minimization_domain& domain = Minimization_domain()) const
-  {
-    return (*this)(energy, u, domain, Default_minimization_visitor());
-  }
-
-private:
-  internal::Minimization_limits m_limits;
+    : internal::Iterative_minimizer<internal::Newton_steps>(gradient_tolerance,
+                                                            maximum_number_of_iterations)
+  {}
 };
 
 } // namespace Discrete_conformal_maps

@@ -7,24 +7,19 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
-
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
-using Intrinsic_triangulations::Face_index;
-using Intrinsic_triangulations::Halfedge_index;
-using Intrinsic_triangulations::Vertex_index;
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
 /// whether a triangulation follows the scale factors.
@@ -47,7 +42,7 @@ enum class Flipping
 template <typename FT_ = double>
 class Penner_surface
 {
-  typedef Intrinsic_triangulations::Ideal_geometry_traits<FT_> Geometry;
+  typedef internal::Ptolemy_surface<FT_> Surface;
   typedef Intrinsic_triangulations::Diamond<FT_> Diamond;
 
 public:
@@ -62,90 +57,100 @@ public:
   Penner_surface(const Delta_complex& mesh, const EdgeLengthMap& length,
                  Flipping flipping = Flipping::to_Delaunay)
     : m_flipping(flipping),
-      m_mesh(mesh),
-      m_length(mesh.num_edges()),
+      m_surface(mesh, length),
       m_scaled_length(mesh.num_edges()),
-      m_root_of_scale(mesh.num_vertices(), FT(1)),
+      m_factor(mesh.num_vertices(), FT(1)),
       m_stack(mesh.num_edges())
-  {
-    for(Edge_index e : mesh.edges())
-      m_length[e.idx()] = FT(get(length, e));
-  }
+  {}
 
-  /// the triangulation. Its edges keep no identity: they turn as they are flipped.
-  const Delta_complex& mesh() const { return m_mesh; }
+  /// returns the triangulation. Its edges keep no identity: they turn as they are flipped.
+  const Delta_complex& mesh() const { return m_surface.mesh(); }
 
-  /// whether `scale()` flips edges.
+  /// returns whether `scale()` flips edges.
   Flipping flipping() const { return m_flipping; }
 
-  /// the length of `e`, multiplied by \f$e^{(u_i + u_j)/2}\f$ (Equation 4.1).
+  /// returns the length of `e`, multiplied by \f$e^{(u_i + u_j)/2}\f$ (Equation 4.1).
   const FT& scaled_length(Edge_index e) const { return m_scaled_length[e.idx()]; }
 
-  /// the number of flips of all calls of `scale()`.
-  std::size_t number_of_flips() const { return m_flips; }
+  /// returns the scaled lengths of the edge of `h` and of the other sides of its faces.
+  Diamond scaled_diamond(Halfedge_index h) const { return m_surface.diamond(h, m_scaled_length); }
+
+  /// returns all flips so far, each by a halfedge of the flipped edge.
+  const std::vector<Halfedge_index>& flips() const { return m_surface.flips(); }
+
+  /// returns the number of all flips so far.
+  std::size_t number_of_flips() const { return flips().size(); }
 
   /// takes other scale factors and, unless the triangulation is fixed, flips to the one that is
   /// Delaunay with them. Complexity: linear in the vertices, edges and flips.
-  /// \param u the logarithmic scale factors, by the numbers of vertices
+  /// \param u the logarithmic scale factors, by the indices of vertices
   /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
-  /// \post unless the triangulation is fixed, the scaled lengths obey Equation 4.5 but for
-  ///       rounding, hence the triangle inequality
+  /// \throws Intrinsic_triangulations::Flip_limit_exceeded if more than a thousand flips for each
+  ///         edge and a hundred million are needed
+  /// \post unless the triangulation is fixed, the scaled lengths obey Equation 4.5 up to rounding,
+  ///       hence the triangle inequality
   void scale(const std::vector<FT>& u)
   {
-    using std::exp;
-    for(Vertex_index v : m_mesh.vertices())
-      m_root_of_scale[v.idx()] = exp(u[v.idx()] / 2);
-    for(Edge_index e : m_mesh.edges())
+    set_scale_factors(u);
+    if(m_flipping == Flipping::none)
+      return;
+    const auto condition = m_geometry.is_locally_Delaunay_object();
+    const auto is_Delaunay = [&](Halfedge_index h) { return condition(scaled_diamond(h)); };
+    for(Edge_index e : mesh().edges())
+      m_stack.push_if(!is_Delaunay(mesh().halfedge(e)), e);
+    flip_waiting(is_Delaunay);
+  }
+
+  /// takes other scale factors, and leaves the triangulation.
+  /// \param u the logarithmic scale factors, by the indices of vertices
+  /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
+  void set_scale_factors(const std::vector<FT>& u)
+  {
+    for(Vertex_index v : mesh().vertices())
+      m_factor[v.idx()] = internal::length_factor(u[v.idx()]);
+    for(Edge_index e : mesh().edges())
       set_scaled_length(e);
-    if(m_flipping == Flipping::to_Delaunay)
-      flip_to_Delaunay();
+  }
+
+  /// flips edges until `is_good(h)` holds for a halfedge of each edge that can be flipped.
+  /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Flip_limit_exceeded
+  ///         as `scale()` does
+  template <typename Is_good>
+  void flip_until(const Is_good& is_good)
+  {
+    for(Edge_index e : mesh().edges())
+      m_stack.push(e);
+    flip_waiting(is_good);
   }
 
 private:
+  template <typename Is_good>
+  void flip_waiting(const Is_good& is_good)
+  {
+    Intrinsic_triangulations::internal::flip_waiting(mesh(), m_stack, is_good,
+                                                     [this](Halfedge_index h) {
+                                                       m_surface.flip(h);
+                                                       set_scaled_length(Edge_index(h));
+                                                     });
+  }
+
   void set_scaled_length(Edge_index e)
   {
     const Halfedge_index h(2 * e.idx());
-    m_scaled_length[e.idx()] = m_length[e.idx()] * m_root_of_scale[m_mesh.source(h).idx()] *
-                               m_root_of_scale[m_mesh.target(h).idx()];
-    if(!m_geometry.is_length_object()(m_scaled_length[e.idx()]))
+    FT& length = m_scaled_length[e.idx()];
+    length = internal::scaled_length(m_surface.length(e), m_factor[mesh().source(h).idx()],
+                                     m_factor[mesh().target(h).idx()]);
+    if(!m_geometry.is_length_object()(length))
       throw Intrinsic_triangulations::Numerical_error(
         "edge " + std::to_string(e.idx()) + " has no positive finite length after scaling");
   }
 
-  Diamond diamond(const std::vector<FT>& length, Halfedge_index h) const
-  {
-    const Halfedge_index o = m_mesh.opposite(h);
-    const auto of = [&](Halfedge_index x) { return length[Edge_index(x).idx()]; };
-    return {of(h), of(m_mesh.next(h)), of(m_mesh.prev(h)), of(m_mesh.next(o)), of(m_mesh.prev(o))};
-  }
-
-  void flip_to_Delaunay()
-  {
-    const auto is_Delaunay = m_geometry.is_locally_Delaunay_object();
-    for(Edge_index e : m_mesh.edges())
-      m_stack.push_if(!is_Delaunay(diamond(m_scaled_length, m_mesh.halfedge(e))), e);
-    Intrinsic_triangulations::internal::flip_waiting(
-      m_mesh, m_stack, [&](Halfedge_index h) { return is_Delaunay(diamond(m_scaled_length, h)); },
-      [&](Halfedge_index h) { flip(h); });
-  }
-
-  void flip(Halfedge_index h)
-  {
-    const Edge_index e(h);
-    m_length[e.idx()] = m_geometry.compute_flipped_length_object()(diamond(m_length, h));
-    flip_edge(h, m_mesh);
-    set_scaled_length(e);
-    ++m_flips;
-  }
-
   Flipping m_flipping;
-  Geometry m_geometry;
-  Delta_complex m_mesh;
-  std::vector<FT> m_length;        // without scale factors
-  std::vector<FT> m_scaled_length; // with them
-  std::vector<FT> m_root_of_scale; // e^(u/2)
+  Intrinsic_triangulations::Ideal_geometry_traits<FT> m_geometry;
+  Surface m_surface;
+  std::vector<FT> m_scaled_length;
+  std::vector<FT> m_factor; // of each vertex, for lengths
   Intrinsic_triangulations::internal::Edge_stack m_stack;
-  std::size_t m_flips = 0;
 };
 
 } // namespace Discrete_conformal_maps

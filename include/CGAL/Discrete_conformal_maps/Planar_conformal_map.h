@@ -8,7 +8,6 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/Flattening_status.h>
 
 #include <array>
 #include <cmath>
@@ -36,9 +35,6 @@ class Flattening;
 class Planar_conformal_map : public Discrete_conformal_map
 {
 public:
-  /// whether the map has what is prescribed, and if not, why.
-  Flattening_status status() const { return m_status; }
-
   /// the vertices of the input at which cones were placed.
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
@@ -61,7 +57,7 @@ public:
   /// the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear on the
   /// faces of the common subdivision.
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
-  ///        `Triple_subdivision::place_on_C()` gives
+  ///        `Triple_subdivision::location()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
   {
     const Delta_complex& mesh = ideal().mesh();
@@ -90,7 +86,6 @@ private:
   template <typename Visitor>
   friend class internal::Flattening;
 
-  Flattening_status m_status = Flattening_status::success;
   std::vector<Vertex_index> m_cones;
   bool m_has_layout = true;
   std::vector<char> m_is_laid_out;              // for each face of T^C

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 
 #include <algorithm>
 #include <array>
@@ -108,7 +108,7 @@ public:
   /// the homogeneous coordinates of a point of the polyhedron, as a vector `(x w, y w, z w, w)`.
   /// They are linear on the faces of the common subdivision (Section 4.4.6).
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
-  ///        `Triple_subdivision::place_on_C()` gives
+  ///        `Triple_subdivision::location()` gives
   std::array<double, 4> homogeneous_coordinates(const Face_location& on_C) const
   {
     const Delta_complex& mesh = ideal().mesh();

@@ -7,10 +7,13 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/subdivision/Edge_marks.h>
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Face_chords.h>
+#include <CGAL/Discrete_conformal_maps/internal/subdivision/Marked_edges.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <array>
@@ -30,6 +33,7 @@ using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Face_location;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Side;
+using Intrinsic_triangulations::Surface_place;
 using Intrinsic_triangulations::Vertex_index;
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
@@ -57,18 +61,23 @@ enum class Layer
 /// place, they remain two vertices. Places of crossings are rounded; along every edge they do not
 /// decrease.
 ///
+/// The object refers to the three triangulations and is valid until they change.
+///
 /// \tparam FT_ the type of coordinates
 /// \tparam Point the point type of the mesh
 template <typename FT_ = double, typename Point = Intrinsic_triangulations::No_point>
 class Triple_subdivision
+  : public Intrinsic_triangulations::Subdivision_base<Triple_subdivision<FT_, Point>, Layer, 3, FT_,
+                                                      Point>
 {
+  typedef Intrinsic_triangulations::Subdivision_base<Triple_subdivision, Layer, 3, FT_, Point> Base;
+  friend Base;
+
 public:
   /// the type of coordinates.
   typedef FT_ FT;
-  /// the type of the mesh.
-  typedef Surface_mesh<Point> Mesh;
   /// the type of numbers of elements.
-  typedef typename Delta_complex::size_type size_type;
+  typedef typename Base::size_type size_type;
 
   /// builds the subdivision from the correspondence of \f$T^A\f$ (`Side::input`) and \f$T^B\f$
   /// (`Side::intrinsic`), and that of \f$T^B\f$ (`Side::input`) and \f$T^C\f$ (`Side::intrinsic`).
@@ -77,8 +86,8 @@ public:
   /// \pre \f$T^B\f$ is the same mesh in both; neither has inserted vertices
   template <typename Traits_AB, typename Traits_BC>
   Triple_subdivision(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
-    : m_number_of_input_vertices(ab.mesh(Side::input).number_of_vertices()),
-      m_first_crossing_of_bc(m_number_of_input_vertices + ab.number_of_crossings()),
+    : Base({&ab.mesh(Side::input), &ab.mesh(Side::intrinsic), &bc.mesh(Side::intrinsic)}),
+      m_first_crossing_of_bc(ab.mesh(Side::input).number_of_vertices() + ab.number_of_crossings()),
       m_first_crossing_of_ac(m_first_crossing_of_bc + bc.number_of_crossings())
   {
     CGAL_precondition(ab.triangulation().number_of_inserted_vertices() == 0);
@@ -86,80 +95,49 @@ public:
     CGAL_precondition(internal::is_same_complex(ab.mesh(Side::intrinsic), bc.mesh(Side::input)));
     check_number_of_edges(std::uint64_t(ab.mesh(Side::intrinsic).number_of_edges()) +
                           ab.number_of_crossings() + bc.number_of_crossings());
-    Builder(internal::Edge_marks<FT>(ab, bc), *this).build();
+    Builder(internal::Marked_edges<FT>(ab, bc), *this).build();
   }
 
-  /// copies everything. Complexity: linear.
-  Triple_subdivision(const Triple_subdivision& other)
-    : m_number_of_input_vertices(other.m_number_of_input_vertices),
-      m_first_crossing_of_bc(other.m_first_crossing_of_bc),
-      m_first_crossing_of_ac(other.m_first_crossing_of_ac),
-      m_mesh(other.m_mesh)
-  {
-    attach();
-  }
-
-  /// takes everything from `other`. Complexity: constant.
-  Triple_subdivision(Triple_subdivision&& other) = default;
-  /// takes everything from `other`. Complexity: constant.
-  Triple_subdivision& operator=(Triple_subdivision&& other) = default;
-  /// copies everything. Complexity: linear.
-  Triple_subdivision& operator=(const Triple_subdivision& other)
-  {
-    return *this = Triple_subdivision(other);
-  }
-
-  /// the mesh.
-  const Mesh& mesh() const { return m_mesh; }
-
-  /// the mesh, for more properties and for points; its connectivity must stay.
-  Mesh& mesh() { return m_mesh; }
-
-  /// the number of vertices of each of the three triangulations.
-  size_type number_of_input_vertices() const { return m_number_of_input_vertices; }
-
-  /// whether `v` is a vertex of the three triangulations.
-  bool is_input_vertex(Vertex_index v) const { return v.idx() < m_number_of_input_vertices; }
-
-  /// whether `v` is a crossing of an edge of `layer` with one of another triangulation. Edges that
-  /// are in
-  /// \f$T^B\f$ too count as edges of \f$T^B\f$ alone.
+  /// returns whether `v` is a crossing of an edge of `layer` with one of another triangulation.
+  /// Edges that are in \f$T^B\f$ too count as edges of \f$T^B\f$ alone.
   bool is_crossing(Layer layer, Vertex_index v) const
   {
-    if(is_input_vertex(v))
+    if(this->is_vertex(layer, v))
       return false;
     return layer == Layer::A   ? !is_between(m_first_crossing_of_bc, m_first_crossing_of_ac, v)
            : layer == Layer::B ? v.idx() < m_first_crossing_of_ac
                                : v.idx() >= m_first_crossing_of_bc;
   }
 
-  /// the face of `layer` of which `f` is a part.
-  Face_index parent_face(Layer layer, Face_index f) const { return m_parent_face[index(layer)][f]; }
+  /// returns the place of `v` on `layer`. The null face if `v` is isolated. Complexity: constant,
+  /// or linear in the degree of `v` for \f$T^C\f$.
+  Surface_place<FT> place(Layer layer, Vertex_index v) const
+  {
+    return layer == Layer::C ? place_on_C(v) : m_place[Base::index(layer)][v.idx()];
+  }
 
-  /// the edge of `layer` of which `e` is a part, or a null edge.
-  Edge_index parent_edge(Layer layer, Edge_index e) const { return m_parent_edge[index(layer)][e]; }
-
-  /// the place of `v` on \f$T^A\f$. The null face if `v` is isolated.
-  const Face_location<FT>& place_on_A(Vertex_index v) const { return m_place_on_A[v]; }
-
-  /// the place of `v` on \f$T^B\f$. The null face if `v` is isolated.
-  const Face_location<FT>& place_on_B(Vertex_index v) const { return m_place_on_B[v]; }
-
-  /// the place of the target of `h` in `parent_face(Layer::C, mesh().face(h))`, as homogeneous
-  /// coordinates: nonnegative weights of its corners, in the order of `Face_location`, for the
+  /// returns the coordinates of the target of `h` in the parent of its face, in the order of
+  /// `Face_location`.
+  ///
+  /// On \f$T^C\f$ these are homogeneous coordinates: nonnegative weights of the corners, for the
   /// decoration of the ideal polyhedron that the correspondence has. They are linear in each face
-  /// of the subdivision, seen in
-  /// \f$T^B\f$, and continuous across its edges: the weights in two faces around a vertex belong to
-  /// the same vertices of \f$T^C\f$ or are zero. They do not sum up to one, except in Euclidean
-  /// geometry. The null face if `h` is a border halfedge.
-  const Face_location<FT>& place_on_C(Halfedge_index h) const { return m_place_on_C[h]; }
+  /// of the subdivision, seen in \f$T^B\f$, and continuous across its edges: the weights in two
+  /// faces around a vertex belong to the same vertices of \f$T^C\f$ or are zero. They do not sum up
+  /// to one, except in Euclidean geometry.
+  /// \pre `h` is no border halfedge
+  std::array<FT, 3> coordinates(Layer layer, Halfedge_index h) const
+  {
+    return layer == Layer::C ? m_on_C[h.idx()].second : Base::coordinates(layer, h);
+  }
+
+  /// returns `v` as a convex combination of one vertex of `layer`, or of the corners of a face.
+  Intrinsic_triangulations::Vertex_weights<FT> weights(Layer layer, Vertex_index v) const
+  {
+    return this->is_vertex(layer, v) ? Base::weights(layer, v)
+                                     : this->corner_weights(layer, place(layer, v).location);
+  }
 
 private:
-  template <typename Index, typename Value>
-  using Map = typename Mesh::template Property_map<Index, Value>;
-
-  static std::size_t index(Layer layer) { return static_cast<std::size_t>(layer); }
-
   static void check_number_of_edges(std::uint64_t number)
   {
     if(number >= (std::numeric_limits<size_type>::max)() / 2)
@@ -171,64 +149,68 @@ private:
     return first <= v.idx() && v.idx() < end;
   }
 
-  // (re)binds the property maps to the mesh
-  void attach()
+  // in a face on the left of an edge of C that leaves `v`, if there is one
+  Surface_place<FT> place_on_C(Vertex_index v) const
   {
-    m_place_on_A = add_map<Vertex_index, Face_location<FT>>("v:place_on_A");
-    m_place_on_B = add_map<Vertex_index, Face_location<FT>>("v:place_on_B");
-    m_place_on_C = add_map<Halfedge_index, Face_location<FT>>("h:place_on_C");
-    const std::array<const char*, 3> face_map{"f:face_of_A", "f:face_of_B", "f:face_of_C"};
-    const std::array<const char*, 3> edge_map{"e:edge_of_A", "e:edge_of_B", "e:edge_of_C"};
-    for(std::size_t layer = 0; layer < 3; ++layer) {
-      m_parent_face[layer] = add_map<Face_index, Face_index>(face_map[layer]);
-      m_parent_edge[layer] = add_map<Edge_index, Edge_index>(edge_map[layer]);
-    }
+    Surface_place<FT> result{};
+    if(this->mesh().is_isolated(v))
+      return result;
+    for(Halfedge_index h : CGAL::halfedges_around_target(v, this->mesh()))
+      if(!result.along.is_valid() && !this->mesh().is_border(h))
+        result = {this->parent_halfedge(Layer::C, this->mesh().next(h)), m_on_C[h.idx()]};
+    auto& b = result.location.second;
+    const FT sum = b[0] + b[1] + b[2];
+    for(FT& x : b)
+      x /= sum;
+    return result;
   }
 
-  template <typename Index, typename Value>
-  Map<Index, Value> add_map(const char* name)
+  void copy_corner(Halfedge_index from, Halfedge_index to)
   {
-    return m_mesh.template add_property_map<Index, Value>(name).first;
+    m_on_C.resize(this->mesh().number_of_halfedges());
+    m_on_C[to.idx()] = m_on_C[from.idx()];
   }
 
   class Builder;
 
-  size_type m_number_of_input_vertices, m_first_crossing_of_bc, m_first_crossing_of_ac;
-  Mesh m_mesh;
-  Map<Vertex_index, Face_location<FT>> m_place_on_A, m_place_on_B;
-  Map<Halfedge_index, Face_location<FT>> m_place_on_C;
-  std::array<Map<Face_index, Face_index>, 3> m_parent_face;
-  std::array<Map<Edge_index, Edge_index>, 3> m_parent_edge;
+  size_type m_first_crossing_of_bc, m_first_crossing_of_ac;
+  std::array<std::vector<Surface_place<FT>>, 2> m_place; // of each vertex, on A and B
+  std::vector<Face_location<FT>> m_on_C;                 // of the target of each halfedge
 };
 
-// Cuts each face of B along its chords. An edge of B with n marks becomes n + 1 edges, its
-// "pieces"; these come first. A chord with n crossings becomes n + 1 pieces too.
+// Cuts each face of B along its chords. The pieces of edges of B come first; a chord with n
+// crossings consists of n + 1 pieces too.
 template <typename FT, typename Point>
 class Triple_subdivision<FT, Point>::Builder
 {
   typedef internal::Mark<FT> Mark;
   typedef internal::Chord_end Chord_end;
-  typedef std::array<Face_location<FT>, 2> Place; // on A and C
+  typedef std::array<Surface_place<FT>, 2> Place; // on A and C
 
 public:
-  Builder(const internal::Edge_marks<FT>& marks, Triple_subdivision& result)
-    : m_marks(marks), m_b(marks.mesh()), m_chords(marks), m_result(result), m_mesh(result.m_mesh)
+  Builder(const internal::Marked_edges<FT>& edges, Triple_subdivision& result)
+    : m_marks(edges),
+      m_numbers(edges.numbers()),
+      m_b(edges.mesh()),
+      m_chords(edges),
+      m_result(result),
+      m_mesh(result.mesh())
   {}
 
   void build()
   {
-    m_mesh.resize(m_result.m_first_crossing_of_ac,
-                  m_b.num_edges() + m_result.m_first_crossing_of_ac - m_b.num_vertices(), 0);
-    m_result.attach();
+    m_result.resize(m_result.m_first_crossing_of_ac, m_numbers.number_of_pieces(), 0);
+    resize_places();
     for(Halfedge_index h : m_b.halfedges())
       set_pieces(h);
     for(Face_index f : m_b.faces())
       add_face(f);
     link_border();
-    link_vertices();
+    Intrinsic_triangulations::internal::set_halfedges_of_vertices(m_mesh);
   }
 
 private:
+  static Layer layer(std::size_t family) { return family == 0 ? Layer::A : Layer::C; }
   static Halfedge_index opposite(Halfedge_index h) { return Intrinsic_triangulations::opposite(h); }
 
   // ---- Pieces ----
@@ -236,10 +218,7 @@ private:
   // piece `p` of the halfedge `h` of B, counted from its source
   Halfedge_index piece_of_side(Halfedge_index h, std::size_t p) const
   {
-    const Edge_index e(h);
-    const size_type first = m_marks.number_before(e) + e.idx(), i = static_cast<size_type>(p);
-    return h.idx() % 2 == 0 ? Halfedge_index(2 * (first + i))
-                            : Halfedge_index(2 * (first + m_marks.count(e) - i) + 1);
+    return m_numbers.piece(h, static_cast<size_type>(p));
   }
 
   // piece `i` of a chord, counted from its first end
@@ -266,20 +245,20 @@ private:
   void set_pieces(Halfedge_index h)
   {
     const Edge_index e(h);
-    for(size_type p = 0; p < m_marks.count(e); ++p)
+    for(size_type p = 0; p < m_numbers.size(e); ++p)
       m_mesh.set_target(piece_of_side(h, p), m_marks.mark(h, p).vertex);
-    m_mesh.set_target(piece_of_side(h, m_marks.count(e)), m_b.target(h));
-    if(h.idx() % 2 == 0)
-      for(size_type p = 0; p <= m_marks.count(e); ++p)
-        set_parents(Edge_index(piece_of_side(h, p)), h);
+    m_mesh.set_target(m_numbers.last_piece(h), m_b.target(h));
+    if(Intrinsic_triangulations::is_first_halfedge(h))
+      for(size_type p = 0; p < m_numbers.number_of_pieces(e); ++p)
+        set_parents(piece_of_side(h, p), h);
   }
 
-  void set_parents(Edge_index piece, Halfedge_index h)
+  void set_parents(Halfedge_index piece, Halfedge_index h)
   {
-    m_result.m_parent_edge[1][piece] = Edge_index(h);
+    m_result.set_parent(Layer::B, piece, h);
     for(std::size_t family = 0; family < 2; ++family)
       if(m_marks.count(family, Edge_index(h)) == 0)
-        m_result.m_parent_edge[2 * family][piece] = Edge_index(m_marks.spoke(family, h));
+        m_result.set_parent(layer(family), piece, m_marks.spoke(family, h));
   }
 
   // ---- Faces ----
@@ -288,8 +267,10 @@ private:
   {
     m_chords.set_face(f);
     m_linked.clear();
-    add_crossings(f);
+    add_crossings();
     add_pieces();
+    resize_places();
+    set_places_of_crossings(f);
     for(std::size_t s = 0; s < 3; ++s) {
       link_side(s);
       link_corner(s);
@@ -299,17 +280,35 @@ private:
       link_crossing(x);
     for(const auto& [h, face_of_A] : m_linked)
       if(m_mesh.face(h) == m_mesh.null_face())
-        add_face_of(h, {face_of_A, f, m_result.m_place_on_C[h].first});
+        m_result.add_face(h, {face_of_A, f, m_result.m_on_C[h.idx()].first});
   }
 
-  void add_crossings(Face_index f)
+  void resize_places()
+  {
+    for(auto& places : m_result.m_place)
+      places.resize(m_mesh.number_of_vertices());
+    m_result.m_on_C.resize(m_mesh.number_of_halfedges());
+  }
+
+  Surface_place<FT>& place(Layer layer, Vertex_index v)
+  {
+    return m_result.m_place[Base::index(layer)][v.idx()];
+  }
+
+  void add_crossings()
   {
     m_first_crossing = m_mesh.num_vertices();
-    const auto& crossings = m_chords.crossings();
-    for(std::size_t x = 0; x < crossings.size(); ++x) {
-      const auto& chord = m_chords[crossings[x].earlier];
-      m_result.m_place_on_B[m_mesh.add_vertex()] = {
-        f, internal::between(chord.place[0], chord.place[1], m_chords.places(x)[0])};
+    for(std::size_t x = 0; x < m_chords.crossings().size(); ++x)
+      m_mesh.add_vertex();
+  }
+
+  void set_places_of_crossings(Face_index f)
+  {
+    for(std::size_t x = 0; x < m_chords.crossings().size(); ++x) {
+      const auto& chord = m_chords[m_chords.crossings()[x].earlier];
+      place(Layer::B, crossing_vertex(x)) = {
+        Halfedge_index(),
+        {f, internal::between(chord.place[0], chord.place[1], m_chords.places(x)[0])}};
     }
   }
 
@@ -324,22 +323,22 @@ private:
       m_first_piece.push_back(m_mesh.num_edges());
       Vertex_index v = chord.vertex[0];
       for(std::size_t i = 0; i <= crossings.number_on(c); ++i) {
-        const Halfedge_index h = m_mesh.add_edge();
+        const Halfedge_index h = m_result.add_edge();
         m_mesh.set_target(opposite(h), v);
         v = i < crossings.number_on(c) ? crossing_vertex(crossings.on(c, i)) : chord.vertex[1];
         m_mesh.set_target(h, v);
-        m_result.m_parent_edge[2 * chord.family][m_mesh.edge(h)] = Edge_index(chord.along);
+        m_result.set_parent(layer(chord.family), h, chord.along);
       }
     }
   }
 
   // At the target of `in`, `out` is the next halfedge around the face on their left.
-  void link(Halfedge_index in, Halfedge_index out, const Place& place)
+  void link(Halfedge_index in, Halfedge_index out, const Place& on_A_and_C)
   {
     m_mesh.set_next(in, out);
-    m_result.m_place_on_A[m_mesh.target(in)] = place[0];
-    m_result.m_place_on_C[in] = place[1];
-    m_linked.push_back({in, place[0].first});
+    place(Layer::A, m_mesh.target(in)) = on_A_and_C[0];
+    m_result.m_on_C[in.idx()] = on_A_and_C[1].location;
+    m_linked.push_back({in, on_A_and_C[0].location.first});
   }
 
   void link_side(std::size_t s)
@@ -352,9 +351,9 @@ private:
       const Delta_complex& mesh = m_marks.mesh(k);
       Place place;
       place[1 - k] = mark.other;
-      place[k] = internal::location_on_edge(opposite(mark.across), reversed(mark.weight), mesh);
+      place[k] = internal::place_on_edge(opposite(mark.across), reversed(mark.weight), mesh);
       link(piece_of_side(h, p), inward, place);
-      place[k] = internal::location_on_edge(mark.across, mark.weight, mesh);
+      place[k] = internal::place_on_edge(mark.across, mark.weight, mesh);
       link(opposite(inward), piece_of_side(h, p + 1), place);
     }
   }
@@ -367,14 +366,14 @@ private:
     Halfedge_index out = piece_of_side(after, 0);
     Place place;
     for(std::size_t k = 0; k < 2; ++k)
-      place[k] = internal::location_of_source<FT>(m_marks.spoke(k, after), m_marks.mesh(k));
+      place[k] = internal::place_of_source<FT>(m_marks.spoke(k, after), m_marks.mesh(k));
     for(std::size_t i = m_chords.number_at_corner(s); i-- > 0;) {
       const Chord_end& end = m_chords.end_at_corner(s, i);
       const auto& chord = m_chords[end.chord];
       const Halfedge_index inward = first_piece_from(end);
       link(opposite(inward), out, place);
       out = inward;
-      place[chord.family] = internal::location_of_source<FT>(
+      place[chord.family] = internal::place_of_source<FT>(
         end.is_first ? chord.along : opposite(chord.along), m_marks.mesh(chord.family));
     }
     link(piece_of_side(before, m_chords.marks((s + 2) % 3).size()), out, place);
@@ -383,9 +382,10 @@ private:
   void set_places_on_side(Face_index f, std::size_t s)
   {
     using Intrinsic_triangulations::barycentric_coordinates;
-    m_result.m_place_on_B[m_b.source(m_chords.sides()[s])] = {f, barycentric_coordinates(s, FT(0))};
+    const Halfedge_index h = m_chords.sides()[s];
+    place(Layer::B, m_b.source(h)) = {h, {f, barycentric_coordinates(s, FT(0))}};
     for(const Mark& mark : m_chords.marks(s))
-      m_result.m_place_on_B[mark.vertex] = {f, barycentric_coordinates(s, mark.here)};
+      place(Layer::B, mark.vertex) = {h, {f, barycentric_coordinates(s, mark.here)}};
   }
 
   // The later chord crosses the earlier one from right to left.
@@ -410,31 +410,18 @@ private:
   }
 
   // a point of a chord, in the face of A or C on one of its sides
-  Face_location<FT> place_on_chord(std::size_t c, const FT& t, bool is_left) const
+  Surface_place<FT> place_on_chord(std::size_t c, const FT& t, bool is_left) const
   {
     const auto& chord = m_chords[c];
     const Delta_complex& mesh = m_marks.mesh(chord.family);
     const auto weight = internal::between(chord.weight[0], chord.weight[1], t);
-    return is_left ? internal::location_on_edge(chord.along, weight, mesh)
-                   : internal::location_on_edge(opposite(chord.along), reversed(weight), mesh);
+    return is_left ? internal::place_on_edge(chord.along, weight, mesh)
+                   : internal::place_on_edge(opposite(chord.along), reversed(weight), mesh);
   }
 
   static std::array<FT, 2> reversed(const std::array<FT, 2>& weight)
   {
     return {weight[1], weight[0]};
-  }
-
-  void add_face_of(Halfedge_index first, const std::array<Face_index, 3>& parent)
-  {
-    const Face_index f = m_mesh.add_face();
-    m_mesh.set_halfedge(f, first);
-    for(std::size_t layer = 0; layer < 3; ++layer)
-      m_result.m_parent_face[layer][f] = parent[layer];
-    Halfedge_index h = first;
-    do {
-      m_mesh.set_face(h, f);
-      h = m_mesh.next(h);
-    } while(h != first);
   }
 
   // edges on the boundary have no marks, hence are one piece each
@@ -445,21 +432,15 @@ private:
         m_mesh.set_next(piece_of_side(h, 0), piece_of_side(m_b.next(h), 0));
   }
 
-  void link_vertices()
-  {
-    for(Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.is_border(h) || m_mesh.is_isolated(m_mesh.target(h)))
-        m_mesh.set_halfedge(m_mesh.target(h), h);
-  }
-
-  const internal::Edge_marks<FT>& m_marks;
+  const internal::Marked_edges<FT>& m_marks;
+  const Intrinsic_triangulations::Edge_marks& m_numbers;
   const Delta_complex& m_b;
   internal::Face_chords<FT> m_chords; // of the face at hand, as all that follows
   std::vector<size_type> m_first_piece;
   std::vector<std::pair<Halfedge_index, Face_index>> m_linked; // and the face of A on its left
   size_type m_first_crossing = 0;
   Triple_subdivision& m_result;
-  Mesh& m_mesh;
+  typename Base::Mesh& m_mesh;
 };
 
 } // namespace Discrete_conformal_maps

@@ -8,6 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -35,7 +37,9 @@ inline std::vector<std::complex<double>> seam_translations(const Planar_conforma
     result.push_back(map.position(h) - map.position(mesh.next(o)));
     longest = (std::max)(longest, std::abs(result.back()));
   }
-  const auto is_none = [&](const auto& t) { return !(std::abs(t) > 1e-8 * longest); };
+  const auto is_none = [&](const auto& t) {
+    return !(std::abs(t) > tolerance::translation * longest);
+  };
   result.erase(std::remove_if(result.begin(), result.end(), is_none), result.end());
   std::stable_sort(result.begin(), result.end(),
                    [](const auto& s, const auto& t) { return std::abs(s) < std::abs(t); });
@@ -47,8 +51,9 @@ inline double flat_area(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
   const auto length = [&](Halfedge_index h) {
-    return map.ideal().length(mesh.edge(h)) *
-           std::exp((map.log_scale(mesh.source(h)) + map.log_scale(mesh.target(h))) / 2);
+    return scaled_length(
+      map.ideal().length(mesh.edge(h)),
+      length_factor(map.log_scale(mesh.source(h)) + map.log_scale(mesh.target(h))));
   };
   double result = 0;
   for(Face_index f : mesh.faces()) {
@@ -68,7 +73,7 @@ inline double boundary_length(const Planar_conformal_map& map)
     return map.is_front(subdivision.parent_face(Layer::A, mesh.face(h)));
   };
   const auto image = [&](Halfedge_index h) {
-    const auto z = map.homogeneous_coordinates(subdivision.place_on_C(h));
+    const auto z = map.homogeneous_coordinates(subdivision.location(Layer::C, h));
     return std::complex<double>(z[0], z[1]) / z[2];
   };
   double result = 0;
@@ -93,7 +98,7 @@ inline std::complex<double> torus_modulus(const Planar_conformal_map& map)
   std::complex<double> a = translation.front(), b = 0;
   // along the seams there are two generators, and perhaps their sum
   for(const auto& t : translation)
-    if(b == 0. && std::abs((t / a).imag()) > 1e-8)
+    if(b == 0. && std::abs((t / a).imag()) > internal::tolerance::translation)
       b = t;
   CGAL_precondition(b != 0.);
   do { // Lagrange's reduction

@@ -17,6 +17,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>
@@ -58,9 +59,8 @@ public:
     m_problem.check();
     m_visitor.start(Flattening_stage::optimize);
     do
-      m_scale.minimize(minimizer, 1e-11, m_visitor);
+      m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
     while(is_bounded && m_scale.add_cone_if_beyond(bound));
-    m_map.m_status = m_scale.status();
     m_map.m_cones = m_scale.cones();
     m_builder.set_scale_factors(m_scale);
   }
@@ -150,8 +150,8 @@ private:
     else
       lay_out(m_builder.log_scale(), correction);
     arrange_charts();
-    if(m_map.status() == Flattening_status::success && has_collapsed_face())
-      m_map.m_status = Flattening_status::layout_collapsed;
+    if(m_map.status() == Map_status::success && has_collapsed_face())
+      m_builder.set_status(Map_status::layout_collapsed);
   }
 
   bool has_collapsed_face() const
@@ -203,7 +203,7 @@ private:
       const Face_index f = subdivision.mesh().face(h);
       if(!f.is_valid() || !m_map.is_front(subdivision.parent_face(Layer::A, f)))
         continue;
-      const auto z = m_map.homogeneous_coordinates(subdivision.place_on_C(h));
+      const auto z = m_map.homogeneous_coordinates(subdivision.location(Layer::C, h));
       points[component(subdivision.parent_face(Layer::C, f))].emplace_back(z[0] / z[2],
                                                                            z[1] / z[2]);
     }

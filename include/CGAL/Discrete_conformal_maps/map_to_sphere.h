@@ -192,7 +192,9 @@ private:
 /// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result
 /// is a convex polyhedron is decided exactly. If it is none, or length cross ratios are not what
 /// they should be, the work goes on with 113 binary digits, and if that is not enough with other
-/// vertices at infinity. The map says what has been reached.
+/// vertices at infinity. The best result is returned: `Spherical_conformal_map::status()` is
+/// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
+/// \f$10^{-8}\f$.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters

@@ -54,7 +54,7 @@ public:
 
   std::array<double, 3> homogeneous_coordinates(Halfedge_index h) const
   {
-    return m_map.homogeneous_coordinates(m_map.subdivision().place_on_C(m_part[h.idx()]));
+    return m_map.homogeneous_coordinates(m_map.subdivision().location(Layer::C, m_part[h.idx()]));
   }
 
 private:

@@ -38,6 +38,12 @@ struct Uniformization
   /// the modulus of a torus (see `torus_modulus()`); the imaginary unit times that of an annulus
   /// (see `annulus_modulus()`)
   std::complex<double> modulus;
+
+  /// returns the status of the map.
+  Map_status status() const
+  {
+    return spherical ? spherical->status() : hyperbolic ? hyperbolic->status() : flat->status();
+  }
 };
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic

@@ -15,6 +15,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>
@@ -66,7 +67,7 @@ public:
   void find_scale_factors(const Minimizer& minimizer)
   {
     m_visitor.start(Flattening_stage::optimize);
-    m_scale.minimize(minimizer, 1e-11, m_visitor);
+    m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
     m_builder.set_scale_factors(m_scale);
   }
 
@@ -87,15 +88,16 @@ private:
   // Errors grow exponentially with the distance from the origin, but shrink with the rounding unit.
   void lay_out()
   {
-    constexpr double tolerance = 1e-9, gain = 1e-18;
     const std::vector<double> length = m_builder.scaled_lengths(m_builder.log_scale());
     const Tree_cotree cut(mesh(), crossing_lengths(mesh(), length), m_is_cone);
     set_components(cut);
     double error = m_scale.is_extended() ? 1 : lay_out(length, cut);
-    if(error > tolerance && gain * error <= tolerance)
+    if(error > tolerance::gluing && tolerance::extended_gain * error <= tolerance::gluing)
       error = lay_out_with_more_digits<Extended>(cut);
-    if(!(error <= tolerance))
+    if(!(error <= tolerance::gluing))
       lay_out_with_more_digits<More_extended>(cut);
+    if(m_map.status() == Map_status::success && !(m_map.max_gluing_error() <= tolerance::gluing))
+      m_builder.set_status(Map_status::not_glued);
   }
 
   template <typename FT>
@@ -236,7 +238,7 @@ private:
     for(Halfedge_index h : cut.relation(c)) {
       const auto i = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), Edge_index(h)) -
                                               edges.begin());
-      const bool is_inverse = h.idx() % 2 == 1;
+      const bool is_inverse = !Intrinsic_triangulations::is_first_halfedge(h);
       group.relation.push_back({i, is_inverse});
       product = product * (is_inverse ? motion[i].inverse() : motion[i]);
     }
@@ -260,6 +262,9 @@ private:
 /// Every component must allow such a metric: a surface without boundary and cones needs a genus of
 /// two or more. A component with boundary is doubled; its boundary is a geodesic, unless exterior
 /// angles are prescribed.
+///
+/// The result says how that has ended (`Hyperbolic_conformal_map::status()`); without convergence,
+/// it has the best scale factors that have been found.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters

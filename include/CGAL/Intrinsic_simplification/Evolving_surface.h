@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/Flip_geometry.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/Loop_flipper.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/Star_polygon.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/recorded_changes.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -30,19 +30,20 @@ namespace Intrinsic_simplification {
 /// a surface from which vertices are removed, with the history that maps points of the surface as
 /// it was to points of the surface as it is.
 ///
-/// Elements keep their numbers; removed ones leave gaps. Vertices have the numbers of the input.
+/// Elements keep their indices; removed ones leave gaps. Vertices have the indices of the input.
+/// \cgalModels `IntrinsicSurface`
 class Evolving_surface
 {
 public:
   /// the type of the input.
   typedef Intrinsic_surface::Triangulation Triangulation;
-  /// the type of numbers of elements.
+  /// the type of indices of elements.
   typedef Delta_complex::size_type size_type;
 
   /// starts with the intrinsic triangulation \f$T_2\f$ of `tri`; its constrained edges will stay.
   /// Complexity: linear.
   /// \throws Intrinsic_triangulations::Numerical_error if the angles at a vertex are all zero
-  /// \pre no vertex of `tri` has been removed and not been collected
+  /// \pre `tri` has no garbage
   explicit Evolving_surface(const Triangulation& tri)
     : m_surface(tri), m_is_protected(tri.mesh().num_vertices(), 0)
   {}
@@ -55,21 +56,24 @@ public:
     : Evolving_surface(Triangulation(g, np))
   {}
 
-  /// the connectivity and the lengths at present.
+  /// returns the connectivity and the lengths at present.
   const Intrinsic_surface& surface() const { return m_surface; }
-  /// the connectivity at present.
+  /// returns the connectivity at present.
   const Delta_complex& mesh() const { return m_surface.mesh(); }
+  /// returns the lengths of the edges at present.
+  Intrinsic_surface::Length_map length_map() const { return m_surface.length_map(); }
 
-  /// all that has been done.
+  /// returns all operations that have been done.
   const Surface_history& history() const { return m_history; }
 
   /// makes `v` a vertex that cannot be removed.
   void protect(Vertex_index v) { m_is_protected[v] = 1; }
-  /// whether `v` has been protected.
+  /// returns whether `v` has been protected.
   bool is_protected(Vertex_index v) const { return m_is_protected[v] != 0; }
 
-  /// the star of `v` as it would be if `v` was removed. Complexity: linear in the degree of `v`.
-  /// \returns whether `v` can be removed, as far as can be told without trying: a vertex with a
+  /// computes the star of `v` as it would be if `v` was removed. Complexity: linear in the degree
+  /// of `v`.
+  /// \returns whether `v` can be removed, as far as is known without trying: a vertex with a
   ///          loop may turn out to be not separable.
   Removal_status flatten(Vertex_index v, Flattened_star& star) const
   {
@@ -111,7 +115,7 @@ public:
     return Removal_status::possible;
   }
 
-  /// the same, without telling what may have changed.
+  /// removes the center of `star` without notification of what may have changed.
   Removal_status remove(Flattened_star& star)
   {
     return remove(star, [](Vertex_index) {});
@@ -152,28 +156,24 @@ private:
 
   void apply_scaling(const Flattened_star& star)
   {
-    m_history.add_scaling(star, mesh());
+    internal::scale(star, m_surface, m_history);
     for(std::size_t n = 0; n < star.size(); ++n)
-      m_surface.set_length(mesh().edge(star[n].halfedge), star.flat_length(n));
-    for(std::size_t n = 0; n < star.size(); ++n)
-      m_surface.place_between_neighbors(mesh().opposite(star[n].halfedge));
+      m_surface.place_between_neighbors(opposite(star[n].halfedge));
   }
 
   void cut_ears()
   {
     for(const internal::Spoke_flip& flip : m_polygon.flips()) {
-      m_history.add_flip(flip.halfedge, mesh(), flip.s, flip.t);
-      m_surface.flip(flip.halfedge, flip.length);
+      internal::flip(flip.halfedge, flip.geometry, m_surface, m_history);
       m_waiting.push_back(mesh().edge(flip.halfedge));
     }
   }
 
   void remove_interior_center(Vertex_index v)
   {
-    using namespace Intrinsic_triangulations;
     const Halfedge_index a = first_spoke(v, mesh()), b = next_spoke(a, mesh());
     m_history.add_removal(a, mesh(), m_polygon.weight(a), m_polygon.weight(b));
-    remove_degree_3_vertex(v, m_surface.mesh());
+    Intrinsic_triangulations::remove_degree_3_vertex(v, m_surface.mesh());
   }
 
   // the first border edge takes the place of both
@@ -211,13 +211,12 @@ private:
   template <typename Touch>
   void flip(Halfedge_index h, const Touch& touch)
   {
-    const internal::Flip_geometry flip = internal::flip_geometry(m_surface.diamond(h));
-    if(!Intrinsic_surface::Traits::Is_length()(flip.length))
+    const internal::Flip_geometry geometry = internal::flip_geometry(m_surface.diamond(h));
+    if(!Intrinsic_surface::Traits::Is_length()(geometry.length))
       stop_flipping<Intrinsic_triangulations::Numerical_error>(
         "a flip gives no positive finite length");
-    m_history.add_flip(h, mesh(), flip.s, flip.t);
-    m_surface.flip(h, flip.length);
-    const Halfedge_index o = mesh().opposite(h);
+    internal::flip(h, geometry, m_surface, m_history);
+    const Halfedge_index o = opposite(h);
     for(Halfedge_index side : {mesh().next(h), mesh().prev(h), mesh().next(o), mesh().prev(o)}) {
       m_waiting.push_back(mesh().edge(side));
       touch(mesh().target(side));

@@ -9,14 +9,15 @@
 
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/Removal_status.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/Angle_sum.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/First_spokes.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/angles.h>
+#include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -33,13 +34,13 @@ struct Star_spoke
   double length;                       ///< the length of the edge
   std::complex<double> direction;      ///< its direction at the center, of length one
   std::complex<double> direction_back; ///< that of the opposite halfedge at the neighbor
-  /// the change of the angle at the neighbor in the two faces of the spoke, by flattening; the
-  /// curvature of the neighbor changes by its negative
+  /// returns the change of the angle at the neighbor in the two faces of the spoke, by flattening;
+  /// the curvature of the neighbor changes by its negative
   double angle_change;
   /// the share of the change at this spoke in that at all of them (Equation 5.7); equal shares if
   /// the center is flat already, and none for a loop
   double weight;
-  /// the number of the first spoke with this neighbor
+  /// the index of the first spoke with this neighbor
   std::size_t first_with_neighbor;
 };
 
@@ -55,59 +56,60 @@ struct Star_spoke
 class Flattened_star
 {
 public:
-  /// finds the spokes of `v` and its scale factor, to about half of its digits if they have to be
-  /// searched for: enough for a cost. Complexity: linear in the degree of `v`, for each step of
-  /// Newton's method.
-  /// \returns whether `v` can be flattened; if it can, the functions below tell the result
+  /// computes the spokes of `v` and its scale factor, to about half of its digits unless it is
+  /// zero: enough for a cost. Complexity: linear in the degree of `v`, for each step of Newton's
+  /// method.
+  /// \returns whether `v` can be flattened; if it can, the functions below return the result
   Removal_status flatten(Vertex_index v, const Intrinsic_surface& surface)
   {
     const Removal_status status = collect(v, surface);
     if(status != Removal_status::possible)
       return status;
-    if(!solve(nearly_flat()))
+    if(!solve(internal::nearly_flat))
       return Removal_status::not_flattenable;
     set_angle_changes();
     set_weights();
     return Removal_status::possible;
   }
 
-  /// finds the scale factor to within rounding. Angle changes and weights stay. Complexity: as
+  /// computes the scale factor up to rounding. Angle changes and weights stay. Complexity: as
   /// `flatten()`.
   /// \returns whether the center can be flattened after all
-  bool sharpen() { return solve(rounding()); }
+  bool sharpen() { return solve(internal::angle_rounding(size())); }
 
-  /// the vertex in the middle.
+  /// returns the vertex in the middle.
   Vertex_index center() const { return m_center; }
 
-  /// whether the center is on the boundary.
+  /// returns whether the center is on the boundary.
   bool is_border() const { return m_is_border; }
 
-  /// whether an edge joins the center with itself.
+  /// returns whether an edge joins the center with itself.
   bool has_loop() const { return m_has_loop; }
 
-  /// the number of spokes; a loop counts twice.
+  /// returns the number of spokes; a loop counts twice.
   std::size_t size() const { return m_spokes.size(); }
 
-  /// the number of corners of faces at the center.
+  /// returns the number of corners of faces at the center.
   std::size_t number_of_corners() const { return size() - (m_is_border ? 1 : 0); }
 
-  /// a spoke, in counterclockwise order; at the boundary the first and the last are border edges.
+  /// returns the spoke with index `n`, in counterclockwise order; at the boundary the first and the
+  /// last are border edges.
   const Star_spoke& operator[](std::size_t n) const { return m_spokes[n]; }
 
-  /// the spoke after `n` in counterclockwise order.
+  /// returns the spoke after `n` in counterclockwise order.
   std::size_t next(std::size_t n) const { return n + 1 == size() ? 0 : n + 1; }
 
-  /// the scale factor \f$u\f$; exactly zero if the center is flat to within rounding.
+  /// returns the scale factor \f$u\f$; exactly zero if the center is flat up to rounding.
   double scale_factor() const { return m_u; }
 
-  /// by how much flattening makes the area of the star larger, to about half of the digits.
+  /// returns by how much flattening makes the area of the star larger, to about half of the digits.
   double area_change() const { return m_area_change; }
 
-  /// the length of a spoke after flattening.
+  /// returns the length of a spoke after flattening.
   double flat_length(std::size_t n) const { return m_spokes[n].length * m_power[ends(n)]; }
 
-  /// the length of the edge across from the center, between the spokes `n` and `next(n)`, after
-  /// flattening.
+  /// returns the length of the edge across from the center, between the spokes `n` and `next(n)`,
+  /// after flattening.
   double flat_opposite_length(std::size_t n) const
   {
     return m_opposite[n] * m_power[opposite_ends(n)];
@@ -130,7 +132,7 @@ private:
 
   typedef std::complex<double> Complex;
 
-  double flat_angle() const { return m_is_border ? internal::pi : 2 * internal::pi; }
+  double flat_angle() const { return (m_is_border ? 1 : 2) * pi<double>(); }
 
   // the number of ends of a spoke at the center
   std::size_t ends(std::size_t n) const { return m_spokes[n].neighbor == m_center ? 2 : 1; }
@@ -165,7 +167,7 @@ private:
     if(mesh.is_isolated(v))
       return Removal_status::isolated;
     bool is_protected = false;
-    Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_spoke(v, mesh, [&](Halfedge_index h) {
       is_protected = is_protected || surface.is_constrained(mesh.edge(h));
       add_spoke(h, surface);
     });
@@ -181,7 +183,7 @@ private:
     const Vertex_index j = mesh.target(h);
     m_has_loop = m_has_loop || j == m_center;
     m_spokes.push_back({h, j, surface.length(h), surface.direction(h),
-                        surface.direction(mesh.opposite(h)), 0, 0, m_spokes.size()});
+                        surface.direction(opposite(h)), 0, 0, m_spokes.size()});
     m_opposite.push_back(mesh.is_border(h) ? 0 : surface.length(mesh.next(h)));
   }
 
@@ -211,7 +213,7 @@ private:
       const double area = IT::quadrupled_area(c.opposite, c.p, c.q);
       const double scale = 1 / (2 * c.p * c.q);
       sum.add(product * scale, area * scale);
-      if(area > IT::rounding_unit<double>() * (c.p * c.q))
+      if(area > internal::rounding_unit() * (c.p * c.q))
         result.derivative += angle_derivative(n, c, product) / area;
       else
         result.is_valid = false;
@@ -230,16 +232,6 @@ private:
            (p + q) * product / 2;
   }
 
-  // by which the sum of angles of a flat vertex may differ from that of the plane
-  double rounding() const
-  {
-    return Intrinsic_triangulations::rounding_unit<double>() * 2 * internal::pi *
-           static_cast<double>(size());
-  }
-
-  // where one more step leaves an excess of about half of all digits
-  static constexpr double nearly_flat() { return 1e-4; }
-
   // Newton's method, kept in the interval where the excess changes its sign; with a last step that
   // squares an excess of `tolerance`. Beyond the triangle inequality an angle counts as 0 or pi, so
   // that the excess is continuous and decreases everywhere.
@@ -248,7 +240,7 @@ private:
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     for(int step = 0; step < 100; ++step) {
       const Excess e = excess();
-      if(std::abs(e.value) <= rounding())
+      if(std::abs(e.value) <= internal::angle_rounding(size()))
         return is_solution(e);
       (e.value > 0 ? low : high) = m_u;
       set_scale(next_scale(e, low, high));
@@ -258,17 +250,15 @@ private:
     return false;
   }
 
-  // A small excess that hardly changes any more is no solution: it vanishes in the limit of length
-  // zero.
   static bool is_solution(const Excess& e)
   {
-    return e.is_valid && std::abs(e.value) <= 0.1 * std::abs(e.derivative);
+    return e.is_valid && std::abs(e.value) <= internal::greatest_last_step * std::abs(e.derivative);
   }
 
   double next_scale(const Excess& e, double low, double high) const
   {
     const double newton = m_u - e.value / e.derivative;
-    if(newton > low && newton < high && std::abs(newton - m_u) < 4)
+    if(newton > low && newton < high && std::abs(newton - m_u) < internal::greatest_newton_step)
       return newton;
     if(std::isfinite(low) && std::isfinite(high))
       return low + (high - low) / 2;
@@ -284,10 +274,10 @@ private:
         const Corner before = original_corner(n), after = corner(n);
         const double old_area = quadrupled_area(before), new_area = quadrupled_area(after);
         m_area_change += share(n) * (new_area - old_area) / 4;
-        m_change[2 * n] = turn(before.p, before.opposite, before.q, old_area, //
-                               after.p, after.opposite, after.q, new_area);
-        m_change[2 * next(n) + 1] = turn(before.q, before.opposite, before.p, old_area, //
-                                         after.q, after.opposite, after.p, new_area);
+        m_change[2 * n] = internal::turn({before.p, before.opposite, before.q, old_area},
+                                         {after.p, after.opposite, after.q, new_area});
+        m_change[2 * next(n) + 1] = internal::turn({before.q, before.opposite, before.p, old_area},
+                                                   {after.q, after.opposite, after.p, new_area});
       }
     for(std::size_t n = 0; n < size(); ++n)
       m_spokes[n].angle_change = angle_change(n);
@@ -298,16 +288,7 @@ private:
     const Complex &after = m_change[2 * n], &before = m_change[2 * n + 1];
     if(m_has_loop || !(after.real() > 0) || !(before.real() > 0))
       return share(n) * std::arg(after) + share(previous(n)) * std::arg(before);
-    return argument(after * before);
-  }
-
-  // the argument; near zero by a series up to rounding, which is faster
-  static double argument(const Complex& z)
-  {
-    const double t = z.imag() / z.real(), s = t * t;
-    if(!(z.real() > 0) || s > 0.0036)
-      return std::arg(z);
-    return t * (1 - s * (1 / 3. - s * (1 / 5. - s * (1 / 7. - s * (1 / 9. - s / 11)))));
+    return internal::argument(after * before);
   }
 
   // of a corner in its face: one with a loop has two corners at the center
@@ -321,16 +302,6 @@ private:
   static double quadrupled_area(const Corner& c)
   {
     return Intrinsic_triangulations::quadrupled_area(c.opposite, c.p, c.q);
-  }
-
-  // a complex number whose argument is the change of the angle between the sides a and b
-  static Complex turn(double a, double b, double c, double area, double new_a, double new_b,
-                      double new_c, double new_area)
-  {
-    using Intrinsic_triangulations::doubled_corner_product;
-    const double x = doubled_corner_product(c, a, b);
-    const double new_x = doubled_corner_product(new_c, new_a, new_b);
-    return {x * new_x + area * new_area, new_area * x - new_x * area};
   }
 
   void set_weights()
@@ -348,32 +319,10 @@ private:
                      : sum > 0    ? std::abs(spoke.angle_change) / sum
                                   : 1 / static_cast<double>(others);
     }
-    find_repeated_neighbors();
-  }
-
-  // with a hash table of its own, which stays in the cache
-  void find_repeated_neighbors()
-  {
-    std::uint32_t bits = 3;
-    while((std::size_t(1) << bits) < 2 * size())
-      ++bits;
-    m_first.assign(std::size_t(1) << bits, no_spoke);
+    m_neighbors.start(size());
     for(std::size_t n = 0; n < size(); ++n)
-      m_spokes[n].first_with_neighbor = first_with(n, bits);
+      m_spokes[n].first_with_neighbor = m_neighbors.first(m_spokes[n].neighbor, n);
   }
-
-  std::size_t first_with(std::size_t n, std::uint32_t bits)
-  {
-    const Vertex_index j = m_spokes[n].neighbor;
-    std::size_t place = (j.idx() * 2654435769U) >> (32 - bits);
-    while(m_first[place] != no_spoke && m_spokes[m_first[place]].neighbor != j)
-      place = (place + 1) % m_first.size();
-    if(m_first[place] == no_spoke)
-      m_first[place] = static_cast<std::uint32_t>(n);
-    return m_first[place];
-  }
-
-  static constexpr std::uint32_t no_spoke = std::numeric_limits<std::uint32_t>::max();
 
   Vertex_index m_center;
   bool m_is_border = false, m_has_loop = false;
@@ -381,9 +330,9 @@ private:
   double m_area_change = 0;
   std::array<double, 3> m_power{1, 1, 1}; // by the number of ends at the center
   std::vector<Star_spoke> m_spokes;
-  std::vector<double> m_opposite;     // of each corner
-  std::vector<Complex> m_change;      // of the angles after and before each spoke
-  std::vector<std::uint32_t> m_first; // hash table of the first spokes with their neighbors
+  std::vector<double> m_opposite; // of each corner
+  std::vector<Complex> m_change;  // of the angles after and before each spoke
+  internal::First_spokes m_neighbors;
 };
 
 } // namespace Intrinsic_simplification

@@ -9,17 +9,15 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
-#include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/assertions.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -33,11 +31,11 @@ using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Vertex_index;
 
-namespace internal {
-
-constexpr double pi = 3.14159265358979323846;
-
-} // namespace internal
+using Intrinsic_triangulations::first_spoke;
+using Intrinsic_triangulations::for_each_spoke;
+using Intrinsic_triangulations::next_spoke;
+using Intrinsic_triangulations::opposite;
+using Intrinsic_triangulations::pi;
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a Delta-complex with edge lengths, and with a direction for every halfedge in the tangent space
@@ -50,6 +48,7 @@ constexpr double pi = 3.14159265358979323846;
 /// frame of a vertex stays what it is.
 ///
 /// Memory besides the connectivity: 8 bytes for each edge and 16 for each halfedge.
+/// \cgalModels `IntrinsicSurface`
 class Intrinsic_surface
 {
 public:
@@ -62,10 +61,10 @@ public:
     const double*, boost::typed_identity_property_map<Edge_index>, double, const double&>
     Length_map;
 
-  /// copies the triangulation \f$T_2\f$ of `tri`, with its numbers, lengths and constraints.
+  /// copies the triangulation \f$T_2\f$ of `tri`, with its indices, lengths and constraints.
   /// Complexity: linear.
   /// \throws Intrinsic_triangulations::Numerical_error if the angles at a vertex are all zero
-  /// \pre no vertex of `tri` has been removed and not been collected
+  /// \pre `tri` has no garbage
   explicit Intrinsic_surface(const Triangulation& tri)
   {
     namespace IT = Intrinsic_triangulations;
@@ -80,7 +79,7 @@ public:
         m_is_constrained[e] = 1;
       }
     }
-    const IT::Tangent_frames<double> frames(m_mesh, length_map());
+    const IT::Tangent_frames<double> frames(*this);
     for(Halfedge_index h : m_mesh.halfedges())
       m_direction.push_back(std::polar(1., frames.angle(h)));
   }
@@ -88,34 +87,34 @@ public:
   /// \name Access
   /// @{
 
-  /// the connectivity; removed elements leave gaps in the numbers.
+  /// returns the connectivity; removed elements leave gaps in the indices.
   const Delta_complex& mesh() const { return m_mesh; }
 
-  /// the length of `e`.
+  /// returns the length of `e`.
   double length(Edge_index e) const { return m_length[e]; }
-  /// the length of the edge of `h`.
+  /// returns the length of the edge of `h`.
   double length(Halfedge_index h) const { return m_length[m_mesh.edge(h)]; }
-  /// the lengths of all edges.
+  /// returns the lengths of all edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
 
-  /// the direction in which `h` leaves its source, a number of absolute value one.
+  /// returns the direction in which `h` leaves its source, a number of absolute value one.
   const std::complex<double>& direction(Halfedge_index h) const { return m_direction[h]; }
 
-  /// whether `e` must stay.
+  /// returns whether `e` must stay.
   bool is_constrained(Edge_index e) const
   {
     return !m_is_constrained.empty() && m_is_constrained[e] != 0;
   }
 
-  /// the angle at the source of `h` in its face.
+  /// returns the angle at the source of `h` in its face.
   double corner_angle(Halfedge_index h) const
   {
-    namespace IT = Intrinsic_triangulations;
-    const double a = length(m_mesh.next(h)), b = length(m_mesh.prev(h)), c = length(h);
-    return std::atan2(IT::quadrupled_area(a, b, c), IT::doubled_corner_product(a, b, c));
+    return Intrinsic_triangulations::corner_angle(length(m_mesh.next(h)), length(m_mesh.prev(h)),
+                                                  length(h));
   }
 
-  /// whether the edge of `h` can be flipped as far as connectivity and constraints are concerned.
+  /// returns whether the edge of `h` can be flipped as far as connectivity and constraints are
+  /// concerned.
   bool can_be_turned(Halfedge_index h) const
   {
     namespace IT = Intrinsic_triangulations;
@@ -123,20 +122,20 @@ public:
            !is_constrained(m_mesh.edge(h));
   }
 
-  /// whether the edge of `h` can be turned, and its diamond is strictly convex.
+  /// returns whether the edge of `h` can be turned, and its diamond is strictly convex.
   bool is_flippable(Halfedge_index h) const
   {
     return can_be_turned(h) && Traits::Is_convex()(diamond(h));
   }
 
-  /// whether `e` is Delaunay (Equation 2.6), or cannot be turned.
+  /// returns whether `e` is Delaunay (Equation 2.6), or cannot be turned.
   bool is_Delaunay(Edge_index e) const
   {
     const Halfedge_index h = m_mesh.halfedge(e);
     return Traits::Is_locally_Delaunay()(diamond(h)) || !can_be_turned(h);
   }
 
-  /// the lengths around the edge of `h`.
+  /// returns the lengths around the edge of `h`.
   Intrinsic_triangulations::Diamond<double> diamond(Halfedge_index h) const
   {
     return Intrinsic_triangulations::diamond(length_map(), h, m_mesh);
@@ -154,7 +153,7 @@ public:
     Intrinsic_triangulations::flip_edge(h, m_mesh);
     m_length[m_mesh.edge(h)] = new_length;
     place_between_neighbors(h);
-    place_between_neighbors(m_mesh.opposite(h));
+    place_between_neighbors(opposite(h));
   }
 
   /// changes the length of `e`; the direction of neither halfedge changes.
@@ -167,24 +166,24 @@ public:
   /// a border edge stays. Complexity: constant.
   void place_between_neighbors(Halfedge_index h)
   {
-    const Halfedge_index o = m_mesh.opposite(h);
+    const Halfedge_index o = opposite(h);
     if(m_mesh.is_border(h) || m_mesh.is_border(o))
       return;
-    const Halfedge_index before = m_mesh.next(o), after = m_mesh.opposite(m_mesh.prev(h));
+    const Halfedge_index before = m_mesh.next(o), after = opposite(m_mesh.prev(h));
     const double right = corner_angle(before), left = corner_angle(h);
     const double gap = positive(std::arg(m_direction[after] * std::conj(m_direction[before])));
     if(right + left > 0) // degenerate corners give no proportion
       m_direction[h] = m_direction[before] * std::polar(1., gap * (right / (right + left)));
   }
 
-  /// the connectivity, for operations that keep lengths and directions themselves.
+  /// returns the connectivity, for operations that keep lengths and directions themselves.
   Delta_complex& mesh() { return m_mesh; }
 
   /// @}
 
 private:
-  // the same angle between 0 and a full turn, which stands for zero
-  static double positive(double angle) { return angle > 0 ? angle : angle + 2 * internal::pi; }
+  // the angle between 0, exclusive, and a full turn, inclusive
+  static double positive(double angle) { return angle > 0 ? angle : angle + 2 * pi<double>(); }
 
   Delta_complex m_mesh;
   std::vector<double> m_length;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/internal/multigrid/Matrix_components.h>
 #include <CGAL/Intrinsic_simplification/internal/multigrid/Multigrid_cycle.h>
+#include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 
 #include <CGAL/assertions.h>
 
@@ -30,7 +31,7 @@ enum class Multigrid_status
 {
   converged,       ///< the error is below the tolerance
   iteration_limit, ///< it is not after as many iterations as were allowed
-  no_progress ///< it does not become smaller any more: by rounding, or because a number is not finite
+  no_progress ///< it does not become smaller any more: by rounding, or as a number is not finite
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
@@ -67,7 +68,7 @@ struct Multigrid_result
 ///
 /// The matrix is that of a Dirichlet energy plus any diagonal that is not negative, as
 /// \f$L + \alpha M\f$ or \f$L\f$ alone: on each of its connected components it is positive
-/// definite, or maps the constants, and no others, to zero, to within rounding. On components of
+/// definite, or maps the constants, and no others, to zero, up to rounding. On components of
 /// the latter kind there is a solution only if the sum of \f$b\f$ vanishes, and it can be shifted:
 /// \f$b\f$ is replaced by \f$b - m \sum b / \sum m\f$ there with the masses \f$m\f$, and the mean
 /// of the solution, weighted with the masses, is zero. `Intrinsic_triangulations::Poisson_solver`
@@ -118,7 +119,7 @@ public:
     return result;
   }
 
-  /// the number of entries of all matrices and prolongations.
+  /// returns the number of entries of all matrices and prolongations.
   std::size_t number_of_entries() const { return m_cycle.number_of_entries(); }
 
 private:
@@ -142,8 +143,7 @@ private:
         result.status = Multigrid_status::no_progress;
       else {
         last = result.error;
-        // what is carried along beyond a thousand units of rounding may not be what is left
-        const double least = 1000 * std::numeric_limits<double>::epsilon() * last;
+        const double least = internal::residual_rounding * last;
         conjugate_gradients(r, z, scale * (std::max)(tolerance, least), limit, result);
         continue;
       }

@@ -26,9 +26,8 @@ namespace internal {
 template <typename Source>
 Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& level)
 {
-  const Surface_level::Length_map length = level.length_map();
-  Intrinsic_triangulations::internal::Shortest_paths<Surface_level::Length_map> paths(level.mesh(),
-                                                                                      length);
+  Intrinsic_triangulations::internal::Shortest_paths paths{
+    Intrinsic_triangulations::internal::view_of(level)};
   paths.start_at(source);
   paths.run();
   Eigen::VectorXd result(static_cast<Eigen::Index>(level.mesh().num_vertices()));
@@ -85,10 +84,10 @@ public:
       m_coarse.col(v) = internal::geodesic_distances(v, coarse);
   }
 
-  /// the distances \f$D\f$ on the coarse level.
+  /// returns the distances \f$D\f$ on the coarse level.
   const Eigen::MatrixXd& coarse_distances() const { return m_coarse; }
 
-  /// the distance between two vertices of the fine level. Complexity: constant.
+  /// returns the distance between two vertices of the fine level. Complexity: constant.
   double operator()(Vertex_index v, Vertex_index w) const
   {
     double sum = 0;
@@ -98,7 +97,7 @@ public:
     return sum;
   }
 
-  /// the distances from a vertex of the fine level to all of them. Complexity: linear.
+  /// returns the distances from a vertex of the fine level to all of them. Complexity: linear.
   Eigen::VectorXd from(Vertex_index v) const
   {
     Eigen::VectorXd to_coarse = Eigen::VectorXd::Zero(m_coarse.rows());
@@ -107,7 +106,7 @@ public:
     return m_prolongation * to_coarse;
   }
 
-  /// all distances between vertices of the fine level. Complexity: quadratic.
+  /// computes all distances between vertices of the fine level. Complexity: quadratic.
   /// Memory: \f$8 n (n + n_c)\f$ bytes for \f$n\f$ vertices.
   Eigen::MatrixXd matrix() const
   {

@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// says whether a vertex can be removed, and if not, why.
+/// determines whether a vertex can be removed, and if not, why.
 enum class Removal_status
 {
   possible,         ///< nothing stands against it

@@ -21,29 +21,29 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a copy of an evolving surface as it is at one time, with elements numbered without gaps, in the
-/// same order. Several make a hierarchy.
+/// a copy of an evolving surface as it is at one time, with indices of elements without gaps, in
+/// the order of those of the surface. Several make a hierarchy.
+/// \cgalModels `IntrinsicSurface`
 class Surface_level
 {
 public:
   /// the type of the map of edge lengths.
   typedef Intrinsic_surface::Length_map Length_map;
 
-  /// copies the present state. Complexity: linear in the numbers that have been used for elements.
+  /// copies the present state. Complexity: linear in the indices that have been used for elements.
   explicit Surface_level(const Evolving_surface& surface)
-    : Surface_level(surface.history().size(), surface.mesh(), surface.surface().length_map())
+    : Surface_level(surface, surface.history().size())
   {}
 
-  /// copies a surface of which connectivity and lengths are known.
+  /// copies a surface.
+  /// \param surface a model of `IntrinsicSurface`; removed elements leave gaps in the indices
   /// \param time the number of operations that have led to it
-  /// \param mesh the connectivity; removed elements leave gaps in the numbers
-  /// \param length a readable property map from edges to their lengths
-  /// Complexity: linear in the numbers that have been used for elements.
-  template <typename EdgeLengthMap>
-  Surface_level(Surface_history::Time time, const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_time(time)
+  /// Complexity: linear in the indices that have been used for elements.
+  template <typename Surface>
+  Surface_level(const Surface& surface, Surface_history::Time time) : m_time(time)
   {
     namespace IT = Intrinsic_triangulations;
+    const Delta_complex& mesh = surface.mesh();
     m_mesh.resize(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
     IT::internal::with_numbering(mesh, [&](const auto& numbering) {
       IT::internal::copy_connectivity(mesh, numbering, m_mesh);
@@ -51,42 +51,43 @@ public:
     m_surface_vertex.assign(mesh.vertices().begin(), mesh.vertices().end());
     m_surface_face.assign(mesh.faces().begin(), mesh.faces().end());
     for(Edge_index e : mesh.edges())
-      m_length.push_back(get(length, e));
+      m_length.push_back(get(surface.length_map(), e));
   }
 
-  /// how many operations had been done.
+  /// returns the number of operations that had been done.
   Surface_history::Time time() const { return m_time; }
 
-  /// the connectivity.
+  /// returns the connectivity.
   const Delta_complex& mesh() const { return m_mesh; }
 
-  /// the lengths of the edges.
+  /// returns the lengths of the edges.
   Length_map length_map() const { return Length_map(m_length.data()); }
 
-  /// an intrinsic triangulation with \f$T_1 = T_2\f$. Complexity: linear.
+  /// returns an intrinsic triangulation with \f$T_1 = T_2\f$. Complexity: linear.
   Evolving_surface::Triangulation triangulation() const
   {
     return Evolving_surface::Triangulation(
       m_mesh, Intrinsic_triangulations::parameters::edge_length_map(length_map()));
   }
 
-  /// the number that the vertex `v` of this level has in the evolving surface, and in the input.
+  /// returns the index of the vertex `v` of this level in the evolving surface, and in the input.
   Vertex_index surface_vertex(Vertex_index v) const { return m_surface_vertex[v]; }
 
-  /// the number that the face `f` of this level has in the evolving surface.
+  /// returns the index of the face `f` of this level in the evolving surface.
   Face_index surface_face(Face_index f) const { return m_surface_face[f]; }
 
-  /// one more than the greatest number of a face in the evolving surface at this time and later.
+  /// returns one more than the greatest index of a face in the evolving surface at this time and
+  /// later.
   Delta_complex::size_type number_of_surface_faces() const
   {
     return m_surface_face.empty() ? 0 : m_surface_face.back().idx() + 1;
   }
 
-  /// the number that the vertex `v` of the evolving surface has in this level; null if it has been
+  /// returns the index in this level of the vertex `v` of the evolving surface; null if it has been
   /// removed before. Complexity: logarithmic.
   Vertex_index level_vertex(Vertex_index v) const { return find(m_surface_vertex, v); }
 
-  /// the number that the face `f` of the evolving surface has in this level; null if it has been
+  /// returns the index in this level of the face `f` of the evolving surface; null if it has been
   /// removed before. Complexity: logarithmic.
   Face_index level_face(Face_index f) const { return find(m_surface_face, f); }
 

@@ -7,19 +7,20 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/Subdivision_place.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/Subdivision_marks.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Marked_fine_edges.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Vertex_rotation.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -34,6 +35,91 @@ enum class Level
   coarse ///< where it ends
 };
 
+namespace internal {
+
+typedef Intrinsic_triangulations::Surface_place<double> Level_place;
+
+inline Level_place edge_place(Halfedge_index h, double t, const Delta_complex& mesh)
+{
+  namespace IT = Intrinsic_triangulations;
+  IT::Edge_point<double> p{h, t};
+  if(mesh.is_border(h))
+    p = IT::reversed(p, mesh);
+  return {p.halfedge, IT::face_location(p, mesh)};
+}
+
+inline Level_place vertex_place(Vertex_index v, const Delta_complex& mesh)
+{
+  if(mesh.is_isolated(v))
+    return {Halfedge_index(), {}};
+  return edge_place(Intrinsic_triangulations::first_spoke(v, mesh), 0, mesh);
+}
+
+// the place of a vertex of the subdivision on the fine level
+inline Level_place fine_place(Vertex_index v, const Marked_fine_edges& edges)
+{
+  const Delta_complex& fine = edges.map().fine().mesh();
+  if(edges.is_fine_vertex(v))
+    return vertex_place(v, fine);
+  if(edges.mark_of(v) == no_index) {
+    const Curve_segment& s = edges.pieces()[edges.piece_before(v)].segment;
+    Surface_map::Location p{s.face, s.to.weight};
+    normalize(p.second);
+    return {Halfedge_index(), p};
+  }
+  const Curve_mark& mark = edges.mark(edges.mark_of(v));
+  const double t = std::isinf(mark.ratio) ? 1 : mark.ratio / (1 + mark.ratio);
+  return edge_place(first_halfedge(mark.edge), t, fine);
+}
+
+// the place of a vertex of the subdivision on the coarse level
+inline Level_place coarse_place(Vertex_index v, const Marked_fine_edges& edges)
+{
+  const Surface_map& map = edges.map();
+  if(edges.is_fine_bend(v))
+    return {Halfedge_index(), edges.fine_bend(v)};
+  const Vertex_index coarse = edges.is_fine_vertex(v)
+                                ? map.coarse().level_vertex(map.fine().surface_vertex(v))
+                                : Vertex_index();
+  if(coarse.is_valid())
+    return vertex_place(coarse, map.coarse().mesh());
+  if(edges.piece_before(v) == no_index)
+    return {Halfedge_index(), image_of_vertex(v, map)};
+  const Coarse_piece& piece = edges.pieces()[edges.piece_before(v)];
+  const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
+  return edge_place(first_halfedge(piece.edge), y / (x + y), map.coarse().mesh());
+}
+
+// A point as a point of the face `f` that is nearest across an edge, or the corner at a vertex that
+// they share; no face if `f` is not next to it.
+inline Surface_map::Location moved_into(Face_index f, const Surface_map::Location& p,
+                                        const Delta_complex& mesh)
+{
+  namespace IT = Intrinsic_triangulations;
+  Halfedge_index across, at_vertex;
+  double least = 2, most = -1;
+  for(Halfedge_index h : IT::sides(p.first, mesh)) {
+    const Coordinates b = IT::coordinates_from(h, p, mesh);
+    if(mesh.face(mesh.opposite(h)) == f && b[2] < least) {
+      across = mesh.opposite(h);
+      least = b[2];
+    }
+    for(Halfedge_index g : IT::sides(f, mesh))
+      if(mesh.source(g) == mesh.source(h) && b[0] > most) {
+        at_vertex = g;
+        most = b[0];
+      }
+  }
+  if(across.is_valid()) {
+    const Coordinates b = IT::coordinates_from(mesh.opposite(across), p, mesh);
+    return IT::face_location(IT::Edge_point<double>{across, b[0] / (b[0] + b[1])}, mesh);
+  }
+  if(at_vertex.is_valid())
+    return IT::face_location(IT::Edge_point<double>{at_vertex, 0}, mesh);
+  return {Face_index(), {}};
+}
+
+} // namespace internal
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the polygon mesh into which the edges of the fine and the coarse level together cut the surface.
 /// Each face is part of one face of both levels.
@@ -48,22 +134,28 @@ enum class Level
 /// which points have gone; where nothing has been scaled it is an isometry.
 ///
 /// The connectivity is that of a subdivision of both levels, always: in which order edges of the
-/// coarse level cross an edge of the fine level is told by how these curves separate on their ways,
-/// not by the places of the crossings. Those are rounded, and in order along every edge. An edge of
+/// coarse level cross an edge of the fine level is determined by how these curves separate on their
+/// ways, not by the places of the crossings. Those are rounded, and in order along every edge. An edge of
 /// the coarse level that comes to a vertex within rounding runs through it, and along an edge of
 /// the fine level if it comes to both ends. Where edges nearly coincide otherwise, polygons can
-/// have an area as small as rounding, of either sign, and may have two sides only: `signed_area()`
-/// tells.
+/// have an area as small as rounding, of either sign (see `signed_area()`), and may have two sides
+/// only.
+///
+/// The object refers to the levels of the map and is valid as long as they are.
 ///
 /// \tparam Point the point type of the mesh
 template <typename Point = Intrinsic_triangulations::No_point>
 class Surface_subdivision
+  : public Intrinsic_triangulations::Subdivision_base<Surface_subdivision<Point>, Level, 2, double,
+                                                      Point>
 {
+  typedef Intrinsic_triangulations::Subdivision_base<Surface_subdivision, Level, 2, double, Point>
+    Base;
+  friend Base;
+
 public:
-  /// the type of the mesh.
-  typedef Surface_mesh<Point> Mesh;
   /// the type of numbers of elements.
-  typedef Delta_complex::size_type size_type;
+  typedef typename Base::size_type size_type;
 
   /// says at which bends there are vertices.
   enum class Bends
@@ -72,132 +164,71 @@ public:
     of_all_edges     ///< those of edges of the fine level on the coarse surface too
   };
 
-  /// builds the subdivision; it refers to the levels of `map`. Complexity: that of tracing the
-  /// edges, and the time to sort the crossings on every edge.
+  /// builds the subdivision. Complexity: that of tracing the edges, and the time to sort the
+  /// crossings on every edge.
   /// \throws Intrinsic_triangulations::Numerical_error if two edges of the coarse level have
   ///   crossed each other by rounding, or if a vertex is not in or next to the coarse face that the
-  ///   edges around it tell. On which side of a removed vertex or of a bend an edge passes is
+  ///   edges around it determine. On which side of a removed vertex or of a bend an edge passes is
   ///   decided by a rounded number, for each edge by itself; so this needs vertices that are as
   ///   near to each other as rounding.
   explicit Surface_subdivision(const Surface_map& map, Bends bends = Bends::of_coarse_edges)
-    : m_levels{&map.fine(), &map.coarse()}
+    : Base({&map.fine().mesh(), &map.coarse().mesh()}), m_levels{&map.fine(), &map.coarse()}
   {
-    Builder(map, *this).build(bends == Bends::of_all_edges);
+    Builder(internal::Marked_fine_edges(map, bends == Bends::of_all_edges), *this).build();
   }
 
-  /// the mesh.
-  const Mesh& mesh() const { return m_mesh; }
+  /// returns one of the levels.
+  const Surface_level& level(Level side) const { return *m_levels[Base::index(side)]; }
 
-  /// the mesh, for properties and for points; its connectivity must stay.
-  Mesh& mesh() { return m_mesh; }
-
-  /// one of the levels.
-  const Surface_level& level(Level side) const { return *m_levels[index(side)]; }
-
-  /// whether `v` is a vertex of the fine level.
-  bool is_fine_vertex(Vertex_index v) const
+  /// returns the vertex of `side` that `v` is; null if it is no vertex there. Complexity:
+  /// logarithmic for the coarse level.
+  Vertex_index parent_vertex(Level side, Vertex_index v) const
   {
-    return v.idx() < level(Level::fine).mesh().number_of_vertices();
+    const Vertex_index fine = Base::parent_vertex(Level::fine, v);
+    return side == Level::fine || !fine.is_valid()
+             ? fine
+             : level(Level::coarse).level_vertex(level(Level::fine).surface_vertex(fine));
   }
 
-  /// whether `v` is a vertex of the coarse level.
-  bool is_coarse_vertex(Vertex_index v) const { return coarse_vertex(v).is_valid(); }
-
-  /// the number of `v` in the coarse level; null if it is no vertex there. Complexity: logarithmic.
-  Vertex_index coarse_vertex(Vertex_index v) const
+  /// returns the place of `v`; that of an isolated vertex has no face.
+  const Intrinsic_triangulations::Surface_place<double>& place(Level side, Vertex_index v) const
   {
-    return is_fine_vertex(v)
-             ? level(Level::coarse).level_vertex(level(Level::fine).surface_vertex(v))
-             : Vertex_index();
+    return m_place[Base::index(side)][v.idx()];
   }
 
-  /// the place of `v`; that of an isolated vertex has no face.
-  const Subdivision_place& place(Level side, Vertex_index v) const
-  {
-    return m_place[index(side)][v.idx()];
-  }
-
-  /// the face of `side` of which `f` is a part.
-  Face_index parent_face(Level side, Face_index f) const
-  {
-    return m_parent_face[index(side)][f.idx()];
-  }
-
-  /// the halfedge of `side` of which `h` is a part, or null.
-  Halfedge_index parent_halfedge(Level side, Halfedge_index h) const
-  {
-    const Halfedge_index parent = m_parent_halfedge[index(side)][h.idx() / 2];
-    return parent.is_valid() && h.idx() % 2 == 1 ? level(side).mesh().opposite(parent) : parent;
-  }
-
-  /// the halfedges that are the parts of the edge `e` of the coarse level, each beginning where the
-  /// one before ends, from the source of its first halfedge to the target. Complexity: constant.
+  /// returns the halfedges that are the parts of the edge `e` of the coarse level, each beginning
+  /// where the one before ends, from the source of its first halfedge to the target. Complexity:
+  /// constant.
   Iterator_range<std::vector<Halfedge_index>::const_iterator>
   parts_of_coarse_edge(Edge_index e) const
   {
-    const auto begin = m_coarse_parts.begin();
-    return {begin + m_first_coarse_part[e.idx()], begin + m_first_coarse_part[e.idx() + 1]};
+    const auto begin = m_coarse_parts.begin() + m_first_coarse_part[e.idx()];
+    return {begin, m_coarse_parts.begin() + m_first_coarse_part[e.idx() + 1]};
   }
 
-  /// the barycentric coordinates of the target of `h` in the parent of its face. Complexity:
-  /// constant, or linear in the degree of the target if it is a vertex of `side`.
-  /// \pre `h` is no border halfedge
-  std::array<double, 3> coordinates(Level side, Halfedge_index h) const
-  {
-    const Vertex_index v = m_mesh.target(h);
-    const Subdivision_place& p = place(side, v);
-    if(!p.along.is_valid())
-      return p.location.second;
-    const bool is_vertex = side == Level::fine ? is_fine_vertex(v) : is_coarse_vertex(v);
-    if(!is_vertex && parent_halfedge(side, h).is_valid())
-      return on_side(side, parent_halfedge(side, h), v);
-    const Halfedge_index spoke = parent_of_spoke(side, h);
-    return is_vertex ? at_source(side, spoke) : on_side(side, spoke, v);
-  }
-
-  /// the area of `f` on one of the surfaces, from the places of its vertices. Complexity: linear in
-  /// its vertices.
+  /// returns the area of `f` on one of the surfaces, from the places of its vertices. Complexity:
+  /// linear in its vertices.
   double signed_area(Level side, Face_index f) const
   {
-    const Halfedge_index first = m_mesh.halfedge(f);
-    const std::array<double, 3> a = coordinates(side, first);
+    const Halfedge_index first = this->mesh().halfedge(f);
+    const std::array<double, 3> a = this->coordinates(side, first);
     double sum = 0;
-    std::array<double, 3> b = coordinates(side, m_mesh.next(first));
-    for(Halfedge_index h = m_mesh.next(m_mesh.next(first)); h != first; h = m_mesh.next(h)) {
-      const std::array<double, 3> c = coordinates(side, h);
-      sum += (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+    std::array<double, 3> b = this->coordinates(side, this->mesh().next(first));
+    for(Halfedge_index h = this->mesh().next(this->mesh().next(first)); h != first;
+        h = this->mesh().next(h)) {
+      const std::array<double, 3> c = this->coordinates(side, h);
+      sum += relative_area(a, b, c);
       b = c;
     }
-    return sum * area(side, parent_face(side, f));
+    return sum * area(side, this->parent_face(side, f));
   }
 
 private:
-  static std::size_t index(Level side) { return side == Level::fine ? 0 : 1; }
-
-  // the halfedge of `side` that is next clockwise from the face of `h` around its target
-  Halfedge_index parent_of_spoke(Level side, Halfedge_index h) const
+  // the signed area of a triangle as a part of that of its face
+  static double relative_area(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                              const std::array<double, 3>& c)
   {
-    do
-      h = m_mesh.opposite(m_mesh.next(h));
-    while(!parent_halfedge(side, h).is_valid());
-    return parent_halfedge(side, m_mesh.opposite(h));
-  }
-
-  // the place of `v` on a side of a face
-  std::array<double, 3> on_side(Level side, Halfedge_index h, Vertex_index v) const
-  {
-    namespace IT = Intrinsic_triangulations;
-    const Subdivision_place& p = place(side, v);
-    const Delta_complex& mesh = level(side).mesh();
-    const IT::Edge_point<double> on_edge = IT::edge_point(p.along, p.location, mesh);
-    return IT::face_location(h == p.along ? on_edge : IT::reversed(on_edge, mesh), mesh).second;
-  }
-
-  std::array<double, 3> at_source(Level side, Halfedge_index h) const
-  {
-    std::array<double, 3> result{};
-    result[Intrinsic_triangulations::side_number(h, level(side).mesh())] = 1;
-    return result;
+    return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
   }
 
   double area(Level side, Face_index f) const
@@ -211,15 +242,49 @@ private:
            4;
   }
 
+  // ---- Triangulation ----
+
+  // The halfedge before the largest ear on the fine surface, of those that contain no other corner;
+  // of all if rounding leaves none.
+  Halfedge_index before_ear(Halfedge_index first) const
+  {
+    std::vector<Halfedge_index> sides;
+    std::vector<std::array<double, 3>> corners; // at their targets
+    for(Halfedge_index h : CGAL::halfedges_around_face(first, this->mesh())) {
+      sides.push_back(h);
+      corners.push_back(this->coordinates(Level::fine, h));
+    }
+    std::size_t best = 0;
+    std::pair<bool, double> quality(false, -1);
+    for(std::size_t n = 0; n < sides.size(); ++n) {
+      const std::array<std::size_t, 3> ear{n, (n + 1) % sides.size(), (n + 2) % sides.size()};
+      const std::pair<bool, double> here(
+        is_empty(ear, corners), relative_area(corners[ear[0]], corners[ear[1]], corners[ear[2]]));
+      if(here > quality) {
+        quality = here;
+        best = n;
+      }
+    }
+    return sides[best];
+  }
+
+  static bool is_empty(const std::array<std::size_t, 3>& ear,
+                       const std::vector<std::array<double, 3>>& corners)
+  {
+    const auto &a = corners[ear[0]], &b = corners[ear[1]], &c = corners[ear[2]];
+    return relative_area(a, b, c) > 0 &&
+           std::none_of(corners.begin(), corners.end(), [&](const std::array<double, 3>& p) {
+             return p != a && p != b && p != c && relative_area(a, b, p) >= 0 &&
+                    relative_area(b, c, p) >= 0 && relative_area(c, a, p) >= 0;
+           });
+  }
+
   class Builder;
 
   std::array<const Surface_level*, 2> m_levels;
-  Mesh m_mesh;
-  std::array<std::vector<Subdivision_place>, 2> m_place;
-  std::array<std::vector<Face_index>, 2> m_parent_face;
-  std::array<std::vector<Halfedge_index>, 2> m_parent_halfedge; // of each first halfedge
-  std::vector<Halfedge_index> m_coarse_parts;                   // of all edges of the coarse level
-  std::vector<std::ptrdiff_t> m_first_coarse_part;              // of each edge, and the end
+  std::array<std::vector<Intrinsic_triangulations::Surface_place<double>>, 2> m_place;
+  std::vector<Halfedge_index> m_coarse_parts;      // of all edges of the coarse level
+  std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
 };
 
 // Lays out the edges: those of the fine level are cut by marks, those of the coarse level are
@@ -229,25 +294,21 @@ template <typename Point>
 class Surface_subdivision<Point>::Builder
 {
 public:
-  Builder(const Surface_map& map, Surface_subdivision& result)
-    : m_map(map),
-      m_fine(map.fine().mesh()),
-      m_coarse(map.coarse().mesh()),
-      m_marks(map),
+  Builder(const internal::Marked_fine_edges& edges, Surface_subdivision& result)
+    : m_edges(edges),
+      m_rotation(edges),
+      m_fine(result.mesh(Level::fine)),
+      m_coarse(result.mesh(Level::coarse)),
       m_result(result),
-      m_mesh(result.m_mesh)
+      m_mesh(result.mesh())
   {}
 
-  void build(bool with_fine_bends)
+  void build()
   {
-    m_marks.trace_coarse_edges();
-    if(with_fine_bends)
-      m_marks.trace_fine_edges();
-    m_marks.sort();
     do {
       make_edges();
       link_vertices();
-    } while(m_marks.merge_bigons(m_mesh));
+    } while(m_rotation.merge_bigons(m_mesh));
     collect_coarse_parts();
     make_faces();
     check_connectivity();
@@ -256,35 +317,25 @@ public:
   }
 
 private:
-  typedef internal::Subdivision_marks Marks;
-
   void make_edges()
   {
-    m_mesh = Mesh();
-    m_mesh.resize(m_marks.number_of_vertices(), m_marks.number_of_edges(), 0);
-    m_result.m_parent_halfedge = {std::vector<Halfedge_index>(m_mesh.number_of_edges()),
-                                  std::vector<Halfedge_index>(m_mesh.number_of_edges())};
-    for(Edge_index e : m_fine.edges())
-      for(size_type p = 0; p < m_marks.number_of_pieces(e); ++p)
-        parent(Level::fine, m_marks.fine_piece(m_fine.halfedge(e, 0), p)) = m_fine.halfedge(e, 0);
+    m_result.resize(m_edges.number_of_vertices(), m_rotation.number_of_edges(), 0);
+    for(Edge_index e : m_fine.edges()) {
+      const Halfedge_index h = Intrinsic_triangulations::first_halfedge(e);
+      for(size_type p = 0; p < m_edges.kept().number_of_pieces(e); ++p)
+        m_result.set_parent(Level::fine, m_edges.kept().piece(h, p), h);
+    }
     for(Edge_index e : m_coarse.edges())
-      for(size_type p = m_marks.first_piece(e); p < m_marks.end_of_pieces(e); ++p) {
-        const Halfedge_index h = m_marks.coarse_piece(p);
-        parent(Level::coarse, h) = m_coarse.halfedge(e, h.idx() % 2);
-      }
-  }
-
-  // of the first halfedge of the edge of `h`
-  Halfedge_index& parent(Level side, Halfedge_index h)
-  {
-    return m_result.m_parent_halfedge[index(side)][h.idx() / 2];
+      for(size_type p = m_edges.first_piece(e); p < m_edges.end_of_pieces(e); ++p)
+        m_result.set_parent(Level::coarse, m_rotation.coarse_piece(p),
+                            Intrinsic_triangulations::first_halfedge(e));
   }
 
   void link_vertices()
   {
     std::vector<Halfedge_index> out;
     for(Vertex_index v : m_mesh.vertices()) {
-      m_marks.collect_spokes(v, out);
+      m_rotation.collect_spokes(v, out);
       for(std::size_t n = 0; n < out.size(); ++n) {
         const Halfedge_index in = m_mesh.opposite(out[n]);
         m_mesh.set_next(in, out[n == 0 ? out.size() - 1 : n - 1]);
@@ -299,31 +350,24 @@ private:
     std::vector<Halfedge_index>& parts = m_result.m_coarse_parts;
     for(Edge_index e : m_coarse.edges()) {
       m_result.m_first_coarse_part.push_back(static_cast<std::ptrdiff_t>(parts.size()));
-      for(size_type p = m_marks.first_piece(e); p < m_marks.end_of_pieces(e); ++p)
-        parts.push_back(m_marks.coarse_piece(p));
+      for(size_type p = m_edges.first_piece(e); p < m_edges.end_of_pieces(e); ++p)
+        parts.push_back(m_rotation.coarse_piece(p));
     }
     m_result.m_first_coarse_part.push_back(static_cast<std::ptrdiff_t>(parts.size()));
   }
 
-  bool is_on_border(Halfedge_index h) const
+  // the face of the fine level on the left of `h`; null beyond the boundary
+  Face_index fine_face(Halfedge_index h) const
   {
     const Halfedge_index parent = m_result.parent_halfedge(Level::fine, h);
-    return parent.is_valid() && m_fine.is_border(parent);
+    return parent.is_valid() ? m_fine.face(parent) : m_rotation.piece_of_chord(h).segment.face;
   }
 
   void make_faces()
   {
     for(Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.is_border(h) && !is_on_border(h)) {
-        const Face_index f = m_mesh.add_face();
-        m_mesh.set_halfedge(f, h);
-        m_result.m_parent_face[0].push_back(
-          m_marks.fine_face(h, m_result.parent_halfedge(Level::fine, h)));
-        Halfedge_index side = h;
-        do
-          m_mesh.set_face(side, f);
-        while((side = m_mesh.next(side)) != h);
-      }
+      if(m_mesh.is_border(h) && fine_face(h).is_valid())
+        m_result.add_face(h, {fine_face(h), Face_index()});
     for(Halfedge_index h : m_mesh.halfedges())
       if(m_mesh.is_border(h))
         m_mesh.set_halfedge(m_mesh.target(h), h);
@@ -358,15 +402,14 @@ private:
   // other edges.
   void set_coarse_parents()
   {
-    std::vector<Face_index>& parents = m_result.m_parent_face[1];
-    parents.assign(m_mesh.number_of_faces(), Face_index());
     std::vector<Face_index> waiting;
     const auto set = [&](Face_index f, Face_index coarse_face) {
-      if(parents[f] == coarse_face)
+      const Face_index parent = m_result.parent_face(Level::coarse, f);
+      if(parent == coarse_face)
         return;
-      if(parents[f].is_valid())
+      if(parent.is_valid())
         fail();
-      parents[f] = coarse_face;
+      m_result.set_parent(Level::coarse, f, coarse_face);
       waiting.push_back(f);
     };
     for(Halfedge_index h : m_mesh.halfedges()) {
@@ -379,15 +422,15 @@ private:
       waiting.pop_back();
       for(Halfedge_index h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
         if(!m_result.parent_halfedge(Level::coarse, h).is_valid())
-          set(face_across(h), parents[f]);
+          set(face_across(h), m_result.parent_face(Level::coarse, f));
     }
   }
 
   void set_places()
   {
     for(Vertex_index v : m_mesh.vertices()) {
-      m_result.m_place[0].push_back(m_marks.fine_place(v));
-      m_result.m_place[1].push_back(m_marks.coarse_place(v));
+      m_result.m_place[0].push_back(internal::fine_place(v, m_edges));
+      m_result.m_place[1].push_back(internal::coarse_place(v, m_edges));
       if(!m_mesh.is_isolated(v) && !m_result.m_place[1].back().along.is_valid())
         move_into_parent(v, m_result.m_place[1].back().location);
     }
@@ -398,19 +441,19 @@ private:
   void move_into_parent(Vertex_index v, Surface_map::Location& p) const
   {
     const Halfedge_index in = m_mesh.halfedge(v);
-    const Face_index f =
-      m_result.m_parent_face[1][m_mesh.face(m_mesh.is_border(in) ? m_mesh.opposite(in) : in)];
+    const Face_index f = m_result.parent_face(
+      Level::coarse, m_mesh.face(m_mesh.is_border(in) ? m_mesh.opposite(in) : in));
     if(p.first != f)
       p = internal::moved_into(f, p, m_coarse);
     if(!p.first.is_valid())
       fail();
   }
 
-  const Surface_map& m_map;
+  const internal::Marked_fine_edges& m_edges;
+  internal::Vertex_rotation m_rotation;
   const Delta_complex &m_fine, &m_coarse;
-  Marks m_marks;
   Surface_subdivision& m_result;
-  Mesh& m_mesh;
+  typename Base::Mesh& m_mesh;
 };
 
 } // namespace Intrinsic_simplification

@@ -10,7 +10,8 @@
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/prefetch.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Star_prefetcher.h>
+#include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
@@ -133,7 +134,8 @@ public:
       add_mass(value, -weight / (positive + negative));
   }
 
-  /// the cost of removing the center of `star`. Complexity: linear in its degree, for each mass.
+  /// returns the cost of removing the center of `star`. Complexity: linear in its degree, for each
+  /// mass.
   double operator()(const Flattened_star& star)
   {
     find_moments(star);
@@ -161,21 +163,22 @@ public:
       state(star.center(), c) = {0, 0};
   }
 
-  /// the number of masses.
+  /// returns the number of masses.
   std::size_t number_of_masses() const { return m_channels; }
 
-  /// the mass number `c` of a vertex.
+  /// returns the mass with index `c` of a vertex.
   double mass(Vertex_index v, std::size_t c) const { return m_state[v * m_channels + c].mass; }
 
-  /// the mass number `c` of a vertex times the vector to the center of where it came from, in the
-  /// frame of the vertex.
+  /// returns the mass with index `c` of a vertex times the vector to the center of where it came
+  /// from, in the frame of the vertex.
   std::complex<double> moment(Vertex_index v, std::size_t c) const
   {
     return m_state[v * m_channels + c].moment;
   }
 
-  /// the sum over all vertices and masses of the lengths of the vectors: roughly the mean distance
-  /// over which the masses have been moved, for weights that sum up to one. Complexity: linear.
+  /// returns the sum over all vertices and masses of the lengths of the vectors: roughly the mean
+  /// distance over which the masses have been moved, for weights that sum up to one. Complexity:
+  /// linear.
   double total() const
   {
     double sum = 0;
@@ -205,19 +208,18 @@ private:
   static double angle_defect(Vertex_index v, const Intrinsic_surface& surface)
   {
     const Delta_complex& mesh = surface.mesh();
-    double sum = 0, corners = 0;
+    double sum = 0;
+    std::size_t corners = 0;
     bool is_border = false;
-    Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_spoke(v, mesh, [&](Halfedge_index h) {
       if(mesh.is_border(h))
         is_border = true;
       else
         sum += surface.corner_angle(h);
       ++corners;
     });
-    const double defect = (is_border ? 1 : 2) * internal::pi - sum;
-    const double rounding =
-      Intrinsic_triangulations::rounding_unit<double>() * 2 * internal::pi * corners;
-    return std::abs(defect) > rounding ? defect : 0;
+    const double defect = (is_border ? 1 : 2) * pi<double>() - sum;
+    return std::abs(defect) > internal::angle_rounding(corners) ? defect : 0;
   }
 
   static double opposite_cotangent(Halfedge_index h, const Intrinsic_surface& surface)

@@ -44,28 +44,41 @@ namespace internal {
 
 constexpr const char* hierarchy_header = "intrinsic_simplification 1";
 
-// The kind of an operation is its number in the enumeration.
-inline void write_operation(std::ostream& os, const Surface_operation& o)
+using Intrinsic_triangulations::internal::hexadecimal_text;
+using Intrinsic_triangulations::internal::write_line;
+
+inline void write_operation(std::ostream& os, const Scaling& s)
 {
-  using Intrinsic_triangulations::internal::hexadecimal_text;
-  using Intrinsic_triangulations::internal::write_line;
-  const int kind = static_cast<int>(o.kind);
-  const std::string x = hexadecimal_text(o.x[0]), y = hexadecimal_text(o.x[1]);
-  switch(o.kind) {
-    case Surface_operation::Kind::scaling:
-      return write_line(os, kind, o.id[0], o.id[2] > 0 ? 1 : 0, x);
-    case Surface_operation::Kind::flip: return write_line(os, kind, o.id[0], x, y);
-    case Surface_operation::Kind::removal:
-    case Surface_operation::Kind::border_removal:
-      return write_line(os, kind, o.id[0], static_cast<int>(o.corner[0]), x, y);
-  }
+  write_line(os, s.code, s.vertex, s.number_of_corners > 0 ? 1 : 0, hexadecimal_text(s.factor));
+}
+
+inline void write_operation(std::ostream& os, const Flip& f)
+{
+  write_line(os, f.code, f.halfedge, hexadecimal_text(f.crossing_before),
+             hexadecimal_text(f.crossing_after));
+}
+
+template <typename Operation>
+void write_removal(std::ostream& os, const Operation& r, double x, double y)
+{
+  write_line(os, r.code, r.corners[0].face(), r.corners[0].index(), hexadecimal_text(x),
+             hexadecimal_text(y));
+}
+
+inline void write_operation(std::ostream& os, const Removal& r)
+{
+  write_removal(os, r, r.weight[0], r.weight[1]);
+}
+
+inline void write_operation(std::ostream& os, const Border_removal& r)
+{
+  write_removal(os, r, r.weight, 0);
 }
 
 // Reads a hierarchy and does the operations once more, as far as connectivity is concerned.
 class Hierarchy_reader
 {
   typedef Delta_complex::size_type size_type;
-  typedef Surface_operation::Kind Kind;
 
 public:
   explicit Hierarchy_reader(std::istream& is) : m_reader(is), m_lines(m_reader.lines()) {}
@@ -80,7 +93,7 @@ public:
       throw Intrinsic_triangulations::Invalid_input("the first level is no triangulated surface");
     for(Edge_index e : m_mesh.edges())
       check(is_length(length[e]), "a length is not positive and finite");
-    m_result.levels.emplace_back(Surface_history::Time(0), m_mesh, length);
+    m_result.levels.emplace_back(Intrinsic_triangulations::Surface_view(m_mesh, length), 0);
     const std::size_t levels = count();
     for(std::size_t n = 0; n < levels; ++n)
       read_level();
@@ -122,18 +135,17 @@ private:
       check(is_length(length[e]), "a length is not positive and finite");
       m_lines.end_line();
     }
-    m_result.levels.emplace_back(m_result.history.size(), m_mesh,
-                                 Surface_level::Length_map(length.data()));
+    m_result.levels.emplace_back(
+      Intrinsic_triangulations::Surface_view(m_mesh, Surface_level::Length_map(length.data())),
+      m_result.history.size());
   }
 
   void read_operation()
   {
-    const auto kind = static_cast<Kind>(m_lines.integer<int>(0, 3));
-    switch(kind) {
-      case Kind::scaling: return read_scaling();
-      case Kind::flip: return read_flip();
-      case Kind::removal:
-      case Kind::border_removal: return read_removal(kind);
+    switch(const int code = m_lines.integer<int>(Scaling::code, Border_removal::code); code) {
+      case Scaling::code: return read_scaling();
+      case Flip::code: return read_flip();
+      default: return read_removal(code == Border_removal::code);
     }
   }
 
@@ -171,7 +183,7 @@ private:
     IT::flip_edge(h, m_mesh);
   }
 
-  void read_removal(Kind kind)
+  void read_removal(bool is_border)
   {
     namespace IT = Intrinsic_triangulations;
     const Face_index f(index(m_mesh.num_faces()));
@@ -179,7 +191,6 @@ private:
     const Halfedge_index a = IT::sides(f, m_mesh)[m_lines.integer<std::size_t>(0, 2)];
     const double w_a = part(), w_b = part();
     const Vertex_index v = m_mesh.source(a);
-    const bool is_border = kind == Kind::border_removal;
     check(IT::removal_status(v, m_mesh) == IT::Operation_status::possible &&
             m_mesh.is_border(v) == is_border &&
             (!is_border || m_mesh.is_border(m_mesh.opposite(a))),
@@ -201,8 +212,8 @@ private:
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// writes levels of an evolving surface and the operations between them, exactly: what
-/// `read_surface_hierarchy()` makes of it has the same elements with the same numbers, and the same
-/// lengths and maps to the bit. The format is described in the user manual (\ref
+/// `read_surface_hierarchy()` makes of it has equal elements with equal indices, and lengths and
+/// maps that are equal to the bit. The format is described in the user manual (\ref
 /// Intrinsic_simplification_file_format). Complexity: linear.
 /// \param os the stream
 /// \param history the history of the surface
@@ -212,18 +223,18 @@ private:
 inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& history,
                                     const std::vector<const Surface_level*>& levels)
 {
-  using namespace Intrinsic_triangulations::internal;
+  using namespace internal;
   CGAL_precondition(!levels.empty() && levels.front()->time() == 0);
-  os << internal::hierarchy_header << '\n';
-  const Surface_level& first = *levels.front();
-  write_complex(os, first.mesh(), first.length_map(), [](Edge_index) { return std::string(); });
+  os << hierarchy_header << '\n';
+  Intrinsic_triangulations::internal::write_complex(os, *levels.front(),
+                                                    [](Edge_index) { return std::string(); });
   write_line(os, levels.size() - 1);
   for(std::size_t n = 1; n < levels.size(); ++n) {
     const Surface_history::Time start = levels[n - 1]->time(), end = levels[n]->time();
     CGAL_precondition(start <= end && end <= history.size());
     write_line(os, end - start);
     for(Surface_history::Time t = start; t < end; ++t)
-      internal::write_operation(os, history[t]);
+      history[t].visit([&](const auto& operation) { write_operation(os, operation); });
     for(Edge_index e : levels[n]->mesh().edges())
       write_line(os, hexadecimal_text(levels[n]->length_map()[e]));
   }

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Cell_joiner.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Face_cutter.h>
-#include <CGAL/Intrinsic_simplification/internal/maps/carry_point.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
 
 #include <array>
 #include <cstddef>
@@ -45,26 +45,27 @@ struct Projective_piece
   /// the result do.
   Coordinates to_coarse(const Coordinates& b) const
   {
-    Coordinates result{};
-    for(std::size_t r = 0; r < 3; ++r)
-      for(std::size_t c = 0; c < 3; ++c)
-        result[r] += matrix[r][c] * b[c];
-    internal::normalize(result);
-    return result;
+    return product([this](std::size_t r, std::size_t c) { return matrix[r][c]; }, b);
   }
 
   /// maps a point of the piece to the fine face: the inverse of `to_coarse()`.
   Coordinates to_fine(const Coordinates& b) const
   {
+    return product([this](std::size_t r, std::size_t c) { return cofactor(c, r); }, b);
+  }
+
+private:
+  template <typename Entry>
+  static Coordinates product(const Entry& entry, const Coordinates& b)
+  {
     Coordinates result{};
     for(std::size_t r = 0; r < 3; ++r)
       for(std::size_t c = 0; c < 3; ++c)
-        result[r] += cofactor(c, r) * b[c];
+        result[r] += entry(r, c) * b[c];
     internal::normalize(result);
     return result;
   }
 
-private:
   // the determinant of the matrix without a row and a column, with its sign
   double cofactor(std::size_t r, std::size_t c) const
   {

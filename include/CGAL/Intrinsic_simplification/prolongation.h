@@ -20,11 +20,11 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the matrix \f$P\f$ that takes values of a function at the vertices of the coarse level to values
-/// at the vertices of the fine level (Section 5.2.3). A row holds the barycentric coordinates of a
-/// fine vertex on the coarse surface: no entry is negative, and the sum is one. The rows of
-/// vertices that both levels have are those of the identity. Complexity: linear in the vertices and
-/// the operations that move them.
+/// returns the matrix \f$P\f$ that takes values of a function at the vertices of the coarse level
+/// to values at the vertices of the fine level (Section 5.2.3). A row holds the barycentric
+/// coordinates of a fine vertex on the coarse surface: no entry is negative, and the sum is one.
+/// The rows of vertices that both levels have are those of the identity. Complexity: linear in the
+/// vertices and the operations that move them.
 ///
 /// Its transpose takes integrals against hat functions of the fine level to those of the coarse
 /// level.
@@ -48,9 +48,9 @@ inline Eigen::SparseMatrix<double> prolongation_matrix(const Surface_map& map)
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the matrix that takes values of a function at the vertices of the fine level to values at the
-/// vertices of the coarse level: means, weighted with the area of a fine vertex and its share in a
-/// coarse one. No entry is negative, and the sum of a row is one. With lumped masses,
+/// returns the matrix that takes values of a function at the vertices of the fine level to values
+/// at the vertices of the coarse level: means, weighted with the area of a fine vertex and its
+/// share in a coarse one. No entry is negative, and the sum of a row is one. With lumped masses,
 /// \f$R = M_c^{-1} P^T M\f$ with \f$M_c\f$ the diagonal matrix of the sums of the rows of
 /// \f$P^T M\f$: the integral of a function is kept. A coarse vertex with no area around it keeps
 /// its value. Complexity: linear.
@@ -60,8 +60,7 @@ inline Eigen::SparseMatrix<double>
 restriction_matrix(const Eigen::SparseMatrix<double>& prolongation, const Surface_map& map)
 {
   const Surface_level &fine = map.fine(), &coarse = map.coarse();
-  const Eigen::SparseMatrix<double> mass =
-    Intrinsic_triangulations::lumped_mass_matrix(fine.mesh(), fine.length_map());
+  const Eigen::SparseMatrix<double> mass = Intrinsic_triangulations::lumped_mass_matrix(fine);
   Eigen::SparseMatrix<double, Eigen::RowMajor> result = prolongation.transpose() * mass;
   for(Vertex_index v : coarse.mesh().vertices()) {
     const int row = static_cast<int>(v.idx());

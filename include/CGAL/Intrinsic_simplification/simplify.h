@@ -141,7 +141,7 @@ private:
 /// \tparam Cost a model of `RemovalCost`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param surface the surface
-/// \param cost the cost, which is told what is removed
+/// \param cost the cost, which is notified of each removal
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_vertices}
@@ -155,7 +155,7 @@ private:
 ///     \cgalParamDefault{no bound}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told every removal; an exception that it throws stops the
+///     \cgalParamDescription{is notified of every removal; an exception that it throws stops the
 ///                           simplification and leaves `surface` valid}
 ///     \cgalParamType{a model of `SimplificationVisitor`; use `std::ref()` to pass an object with a
 ///       state}
@@ -211,7 +211,7 @@ inline Transport_cost default_cost(const Evolving_surface& surface)
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the same, with `default_cost()`.
+/// simplifies `surface` with `default_cost()`.
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Simplification_result simplify(Evolving_surface& surface,
                                const NamedParameters& np = CGAL::parameters::default_values())

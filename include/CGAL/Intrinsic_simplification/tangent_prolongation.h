@@ -82,17 +82,17 @@ private:
   // halfedges stand for the directions around them
   void weigh_corner(Halfedge_index h)
   {
-    const Halfedge_index next = Intrinsic_triangulations::next_spoke(h, m_fine);
+    const Halfedge_index next = next_spoke(h, m_fine);
     double corner = m_fine_frames.angle(next) - m_fine_frames.angle(h);
     if(corner <= 0)
-      corner += 2 * pi;
+      corner += 2 * pi<double>();
     m_weight[h] += corner;
     m_weight[next] += corner;
   }
 
   Flat_face flat_face(Face_index f) const
   {
-    return Flat_face(m_coarse.halfedge(f), m_coarse, m_map.coarse().length_map());
+    return Flat_face(m_coarse.halfedge(f), m_map.coarse());
   }
 
   static std::array<double, 3> coordinates(const Face_point& p)
@@ -172,8 +172,8 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the complex matrix that takes tangent vectors at the vertices of the coarse level to tangent
-/// vectors at the vertices of the fine level.
+/// returns the complex matrix that takes tangent vectors at the vertices of the coarse level to
+/// tangent vectors at the vertices of the fine level.
 ///
 /// For a fine vertex, the vectors at the corners of the coarse face are transported straight to its
 /// image and interpolated there; then they are turned as the map turns its tangent space: by the
@@ -182,8 +182,10 @@ private:
 /// it is reproduced. The absolute values of the entries are those of `prolongation_matrix()`, or
 /// less where a coarse face has a vertex twice.
 /// \param map the map
-/// \param fine_frames, coarse_frames the frames of both levels, by which tangent vectors are
-/// complex numbers Complexity: that of tracing all fine edges.
+/// \param fine_frames,coarse_frames the frames of both levels, by which tangent vectors are complex
+///   numbers
+///
+/// Complexity: that of tracing all fine edges.
 /// \throws Intrinsic_triangulations::Numerical_error if rounding leaves no direction around a
 ///   vertex
 inline Eigen::SparseMatrix<std::complex<double>>

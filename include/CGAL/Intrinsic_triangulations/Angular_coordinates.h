@@ -66,7 +66,7 @@ public:
   /// \throws Numerical_error if the angles at a vertex have no positive finite sum, or if the
   ///         layout of an edge has no positive finite length
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
-  explicit Angular_coordinates(const Triangulation& tri) : m_tri(tri), m_frames(Side::input, tri)
+  explicit Angular_coordinates(const Triangulation& tri) : m_tri(tri), m_frames(tri.input())
   {
     recompute();
   }
@@ -102,12 +102,9 @@ public:
     const internal::Input_crossings crossings(m_tri.coordinates(), mesh, m_tri.spokes());
     m_angle.resize(mesh.num_halfedges());
     for(Halfedge_index h : mesh.halfedges()) {
-      const Edge_index e = mesh.edge(h);
-      const std::size_t n = crossings.count(e);
-      const bool is_first = h.idx() % 2 == 0;
-      m_angle[h.idx()] = angle_in_strip(h, n, [&](std::size_t m) {
-        return is_first ? m_tri.input_mesh().opposite(crossings(e, m)) : crossings(e, n - 1 - m);
-      });
+      const std::size_t n = crossings.count(mesh.edge(h));
+      m_angle[h.idx()] =
+        angle_in_strip(h, n, [&](std::size_t m) { return opposite(crossings(h, m)); });
     }
   }
 
@@ -212,7 +209,7 @@ private:
       m_angle[h.idx()] = sum;
       sum += mesh.is_border(h) ? FT(0) : corner(h);
     });
-    const FT before_start = angle(start), whole = (mesh.is_border(v) ? 1 : 2) * internal::pi<FT>();
+    const FT before_start = angle(start), whole = (mesh.is_border(v) ? 1 : 2) * pi<FT>();
     for_each_spoke(v, mesh, [&](Halfedge_index h) {
       const FT part = sum > 0 ? (angle(h) - before_start) / sum : FT(0);
       m_angle[h.idx()] =
@@ -222,20 +219,17 @@ private:
 
   static FT wrapped(const FT& angle)
   {
-    const FT turn = 2 * internal::pi<FT>();
+    const FT turn = 2 * pi<FT>();
     return angle < 0 ? angle + turn : angle < turn ? angle : angle - turn;
   }
 
-  FT corner(Halfedge_index h) const
-  {
-    return internal::angle_at_source(h, m_tri.mesh(), m_tri.length_map());
-  }
+  FT corner(Halfedge_index h) const { return internal::angle_at_source(h, m_tri); }
 
   // What the corners on either side of `h` lack of the angle between its neighbors is shared out.
   FT angle_between_neighbors(Halfedge_index h) const
   {
     const Halfedge_index before = previous_spoke(h, m_tri.mesh());
-    const FT scale = scale_at(h), turn = 2 * internal::pi<FT>();
+    const FT scale = scale_at(h), turn = 2 * pi<FT>();
     const FT right = scale * corner(before), both = right + scale * corner(h);
     const FT gap = angle(next_spoke(h, m_tri.mesh())) - angle(before);
     const FT lack = std::remainder(gap - both, turn);

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -85,8 +85,8 @@ public:
   explicit Correspondence(const Triangulation& tri)
     : m_tri(tri),
       m_spoke_before(tri.input_mesh().num_halfedges()),
-      m_first_on_intrinsic(internal::first_crossings(tri.coordinates(), tri.mesh())),
-      m_records(m_first_on_intrinsic.back()),
+      m_on_intrinsic(internal::number_crossings(tri.coordinates(), tri.mesh())),
+      m_records(m_on_intrinsic.size()),
       m_scale(internal::Has_scale<Traits>::value ? m_records.size() : 0)
   {
     CGAL_precondition(!tri.mesh().has_garbage());
@@ -120,13 +120,13 @@ public:
   }
 
   /// the number of parts of the edge `e` of \f$T_1\f$.
-  size_type number_of_parts(Edge_index e) const
-  {
-    return m_first_part[e.idx() + 1] - m_first_part[e];
-  }
+  size_type number_of_parts(Edge_index e) const { return m_part_numbers.size(e); }
 
   /// part `i` of the edge `e` of \f$T_1\f$, counted from the source of its first halfedge.
-  const Part& part(Edge_index e, size_type i) const { return m_parts[m_first_part[e] + i]; }
+  const Part& part(Edge_index e, size_type i) const
+  {
+    return m_parts[m_part_numbers.before(e) + i];
+  }
 
   /// the number of pieces into which crossings cut the parts that are not shared.
   size_type number_of_input_pieces() const
@@ -134,44 +134,40 @@ public:
     return m_parts.empty() ? 0 : end_of_pieces(m_parts.back());
   }
 
-  /// the number of the piece that ends at crossing `id` in the direction of the first halfedge of
-  /// its edge of \f$T_1\f$; the next one starts there. Complexity: logarithmic in the number of
-  /// parts of the edge.
-  size_type piece_before(size_type id) const
+  /// returns the piece that ends at crossing `id` in the direction of `h`, a halfedge of the edge of
+  /// \f$T_1\f$ there, as a halfedge of a mesh in which these pieces are the first edges.
+  /// Complexity: logarithmic in the number of parts of the edge.
+  Halfedge_index piece_to(size_type id, Halfedge_index h) const
   {
-    const Record& r = m_records[id];
-    const auto begin = m_parts.begin() + m_first_part[Edge_index(r.input)];
-    const auto end = m_parts.begin() + m_first_part[Edge_index(r.input).idx() + 1];
-    const auto part =
-      std::upper_bound(begin, end, r.order,
-                       [](size_type order, const Part& p) { return order < p.first; }) -
-      1;
-    return part->first_piece + r.order - part->first;
+    const size_type before = piece_before(id);
+    return directed_as(h, first_halfedge(Edge_index(is_first_halfedge(h) ? before : before + 1)));
   }
 
   /// the number of crossings on the edge `e` of `side`.
   size_type number_of_crossings(Side side, Edge_index e) const
   {
     if(side == Side::intrinsic)
-      return m_first_on_intrinsic[e.idx() + 1] - m_first_on_intrinsic[e];
-    const Part& last = m_parts[m_first_part[e.idx() + 1] - 1];
+      return m_on_intrinsic.size(e);
+    const Part& last = part(e, number_of_parts(e) - 1);
     return last.first + last.count - part(e, 0).first;
   }
 
   /// crossing `p` on the halfedge `h` of `side`, counted from its source. Complexity: constant.
   Crossing crossing(Side side, Halfedge_index h, size_type p) const
   {
+    if(side == Side::intrinsic)
+      return seen_from_intrinsic(h, m_on_intrinsic(h, p));
     const Edge_index e(h);
-    const size_type from_even = is_even(h) ? p : number_of_crossings(side, e) - 1 - p;
-    return side == Side::input ? seen_from_input(h, m_order_on_input[part(e, 0).first + from_even])
-                               : seen_from_intrinsic(h, m_first_on_intrinsic[e] + from_even);
+    const size_type n = number_of_crossings(side, e);
+    return seen_from_input(h, m_order_on_input[part(e, 0).first + along_first_halfedge(h, p, n)]);
   }
 
   /// the crossing with number `id`: its places on the first halfedges of its two edges.
   Trace_point<FT> crossing(size_type id) const
   {
     const Record& record = m_records[id];
-    return {{even(record.input), record.s}, {first_halfedge(record.intrinsic), record.t}};
+    return {{first_halfedge(Edge_index(record.input)), record.s},
+            {first_halfedge(record.intrinsic), record.t}};
   }
 
   /// the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$ that its
@@ -184,13 +180,8 @@ public:
       return FT(1);
   }
 
-  /// the number of crossing `id` on the halfedge `h` of \f$T_2\f$ that it is on, counted from its
-  /// source.
-  size_type rank_on_intrinsic(size_type id, Halfedge_index h) const
-  {
-    const Edge_index e(h);
-    return is_even(h) ? id - m_first_on_intrinsic[e] : m_first_on_intrinsic[e.idx() + 1] - 1 - id;
-  }
+  /// returns the numbers of the crossings on the edges of \f$T_2\f$.
+  const Edge_marks& crossings_on_intrinsic() const { return m_on_intrinsic; }
 
   /// whether the face `f` of \f$T_1\f$ contains inserted vertices, inside it or inside its edges.
   bool contains_inserted(Face_index f) const
@@ -217,19 +208,24 @@ private:
     FT s, t;         // along the first halfedges of the input edge and the intrinsic edge
   };
 
-  static bool is_even(Halfedge_index h) { return h.idx() % 2 == 0; }
-  static Halfedge_index even(Halfedge_index h) { return Halfedge_index(h.idx() & ~size_type(1)); }
-  // mesh.halfedge(e) is the halfedge that `e` was made from
-  static Halfedge_index first_halfedge(Edge_index e) { return Halfedge_index(2 * e.idx()); }
-  static Edge_point<FT> on(Halfedge_index h, const FT& t)
-  {
-    return {h, is_even(h) ? t : FT(1 - t)};
-  }
-
   Crossing seen_from_intrinsic(Halfedge_index h, size_type id) const
   {
     const Record& r = m_records[id];
-    return {id, on(h, r.t), on(is_even(h) ? r.input : opposite(r.input), r.s)};
+    return {id, edge_point(h, r.t), edge_point(directed_as(h, r.input), r.s)};
+  }
+
+  // the number of the piece that ends at crossing `id` in the direction of the first halfedge of its
+  // edge of T1; the next one starts there
+  size_type piece_before(size_type id) const
+  {
+    const Record& r = m_records[id];
+    const auto begin = m_parts.begin() + m_part_numbers.before(Edge_index(r.input));
+    const auto end = begin + number_of_parts(Edge_index(r.input));
+    const auto part =
+      std::upper_bound(begin, end, r.order,
+                       [](size_type order, const Part& p) { return order < p.first; }) -
+      1;
+    return part->first_piece + r.order - part->first;
   }
 
   // The intrinsic edge leaves the face of `r.input` from its left to its right, against its first
@@ -238,7 +234,7 @@ private:
   {
     const Record& r = m_records[id];
     const Halfedge_index first = first_halfedge(r.intrinsic);
-    return {id, on(h, r.s), on(h == r.input ? opposite(first) : first, r.t)};
+    return {id, edge_point(h, r.s), edge_point(h == r.input ? opposite(first) : first, r.t)};
   }
 
   void note_inserted()
@@ -283,7 +279,7 @@ private:
     coordinates.for_each_curve_end(mesh, m_tri.spokes(),
                                    [&](Halfedge_index h, const Integer& k, Halfedge_index start) {
                                      note_spoke(start, h);
-                                     if(is_even(start)) {
+                                     if(is_first_halfedge(start)) {
                                        tracer.trace(h, k);
                                        record(start, mesh.source(h), tracer);
                                      }
@@ -300,7 +296,7 @@ private:
   {
     const Halfedge_index input = m_tri.input_halfedge(h);
     note_spoke(input, h);
-    if(is_even(input))
+    if(is_first_halfedge(input))
       m_traced_parts.push_back({Edge_index(input),
                                 m_tri.mesh().source(h),
                                 m_tri.place_along(input, m_tri.mesh().source(h)),
@@ -319,13 +315,9 @@ private:
     for(std::size_t m = 0; m < tracer.size(); ++m) {
       const auto& c = tracer.crossing(m);
       const auto& position = tracer.position(m);
-      const Edge_index crossed(c.halfedge);
-      const size_type p = static_cast<size_type>(c.number);
-      const bool forward = is_even(c.halfedge);
-      const size_type id = forward ? m_first_on_intrinsic[crossed] + p
-                                   : m_first_on_intrinsic[crossed.idx() + 1] - 1 - p;
-      m_records[id] = {forward ? start : opposite(start), crossed, 0, part(position.along_line),
-                       on(c.halfedge, position.along_edge).t};
+      const size_type id = m_on_intrinsic(c.halfedge, static_cast<size_type>(c.number));
+      m_records[id] = {directed_as(c.halfedge, start), Edge_index(c.halfedge), 0,
+                       part(position.along_line), edge_point(c.halfedge, position.along_edge).t};
       if constexpr(internal::Has_scale<Traits>::value)
         m_scale[id] = position.scale;
       m_traced.push_back(id);
@@ -335,15 +327,19 @@ private:
   // Brings the parts into the order of the edges of T1, and along these.
   void order_along_input()
   {
-    m_first_part.assign(m_tri.input_mesh().num_edges() + 1, 0);
+    std::vector<size_type> count(m_tri.input_mesh().num_edges(), 0);
     for(const Traced_part& t : m_traced_parts)
-      ++m_first_part[t.edge.idx() + 1];
-    std::partial_sum(m_first_part.begin(), m_first_part.end(), m_first_part.begin());
-    std::vector<size_type> order(m_traced_parts.size()), free(m_first_part);
-    for(size_type i = 0; i < order.size(); ++i)
-      order[free[m_traced_parts[i].edge.idx()]++] = i;
-    for(Edge_index e : m_tri.input_mesh().edges())
-      order_parts(order.begin() + m_first_part[e], order.begin() + m_first_part[e.idx() + 1]);
+      ++count[t.edge.idx()];
+    m_part_numbers = Edge_marks(count);
+    std::vector<size_type> order(m_traced_parts.size());
+    for(size_type i = 0; i < order.size(); ++i) {
+      const Edge_index e = m_traced_parts[i].edge;
+      order[m_part_numbers.before(e) + number_of_parts(e) - count[e.idx()]--] = i;
+    }
+    for(Edge_index e : m_tri.input_mesh().edges()) {
+      const auto begin = order.begin() + m_part_numbers.before(e);
+      order_parts(begin, begin + number_of_parts(e));
+    }
     m_parts.reserve(order.size());
     m_order_on_input.reserve(m_traced.size());
     for(size_type i : order)
@@ -387,7 +383,8 @@ private:
   {
     for(Edge_index e : m_tri.mesh().edges()) {
       FT t(0), moved(0);
-      for(size_type id = m_first_on_intrinsic[e]; id < m_first_on_intrinsic[e.idx() + 1]; ++id) {
+      for(size_type p = 0; p < m_on_intrinsic.size(e); ++p) {
+        const size_type id = m_on_intrinsic.before(e) + p;
         moved = (std::max)(moved, FT(t - m_records[id].t));
         m_records[id].t = t = (std::max)(m_records[id].t, t);
       }
@@ -401,7 +398,7 @@ private:
   // Laid out in one strip, they cross it in order.
   void place_along_intrinsic(Edge_index e)
   {
-    const size_type first = m_first_on_intrinsic[e], n = number_of_crossings(Side::intrinsic, e);
+    const size_type first = m_on_intrinsic.before(e), n = number_of_crossings(Side::intrinsic, e);
     typename Traits::Geodesic_strip strip;
     const auto exit = [&](std::size_t m) { return opposite(m_records[first + m].input); };
     if(!m_tri.traits().is_length_object()(m_tri.lay_out(strip, first_halfedge(e), exit, n)))
@@ -411,7 +408,7 @@ private:
       const auto position = strip.crossing(m, t);
       Record& r = m_records[first + m];
       r.t = t = position.along_line;
-      r.s = on(opposite(r.input), position.along_edge).t;
+      r.s = edge_point(opposite(r.input), position.along_edge).t;
     }
     m_is_input_in_order = false;
   }
@@ -419,13 +416,12 @@ private:
   const Triangulation& m_tri;
   std::vector<Traced_part> m_traced_parts; // until they are in order
   std::vector<size_type> m_traced;
-  std::vector<size_type> m_first_part; // for each edge of T1, into m_parts
+  Edge_marks m_part_numbers; // of the parts of the edges of T1
   std::vector<Part> m_parts;
   std::vector<size_type> m_order_on_input; // crossings along each edge of T1
   std::vector<Halfedge_index> m_spoke_before;
   std::vector<char> m_contains_inserted; // for each face of T1; empty if there are none
-  std::vector<size_type>
-    m_first_on_intrinsic; // into m_records, which are ordered along the edges of T2
+  Edge_marks m_on_intrinsic; // the numbers of crossings: they are ordered along the edges of T2
   std::vector<Record> m_records;
   bool m_is_input_in_order = true; // whether crossings of each part are, after tracing
   std::vector<FT> m_scale;         // of the crossings; empty where all are 1
@@ -456,11 +452,11 @@ void add_inserted_vertices(Halfedge_index h, const Correspondence<Traits>& corre
   const size_type parts = correspondence.number_of_parts(e);
   const size_type crossings = correspondence.number_of_crossings(Side::input, e);
   for(size_type i = 0; i + 1 < parts; ++i) { // from the target of h backwards
-    const bool is_even = h.idx() % 2 == 0;
-    const auto& part = correspondence.part(e, is_even ? parts - 2 - i : i);
+    const bool is_first = is_first_halfedge(h);
+    const auto& part = correspondence.part(e, is_first ? parts - 2 - i : i);
     const size_type before = part.first + part.count - correspondence.part(e, 0).first;
     const Halfedge_index spoke = first_spoke(part.end, tri.mesh());
-    const std::ptrdiff_t place = 1 + std::ptrdiff_t(is_even ? before : crossings - before);
+    const std::ptrdiff_t place = 1 + std::ptrdiff_t(is_first ? before : crossings - before);
     trace.insert(trace.begin() + place,
                  Trace_point<FT>{{h, tri.place_along(h, part.end)}, {spoke, FT(0)}});
   }

@@ -73,6 +73,23 @@ inline const char* to_string(Operation_status status)
 inline Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns whether `h` is the first halfedge of its edge `e`, which is `mesh.halfedge(e, 0)` in
+/// every `Surface_mesh`.
+inline bool is_first_halfedge(Halfedge_index h) { return h.idx() % 2 == 0; }
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns the first halfedge of an edge; what is recorded along the edge has this direction.
+inline Halfedge_index first_halfedge(Edge_index e) { return Halfedge_index(2 * e.idx()); }
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns `x` if `h` is the first halfedge of its edge, otherwise the opposite of `x`: a halfedge
+/// that is recorded for the first halfedge of an edge, as seen from `h`. This is its own inverse.
+inline Halfedge_index directed_as(Halfedge_index h, Halfedge_index x)
+{
+  return Halfedge_index(x.idx() ^ (h.idx() & 1));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns the outgoing halfedge after `h` in counterclockwise order around the source of `h`.
 /// \pre `h` is not a border halfedge
 template <typename P>
@@ -212,6 +229,16 @@ void cut_ear(Halfedge_index h, Surface_mesh<P>& mesh)
   mesh.set_face(cut, mesh.face(h));
   mesh.set_halfedge(mesh.face(h), h);
   set_triangle(first, second, mesh.opposite(cut), mesh.add_face(), mesh);
+}
+
+// Gives each vertex its halfedge, a border halfedge if it is on the boundary, where halfedges and
+// faces have been linked.
+template <typename P>
+void set_halfedges_of_vertices(Surface_mesh<P>& mesh)
+{
+  for(Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h) || mesh.is_isolated(mesh.target(h)))
+      mesh.set_halfedge(mesh.target(h), h);
 }
 
 } // namespace internal

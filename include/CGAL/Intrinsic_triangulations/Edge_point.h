@@ -27,7 +27,23 @@ struct Edge_point
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// the same point seen from the other side of its edge.
+/// returns the point that is at `t` on the first halfedge of the edge of `h`, as a point on `h`.
+template <typename FT>
+Edge_point<FT> edge_point(Halfedge_index h, const FT& t)
+{
+  return {h, is_first_halfedge(h) ? t : FT(1 - t)};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the place of `p` on the first halfedge of its edge.
+template <typename FT>
+FT place_on_first_halfedge(const Edge_point<FT>& p)
+{
+  return is_first_halfedge(p.halfedge) ? p.t : FT(1 - p.t);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the same point seen from the other side of its edge.
 template <typename FT>
 Edge_point<FT> reversed(const Edge_point<FT>& p, const Delta_complex& mesh)
 {
@@ -54,13 +70,19 @@ template <typename FT>
 using Face_location = std::pair<Face_index, std::array<FT, 3>>;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// where a vertex of \f$T_2\f$ that is no vertex of \f$T_1\f$ lies on \f$T_1\f$.
+/// where a point lies on a triangulation: at a vertex, on an edge, or inside a face.
 template <typename FT>
-struct Inserted_vertex
+struct Surface_place
 {
-  Halfedge_index along; ///< a halfedge of the edge on which it lies; null if it lies inside a face
+  Halfedge_index along; ///< a halfedge on which it lies, or that starts at it if it is a vertex;
+                        ///< null if it lies inside a face
   Face_location<FT> location; ///< its place in the face, or in that of `along`
 };
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// where a vertex of \f$T_2\f$ that is no vertex of \f$T_1\f$ lies on \f$T_1\f$.
+template <typename FT>
+using Inserted_vertex = Surface_place<FT>;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// a point where an edge of \f$T_1\f$ and an edge of \f$T_2\f$ meet: its place on both.

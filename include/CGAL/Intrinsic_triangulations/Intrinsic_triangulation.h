@@ -11,19 +11,20 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
-#include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
-#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
 
 #include <array>
 #include <cstddef>
+#include <iostream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,16 +32,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 namespace internal {
-
-// whether points inside faces have distances in this geometry, so that vertices can be inserted
-template <typename Traits, typename = void>
-struct Has_distance : std::false_type
-{};
-
-template <typename Traits>
-struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_distance_object())>>
-  : std::true_type
-{};
 
 template <typename Traits>
 class Input_splitter;
@@ -51,48 +42,64 @@ class Input_splitter;
 /// a triangulation \f$T_2\f$ of a surface that is given by an input triangulation \f$T_1\f$ with
 /// edge lengths, and the correspondence between the two.
 ///
-/// The edges of \f$T_2\f$ are geodesics on the surface of \f$T_1\f$. The class owns the
-/// connectivity and edge lengths of both, and the integer coordinates (normal coordinates and
-/// roundabouts) that say how the edges of \f$T_1\f$ run over \f$T_2\f$. Its operations keep them
-/// consistent. \f$T_1\f$ never changes, and the mesh that it was made from is only read.
+/// The edges of \f$T_2\f$ are geodesics on the surface of \f$T_1\f$. The class adds the operations
+/// that change \f$T_2\f$ to `Triangulation_pair`, and keeps the integer coordinates consistent.
+/// \f$T_1\f$ never changes, and the mesh that it was made from is only read.
 ///
-/// Vertices of both triangulations, and edges and faces of \f$T_1\f$, have the numbers of their
-/// order in the ranges `vertices(g)`, `edges(g)`, `faces(g)` of the input; `halfedge(e, g)` becomes
-/// halfedge
+/// Vertices of both triangulations, and edges and faces of \f$T_1\f$, are numbered in the order of
+/// the ranges `vertices(g)`, `edges(g)`, `faces(g)` of the input; `halfedge(e, g)` becomes halfedge
 /// \f$2e\f$. Isolated vertices are kept. \f$T_2\f$ can have more vertices (Section 3.5), whose
-/// places on
-/// \f$T_1\f$ are kept too; they come after those of the input.
+/// places on \f$T_1\f$ are kept too; they come after those of the input.
+///
+/// Copying takes linear time, moving constant time; an object that has been moved from may only be
+/// assigned to or destroyed.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
+/// \cgalModels `IntrinsicSurface`, as the surface of \f$T_2\f$
 template <typename Traits_ = Euclidean_geometry_traits<double>>
-class Intrinsic_triangulation
+class Intrinsic_triangulation : public Triangulation_pair<Traits_>
 {
   typedef Intrinsic_triangulation Self;
+  typedef Triangulation_pair<Traits_> Base;
+  using Base::attach;
+  using Base::m_coordinates;
+  using Base::m_input;
+  using Base::m_inserted;
+  using Base::m_is_constrained;
+  using Base::m_length;
+  using Base::m_mesh;
+  using Base::m_spokes;
+  using Base::m_traits;
 
 public:
-  /// the geometry.
-  typedef Traits_ Traits;
-  /// the type of lengths and barycentric coordinates.
-  typedef typename Traits::FT FT;
-  /// the type of normal coordinates.
-  typedef typename Traits::Integer Integer;
-  /// the type of the integer coordinates.
-  typedef Integer_coordinates<Integer> Coordinates;
-  /// the type of numbers of elements.
-  typedef Delta_complex::size_type size_type;
-  /// the type of the maps of edge lengths.
-  typedef Delta_complex::Property_map<Edge_index, FT> Edge_length_map;
+  using Base::distance;
+  using Base::first_inserted_spoke;
+  using Base::input;
+  using Base::input_location;
+  using Base::inserted_vertex;
+  using Base::intrinsic;
+  using Base::is_constrained;
+  using Base::is_inserted;
+  using Base::lay_out;
+  using Base::number_of_inserted_vertices;
+  using Base::shared_length;
+  using typename Base::Coordinates;
+  using typename Base::Edge_length_map;
+  using typename Base::FT;
+  using typename Base::Integer;
+  using typename Base::size_type;
+  using typename Base::Traits;
 
   /// \name Construction
   /// @{
 
   /// creates a triangulation of the empty surface.
-  Intrinsic_triangulation() { attach(); }
+  Intrinsic_triangulation() = default;
 
   /// creates the triangulation \f$T_2 = T_1\f$ of the surface of `g`.
   ///
   /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`; a Delta-complex, with loops
-  ///         and parallel edges, is welcome
+  ///         and parallel edges, is allowed
   /// \tparam NamedParameters a sequence of named parameters
   /// \param g the input; every face a triangle, with or without boundary, of any genus and number
   ///        of components
@@ -125,20 +132,22 @@ public:
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
                                    const NamedParameters& np = CGAL::parameters::default_values())
-    : m_traits(CGAL::parameters::choose_parameter(
+    : Base(CGAL::parameters::choose_parameter(
         CGAL::parameters::get_parameter(np, CGAL::internal_np::geom_traits), Traits()))
   {
     m_input.resize(internal::size_of(vertices(g)), internal::size_of(edges(g)),
                    internal::size_of(faces(g)));
-    m_input_length = add_length_map(m_input);
     internal::with_numbering(g, [&](const auto& numbering) {
       internal::copy_connectivity(g, numbering, m_input);
-      copy_lengths(g, numbering, np);
+      internal::copy_lengths(g, np, numbering, input(), m_traits);
     });
     m_mesh = m_input;
     attach();
     m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
-    internal::with_numbering(g, [&](const auto& numbering) { copy_constraints(g, numbering, np); });
+    internal::with_numbering(g, [&](const auto& numbering) {
+      internal::copy_constraints(
+        g, np, numbering, [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
+    });
   }
 
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the
@@ -149,77 +158,22 @@ public:
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
                           std::vector<Inserted_vertex<FT>> inserted = {},
                           const Traits& traits = Traits())
-    : m_traits(traits),
-      m_input(std::move(input)),
-      m_mesh(std::move(mesh)),
-      m_inserted(std::move(inserted))
+    : Base(traits, std::move(input), std::move(mesh), std::move(inserted))
   {
-    attach();
     for(const Delta_complex* complex : {&m_input, &m_mesh})
       if(!is_valid_Delta_complex(*complex))
         throw Invalid_input(internal::Delta_complex_defect(*complex));
     m_spokes = Vertex_spokes(m_input, boost::dummy_property_map());
     for(Edge_index e : m_input.edges())
-      check_length(e);
-    check_inserted();
+      internal::check_length(e, this->input(), m_traits);
+    internal::check_inserted(*this);
     number_inserted_spokes();
-    check_triangles(m_input, m_input_length);
-    check_triangles(m_mesh, m_length);
-    const std::string defect = this->defect();
+    internal::check_triangles(this->input(), m_traits);
+    internal::check_triangles(intrinsic(), m_traits);
+    const std::string defect = internal::correspondence_defect(*this);
     if(!defect.empty())
       throw Invalid_input(defect);
   }
-
-  /// copies everything. Complexity: linear.
-  Intrinsic_triangulation(const Self& other)
-    : m_traits(other.m_traits),
-      m_input(other.m_input),
-      m_spokes(other.m_spokes),
-      m_mesh(other.m_mesh),
-      m_inserted(other.m_inserted)
-  {
-    attach();
-  }
-
-  /// moves everything; of `other` only assignment and destruction are left. Complexity: constant.
-  Intrinsic_triangulation(Self&& other) = default;
-  /// moves everything; of `other` only assignment and destruction are left.
-  Self& operator=(Self&& other) = default;
-  /// copies everything. Complexity: linear.
-  Self& operator=(const Self& other) { return *this = Self(other); }
-
-  /// @}
-  /// \name Access
-  /// @{
-
-  /// the connectivity of \f$T_1\f$.
-  const Delta_complex& input_mesh() const { return m_input; }
-
-  /// the connectivity of \f$T_2\f$.
-  const Delta_complex& mesh() const { return m_mesh; }
-
-  /// the length of the edge `e` of \f$T_1\f$.
-  const FT& input_length(Edge_index e) const { return m_input_length[e]; }
-
-  /// the length of the edge `e` of \f$T_2\f$.
-  const FT& length(Edge_index e) const { return m_length[e]; }
-
-  /// the edge lengths of \f$T_1\f$.
-  const Edge_length_map& input_length_map() const { return m_input_length; }
-  /// the edge lengths of \f$T_2\f$.
-  const Edge_length_map& length_map() const { return m_length; }
-
-  /// the spokes of \f$T_1\f$.
-  const Vertex_spokes& spokes() const { return m_spokes; }
-
-  /// the integer coordinates of \f$T_2\f$.
-  const Coordinates& coordinates() const { return m_coordinates; }
-
-  /// whether the edge `e` of \f$T_2\f$ must not be flipped.
-  bool is_constrained(Edge_index e) const { return m_is_constrained[e]; }
-
-  /// the geometry.
-  const Traits& traits() const { return m_traits; }
 
   /// @}
   /// \name Flipping
@@ -274,12 +228,11 @@ public:
     std::vector<FT> lengths(m_mesh.num_edges());
     typename Traits::Geodesic_strip strip;
     for(Edge_index e : m_mesh.edges()) {
-      const Halfedge_index h(2 * e.idx());
-      const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(e, m)); };
+      const Halfedge_index h = first_halfedge(e);
+      const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(h, m)); };
       lengths[e] = m_coordinates.is_shared(e) ? shared_length(h)
-                   : crossings.count(e) == 0
-                     ? distance_from_inserted(input_location(h), input_location(m_mesh.opposite(h)))
-                     : lay_out(strip, h, exit, crossings.count(e));
+                   : crossings.count(e) == 0  ? length_in_face(h)
+                                              : lay_out(strip, h, exit, crossings.count(e));
       if(!m_traits.is_length_object()(lengths[e]))
         throw Numerical_error("the strip of edge " + std::to_string(e.idx()) +
                               " has no positive finite length");
@@ -313,21 +266,6 @@ public:
   /// be inserted if `Traits` is a model of `IntrinsicGeometryTraitsWithDistance`.
   /// @{
 
-  /// the number of vertices that only \f$T_2\f$ has.
-  size_type number_of_inserted_vertices() const
-  {
-    return m_mesh.number_of_vertices() - m_input.number_of_vertices();
-  }
-
-  /// whether `v` is a vertex of \f$T_2\f$ only.
-  bool is_inserted(Vertex_index v) const { return v.idx() >= m_input.number_of_vertices(); }
-
-  /// where the inserted vertex `v` lies on \f$T_1\f$. \pre `is_inserted(v)`
-  const Inserted_vertex<FT>& inserted_vertex(Vertex_index v) const
-  {
-    return m_inserted[v.idx() - m_input.number_of_vertices()];
-  }
-
   /// inserts a vertex into a face of \f$T_2\f$ and joins it to the corners (see
   /// `Integer_coordinates::split_face()`). Complexity: constant.
   /// \param p the point on \f$T_2\f$
@@ -344,8 +282,9 @@ public:
     const auto side = sides(p.first, m_mesh);
     std::array<FT, 3> spoke_length;
     for(std::size_t s = 0; s < 3; ++s)
-      spoke_length[s] = at.n[s] < 0 ? shared_length(q, at.r[s], m_mesh.source(side[s]))
-                                    : checked_length(distance_to_corner(side[0], p.second, s));
+      spoke_length[s] = at.n[s] < 0
+                          ? internal::shared_spoke_length(*this, q, at.r[s], m_mesh.source(side[s]))
+                          : internal::distance_to_corner(*this, side[0], p.second, s);
     const Vertex_index m =
       m_coordinates.split_face(side[0], at, first_inserted_spoke(q.along), m_mesh, m_spokes);
     set_inserted(m, q);
@@ -374,12 +313,16 @@ public:
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
     const bool was_constrained = m_is_constrained[e];
-    const Vertex_index i = m_mesh.source(h), j = m_mesh.target(h);
+    const auto shared = [&](size_type r, Vertex_index v) {
+      return internal::shared_spoke_length(*this, q, r, v);
+    };
+    const auto part = [&](const FT& t) { return internal::checked_length(*this, t * m_length[e]); };
+    const auto apex = [&](Halfedge_index x) { return m_mesh.target(m_mesh.next(x)); };
     const Edge_split<FT> length{
-      n.im < 0 ? shared_length(q, r.im, i) : checked_length(t * m_length[e]),
-      n.mj < 0 ? shared_length(q, r.mj, j) : checked_length((1 - t) * m_length[e]),
-      n.mk < 0 ? shared_length(q, r.mk, apex(h)) : distance_to_apex(h, t),
-      n.ml < 0 ? shared_length(q, r.ml, apex(o)) : distance_to_apex(o, 1 - t)};
+      n.im < 0 ? shared(r.im, m_mesh.source(h)) : part(t),
+      n.mj < 0 ? shared(r.mj, m_mesh.target(h)) : part(1 - t),
+      n.mk < 0 ? shared(r.mk, apex(h)) : internal::distance_to_apex(*this, h, t),
+      n.ml < 0 ? shared(r.ml, apex(o)) : internal::distance_to_apex(*this, o, FT(1 - t))};
     const Vertex_index m =
       m_coordinates.split_edge(h, n, r, first_inserted_spoke(q.along), m_mesh, m_spokes);
     set_inserted(m, q);
@@ -399,25 +342,6 @@ public:
     return m_mesh.prev(m_mesh.is_border(h) ? h : m_mesh.opposite(m_mesh.prev(h)));
   }
 
-  /// the place on \f$T_1\f$ of the point at `t` on the halfedge `h` of \f$T_2\f$.
-  /// \pre the edge of `h` is shared and \f$0 < t < 1\f$
-  /// \throws Numerical_error if there is no number between the places of its ends
-  Inserted_vertex<FT> place_on_shared(Halfedge_index h, const FT& t) const
-  {
-    const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
-    const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
-    if(!(start.t < p.t && p.t < 1 - end.t))
-      throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
-    const Edge_point<FT> inside = m_input.is_border(p.halfedge) ? reversed(p, m_input) : p;
-    return {inside.halfedge, face_location(inside, m_input)};
-  }
-
-  /// the number of the spoke `spoke` at a vertex inserted on its edge.
-  size_type number_of_inserted_spoke(Halfedge_index spoke) const
-  {
-    return first_inserted_spoke(spoke) == spoke ? 0 : 1;
-  }
-
   /// removes an inserted vertex that three edges, or on the boundary two faces, are left at (see
   /// `remove_degree_3_vertex()`). If it lies on an edge of \f$T_1\f$ and both parts are edges of
   /// \f$T_2\f$, the edge in their place is shared again. The elements are marked as removed, see
@@ -426,7 +350,7 @@ public:
   /// \pre `is_inserted(v)`, and `removal_status(v, mesh()) == Operation_status::possible`
   Face_index remove_degree_3_vertex(Vertex_index v)
   {
-    const Merged_edge merged = merged_edge(v);
+    const internal::Merged_edge merged = internal::merged_edge(*this, v);
     const Face_index f = Intrinsic_triangulations::remove_degree_3_vertex(v, m_mesh);
     if(merged.side.is_valid()) {
       m_coordinates.set_shared(merged.side, merged.r_source, merged.r_target);
@@ -454,96 +378,8 @@ public:
   }
 
   /// @}
-  /// \name Correspondence
+  /// \name Validity
   /// @{
-
-  /// the distance of two points of one face of \f$T_1\f$; `Traits` is a model of
-  /// `IntrinsicGeometryTraitsWithDistance`. \pre `p.first == q.first`
-  FT distance(const Face_location<FT>& p, const Face_location<FT>& q) const
-  {
-    return m_traits.compute_distance_object()(
-      side_lengths(m_input.halfedge(p.first), m_input, m_input_length), p.second, q.second);
-  }
-
-  /// the place of the source of the halfedge `h` of \f$T_2\f$ on `input_spoke_before(h)`, if that
-  /// is not null.
-  Edge_point<FT> start_on_spoke(Halfedge_index h) const
-  {
-    const Halfedge_index spoke = input_spoke_before(h);
-    return {spoke, spoke.is_valid() ? place_along(spoke, m_mesh.source(h)) : FT(0)};
-  }
-
-  /// the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose source it
-  /// is unless it has been inserted. \pre it lies on the edge of `input`
-  FT place_along(Halfedge_index input, Vertex_index v) const
-  {
-    if(!is_inserted(v))
-      return FT(0);
-    const Inserted_vertex<FT>& m = inserted_vertex(v);
-    const FT t = edge_point(m.along, m.location, m_input).t;
-    return input == m.along ? t : FT(1 - t);
-  }
-
-  /// the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of `at.halfedge`,
-  /// which contains `v`, unless `v` lies inside a face. If `v` is a vertex of \f$T_1\f$, its place
-  /// is `at`.
-  Face_location<FT> input_location(Vertex_index v, const Edge_point<FT>& at) const
-  {
-    if(!is_inserted(v))
-      return face_location(at, m_input);
-    if(!inserted_vertex(v).along.is_valid())
-      return inserted_vertex(v).location;
-    return face_location(Edge_point<FT>{at.halfedge, place_along(at.halfedge, v)}, m_input);
-  }
-
-  /// the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into which
-  /// `h` leads, or which lies on its left if its edge is shared. \pre `h` is no border halfedge
-  Face_location<FT> input_location(Halfedge_index h) const
-  {
-    return input_location(m_mesh.source(h), {input_spoke_before(h), FT(0)});
-  }
-
-  /// lays out the triangles of \f$T_1\f$ through which the halfedge `h` of \f$T_2\f$ runs.
-  /// \param strip the strip to be laid out
-  /// \param h the halfedge
-  /// \param exit a function: exit(m) is the halfedge of \f$T_1\f$ through which `h` leaves a face
-  ///        as its number m
-  /// \param n the number of crossings, positive
-  /// \returns the length of `h`
-  template <typename Exit>
-  FT lay_out(typename Traits::Geodesic_strip& strip, Halfedge_index h, const Exit& exit,
-             std::size_t n) const
-  {
-    if constexpr(internal::Has_distance<Traits>::value)
-      internal::lay_out_strip(
-        strip, m_input, m_input_length, exit, n,
-        std::make_pair(
-          coordinates_beyond(exit(0), input_location(h)),
-          coordinates_beyond(m_input.opposite(exit(n - 1)), input_location(m_mesh.opposite(h)))));
-    else
-      internal::lay_out_strip(strip, m_input, m_input_length, exit, n);
-    return strip.length();
-  }
-
-  /// the halfedge of \f$T_1\f$ that coincides with the halfedge `h` of \f$T_2\f$.
-  /// \pre the edge of `h` is shared
-  Halfedge_index input_halfedge(Halfedge_index h) const
-  {
-    return m_coordinates.shared_halfedge(h, m_mesh, m_spokes);
-  }
-
-  /// the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around its
-  /// source; null if the source lies inside a face of \f$T_1\f$.
-  Halfedge_index input_spoke_before(Halfedge_index h) const
-  {
-    const Vertex_index v = m_mesh.source(h);
-    if(m_spokes.degree(v) == 0)
-      return m_mesh.null_halfedge();
-    const size_type r = m_coordinates.roundabout(h);
-    if(m_coordinates.is_shared(m_mesh.edge(h)))
-      return m_spokes.halfedge(v, r);
-    return m_spokes.halfedge(v, (r == 0 ? m_spokes.degree(v) : r) - 1);
-  }
 
   /// checks everything: connectivity, lengths, integer coordinates, and that every edge of
   /// \f$T_1\f$ runs over \f$T_2\f$ to its other end. Complexity: linear in the elements and
@@ -552,7 +388,7 @@ public:
   {
     std::string defect = internal::Delta_complex_defect(m_mesh);
     if(defect.empty())
-      defect = this->defect();
+      defect = internal::correspondence_defect(*this);
     if(verbose && !defect.empty())
       std::cerr << defect << '\n';
     return defect.empty();
@@ -563,104 +399,18 @@ public:
 private:
   friend class internal::Input_splitter<Traits>;
 
-  static Edge_length_map add_length_map(Delta_complex& mesh)
-  {
-    return mesh.template add_property_map<Edge_index, FT>("e:length", FT(0)).first;
-  }
-
-  // (re)binds the property maps to the meshes
-  void attach()
-  {
-    m_input_length = add_length_map(m_input);
-    m_length = add_length_map(m_mesh);
-    m_coordinates = Coordinates(m_mesh);
-    m_is_constrained =
-      m_mesh.template add_property_map<Edge_index, bool>("e:is_constrained", false).first;
-  }
-
   bool can_be_turned(Halfedge_index h) const
   {
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
   }
 
-  // the length of an edge that lies along one of T1
-  FT shared_length(Halfedge_index h) const
-  {
-    return part_length(start_on_spoke(h), start_on_spoke(m_mesh.opposite(h)));
-  }
-
-  // the length of such an edge from a new vertex at `m` to the vertex `v`, along spoke `r` of the
-  // new one
-  FT shared_length(const Inserted_vertex<FT>& m, size_type r, Vertex_index v) const
-  {
-    const Halfedge_index first = first_inserted_spoke(m.along);
-    const Halfedge_index spoke = r == 0 ? first : m_input.opposite(first);
-    const FT t = edge_point(m.along, m.location, m_input).t;
-    const Halfedge_index back = m_input.opposite(spoke);
-    return checked_length(
-      part_length({spoke, spoke == m.along ? t : FT(1 - t)}, {back, place_along(back, v)}));
-  }
-
-  // The length of the part of an edge of T1 between two points, one seen from each of its ends. It
-  // is the same to the bit from both sides.
-  FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
-  {
-    const bool is_even = start.halfedge.idx() % 2 == 0;
-    const FT &first = is_even ? start.t : end.t, &last = is_even ? end.t : start.t;
-    const FT& length = m_input_length[m_input.edge(start.halfedge)];
-    return first == 0 && last == 0 ? length : FT((1 - last - first) * length);
-  }
-
-  // of the corner opposite to `h`; null beyond the boundary
-  Vertex_index apex(Halfedge_index h) const
-  {
-    return m_mesh.is_border(h) ? m_mesh.null_vertex() : m_mesh.target(m_mesh.next(h));
-  }
-
-  static std::array<FT, 3> side_lengths(Halfedge_index h, const Delta_complex& mesh,
-                                        const Edge_length_map& length)
-  {
-    return {length[mesh.edge(h)], length[mesh.edge(mesh.next(h))], length[mesh.edge(mesh.prev(h))]};
-  }
-
-  // in the face of `h` in T2, whose corner 0 is the source of `h`
-  FT distance_to_corner(Halfedge_index h, const std::array<FT, 3>& p, std::size_t corner) const
-  {
-    return m_traits.compute_distance_object()(side_lengths(h, m_mesh, m_length), p,
-                                              barycentric_coordinates(corner, FT(0)));
-  }
-
-  // the distance from the point at `t` on `h` to the opposite corner, 0 beyond the boundary
-  FT distance_to_apex(Halfedge_index h, const FT& t) const
-  {
-    if(m_mesh.is_border(h))
-      return FT(0);
-    return checked_length(distance_to_corner(h, barycentric_coordinates(0, t), 2));
-  }
-
-  // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side`
-  // first
-  std::array<FT, 3> coordinates_beyond(Halfedge_index side, const Face_location<FT>& p) const
-  {
-    return coordinates_from(m_input.prev(side), p, m_input);
-  }
-
-  // A distance that is asked for only if vertices have been inserted; otherwise 0, which is no
-  // length.
-  FT distance_from_inserted([[maybe_unused]] const Face_location<FT>& p,
-                            [[maybe_unused]] const Face_location<FT>& q) const
+  // of an edge inside a face of T1; 0, which is no length, if no vertices can be inserted
+  FT length_in_face([[maybe_unused]] Halfedge_index h) const
   {
     if constexpr(internal::Has_distance<Traits>::value)
-      return distance(p, q);
+      return distance(input_location(h), input_location(m_mesh.opposite(h)));
     else
       return FT(0);
-  }
-
-  FT checked_length(const FT& length) const
-  {
-    if(!m_traits.is_length_object()(length))
-      throw Numerical_error("an edge at an inserted vertex has no positive finite length");
-    return length;
   }
 
   void set_edge(Halfedge_index h, const FT& length, bool is_constrained)
@@ -677,130 +427,6 @@ private:
     m_inserted[i] = place;
   }
 
-  // The edge that takes the place of two at an inserted vertex which lie along one edge of T1.
-  struct Merged_edge
-  {
-    Halfedge_index side; // null if there are no such two
-    size_type r_source, r_target;
-    bool is_constrained;
-  };
-
-  // \pre `v` has three spokes
-  Merged_edge merged_edge(Vertex_index v) const
-  {
-    const Halfedge_index a = first_spoke(v, m_mesh);
-    if(m_mesh.is_border(v))
-      return merged_edge(next_spoke(next_spoke(a, m_mesh), m_mesh), a, a);
-    Halfedge_index x = a;
-    do {
-      const Halfedge_index y = next_spoke(x, m_mesh);
-      if(m_coordinates.is_shared(m_mesh.edge(x)) && m_coordinates.is_shared(m_mesh.edge(y)))
-        return merged_edge(x, y, m_mesh.next(x));
-      x = y;
-    } while(x != a);
-    return {};
-  }
-
-  // `side` will lead from the target of the spoke `x` to that of the spoke `y`
-  Merged_edge merged_edge(Halfedge_index x, Halfedge_index y, Halfedge_index side) const
-  {
-    return {side, m_coordinates.roundabout(m_mesh.opposite(x)),
-            m_coordinates.roundabout(m_mesh.opposite(y)),
-            is_constrained(m_mesh.edge(x)) && is_constrained(m_mesh.edge(y))};
-  }
-
-  template <typename Graph, typename Numbering, typename NamedParameters>
-  void copy_lengths(const Graph& g, const Numbering& numbering, const NamedParameters& np)
-  {
-    using CGAL::parameters::choose_parameter;
-    using CGAL::parameters::get_parameter;
-    using CGAL::parameters::is_default_parameter;
-    if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_length_map_t>::value) {
-      const auto length = get_parameter(np, internal_np::edge_length_map);
-      set_input_lengths(g, numbering, [&](auto e) { return FT(get(length, e)); });
-      check_triangles(m_input, m_input_length);
-    } else {
-      const auto point = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                          get_const_property_map(CGAL::vertex_point, g));
-      set_input_lengths(g, numbering, [&](auto e) {
-        return internal::distance<FT>(get(point, source(e, g)), get(point, target(e, g)));
-      });
-    }
-  }
-
-  template <typename Graph, typename Numbering, typename Length>
-  void set_input_lengths(const Graph& g, const Numbering& numbering, const Length& length)
-  {
-    for(auto e : edges(g)) {
-      const Edge_index e_input = m_input.edge(numbering.halfedge_of(halfedge(e, g)));
-      m_input_length[e_input] = length(e);
-      check_length(e_input);
-    }
-  }
-
-  template <typename Graph, typename Numbering, typename NamedParameters>
-  void copy_constraints(const Graph& g, const Numbering& numbering, const NamedParameters& np)
-  {
-    using CGAL::parameters::get_parameter;
-    using CGAL::parameters::is_default_parameter;
-    typedef CGAL::internal_np::edge_is_constrained_t Tag;
-    if constexpr(!is_default_parameter<NamedParameters, Tag>::value) {
-      const auto is_constrained = get_parameter(np, CGAL::internal_np::edge_is_constrained);
-      for(auto e : edges(g))
-        m_is_constrained[m_mesh.edge(numbering.halfedge_of(halfedge(e, g)))] =
-          get(is_constrained, e);
-    }
-  }
-
-  [[noreturn]] void fail_at_length(Edge_index e) const
-  {
-    throw Invalid_input("the length of edge " + std::to_string(e.idx()) + " between vertices " +
-                        std::to_string(m_input.vertex(e, 0).idx()) + " and " +
-                        std::to_string(m_input.vertex(e, 1).idx()) +
-                        " is zero, not finite, or beyond the range of its number type");
-  }
-
-  void check_length(Edge_index e) const
-  {
-    if(!m_traits.is_length_object()(m_input_length[e]))
-      fail_at_length(e);
-  }
-
-  void check_triangles(const Delta_complex& mesh, const Edge_length_map& length_map) const
-  {
-    const auto is_triangle = m_traits.is_triangle_object();
-    for(Face_index f : mesh.faces()) {
-      const Halfedge_index h = mesh.halfedge(f);
-      const auto length = [&](Halfedge_index x) { return length_map[mesh.edge(x)]; };
-      if(!is_triangle(length(h), length(mesh.next(h)), length(mesh.prev(h))))
-        throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()));
-    }
-  }
-
-  // Whether the place of an inserted vertex makes sense by itself.
-  bool is_valid_place(const Inserted_vertex<FT>& m) const
-  {
-    const auto& [f, p] = m.location;
-    if(!f.is_valid() || !m_input.has_valid_index(f) || !(p[0] >= 0 && p[1] >= 0 && p[2] >= 0) ||
-       CGAL::abs(p[0] + p[1] + p[2] - 1) > rounding_unit<FT>())
-      return false;
-    if(!m.along.is_valid())
-      return true;
-    return m_input.has_valid_index(m.along) && m_input.face(m.along) == f &&
-           p[(side_number(m.along, m_input) + 2) % 3] == 0;
-  }
-
-  void check_inserted() const
-  {
-    if(!internal::Has_distance<Traits>::value && !m_inserted.empty())
-      throw Invalid_input("vertices cannot be inserted in this geometry");
-    for(std::size_t i = 0; i < m_inserted.size(); ++i)
-      if(!is_valid_place(m_inserted[i]))
-        throw Invalid_input("inserted vertex " + std::to_string(i) + " has no place in the input");
-    if(m_mesh.num_vertices() != m_input.num_vertices() + m_inserted.size())
-      throw Invalid_input("the numbers of vertices and of places do not fit");
-  }
-
   // The first of the spokes of an inserted vertex follows from the boundary, or from the parity.
   void number_inserted_spokes()
   {
@@ -808,50 +434,6 @@ private:
       if(is_inserted(v))
         m_spokes.set_inserted(v, first_inserted_spoke(inserted_vertex(v).along));
   }
-
-  Halfedge_index first_inserted_spoke(Halfedge_index along) const
-  {
-    return along.is_valid()
-             ? internal::first_inserted_spoke(along, m_input.is_border(along),
-                                              m_input.is_border(m_input.opposite(along)))
-             : along;
-  }
-
-  static std::ptrdiff_t Euler_characteristic(const Delta_complex& mesh)
-  {
-    return std::ptrdiff_t(mesh.number_of_vertices()) - std::ptrdiff_t(mesh.number_of_edges()) +
-           std::ptrdiff_t(mesh.number_of_faces());
-  }
-
-  // What is wrong between the two valid complexes, empty if nothing is.
-  std::string defect() const
-  {
-    if(m_mesh.num_vertices() != m_input.num_vertices() + m_inserted.size() ||
-       Euler_characteristic(m_mesh) != Euler_characteristic(m_input))
-      return "the two triangulations differ in their numbers of elements";
-    for(Edge_index e : m_mesh.edges()) {
-      if(!m_traits.is_length_object()(m_length[e]))
-        return "edge " + std::to_string(e.idx()) + " has no positive finite length";
-      if(m_is_constrained[e] && !m_coordinates.is_shared(e))
-        return "edge " + std::to_string(e.idx()) + " is constrained but not in the input";
-    }
-    if(!m_coordinates.is_valid(m_mesh, m_spokes))
-      return "the integer coordinates contradict each other";
-    for(Edge_index e : m_mesh.edges())
-      if(m_coordinates.is_shared(e) && m_length[e] != shared_length(m_mesh.halfedge(e)))
-        return "edge " + std::to_string(e.idx()) + " is in the input with another length";
-    return internal::curve_defect(m_coordinates, m_mesh, m_input, m_spokes);
-  }
-
-  Traits m_traits;
-  Delta_complex m_input; // T1
-  Edge_length_map m_input_length;
-  Vertex_spokes m_spokes;
-  Delta_complex m_mesh; // T2
-  Edge_length_map m_length;
-  Coordinates m_coordinates;
-  Delta_complex::Property_map<Edge_index, bool> m_is_constrained;
-  std::vector<Inserted_vertex<FT>> m_inserted; // vertices of T2 after those of T1
 };
 
 } // namespace Intrinsic_triangulations

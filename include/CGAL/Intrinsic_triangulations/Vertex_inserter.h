@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
@@ -221,8 +222,7 @@ private:
   FT foot_on_chord(const Coordinates& begin, const Coordinates& end,
                    const Face_location<FT>& p) const
   {
-    const internal::Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri.mesh(),
-                                       m_tri.length_map());
+    const internal::Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri);
     const auto chord = face.between(begin, end);
     const FT square = internal::dot(chord, chord);
     return square > 0 ? internal::dot(chord, face.between(begin, p.second)) / square : FT(0);
@@ -351,9 +351,8 @@ private:
   FT excess_at_source(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh();
-    return internal::angle_at_source(h, mesh, m_tri.length_map()) +
-           internal::angle_at_source(mesh.next(mesh.opposite(h)), mesh, m_tri.length_map()) -
-           FT(CGAL_PI);
+    return internal::angle_at_source(h, m_tri) +
+           internal::angle_at_source(mesh.next(mesh.opposite(h)), m_tri) - pi<FT>();
   }
 
   bool can_be_flipped(Halfedge_index h) const
@@ -407,7 +406,7 @@ Face_index Vertex_inserter<Traits>::remove(Vertex_index v, const After_flip& aft
   for(std::size_t flips = 0; removal_status(v, mesh) != Operation_status::possible; ++flips) {
     const Halfedge_index h = edge_to_flip(v);
     if(!h.is_valid() || flips > 10000)
-      return mesh.null_face();
+      return Delta_complex::null_face();
     flip(h);
     after_flip(h);
   }

@@ -136,7 +136,7 @@ namespace internal {
 inline Halfedge_index first_inserted_spoke(Halfedge_index along, bool is_border,
                                            bool opposite_is_border)
 {
-  const bool is_first = opposite_is_border || (!is_border && along.idx() % 2 == 0);
+  const bool is_first = opposite_is_border || (!is_border && is_first_halfedge(along));
   return is_first ? along : opposite(along);
 }
 

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the normalized angle in which the halfedge `h` of \f$T_2\f$ leaves its source, in the frame of
-/// \f$T_1\f$ there.
+/// computes the normalized angle in which the halfedge `h` of \f$T_2\f$ leaves its source, in the
+/// frame of \f$T_1\f$ there.
 ///
 /// At a vertex of \f$T_1\f$ that is the frame of `Tangent_frames`. At a vertex that has been
 /// inserted on an edge of \f$T_1\f$ the real axis is along its first spoke (see `Vertex_spokes`),
@@ -36,7 +36,7 @@ namespace Intrinsic_triangulations {
 /// \throws Numerical_error if the angles at the source have no positive finite sum, or if the
 ///         layout has no positive finite length
 template <typename Traits>
-typename Traits::FT angle_on_input(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+typename Traits::FT angle_on_input(const Intrinsic_triangulation<Traits>& tri, Halfedge_index h)
 {
   typedef typename Traits::FT FT;
   const auto exits = internal::crossed_halfedges(h, tri);
@@ -45,9 +45,7 @@ typename Traits::FT angle_on_input(Halfedge_index h, const Intrinsic_triangulati
     h, [&](std::size_t m) { return exits[m]; }, exits.size(), tri, strip);
   if(tri.is_inserted(tri.mesh().source(h)))
     return internal::angle_of_inserted_spoke(h, tri) + angle;
-  return internal::Vertex_angles<FT>(tri.input_spoke_before(h), tri.input_mesh(),
-                                     tri.input_length_map())
-    .normalized(angle);
+  return internal::Vertex_angles<FT>(tri.input_spoke_before(h), tri.input()).normalized(angle);
 }
 
 } // namespace Intrinsic_triangulations

@@ -8,13 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -48,32 +45,18 @@ Eigen::SparseMatrix<std::complex<FT>> connection_laplacian(const Delta_complex& 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the matrix \f$L^\nabla\f$ of the energy \f$\sum w_{ij} |X_j - R_{ij} X_i|^2\f$ of tangent
-/// vectors
-/// \f$X\f$ at the vertices, with the weights \f$w_{ij}\f$ of `cotan_laplacian()` and the parallel
-/// transport of `Tangent_frames`. It is Hermitian, and positive semidefinite if no weight is
-/// negative; a loop adds what transport around it turns. The row of an isolated (or removed) vertex
-/// is empty. Complexity: linear.
-/// \param mesh the surface
-/// \param length a readable property map from its edges to their lengths
-/// \param frames the frames of `mesh` with these lengths
+/// computes the matrix \f$L^\nabla\f$ of the energy \f$\sum w_{ij} |X_j - R_{ij} X_i|^2\f$ of
+/// tangent vectors \f$X\f$ at the vertices, with the weights \f$w_{ij}\f$ of `cotan_laplacian()`
+/// and the parallel transport of `Tangent_frames`. It is Hermitian, and positive semidefinite if no
+/// weight is negative; a loop adds what transport around it turns. The row of an isolated (or
+/// removed) vertex is empty. Complexity: linear.
+/// \param surface a model of `IntrinsicSurface`
+/// \param frames the frames of `surface`
 /// \throws Numerical_error if the area of a face is zero or out of range
-template <typename EdgeLengthMap>
-auto connection_laplacian(
-  const Delta_complex& mesh, const EdgeLengthMap& length,
-  const Tangent_frames<typename boost::property_traits<EdgeLengthMap>::value_type>& frames)
+template <typename Surface>
+auto connection_laplacian(const Surface& surface, const Tangent_frames<Length_of<Surface>>& frames)
 {
-  return internal::connection_laplacian(mesh, internal::cotan_weights(mesh, length), frames);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-auto connection_laplacian(Side side, const Intrinsic_triangulation<Traits>& tri,
-                          const Tangent_frames<typename Traits::FT>& frames)
-{
-  return connection_laplacian(internal::mesh_of(side, tri), internal::lengths_of(side, tri),
-                              frames);
+  return internal::connection_laplacian(surface.mesh(), internal::cotan_weights(surface), frames);
 }
 
 } // namespace Intrinsic_triangulations

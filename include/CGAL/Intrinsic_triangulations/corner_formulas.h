@@ -9,11 +9,15 @@
 
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
-#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+
 #include <cmath>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+/// the number \f$\pi\f$: `pi<FT>()`.
+using boost::math::constants::pi;
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// the angle at the corner opposite to side `a` of the triangle with sides `a`, `b`, `c`; 0 or

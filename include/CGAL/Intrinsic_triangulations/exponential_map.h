@@ -11,11 +11,10 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Geodesic_tracer.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <CGAL/iterator.h>
-#include <boost/property_map/property_map.hpp>
 
 #include <complex>
 
@@ -23,8 +22,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// follows the geodesic that starts at the vertex `v` with the tangent vector `vector`, for the
-/// length of this vector: the exponential map at `v`.
+/// follows the geodesic that starts at `source` with the tangent vector `vector`, for the length of
+/// this vector: the exponential map.
+///
+/// At a vertex the angle of the vector is normalized as in `Tangent_frames`. At a point of a face
+/// the vector is in the frame of the face, whose real axis is along `halfedge(source.first)`. From
+/// a point on an edge it may point out of the face. At a corner its angle is measured from the
+/// sides of the face, on the surface, and may lead beyond the face too.
 ///
 /// In every face the geodesic is straight, and it runs straight from face to face. If it hits an
 /// interior vertex (to within `rounding_unit()`), it goes on with half of the angles there on
@@ -36,11 +40,11 @@ namespace Intrinsic_triangulations {
 /// edge for every face passed. But geodesics on either side of a vertex with curvature part there:
 /// what passes a vertex at the distance of such errors has an end on one of its two sides.
 ///
-/// \param v the start, not isolated
-/// \param vector the tangent vector, with an angle normalized as in `Tangent_frames`
-/// \param mesh a triangulated surface; loops, parallel edges and faces that meet themselves are
-/// welcome
-/// \param length a readable property map from its edges to their lengths, floating point numbers
+/// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
+///        and faces that meet themselves are allowed
+/// \param source the start: a vertex that is not isolated, or a `Face_location` with coordinates
+///        that are not negative and sum up to one
+/// \param vector the tangent vector
 /// \param at_boundary whether the geodesic stops at the boundary or goes on along it; in the latter
 ///        case it stays on the boundary until its length is used up
 /// \param path an output iterator for `Edge_point`s: where the geodesic crosses an edge, the
@@ -50,35 +54,14 @@ namespace Intrinsic_triangulations {
 /// Complexity: linear in the faces passed, and the degrees of vertices hit.
 /// \throws Numerical_error if the angles at a vertex on the way have no positive finite sum, or the
 ///         length is so great that steps vanish beside it
-template <typename EdgeLengthMap, typename OutputIterator = CGAL::Emptyset_iterator>
-Geodesic<typename boost::property_traits<EdgeLengthMap>::value_type> trace_geodesic(
-  Vertex_index v,
-  const std::complex<typename boost::property_traits<EdgeLengthMap>::value_type>& vector,
-  const Delta_complex& mesh, const EdgeLengthMap& length,
-  At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
+template <typename Surface, typename Source, typename OutputIterator = CGAL::Emptyset_iterator>
+Geodesic<Length_of<Surface>> trace_geodesic(const Surface& surface, const Source& source,
+                                            const std::complex<Length_of<Surface>>& vector,
+                                            At_boundary at_boundary = At_boundary::stop,
+                                            OutputIterator path = OutputIterator())
 {
-  return internal::Geodesic_tracer<EdgeLengthMap, OutputIterator>(mesh, length, at_boundary, path)
-    .from_vertex(v, vector);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same from the point `p`, with a vector in the frame of its face, whose real axis is along
-/// `halfedge(p.first)`.
-///
-/// From a point on an edge the vector may point out of the face. At a vertex its angle is measured
-/// from the sides of the face, on the surface, and may lead beyond the face too.
-/// \param p the start, with barycentric coordinates that are not negative and sum up to one
-/// \param vector the vector
-/// \param mesh, length, at_boundary, path as above
-template <typename EdgeLengthMap, typename OutputIterator = CGAL::Emptyset_iterator>
-Geodesic<typename boost::property_traits<EdgeLengthMap>::value_type> trace_geodesic(
-  const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& p,
-  const std::complex<typename boost::property_traits<EdgeLengthMap>::value_type>& vector,
-  const Delta_complex& mesh, const EdgeLengthMap& length,
-  At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
-{
-  return internal::Geodesic_tracer<EdgeLengthMap, OutputIterator>(mesh, length, at_boundary, path)
-    .from_point(p, vector);
+  return internal::Geodesic_tracer(internal::view_of(surface), at_boundary, path)
+    .from(source, vector);
 }
 
 namespace internal {
@@ -86,21 +69,21 @@ namespace internal {
 // From a vertex that only T2 has, over T1: the frame there is that of its face, or of its first
 // spoke.
 template <typename Traits, typename OutputIterator>
-Geodesic<typename Traits::FT> trace_from_inserted(Vertex_index v,
+Geodesic<typename Traits::FT> trace_from_inserted(const Intrinsic_triangulation<Traits>& tri,
+                                                  Vertex_index v,
                                                   const std::complex<typename Traits::FT>& vector,
-                                                  const Intrinsic_triangulation<Traits>& tri,
                                                   At_boundary at_boundary, OutputIterator path)
 {
   typedef typename Traits::FT FT;
-  const Delta_complex& mesh = tri.input_mesh();
-  const auto& length = tri.input_length_map();
+  const auto input = tri.input();
+  const Delta_complex& mesh = input.mesh();
   if(tri.spokes().degree(v) == 0)
-    return trace_geodesic(tri.inserted_vertex(v).location, vector, mesh, length, at_boundary, path);
+    return trace_geodesic(input, tri.inserted_vertex(v).location, vector, at_boundary, path);
   const Halfedge_index axis = tri.spokes().halfedge(v, 0);
   const Face_location<FT> p = face_location(Edge_point<FT>{axis, tri.place_along(axis, v)}, mesh);
   const std::complex<FT> turn =
-    Flat_face<FT>(mesh.halfedge(p.first), mesh, length).direction(side_number(axis, mesh));
-  Geodesic<FT> result = trace_geodesic(p, vector * turn, mesh, length, at_boundary, path);
+    Flat_face<FT>(mesh.halfedge(p.first), input).direction(side_number(axis, mesh));
+  Geodesic<FT> result = trace_geodesic(input, p, vector * turn, at_boundary, path);
   result.transport *= turn;
   return result;
 }
@@ -108,31 +91,18 @@ Geodesic<typename Traits::FT> trace_from_inserted(Vertex_index v,
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same on one of the two triangulations of `tri`, from a vertex of \f$T_2\f$. On \f$T_1\f$
-/// this may be an inserted vertex; for the frame there see `angle_on_input()`.
+/// follows the geodesic on one of the two triangulations of `tri` that starts at a vertex of
+/// \f$T_2\f$. On \f$T_1\f$ this may be an inserted vertex; for the frame there see
+/// `angle_on_input()`.
 template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
 Geodesic<typename Traits::FT>
-trace_geodesic(Side side, Vertex_index v, const std::complex<typename Traits::FT>& vector,
-               const Intrinsic_triangulation<Traits>& tri,
+trace_geodesic(const Intrinsic_triangulation<Traits>& tri, Side side, Vertex_index v,
+               const std::complex<typename Traits::FT>& vector,
                At_boundary at_boundary = At_boundary::stop, OutputIterator path = OutputIterator())
 {
   if(side == Side::input && tri.is_inserted(v))
-    return internal::trace_from_inserted(v, vector, tri, at_boundary, path);
-  return trace_geodesic(v, vector, internal::mesh_of(side, tri), internal::lengths_of(side, tri),
-                        at_boundary, path);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same on one of the two triangulations of `tri`, from a point of a face.
-template <typename Traits, typename OutputIterator = CGAL::Emptyset_iterator>
-Geodesic<typename Traits::FT> trace_geodesic(Side side, const Face_location<typename Traits::FT>& p,
-                                             const std::complex<typename Traits::FT>& vector,
-                                             const Intrinsic_triangulation<Traits>& tri,
-                                             At_boundary at_boundary = At_boundary::stop,
-                                             OutputIterator path = OutputIterator())
-{
-  return trace_geodesic(p, vector, internal::mesh_of(side, tri), internal::lengths_of(side, tri),
-                        at_boundary, path);
+    return internal::trace_from_inserted(tri, v, vector, at_boundary, path);
+  return trace_geodesic(tri.surface(side), v, vector, at_boundary, path);
 }
 
 } // namespace Intrinsic_triangulations

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
@@ -32,22 +31,20 @@ namespace Intrinsic_triangulations {
 /// one and have at most three entries, which are not negative. Complexity: linear.
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision
-/// \param tri the triangulation of which it is the subdivision
-template <typename Traits, typename Point>
-Eigen::SparseMatrix<typename Traits::FT>
-interpolation_matrix(Side side, const Common_subdivision<Traits, Point>& subdivision,
-                     const Intrinsic_triangulation<Traits>& tri)
+/// \tparam Subdivision a class derived from `Subdivision_base`
+template <typename Subdivision>
+Eigen::SparseMatrix<typename Subdivision::FT> interpolation_matrix(typename Subdivision::Side side,
+                                                                   const Subdivision& subdivision)
 {
-  typedef typename Traits::FT FT;
-  const Delta_complex& mesh = internal::mesh_of(side, tri);
+  typedef typename Subdivision::FT FT;
   const std::size_t rows = subdivision.mesh().number_of_vertices();
   internal::Sparse_assembly<FT> assembly(2 * rows);
   for(Vertex_index v : subdivision.mesh().vertices()) {
-    const auto w = internal::interpolation_weights(side, v, subdivision, tri);
+    const auto w = subdivision.weights(side, v);
     for(std::size_t c = 0; c < w.size; ++c)
       assembly.add(v, w.vertex[c], w.weight[c]);
   }
-  return assembly.matrix(rows, mesh.number_of_vertices());
+  return assembly.matrix(rows, subdivision.mesh(side).number_of_vertices());
 }
 
 namespace internal {
@@ -119,7 +116,7 @@ mixed_mass_matrix(const Correspondence<Traits>& correspondence)
   for(Face_index f : tri.mesh().faces()) {
     const Marks marks(Side::intrinsic, f, correspondence);
     const internal::Face_map<FT, Marks> face_map(marks, tri.input_mesh());
-    const FT area = internal::Face_metric<FT>(f, tri.mesh(), tri.length_map()).area();
+    const FT area = internal::Face_metric<FT>(f, tri).area();
     for(std::size_t m = 0; m < face_map.regions().size(); ++m) {
       const auto [input_face, region] = face_map.region_map(m);
       internal::add_at_corners<FT>(f, tri.mesh(), input_face, tri.input_mesh(),
@@ -134,21 +131,21 @@ mixed_mass_matrix(const Correspondence<Traits>& correspondence)
 /// \f$L^2\f$ norm, to one that is linear on the faces of `from`. It has the same integral, and is
 /// the same function where that is possible. An isolated vertex keeps its value. Complexity: linear
 /// in the faces and crossings, and a sparse Cholesky factorization.
+/// \param correspondence the crossings of both
 /// \param from the triangulation on whose faces `values` is linear
 /// \param values the values at the vertices
-/// \param correspondence the crossings of both
 /// \throws Numerical_error if the mass matrix cannot be factorized, as happens when all faces at a
 ///         vertex have zero area
 template <typename Traits>
 Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>
-transfer_function(Side from, const Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>& values,
-                  const Correspondence<Traits>& correspondence)
+transfer_function(const Correspondence<Traits>& correspondence, Side from,
+                  const Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>& values)
 {
   typedef typename Traits::FT FT;
   typedef Eigen::SparseMatrix<FT> Matrix;
   const auto& tri = correspondence.triangulation();
   const Side to = from == Side::input ? Side::intrinsic : Side::input;
-  Matrix mass = mass_matrix(to, tri);
+  Matrix mass = mass_matrix(tri.surface(to));
   Matrix mixed = mixed_mass_matrix(correspondence);
   if(from == Side::intrinsic)
     mixed = Matrix(mixed.transpose());

@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
@@ -19,7 +19,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -63,8 +62,8 @@ public:
 
   /// prepares for distances on a surface. Complexity: two sparse Cholesky factorizations.
   ///
-  /// \param mesh the surface, with any number of components, with or without boundary
-  /// \param length a readable property map from its edges to their lengths
+  /// \param surface a model of `IntrinsicSurface`, with any number of components, with or without
+  ///   boundary
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{time_step_factor}
@@ -76,21 +75,13 @@ public:
   /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves a
   ///         matrix without a factorization
   /// \throws Invalid_input if the factor is not positive and finite
-  template <typename EdgeLengthMap,
-            typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  Heat_distance(const Delta_complex& mesh, const EdgeLengthMap& length,
-                const NamedParameters& np = CGAL::parameters::default_values())
-    : m_flow(mesh, length, np),
-      m_gradient(gradient_matrix(mesh, length)),
-      m_divergence(divergence_matrix(mesh, length)),
-      m_poisson(mesh, length)
-  {}
-
-  /// prepares for distances on one of the two triangulations of `tri`; otherwise as above.
-  template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  Heat_distance(Side side, const Intrinsic_triangulation<Traits>& tri,
-                const NamedParameters& np = CGAL::parameters::default_values())
-    : Heat_distance(internal::mesh_of(side, tri), internal::lengths_of(side, tri), np)
+  template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Heat_distance(const Surface& surface,
+                         const NamedParameters& np = CGAL::parameters::default_values())
+    : m_flow(surface, np),
+      m_gradient(gradient_matrix(surface)),
+      m_divergence(divergence_matrix(surface)),
+      m_poisson(surface)
   {}
 
   /// computes the distance of every vertex to the nearest source. It is exactly zero at the sources
@@ -135,8 +126,9 @@ private:
 
   Poisson_solver<FT> with_zero_at(const Vector& is_source) const
   {
-    return Poisson_solver<FT>(m_poisson, boost::make_function_property_map<Vertex_index>(
-                                           [&](Vertex_index v) { return is_source[v.idx()] != 0; }));
+    return Poisson_solver<FT>(m_poisson,
+                              boost::make_function_property_map<Vertex_index>(
+                                [&](Vertex_index v) { return is_source[v.idx()] != 0; }));
   }
 
   // Where there are several sources on a component, the values there are zero already.
@@ -161,28 +153,16 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes the geodesic distance of every vertex to the nearest source (see `Heat_distance`).
 /// Complexity: two sparse Cholesky factorizations.
-/// \param mesh the surface
-/// \param length a readable property map from its edges to their lengths
+/// \param surface a model of `IntrinsicSurface`
 /// \param sources a vertex or a range of vertices
 /// \param np as for `Heat_distance`
 /// \throws Numerical_error, Invalid_input as `Heat_distance`
-template <typename EdgeLengthMap, typename Sources,
+template <typename Surface, typename Sources,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
-auto heat_distance(const Delta_complex& mesh, const EdgeLengthMap& length, const Sources& sources,
+auto heat_distance(const Surface& surface, const Sources& sources,
                    const NamedParameters& np = CGAL::parameters::default_values())
 {
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
-  return Heat_distance<FT>(mesh, length, np).distances(sources);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits, typename Sources,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-auto heat_distance(Side side, const Intrinsic_triangulation<Traits>& tri, const Sources& sources,
-                   const NamedParameters& np = CGAL::parameters::default_values())
-{
-  return heat_distance(internal::mesh_of(side, tri), internal::lengths_of(side, tri), sources, np);
+  return Heat_distance<Length_of<Surface>>(surface, np).distances(sources);
 }
 
 } // namespace Intrinsic_triangulations

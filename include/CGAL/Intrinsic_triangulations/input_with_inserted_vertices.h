@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -59,7 +61,7 @@ public:
   Triangulation split()
   {
     collect_vertices();
-    m_mesh.resize(m_tri.mesh().num_vertices(), size_type(m_marks.size()) + m_input.num_edges(), 0);
+    m_mesh.resize(m_tri.mesh().num_vertices(), m_numbers.number_of_pieces(), 0);
     for(Halfedge_index h : m_input.halfedges())
       set_targets(h);
     for(Face_index f : m_input.faces())
@@ -76,7 +78,7 @@ private:
         const Inserted_vertex<FT>& m = m_tri.inserted_vertex(v);
         const Edge_index e(m.along);
         if(m.along.is_valid())
-          m_marks.push_back({e, m_tri.place_along(m_input.halfedge(e, 0), v), v});
+          m_marks.push_back({e, m_tri.place_along(first_halfedge(e), v), v});
         else
           m_inside.emplace_back(m.location.first, v);
       }
@@ -85,14 +87,13 @@ private:
     std::sort(m_marks.begin(), m_marks.end(), [](const Mark& x, const Mark& y) {
       return std::tie(x.edge, x.t) < std::tie(y.edge, y.t);
     });
-    m_first_mark.assign(m_input.num_edges() + 1, 0);
+    std::vector<size_type> count(m_input.num_edges(), 0);
     for(std::size_t i = 0; i < m_marks.size(); ++i) {
-      ++m_first_mark[m_marks[i].edge + 1];
+      ++count[m_marks[i].edge.idx()];
       if(i > 0 && m_marks[i - 1].edge == m_marks[i].edge && m_marks[i - 1].t == m_marks[i].t)
         fail(m_marks[i].vertex);
     }
-    for(std::size_t e = 1; e < m_first_mark.size(); ++e)
-      m_first_mark[e] += m_first_mark[e - 1];
+    m_numbers = Edge_marks(std::move(count));
   }
 
   [[noreturn]] static void fail(Vertex_index v)
@@ -103,32 +104,19 @@ private:
 
   // ---- Edges of T1 ----
 
-  size_type number_of_marks(Halfedge_index h) const
-  {
-    return m_first_mark[h.idx() / 2 + 1] - m_first_mark[h.idx() / 2];
-  }
+  size_type number_of_marks(Halfedge_index h) const { return m_numbers.size(Edge_index(h)); }
 
-  // mark number `p` on the halfedge `h`, counted from its source
-  const Mark& mark(Halfedge_index h, size_type p) const
-  {
-    return m_marks[h.idx() % 2 == 0 ? m_first_mark[h.idx() / 2] + p
-                                    : m_first_mark[h.idx() / 2 + 1] - 1 - p];
-  }
+  // mark `p` on the halfedge `h`, counted from its source
+  const Mark& mark(Halfedge_index h, size_type p) const { return m_marks[m_numbers(h, p)]; }
 
-  // piece number `p` of the halfedge `h`; it begins at the mark before
-  Halfedge_index piece(Halfedge_index h, size_type p) const
-  {
-    const size_type first = h.idx() / 2 + m_first_mark[h.idx() / 2];
-    return h.idx() % 2 == 0 ? Halfedge_index(2 * (first + p))
-                            : Halfedge_index(2 * (first + number_of_marks(h) - p) + 1);
-  }
+  Halfedge_index piece(Halfedge_index h, size_type p) const { return m_numbers.piece(h, p); }
 
   void set_targets(Halfedge_index h)
   {
     const size_type n = number_of_marks(h);
     for(size_type p = 0; p < n; ++p)
       m_mesh.set_target(piece(h, p), mark(h, p).vertex);
-    m_mesh.set_target(piece(h, n), m_input.target(h));
+    m_mesh.set_target(m_numbers.last_piece(h), m_input.target(h));
   }
 
   // ---- Faces of T1 ----
@@ -168,7 +156,7 @@ private:
     for(size_type p = 0; p < number_of_marks(h); ++p) {
       const Kernel::FT t(static_cast<double>(mark(h, p).t));
       polygon.vertices.push_back(mark(h, p).vertex);
-      polygon.points.push_back(from + (h.idx() % 2 == 0 ? t : Kernel::FT(1 - t)) * (to - from));
+      polygon.points.push_back(from + edge_point(h, t).t * (to - from));
       polygon.pieces.push_back(piece(h, p + 1));
     }
   }
@@ -240,14 +228,12 @@ private:
         const size_type n = number_of_marks(h);
         for(size_type p = 0; p < n; ++p)
           m_mesh.set_next(piece(h, p), piece(h, p + 1));
-        m_mesh.set_next(piece(h, n), piece(m_input.next(h), 0));
+        m_mesh.set_next(m_numbers.last_piece(h), piece(m_input.next(h), 0));
       }
-    for(Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.is_border(h) || m_mesh.is_isolated(m_mesh.target(h)))
-        m_mesh.set_halfedge(m_mesh.target(h), h);
+    set_halfedges_of_vertices(m_mesh);
     for(Vertex_index v : m_input.vertices())
       if(const Halfedge_index h = m_input.halfedge(v); h.is_valid())
-        m_mesh.set_halfedge(v, piece(h, number_of_marks(h)));
+        m_mesh.set_halfedge(v, m_numbers.last_piece(h));
   }
 
   // ---- The result ----
@@ -265,10 +251,16 @@ private:
         for(size_type p = 0; p < number_of_marks(h); ++p)
           set_roundabouts(piece(h, p + 1), m_tri.number_of_inserted_spoke(h), result);
     for(Edge_index e : result.m_mesh.edges())
-      if(e.idx() >= m_marks.size() + m_input.num_edges())
+      if(!is_piece(first_halfedge(e)))
         result.m_coordinates.set(e, 0);
     result.recompute_lengths();
     return result;
+  }
+
+  // whether `h` is part of an edge of T1
+  bool is_piece(Halfedge_index h) const
+  {
+    return Edge_index(h).idx() < m_numbers.number_of_pieces();
   }
 
   // of `h`, which is along spoke `r`, and those clockwise from it in the face of T1
@@ -278,14 +270,14 @@ private:
     do {
       result.m_coordinates.set(h, r);
       h = mesh.next(mesh.opposite(h));
-    } while(h.idx() / 2 >= m_marks.size() + m_input.num_edges());
+    } while(!is_piece(h));
   }
 
   const Triangulation& m_tri;
   const Delta_complex& m_input;
   Delta_complex m_mesh;
   std::vector<Mark> m_marks;                                 // in the order of edges and along them
-  std::vector<size_type> m_first_mark;                       // of each edge
+  Edge_marks m_numbers;                                      // of the marks
   std::vector<std::pair<Face_index, Vertex_index>> m_inside; // in the order of faces
 };
 

@@ -7,70 +7,32 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+#include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cstddef>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-namespace internal {
-
-// The place of a vertex of the subdivision on `side`: the vertices of an edge or face and their
-// weights.
-template <typename FT>
-struct Interpolation_weights
-{
-  std::size_t size;
-  std::array<Vertex_index, 3> vertex;
-  std::array<FT, 3> weight;
-};
-
-template <typename Traits, typename Point>
-Interpolation_weights<typename Traits::FT>
-interpolation_weights(Side side, Vertex_index v,
-                      const Common_subdivision<Traits, Point>& subdivision,
-                      const Intrinsic_triangulation<Traits>& tri)
-{
-  typedef typename Traits::FT FT;
-  const Delta_complex& mesh = mesh_of(side, tri);
-  if(v.idx() < mesh.number_of_vertices())
-    return {1, {v}, {FT(1)}};
-  if(subdivision.is_intrinsic_vertex(v) && !tri.inserted_vertex(v).along.is_valid()) {
-    const auto& [f, b] = tri.inserted_vertex(v).location;
-    const auto side_of_face = sides(f, mesh);
-    return {
-      3,
-      {mesh.source(side_of_face[0]), mesh.source(side_of_face[1]), mesh.source(side_of_face[2])},
-      b};
-  }
-  const auto& p = subdivision.place(side, v);
-  return {2, {mesh.source(p.halfedge), mesh.target(p.halfedge)}, {1 - p.t, p.t}};
-}
-
-} // namespace internal
-
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// pulls a piecewise linear function from one triangulation onto the common subdivision, on which
-/// it is piecewise linear too. Complexity: linear.
+/// pulls a function that is linear on the faces of one triangulation onto a subdivision, on which it
+/// is piecewise linear too. Vertices of that triangulation keep their values, bitwise. Complexity:
+/// linear.
 ///
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision
-/// \param tri the triangulation of which it is the subdivision
 /// \param value a readable property map from the vertices of that triangulation to the values of
 ///        the function: numbers, or points or vectors of a kernel
 /// \param result a writable property map from the vertices of the subdivision to values
-template <typename Traits, typename Point, typename ValueMap, typename ResultMap>
-void interpolate(Side side, const Common_subdivision<Traits, Point>& subdivision,
-                 const Intrinsic_triangulation<Traits>& tri, const ValueMap& value,
-                 ResultMap result)
+/// \tparam Subdivision a class derived from `Subdivision_base`
+template <typename Subdivision, typename ValueMap, typename ResultMap>
+void interpolate(typename Subdivision::Side side, const Subdivision& subdivision,
+                 const ValueMap& value, ResultMap result)
 {
   for(Vertex_index v : subdivision.mesh().vertices()) {
-    const auto w = internal::interpolation_weights(side, v, subdivision, tri);
+    const auto w = subdivision.weights(side, v);
     const auto& first = get(value, w.vertex[0]);
     auto sum = first;
     for(std::size_t c = 1; c < w.size; ++c)

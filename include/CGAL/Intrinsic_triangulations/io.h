@@ -52,17 +52,17 @@ void write_line(std::ostream& os, const First& first, const Rest&... rest)
 }
 
 // The content of a file for one triangulation. `more(e)` is the rest of the line of an edge.
-template <typename LengthMap, typename More>
-void write_complex(std::ostream& os, const Delta_complex& mesh, const LengthMap& length,
-                   const More& more)
+template <typename Surface, typename More>
+void write_complex(std::ostream& os, const Surface& surface, const More& more)
 {
+  const Delta_complex& mesh = surface.mesh();
   write_line(os, mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
   for(Vertex_index v : mesh.vertices())
     write_line(os, mesh.halfedge(v));
   for(Edge_index e : mesh.edges()) {
     const Halfedge_index h(2 * e.idx()), o = mesh.opposite(h);
     write_line(os, mesh.target(h), mesh.target(o), mesh.next(h), mesh.next(o),
-               hexadecimal_text(length[e]) + more(e));
+               hexadecimal_text(get(surface.length_map(), e)) + more(e));
   }
   for(Face_index f : mesh.faces())
     write_line(os, mesh.halfedge(f));
@@ -246,9 +246,8 @@ bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulati
 {
   using internal::number_text;
   os << internal::file_header << '\n';
-  internal::write_complex(os, tri.input_mesh(), tri.input_length_map(),
-                          [](Edge_index) { return std::string(); });
-  internal::write_complex(os, tri.mesh(), tri.length_map(), [&](Edge_index e) {
+  internal::write_complex(os, tri.input(), [](Edge_index) { return std::string(); });
+  internal::write_complex(os, tri.intrinsic(), [&](Edge_index e) {
     const auto& coordinates = tri.coordinates();
     return ' ' + number_text(coordinates.normal_coordinate(e)) + ' ' +
            number_text(coordinates.roundabout(tri.mesh().halfedge(e, 0))) + ' ' +
@@ -256,13 +255,11 @@ bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulati
            (tri.is_constrained(e) ? " 1" : " 0");
   });
   internal::write_line(os, tri.number_of_inserted_vertices());
-  for(Vertex_index v : tri.mesh().vertices())
-    if(tri.is_inserted(v)) {
-      const auto& m = tri.inserted_vertex(v);
-      const auto& b = m.location.second;
-      internal::write_line(os, m.along, m.location.first, internal::hexadecimal_text(b[0]),
-                           internal::hexadecimal_text(b[1]), internal::hexadecimal_text(b[2]));
-    }
+  for(const auto& m : tri.inserted_vertices()) {
+    const auto& b = m.location.second;
+    internal::write_line(os, m.along, m.location.first, internal::hexadecimal_text(b[0]),
+                         internal::hexadecimal_text(b[1]), internal::hexadecimal_text(b[2]));
+  }
   return os.good();
 }
 

@@ -9,17 +9,16 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <CGAL/assertions.h>
-#include <boost/property_map/property_map.hpp>
 
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -66,8 +65,8 @@ class Logarithm_of_path
   typedef typename Shortest_paths<EdgeLengthMap>::Path Path;
 
 public:
-  Logarithm_of_path(bool from_vertex, const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_from_vertex(from_vertex), m_mesh(mesh), m_length(length)
+  Logarithm_of_path(const Surface_view<EdgeLengthMap>& surface, bool from_vertex)
+    : m_surface(surface), m_from_vertex(from_vertex)
   {}
 
   Logarithm<FT> operator()(const Path& path) const
@@ -82,13 +81,11 @@ private:
   FT angle(const Path& path) const
   {
     const FT in_frame = std::arg(path.direction);
-    return m_from_vertex ? Vertex_angles<FT>(path.frame, m_mesh, m_length).normalized(in_frame)
-                         : in_frame;
+    return m_from_vertex ? Vertex_angles<FT>(path.frame, m_surface).normalized(in_frame) : in_frame;
   }
 
+  Surface_view<EdgeLengthMap> m_surface;
   bool m_from_vertex;
-  const Delta_complex& m_mesh;
-  const EdgeLengthMap& m_length;
 };
 
 // The vertex where `p` is; null if it is none.
@@ -101,152 +98,74 @@ Vertex_index vertex_at(const Face_location<FT>& p, const Delta_complex& mesh)
   return Delta_complex::null_vertex();
 }
 
-inline bool is_vertex(Vertex_index, const Delta_complex&) { return true; }
+template <typename Source>
+constexpr bool is_vertex = std::is_same<Source, Vertex_index>::value;
 
-template <typename FT>
-bool is_vertex(const Face_location<FT>& p, const Delta_complex& mesh)
+template <typename Source>
+bool is_valid_source(const Source& source, const Delta_complex& mesh)
 {
-  return vertex_at(p, mesh) != Delta_complex::null_vertex();
-}
-
-// `source` is a vertex or a point that is none.
-template <typename Source, typename EdgeLengthMap, typename FT>
-Logarithm<FT> logarithm_at(const Source& source, const Face_location<FT>& target,
-                           const Delta_complex& mesh, const EdgeLengthMap& length)
-{
-  typedef Shortest_paths<EdgeLengthMap> Paths;
-  const Logarithm_of_path<EdgeLengthMap> logarithm(is_vertex(source, mesh), mesh, length);
-  const Vertex_index v = vertex_at(target, mesh);
-  const bool to_vertex = v != Delta_complex::null_vertex();
-  Paths paths(mesh, length, to_vertex ? Face_location<FT>() : target);
-  paths.start_at(source);
-  return logarithm(to_vertex ? paths.path_to(v) : paths.path_to_target());
-}
-
-template <typename Source, typename EdgeLengthMap>
-auto logarithms_at(const Source& source, const Delta_complex& mesh, const EdgeLengthMap& length)
-{
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
-  Shortest_paths<EdgeLengthMap> paths(mesh, length);
-  paths.start_at(source);
-  paths.run();
-  const Logarithm_of_path<EdgeLengthMap> logarithm(is_vertex(source, mesh), mesh, length);
-  std::vector<Logarithm<FT>> result(mesh.num_vertices());
-  for(Vertex_index v : mesh.vertices())
-    result[v.idx()] = logarithm(paths[v]);
-  return result;
+  if constexpr(is_vertex<Source>)
+    return !mesh.is_isolated(source);
+  else
+    return vertex_at(source, mesh) == Delta_complex::null_vertex();
 }
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the vertex `v`: the shortest tangent vector that leads to `target`, with
-/// an angle normalized as in `Tangent_frames`.
+/// computes the logarithmic map at `source`: the shortest tangent vector that leads to `target`. At
+/// a vertex its angle is normalized as in `Tangent_frames`; at a point of a face the real axis is
+/// along `halfedge(source.first)`.
 ///
-/// The shortest path is found among all, by unfolding faces along the views from `v`, from edge
-/// lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at a
-/// vertex with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary.
+/// The shortest path is found among all, by unfolding faces along the views from the source, from
+/// edge lengths alone. `trace_geodesic()` of the vector ends at `target`, unless the path bends: at
+/// a vertex with an angle sum of more than \f$2\pi\f$, or of more than \f$\pi\f$ on the boundary.
 /// Behind such a vertex there may be points to which no straight line leads. A straight path may
 /// touch the boundary, where `At_boundary::slide` leads on. Of several shortest paths any one is
 /// taken.
 ///
 /// Lengths are accurate to rounding for every face passed. A vector that passes close to a vertex
 /// with curvature may be traced to the wrong side of it (see `trace_geodesic()`).
-/// \param v the vertex, not isolated
+/// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
+///        and faces that meet themselves are allowed
+/// \param source a vertex that is not isolated, or a `Face_location` that is no vertex
 /// \param target a point with barycentric coordinates that are not negative and sum up to one
-/// \param mesh a triangulated surface; loops, parallel edges and faces that meet themselves are
-///   welcome
-/// \param length a readable property map from its edges to their lengths, floating point numbers
 /// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views
 /// up to the distance of `target`; these can be quadratic in the number of faces or more, but tend
 /// to be some dozens for each face within that distance.
 /// \throws Numerical_error if the angles at a vertex have no positive finite sum
-template <typename EdgeLengthMap>
-Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type> logarithmic_map(
-  Vertex_index v,
-  const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& target,
-  const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface, typename Source>
+Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, const Source& source,
+                                              const Face_location<Length_of<Surface>>& target)
 {
-  CGAL_precondition(!mesh.is_isolated(v));
-  return internal::logarithm_at(v, target, mesh, length);
+  const Delta_complex& mesh = surface.mesh();
+  CGAL_precondition(internal::is_valid_source(source, mesh));
+  const auto view = internal::view_of(surface);
+  const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
+  const Vertex_index v = internal::vertex_at(target, mesh);
+  const bool to_vertex = v != Delta_complex::null_vertex();
+  internal::Shortest_paths paths(view, to_vertex ? Face_location<Length_of<Surface>>() : target);
+  paths.start_at(source);
+  return logarithm(to_vertex ? paths.path_to(v) : paths.path_to_target());
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same at the point `p` of a face, with a vector in the frame of this face, whose real axis is
-/// along `halfedge(p.first)`.
-/// \param p a point that is no vertex, with coordinates as those of `target`
-/// \param target, mesh, length as above
-template <typename EdgeLengthMap>
-Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type> logarithmic_map(
-  const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& p,
-  const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& target,
-  const Delta_complex& mesh, const EdgeLengthMap& length)
+/// computes the logarithmic map of all vertices, in a vector by their index; otherwise as above.
+template <typename Surface, typename Source>
+std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surface,
+                                                           const Source& source)
 {
-  CGAL_precondition(!internal::is_vertex(p, mesh));
-  return internal::logarithm_at(p, target, mesh, length);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the vertex `v` of all vertices, in a vector by their index; otherwise as
-/// above.
-template <typename EdgeLengthMap>
-std::vector<Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type>>
-logarithmic_map(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
-{
-  CGAL_precondition(!mesh.is_isolated(v));
-  return internal::logarithms_at(v, mesh, length);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithmic map at the point `p` of all vertices, in a vector by their index; otherwise as
-/// above.
-template <typename EdgeLengthMap>
-std::vector<Logarithm<typename boost::property_traits<EdgeLengthMap>::value_type>>
-logarithmic_map(const Face_location<typename boost::property_traits<EdgeLengthMap>::value_type>& p,
-                const Delta_complex& mesh, const EdgeLengthMap& length)
-{
-  CGAL_precondition(!internal::is_vertex(p, mesh));
-  return internal::logarithms_at(p, mesh, length);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same of one point on one of the two triangulations of `tri`, at a vertex.
-template <typename Traits>
-Logarithm<typename Traits::FT> logarithmic_map(Side side, Vertex_index v,
-                                               const Face_location<typename Traits::FT>& target,
-                                               const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithmic_map(v, target, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same of one point on one of the two triangulations of `tri`, at a point of a face.
-template <typename Traits>
-Logarithm<typename Traits::FT> logarithmic_map(Side side,
-                                               const Face_location<typename Traits::FT>& p,
-                                               const Face_location<typename Traits::FT>& target,
-                                               const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithmic_map(p, target, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same of all vertices on one of the two triangulations of `tri`, at a vertex.
-template <typename Traits>
-std::vector<Logarithm<typename Traits::FT>>
-logarithmic_map(Side side, Vertex_index v, const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithmic_map(v, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same of all vertices on one of the two triangulations of `tri`, at a point of a face.
-template <typename Traits>
-std::vector<Logarithm<typename Traits::FT>>
-logarithmic_map(Side side, const Face_location<typename Traits::FT>& p,
-                const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithmic_map(p, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
+  const Delta_complex& mesh = surface.mesh();
+  CGAL_precondition(internal::is_valid_source(source, mesh));
+  const auto view = internal::view_of(surface);
+  internal::Shortest_paths paths(view);
+  paths.start_at(source);
+  paths.run();
+  const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
+  std::vector<Logarithm<Length_of<Surface>>> result(mesh.num_vertices());
+  for(Vertex_index v : mesh.vertices())
+    result[v.idx()] = logarithm(paths[v]);
+  return result;
 }
 
 } // namespace Intrinsic_triangulations

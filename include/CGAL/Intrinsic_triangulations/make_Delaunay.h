@@ -41,13 +41,6 @@ bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// More flips than real data need: each edge is allowed a thousand, and a hundred million are for
-// small triangulations that are sheared far (a ring of n vertices takes n^2 flips for each turn).
-inline std::size_t default_flip_limit(std::size_t number_of_edges)
-{
-  return 100000000 + 1000 * number_of_edges;
-}
-
 // Whether the lengths around `e` leave no doubt; those beyond the boundary mean nothing.
 template <typename Traits>
 bool is_certainly_Delaunay(Edge_index e, const Intrinsic_triangulation<Traits>& tri)

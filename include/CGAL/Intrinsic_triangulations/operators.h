@@ -9,12 +9,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -27,13 +25,14 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // For each edge half the sum of the cotangents of the angles opposite to it.
-template <typename EdgeLengthMap>
-auto cotan_weights(const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+auto cotan_weights(const Surface& surface)
 {
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef Length_of<Surface> FT;
+  const Delta_complex& mesh = surface.mesh();
   std::vector<FT> result(mesh.num_edges(), FT(0));
   for(Face_index f : mesh.faces()) {
-    const Face_metric<FT> metric(f, mesh, length);
+    const Face_metric<FT> metric(f, surface);
     metric.refuse_if_degenerate();
     const auto h = sides(f, mesh);
     for(std::size_t s = 0; s < 3; ++s)
@@ -45,22 +44,22 @@ auto cotan_weights(const Delta_complex& mesh, const EdgeLengthMap& length)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the matrix \f$L\f$ of the Dirichlet energy: \f$u^T L u = \int |\nabla u|^2\f$ for every function
-/// \f$u\f$ that is linear on the faces. An edge that joins two vertices has the weight
+/// computes the matrix \f$L\f$ of the Dirichlet energy: \f$u^T L u = \int |\nabla u|^2\f$ for every
+/// function \f$u\f$ that is linear on the faces. An edge that joins two vertices has the weight
 /// \f$\frac{1}{2}(\cot\alpha + \cot\beta)\f$ with the angles opposite to it; parallel edges add up,
 /// and a loop contributes nothing. \f$L\f$ is symmetric and positive semidefinite, its kernel are
 /// the functions that are constant on every component. If the triangulation is Delaunay, weights
 /// are not negative, save those of border edges opposite to an obtuse angle. The row of an isolated
 /// (or removed) vertex is empty. Complexity: linear.
-/// \param mesh the surface
-/// \param length a readable property map from its edges to their lengths
+/// \param surface a model of `IntrinsicSurface`
 /// \throws Numerical_error if the area of a face is zero, or it or a cotangent is out of range;
 ///         `make_Delaunay()` often resolves such faces, `mollify()` always
-template <typename EdgeLengthMap>
-auto cotan_laplacian(const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+auto cotan_laplacian(const Surface& surface)
 {
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
-  const auto weights = internal::cotan_weights(mesh, length);
+  typedef Length_of<Surface> FT;
+  const Delta_complex& mesh = surface.mesh();
+  const auto weights = internal::cotan_weights(surface);
   internal::Sparse_assembly<FT> assembly(4 * mesh.number_of_edges());
   for(Edge_index e : mesh.edges()) {
     const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
@@ -76,26 +75,18 @@ auto cotan_laplacian(const Delta_complex& mesh, const EdgeLengthMap& length)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-auto cotan_laplacian(Side side, const Intrinsic_triangulation<Traits>& tri)
+/// computes the integrals \f$\int \varphi_i \varphi_j\f$ of products of hat functions (the
+/// consistent mass matrix). The sum of a row is the entry of `lumped_mass_matrix()`, and the row of
+/// an isolated (or removed) vertex is empty. Complexity: linear.
+/// \param surface a model of `IntrinsicSurface`; its faces may have zero area
+template <typename Surface>
+auto mass_matrix(const Surface& surface)
 {
-  return cotan_laplacian(internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the integrals \f$\int \varphi_i \varphi_j\f$ of products of hat functions (the consistent mass
-/// matrix). The sum of a row is the entry of `lumped_mass_matrix()`, and the row of an isolated (or
-/// removed) vertex is empty. Complexity: linear.
-/// \param mesh the surface; its faces may have zero area
-/// \param length a readable property map from its edges to their lengths
-template <typename EdgeLengthMap>
-auto mass_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
-{
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef Length_of<Surface> FT;
+  const Delta_complex& mesh = surface.mesh();
   internal::Sparse_assembly<FT> assembly(9 * mesh.number_of_faces());
   for(Face_index f : mesh.faces()) {
-    const internal::Face_metric<FT> metric(f, mesh, length);
+    const internal::Face_metric<FT> metric(f, surface);
     for(std::size_t a = 0; a < 3; ++a)
       for(std::size_t b = 0; b < 3; ++b)
         assembly.add(metric.corner(a), metric.corner(b), metric.area() / (a == b ? 6 : 12));
@@ -104,26 +95,18 @@ auto mass_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-auto mass_matrix(Side side, const Intrinsic_triangulation<Traits>& tri)
+/// computes the diagonal matrix of the integrals \f$\int \varphi_i\f$ of the hat functions, which
+/// are a third of the areas of the faces around each vertex. The row of an isolated (or removed)
+/// vertex is empty. Complexity: linear.
+/// \param surface a model of `IntrinsicSurface`; its faces may have zero area
+template <typename Surface>
+auto lumped_mass_matrix(const Surface& surface)
 {
-  return mass_matrix(internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the diagonal matrix of the integrals \f$\int \varphi_i\f$ of the hat functions, which are a
-/// third of the areas of the faces around each vertex. The row of an isolated (or removed) vertex
-/// is empty. Complexity: linear.
-/// \param mesh the surface; its faces may have zero area
-/// \param length a readable property map from its edges to their lengths
-template <typename EdgeLengthMap>
-auto lumped_mass_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
-{
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef Length_of<Surface> FT;
+  const Delta_complex& mesh = surface.mesh();
   internal::Sparse_assembly<FT> assembly(3 * mesh.number_of_faces());
   for(Face_index f : mesh.faces()) {
-    const internal::Face_metric<FT> metric(f, mesh, length);
+    const internal::Face_metric<FT> metric(f, surface);
     for(Vertex_index v : metric.corners())
       assembly.add(v, v, metric.area() / 3);
   }
@@ -131,28 +114,19 @@ auto lumped_mass_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-auto lumped_mass_matrix(Side side, const Intrinsic_triangulation<Traits>& tri)
-{
-  return lumped_mass_matrix(internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the matrix that takes the values of a function at the vertices to its gradients on the faces.
-/// Rows
-/// \f$2f\f$ and \f$2f+1\f$ are the components in the frame of face \f$f\f$, whose x-axis leads
-/// along `halfedge(f)` and whose y-axis points into the face. Complexity: linear.
-/// \param mesh the surface
-/// \param length a readable property map from its edges to their lengths
+/// computes the matrix that takes the values of a function at the vertices to its gradients on the
+/// faces. Rows \f$2f\f$ and \f$2f+1\f$ are the components in the frame of face \f$f\f$, whose
+/// x-axis leads along `halfedge(f)` and whose y-axis points into the face. Complexity: linear.
+/// \param surface a model of `IntrinsicSurface`
 /// \throws Numerical_error if the area of a face is zero or out of range
-template <typename EdgeLengthMap>
-auto gradient_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+auto gradient_matrix(const Surface& surface)
 {
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef Length_of<Surface> FT;
+  const Delta_complex& mesh = surface.mesh();
   internal::Sparse_assembly<FT> assembly(6 * mesh.number_of_faces());
   for(Face_index f : mesh.faces()) {
-    const internal::Face_metric<FT> metric(f, mesh, length);
+    const internal::Face_metric<FT> metric(f, surface);
     metric.refuse_if_degenerate();
     for(std::size_t s = 0; s < 3; ++s)
       for(std::size_t k = 0; k < 2; ++k)
@@ -163,42 +137,26 @@ auto gradient_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-auto gradient_matrix(Side side, const Intrinsic_triangulation<Traits>& tri)
+/// computes the matrix that takes a vector field that is constant on every face, with components as
+/// in `gradient_matrix()`, to its divergence integrated against the hat functions:
+/// \f$-\int \langle X, \nabla\varphi_i\rangle\f$. Its product with the gradient is \f$-L\f$, up to
+/// rounding (`cotan_laplacian()`). At the boundary, what flows out of the surface is subtracted.
+/// Complexity: linear.
+/// \param surface a model of `IntrinsicSurface`; its faces may have zero area
+template <typename Surface>
+auto divergence_matrix(const Surface& surface)
 {
-  return gradient_matrix(internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the matrix that takes a vector field that is constant on every face, with components as in
-/// `gradient_matrix()`, to its divergence integrated against the hat functions:
-/// \f$-\int \langle X, \nabla\varphi_i\rangle\f$. Its product with the gradient is
-/// \f$-L\f$, up to rounding (`cotan_laplacian()`). At the boundary, what flows out of the surface
-/// is subtracted. Complexity: linear.
-/// \param mesh the surface; its faces may have zero area
-/// \param length a readable property map from its edges to their lengths
-template <typename EdgeLengthMap>
-auto divergence_matrix(const Delta_complex& mesh, const EdgeLengthMap& length)
-{
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef Length_of<Surface> FT;
+  const Delta_complex& mesh = surface.mesh();
   internal::Sparse_assembly<FT> assembly(6 * mesh.number_of_faces());
   for(Face_index f : mesh.faces()) {
-    const internal::Face_metric<FT> metric(f, mesh, length);
+    const internal::Face_metric<FT> metric(f, surface);
     for(std::size_t s = 0; s < 3; ++s)
       for(std::size_t k = 0; k < 2; ++k)
         assembly.add(metric.corner((s + 2) % 3).idx(), metric.component(k),
                      -metric.turned_side(s)[k] / 2);
   }
   return assembly.matrix(mesh.num_vertices(), std::size_t(2) * mesh.num_faces());
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-auto divergence_matrix(Side side, const Intrinsic_triangulation<Traits>& tri)
-{
-  return divergence_matrix(internal::mesh_of(side, tri), internal::lengths_of(side, tri));
 }
 
 } // namespace Intrinsic_triangulations

@@ -8,7 +8,6 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_walk.h>
@@ -31,7 +30,7 @@ class Traced_marks
 
 public:
   Traced_marks(Side side, Face_index f, const Intrinsic_triangulation<Traits>& tri)
-    : m_side(side), m_halfedge(sides(f, mesh_of(side, tri))), m_tri(tri)
+    : m_side(side), m_halfedge(sides(f, tri.surface(side).mesh())), m_tri(tri)
   {
     for(std::size_t s = 0; s < 3; ++s)
       m_trace[s] = side == Side::input ? internal::scaled_input_trace(m_halfedge[s], tri)
@@ -64,7 +63,7 @@ public:
 private:
   const Delta_complex& other() const
   {
-    return mesh_of(m_side == Side::input ? Side::intrinsic : Side::input, m_tri);
+    return m_tri.surface(m_side == Side::input ? Side::intrinsic : Side::input).mesh();
   }
 
   const Edge_point<FT>& there(std::size_t s, std::size_t point) const
@@ -86,18 +85,18 @@ private:
 ///
 /// The map is linear on the regions of the common subdivision, or projective in a geometry whose
 /// crossings have scales (see the concept `GeodesicStrip`), and continuous; a vertex goes to the
-/// vertex, exactly, and a point of a shared edge to that edge. There and back is the identity but
-/// for rounding.
+/// vertex, exactly, and a point of a shared edge to that edge. There and back is the identity up
+/// to rounding.
+/// \param correspondence the crossings of both
 /// \param side the triangulation on which `p` lies
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
-/// \param correspondence the crossings of both
 /// Complexity: logarithmic in the number of crossings on the sides of the face. In a face of
 /// \f$T_1\f$ that contains inserted vertices: linear in the regions of the subdivision on the way
 /// from a corner, and logarithmic in their crossings.
 template <typename Traits>
-Face_location<typename Traits::FT> point_across(Side side,
-                                                const Face_location<typename Traits::FT>& p,
-                                                const Correspondence<Traits>& correspondence)
+Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& correspondence,
+                                                Side side,
+                                                const Face_location<typename Traits::FT>& p)
 {
   typedef internal::Correspondence_marks<Traits> Marks;
   if(side == Side::input && correspondence.contains_inserted(p.first) &&
@@ -110,18 +109,17 @@ Face_location<typename Traits::FT> point_across(Side side,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// the same for a single point, without a correspondence: the sides of the face of `p` are traced.
-/// Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for these sides; if `p` is
-/// on
-/// \f$T_1\f$ and vertices have been inserted, that of `Correspondence`.
+/// finds a single point `p` of one triangulation on the other, without a correspondence: the sides
+/// of its face are traced. Complexity: that of `trace_input_edge()` or `trace_intrinsic_edge()` for
+/// these sides; if `p` is on \f$T_1\f$ and vertices have been inserted, that of `Correspondence`.
 template <typename Traits>
-Face_location<typename Traits::FT> point_across(Side side,
-                                                const Face_location<typename Traits::FT>& p,
-                                                const Intrinsic_triangulation<Traits>& tri)
+Face_location<typename Traits::FT> point_across(const Intrinsic_triangulation<Traits>& tri,
+                                                Side side,
+                                                const Face_location<typename Traits::FT>& p)
 {
   typedef internal::Traced_marks<Traits> Marks;
   if(side == Side::input && tri.number_of_inserted_vertices() > 0)
-    return point_across(side, p, Correspondence<Traits>(tri));
+    return point_across(Correspondence<Traits>(tri), side, p);
   const Marks marks(side, p.first, tri);
   const Delta_complex& other = side == Side::input ? tri.mesh() : tri.input_mesh();
   return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);

@@ -8,12 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -49,29 +47,19 @@ public:
   /// the type of functions: a value for each vertex, by its index.
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
-  /// factorizes the matrix of a surface on which no values are prescribed.
-  /// Complexity: a sparse Cholesky factorization.
-  /// \param mesh the surface, with any number of components; isolated vertices are components
-  /// \param length a readable property map from its edges to their lengths
+  /// factorizes the matrix of a surface. Complexity: a sparse Cholesky factorization.
+  /// \param surface a model of `IntrinsicSurface`, with any number of components; isolated vertices
+  ///   are components
+  /// \param is_fixed a readable property map from its vertices to `bool`: where values are
+  ///   prescribed; by default nowhere
   /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves
   ///         the matrix without a factorization
-  template <typename EdgeLengthMap>
-  Poisson_solver(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : Poisson_solver(mesh, length, boost::static_property_map<bool>(false))
-  {}
-
-  /// factorizes the matrix of a surface on which values are prescribed at some vertices; otherwise
-  /// as above.
-  /// \param mesh the surface
-  /// \param length a readable property map from its edges to their lengths
-  /// \param is_fixed a readable property map from its vertices to `bool`: where values are
-  ///   prescribed
-  template <typename EdgeLengthMap, typename VertexIsFixedMap>
-  Poisson_solver(const Delta_complex& mesh, const EdgeLengthMap& length,
-                 const VertexIsFixedMap& is_fixed)
-    : Poisson_solver(internal::Mesh_components(mesh), cotan_laplacian(mesh, length),
-                     lumped_mass_matrix(mesh, length).diagonal(),
-                     fixed_vertices(mesh.num_vertices(), is_fixed))
+  template <typename Surface, typename VertexIsFixedMap = boost::static_property_map<bool>>
+  explicit Poisson_solver(const Surface& surface,
+                          const VertexIsFixedMap& is_fixed = VertexIsFixedMap(false))
+    : Poisson_solver(internal::Mesh_components(surface.mesh()), cotan_laplacian(surface),
+                     lumped_mass_matrix(surface).diagonal(),
+                     fixed_vertices(surface.mesh().num_vertices(), is_fixed))
   {}
 
   /// factorizes the matrix of the surface of `other`, with values prescribed at other vertices.
@@ -84,26 +72,10 @@ public:
                      fixed_vertices(other.m_area.size(), is_fixed))
   {}
 
-  /// the same for one of the two triangulations of `tri`.
-  template <typename Traits>
-  Poisson_solver(Side side, const Intrinsic_triangulation<Traits>& tri)
-    : Poisson_solver(internal::mesh_of(side, tri), internal::lengths_of(side, tri))
-  {}
-
-  /// the same for one of the two triangulations of `tri`.
-  template <typename Traits, typename VertexIsFixedMap>
-  Poisson_solver(Side side, const Intrinsic_triangulation<Traits>& tri,
-                 const VertexIsFixedMap& is_fixed)
-    : Poisson_solver(internal::mesh_of(side, tri), internal::lengths_of(side, tri), is_fixed)
-  {}
-
-  /// solves with zero at the vertices where values are prescribed.
-  /// \param moments the integrals \f$\int f \varphi_i\f$ against the hat functions: the product of
-  ///        `mass_matrix()` with the values of \f$f\f$, or what `divergence_matrix()` gives
-  Vector solve(const Vector& moments) const { return solve(moments, Vector::Zero(m_area.size())); }
-
   /// solves with prescribed values. Complexity: linear in the size of the factorization.
-  /// \param moments as above; they have no influence where values are prescribed
+  /// \param moments the integrals \f$\int f \varphi_i\f$ against the hat functions: the product of
+  ///        `mass_matrix()` with the values of \f$f\f$, or what `divergence_matrix()` gives; they
+  ///        have no influence where values are prescribed
   /// \param values the values; only those at the vertices where they are prescribed are read
   Vector solve(const Vector& moments, const Vector& values) const
   {
@@ -115,6 +87,9 @@ public:
     result += m_unknowns * m_factorization.solve(m_unknowns.transpose() * rest);
     return result - free_means(m_area.cwiseProduct(result));
   }
+
+  /// solves with zero at the vertices where values are prescribed.
+  Vector solve(const Vector& moments) const { return solve(moments, Vector::Zero(m_area.size())); }
 
 private:
   typedef Eigen::SparseMatrix<FT> Matrix;
@@ -195,61 +170,23 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// solves \f$-\Delta u = f\f$ where no values are prescribed (see `Poisson_solver`).
+/// solves \f$-\Delta u = f\f$ (see `Poisson_solver`).
 /// Complexity: a sparse Cholesky factorization.
-/// \param mesh the surface
-/// \param length a readable property map from its edges to their lengths
+/// \param surface a model of `IntrinsicSurface`
 /// \param density the values of \f$f\f$ at the vertices
+/// \param is_fixed a readable property map from the vertices to `bool`: where values are
+///   prescribed; by default nowhere
+/// \param values the values; only those at the vertices where they are prescribed are read
 /// \returns the values of \f$u\f$ at the vertices; zero at an isolated one
 /// \throws Numerical_error as the constructor of `Poisson_solver`
-template <typename EdgeLengthMap, typename FT>
+template <typename Surface, typename FT,
+          typename VertexIsFixedMap = boost::static_property_map<bool>>
 Eigen::Matrix<FT, Eigen::Dynamic, 1>
-solve_poisson(const Delta_complex& mesh, const EdgeLengthMap& length,
-              const Eigen::Matrix<FT, Eigen::Dynamic, 1>& density)
+solve_poisson(const Surface& surface, const Eigen::Matrix<FT, Eigen::Dynamic, 1>& density,
+              const VertexIsFixedMap& is_fixed = VertexIsFixedMap(false),
+              const Eigen::Matrix<FT, Eigen::Dynamic, 1>& values = {})
 {
-  return Poisson_solver<FT>(mesh, length).solve(mass_matrix(mesh, length) * density);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits, typename FT>
-Eigen::Matrix<FT, Eigen::Dynamic, 1>
-solve_poisson(Side side, const Intrinsic_triangulation<Traits>& tri,
-              const Eigen::Matrix<FT, Eigen::Dynamic, 1>& density)
-{
-  return solve_poisson(internal::mesh_of(side, tri), internal::lengths_of(side, tri), density);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// solves \f$-\Delta u = f\f$ with prescribed values (see `Poisson_solver`).
-/// Complexity: a sparse Cholesky factorization.
-/// \param mesh the surface
-/// \param length a readable property map from its edges to their lengths
-/// \param density the values of \f$f\f$ at the vertices
-/// \param is_fixed a readable property map from the vertices to `bool`: where values are prescribed
-/// \param values the values; only those at the vertices where they are prescribed are read
-/// \returns the values of \f$u\f$ at the vertices
-/// \throws Numerical_error as the constructor of `Poisson_solver`
-template <typename EdgeLengthMap, typename FT, typename VertexIsFixedMap>
-Eigen::Matrix<FT, Eigen::Dynamic, 1>
-solve_poisson(const Delta_complex& mesh, const EdgeLengthMap& length,
-              const Eigen::Matrix<FT, Eigen::Dynamic, 1>& density, const VertexIsFixedMap& is_fixed,
-              const Eigen::Matrix<FT, Eigen::Dynamic, 1>& values)
-{
-  const Poisson_solver<FT> solver(mesh, length, is_fixed);
-  return solver.solve(mass_matrix(mesh, length) * density, values);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits, typename FT, typename VertexIsFixedMap>
-Eigen::Matrix<FT, Eigen::Dynamic, 1>
-solve_poisson(Side side, const Intrinsic_triangulation<Traits>& tri,
-              const Eigen::Matrix<FT, Eigen::Dynamic, 1>& density, const VertexIsFixedMap& is_fixed,
-              const Eigen::Matrix<FT, Eigen::Dynamic, 1>& values)
-{
-  return solve_poisson(internal::mesh_of(side, tri), internal::lengths_of(side, tri), density,
-                       is_fixed, values);
+  return Poisson_solver<FT>(surface, is_fixed).solve(mass_matrix(surface) * density, values);
 }
 
 } // namespace Intrinsic_triangulations

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Delaunay_refinement.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
@@ -52,7 +53,7 @@ public:
   Face_bounds(const Triangulation& tri, const FT& degrees, const FT& circumradius,
               const Predicate& predicate)
     : m_tri(tri),
-      m_sine(std::sin(degrees * FT(CGAL_PI) / 180)),
+      m_sine(std::sin(degrees * pi<FT>() / 180)),
       m_circumradius(circumradius),
       m_predicate(predicate)
   {}

@@ -8,13 +8,11 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
 #include <CGAL/number_utils.h>
-#include <boost/property_map/property_map.hpp>
 
 #include <complex>
 #include <string>
@@ -41,26 +39,19 @@ public:
   /// the type of angles.
   typedef FT_ FT;
 
-  /// computes the frames of a triangulated surface with edge lengths. Complexity: linear.
-  /// \param mesh the surface; isolated vertices have a frame without edges
-  /// \param length a readable property map from its edges to their lengths
+  /// computes the frames of a surface. Complexity: linear.
+  /// \param surface a model of `IntrinsicSurface`; isolated vertices have a frame without edges
   /// \throws Numerical_error if the angles at a vertex are all zero or one of them is not finite
-  template <typename EdgeLengthMap>
-  Tangent_frames(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_angle_sum(mesh.num_vertices(), FT(0)),
-      m_is_border(mesh.num_vertices(), 0),
-      m_angle(mesh.num_halfedges(), FT(0))
+  template <typename Surface>
+  explicit Tangent_frames(const Surface& surface)
+    : m_angle_sum(surface.mesh().num_vertices(), FT(0)),
+      m_is_border(surface.mesh().num_vertices(), 0),
+      m_angle(surface.mesh().num_halfedges(), FT(0))
   {
-    for(Vertex_index v : mesh.vertices())
-      if(!mesh.is_isolated(v))
-        set_frame(v, mesh, length);
+    for(Vertex_index v : surface.mesh().vertices())
+      if(!surface.mesh().is_isolated(v))
+        set_frame(v, surface);
   }
-
-  /// computes the frames of one of the two triangulations of `tri`; otherwise as above.
-  template <typename Traits>
-  Tangent_frames(Side side, const Intrinsic_triangulation<Traits>& tri)
-    : Tangent_frames(internal::mesh_of(side, tri), internal::lengths_of(side, tri))
-  {}
 
   /// the normalized angle \f$\varphi\f$ of the direction in which `h` leaves its source: between 0
   /// and
@@ -88,21 +79,13 @@ public:
   }
 
 private:
-  static FT pi() { return std::acos(FT(-1)); }
-
-  FT normalized_sum(Vertex_index v) const { return m_is_border[v.idx()] ? pi() : 2 * pi(); }
-
-  template <typename EdgeLengthMap>
-  static FT angle_left_of(Halfedge_index h, const Delta_complex& mesh, const EdgeLengthMap& length)
-  {
-    return corner_angle<FT>(get(length, mesh.edge(mesh.next(h))), get(length, mesh.edge(h)),
-                            get(length, mesh.edge(mesh.prev(h))));
-  }
+  FT normalized_sum(Vertex_index v) const { return m_is_border[v.idx()] ? pi<FT>() : 2 * pi<FT>(); }
 
   // The angles on the surface first, then normalized.
-  template <typename EdgeLengthMap>
-  void set_frame(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
+  template <typename Surface>
+  void set_frame(Vertex_index v, const Surface& surface)
   {
+    const Delta_complex& mesh = surface.mesh();
     const Halfedge_index first = first_spoke(v, mesh);
     m_is_border[v.idx()] = mesh.is_border(mesh.opposite(first)) ? 1 : 0;
     FT sum(0);
@@ -111,7 +94,7 @@ private:
       m_angle[h.idx()] = sum;
       if(mesh.is_border(h))
         break;
-      sum += angle_left_of(h, mesh, length);
+      sum += internal::angle_at_source(h, surface);
       h = next_spoke(h, mesh);
     } while(h != first);
     m_angle_sum[v.idx()] = sum;

@@ -39,27 +39,28 @@ std::complex<FT> turned_across(Side side, const std::complex<FT>& vector, const 
 ///
 /// Both are frames of one tangent space: the vectors differ by a rotation. On the boundary they are
 /// equal.
+/// \param tri both triangulations
 /// \param side the triangulation in whose frame `vector` is
 /// \param v a vertex, not isolated
 /// \param vector the vector
-/// \param tri both triangulations
 /// Complexity: that of `angle_on_input()` for one halfedge.
 /// \throws Numerical_error as `angle_on_input()`
 template <typename Traits>
 std::complex<typename Traits::FT>
-tangent_vector_across(Side side, Vertex_index v, const std::complex<typename Traits::FT>& vector,
-                      const Intrinsic_triangulation<Traits>& tri)
+tangent_vector_across(const Intrinsic_triangulation<Traits>& tri, Side side, Vertex_index v,
+                      const std::complex<typename Traits::FT>& vector)
 {
   CGAL_precondition(!tri.mesh().is_isolated(v));
-  return internal::turned_across(side, vector, angle_on_input(first_spoke(v, tri.mesh()), tri));
+  return internal::turned_across(side, vector, angle_on_input(tri, first_spoke(v, tri.mesh())));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same for many vectors. Complexity: constant.
+/// takes a tangent vector from one frame to the other as above, for many vectors.
+/// Complexity: constant.
 template <typename Traits>
 std::complex<typename Traits::FT>
-tangent_vector_across(Side side, Vertex_index v, const std::complex<typename Traits::FT>& vector,
-                      const Angular_coordinates<Traits>& angles)
+tangent_vector_across(const Angular_coordinates<Traits>& angles, Side side, Vertex_index v,
+                      const std::complex<typename Traits::FT>& vector)
 {
   const Delta_complex& mesh = angles.triangulation().mesh();
   CGAL_precondition(!mesh.is_isolated(v));

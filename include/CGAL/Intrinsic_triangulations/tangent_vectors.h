@@ -9,15 +9,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 
 #include <CGAL/assertions.h>
-#include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -28,12 +25,12 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // the tangent vector at the source of `spoke` that is `vector` in the frame of this halfedge
-template <typename EdgeLengthMap, typename FT>
-std::complex<FT> at_vertex(Halfedge_index spoke, const std::complex<FT>& vector,
-                           const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface, typename FT>
+std::complex<FT> at_vertex(const Surface& surface, Halfedge_index spoke,
+                           const std::complex<FT>& vector)
 {
-  const FT angle = std::arg(vector), corner = angle_at_source(spoke, mesh, length);
-  const Vertex_angles<FT> angles(spoke, mesh, length);
+  const FT angle = std::arg(vector), corner = angle_at_source(spoke, surface);
+  const Vertex_angles<FT> angles(spoke, surface);
   // the middle of the corner decides whether the vector or its opposite is in the corner
   if(std::cos(angle - corner / 2) >= 0)
     return std::polar(std::abs(vector), angles.normalized(angle));
@@ -48,92 +45,61 @@ std::complex<FT> at_vertex(Halfedge_index spoke, const std::complex<FT>& vector,
 /// Its angle from `spoke` is normalized (Section 2.3.2). A vector that points away from the corner
 /// is the opposite of one that points into it, so that the direction in which a geodesic arrives
 /// becomes the one in which it goes on.
-/// \param spoke the halfedge of the face whose source is the vertex; it tells one corner from
-///        another if they are at the same vertex
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
+/// \param spoke the halfedge of the face whose source is the vertex; it determines the corner if
+///        several are at one vertex
 /// \param vector the vector in the frame of the face
-/// \param mesh a triangulated surface
-/// \param length a readable property map from its edges to their lengths, floating point numbers
 /// Complexity: linear in the degree of the vertex.
 /// \throws Numerical_error if the angles at the vertex have no positive finite sum
-template <typename EdgeLengthMap, typename FT>
-std::complex<FT> tangent_vector_at_vertex(Halfedge_index spoke, const std::complex<FT>& vector,
-                                          const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+std::complex<Length_of<Surface>>
+tangent_vector_at_vertex(const Surface& surface, Halfedge_index spoke,
+                         const std::complex<Length_of<Surface>>& vector)
 {
+  const Delta_complex& mesh = surface.mesh();
   CGAL_precondition(!mesh.is_border(spoke));
   const Halfedge_index h = mesh.halfedge(mesh.face(spoke));
-  const internal::Flat_face<FT> face(spoke, mesh, length);
+  const internal::Flat_face<Length_of<Surface>> face(spoke, surface);
   const std::size_t s = h == spoke ? 0 : h == mesh.next(spoke) ? 1 : 2;
-  return internal::at_vertex(spoke, vector * face.direction(s), mesh, length);
+  return internal::at_vertex(surface, spoke, vector * face.direction(s));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-std::complex<typename Traits::FT>
-tangent_vector_at_vertex(Side side, Halfedge_index spoke,
-                         const std::complex<typename Traits::FT>& vector,
-                         const Intrinsic_triangulation<Traits>& tri)
-{
-  return tangent_vector_at_vertex(spoke, vector, internal::mesh_of(side, tri),
-                                  internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithm of `p` at the source of `spoke`: the tangent vector there that leads straight
-/// through the face to `p`, its length times \f$e^{\mathbf{i}\varphi}\f$ with the normalized angle
-/// \f$\varphi\f$ counterclockwise from `first_spoke()`.
+/// computes the logarithm of `p` at the source of `spoke`: the tangent vector there that leads
+/// straight through the face to `p`, its length times \f$e^{\mathbf{i}\varphi}\f$ with the
+/// normalized angle \f$\varphi\f$ counterclockwise from `first_spoke()`.
 ///
 /// `trace_geodesic()` of the result ends at `p`. There may be shorter geodesics through other
 /// faces: see `logarithmic_map()`.
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param spoke a halfedge of the face of `p`
 /// \param p a point with barycentric coordinates that are not negative and sum up to one
-/// \param mesh a triangulated surface
-/// \param length a readable property map from its edges to their lengths, floating point numbers
 /// Complexity: linear in the degree of the vertex.
 /// \throws Numerical_error if the angles at the vertex have no positive finite sum
-template <typename EdgeLengthMap, typename FT>
-std::complex<FT> logarithm(Halfedge_index spoke, const Face_location<FT>& p,
-                           const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+std::complex<Length_of<Surface>> logarithm(const Surface& surface, Halfedge_index spoke,
+                                           const Face_location<Length_of<Surface>>& p)
 {
-  CGAL_precondition(mesh.face(spoke) == p.first);
-  const internal::Flat_face<FT> face(spoke, mesh, length);
-  const std::array<FT, 3> q = coordinates_from(spoke, p, mesh);
-  return internal::at_vertex(spoke, q[1] * face.side(0) - q[2] * face.side(2), mesh, length);
+  CGAL_precondition(surface.mesh().face(spoke) == p.first);
+  const internal::Flat_face<Length_of<Surface>> face(spoke, surface);
+  const auto q = coordinates_from(spoke, p, surface.mesh());
+  return internal::at_vertex(surface, spoke, q[1] * face.side(0) - q[2] * face.side(2));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-std::complex<typename Traits::FT> logarithm(Side side, Halfedge_index spoke,
-                                            const Face_location<typename Traits::FT>& p,
-                                            const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithm(spoke, p, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the logarithm of `q` at `p`, a point of the same face: the vector from `p` to `q` in the frame
-/// of the face. Complexity: constant.
+/// computes the logarithm of `q` at `p`, a point of one face with it: the vector from `p` to `q` in
+/// the frame of the face. Complexity: constant.
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param p, q points with barycentric coordinates that sum up to one
-/// \param mesh a triangulated surface
-/// \param length a readable property map from its edges to their lengths, floating point numbers
 /// \pre `p` and `q` are in one face
-template <typename EdgeLengthMap, typename FT>
-std::complex<FT> logarithm(const Face_location<FT>& p, const Face_location<FT>& q,
-                           const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+std::complex<Length_of<Surface>> logarithm(const Surface& surface,
+                                           const Face_location<Length_of<Surface>>& p,
+                                           const Face_location<Length_of<Surface>>& q)
 {
   CGAL_precondition(p.first == q.first);
-  return internal::Flat_face<FT>(mesh.halfedge(p.first), mesh, length).between(p.second, q.second);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsTangent
-/// the same for one of the two triangulations of `tri`.
-template <typename Traits>
-std::complex<typename Traits::FT> logarithm(Side side, const Face_location<typename Traits::FT>& p,
-                                            const Face_location<typename Traits::FT>& q,
-                                            const Intrinsic_triangulation<Traits>& tri)
-{
-  return logarithm(p, q, internal::mesh_of(side, tri), internal::lengths_of(side, tri));
+  const internal::Flat_face<Length_of<Surface>> face(surface.mesh().halfedge(p.first), surface);
+  return face.between(p.second, q.second);
 }
 
 } // namespace Intrinsic_triangulations

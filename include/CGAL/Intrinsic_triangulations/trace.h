@@ -78,7 +78,7 @@ Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index 
   }
 }
 
-// Adds the points on the even halfedge `h` of T1 after the vertex `v` on it, up to the next vertex
+// Adds the points on the halfedge `h` of T1, the first of its edge, after the vertex `v` on it, up to the next vertex
 // of T2, which is returned.
 template <typename Traits>
 Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& tracer,
@@ -104,10 +104,10 @@ Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& t
   return mesh.target(last);
 }
 
-// Returns the trace of the even halfedge `h` of T1.
+// Returns the trace of the halfedge `h` of T1, the first of its edge.
 template <typename Traits>
-Scaled_trace<Traits> trace_even_halfedge(Halfedge_index h,
-                                         const Intrinsic_triangulation<Traits>& tri)
+Scaled_trace<Traits> trace_first_halfedge(Halfedge_index h,
+                                          const Intrinsic_triangulation<Traits>& tri)
 {
   Scaled_trace<Traits> trace;
   Edge_tracer<Traits> tracer(tri);
@@ -132,9 +132,8 @@ template <typename Traits>
 Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
                                         const Intrinsic_triangulation<Traits>& tri)
 {
-  const bool is_even = h.idx() % 2 == 0;
-  auto trace = trace_even_halfedge(is_even ? h : tri.input_mesh().opposite(h), tri);
-  if(!is_even)
+  auto trace = trace_first_halfedge(first_halfedge(Edge_index(h)), tri);
+  if(!is_first_halfedge(h))
     reverse_trace(trace, tri);
   return trace;
 }
@@ -153,7 +152,7 @@ Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
 /// \throws Numerical_error if the layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
-trace_input_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+trace_input_edge(const Intrinsic_triangulation<Traits>& tri, Halfedge_index h)
 {
   return internal::scaled_input_trace(h, tri).points;
 }
@@ -217,7 +216,7 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
 /// \throws Numerical_error if a layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
-trace_intrinsic_edge(Halfedge_index h, const Intrinsic_triangulation<Traits>& tri)
+trace_intrinsic_edge(const Intrinsic_triangulation<Traits>& tri, Halfedge_index h)
 {
   return internal::scaled_intrinsic_trace(h, tri).points;
 }

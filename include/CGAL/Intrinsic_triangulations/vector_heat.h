@@ -8,11 +8,9 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
-#include <CGAL/Intrinsic_triangulations/internal/side_access.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
@@ -57,8 +55,8 @@ public:
 
   /// prepares for transport on a surface. Complexity: two sparse Cholesky factorizations.
   ///
-  /// \param mesh the surface, with any number of components, with or without boundary
-  /// \param length a readable property map from its edges to their lengths
+  /// \param surface a model of `IntrinsicSurface`, with any number of components, with or without
+  ///   boundary
   /// \param np
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{time_step_factor}
@@ -70,24 +68,16 @@ public:
   /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves a
   ///         matrix without a factorization
   /// \throws Invalid_input if the factor is not positive and finite
-  template <typename EdgeLengthMap,
-            typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  Vector_heat(const Delta_complex& mesh, const EdgeLengthMap& length,
-              const NamedParameters& np = CGAL::parameters::default_values())
-    : m_frames(mesh, length),
-      m_flow(mesh, length, np),
-      m_vector_flow(internal::plus_diagonal(definite_laplacian(mesh, length), m_flow.rates()),
+  template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Vector_heat(const Surface& surface,
+                       const NamedParameters& np = CGAL::parameters::default_values())
+    : m_frames(surface),
+      m_flow(surface, np),
+      m_vector_flow(internal::plus_diagonal(definite_laplacian(surface), m_flow.rates()),
                     "heat flow of vectors")
   {}
 
-  /// prepares for transport on one of the two triangulations of `tri`; otherwise as above.
-  template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  Vector_heat(Side side, const Intrinsic_triangulation<Traits>& tri,
-              const NamedParameters& np = CGAL::parameters::default_values())
-    : Vector_heat(internal::mesh_of(side, tri), internal::lengths_of(side, tri), np)
-  {}
-
-  /// the frames of the tangent spaces.
+  /// returns the frames of the tangent spaces.
   const Tangent_frames<FT>& frames() const { return m_frames; }
 
   /// transports vectors to all vertices. The direction at a vertex is that of the nearby sources,
@@ -123,14 +113,13 @@ private:
 
   // Negative weights, and with them all risk of an indefinite matrix, are left out. A Delaunay
   // triangulation has them on border edges only. Parallel fields stay parallel.
-  template <typename EdgeLengthMap>
-  Eigen::SparseMatrix<std::complex<FT>> definite_laplacian(const Delta_complex& mesh,
-                                                           const EdgeLengthMap& length) const
+  template <typename Surface>
+  Eigen::SparseMatrix<std::complex<FT>> definite_laplacian(const Surface& surface) const
   {
-    std::vector<FT> weights = internal::cotan_weights(mesh, length);
+    std::vector<FT> weights = internal::cotan_weights(surface);
     for(FT& w : weights)
       w = (std::max)(w, FT(0));
-    return internal::connection_laplacian(mesh, weights, m_frames);
+    return internal::connection_laplacian(surface.mesh(), weights, m_frames);
   }
 
   // Directions come from the heat of the vectors, lengths from the heat of their lengths over that

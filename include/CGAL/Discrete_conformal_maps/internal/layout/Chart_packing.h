@@ -7,15 +7,12 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/convex_hull_2.h>
-#include <CGAL/min_quadrilateral_2.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Smallest_rectangle.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -28,7 +25,6 @@ namespace internal {
 // hundredth of the width of the whole. The first stands at the origin.
 class Chart_packing
 {
-  typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point;
   typedef std::complex<double> Complex;
 
 public:
@@ -56,7 +52,7 @@ private:
   void lay_down(std::size_t c, const std::vector<Complex>& points)
   {
     Motion& motion = m_motion[c];
-    motion.turn = std::conj(direction_of_rectangle(points));
+    motion.turn = std::conj(Smallest_rectangle(points).direction());
     set_box(c, points);
     if(m_size[c].imag() > m_size[c].real()) {
       motion = {motion.turn * Complex(0, 1), 0};
@@ -74,21 +70,6 @@ private:
     }
     m_motion[c].shift = -low;
     m_size[c] = high - low;
-  }
-
-  // of one side of the smallest rectangle that holds the points; its norm is one
-  static Complex direction_of_rectangle(const std::vector<Complex>& points)
-  {
-    std::vector<Point> all, hull, rectangle;
-    for(const Complex& z : points)
-      all.emplace_back(z.real(), z.imag());
-    convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
-    if(hull.size() > 2)
-      min_rectangle_2(hull.begin(), hull.end(), std::back_inserter(rectangle));
-    if(rectangle.empty())
-      return 1;
-    const Complex side(rectangle[1].x() - rectangle[0].x(), rectangle[1].y() - rectangle[0].y());
-    return std::abs(side) > 0 ? side / std::abs(side) : 1;
   }
 
   std::vector<std::size_t> highest_first() const

@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/Dense>
@@ -69,7 +71,6 @@ public:
   }
 
 private:
-  static constexpr double tolerance = 1e-14; // a hundred roundings of the sum of masses
   static constexpr double longest_step = 8;
 
   // above the mean, at the mean distance
@@ -106,10 +107,10 @@ private:
     }
     // where convergence is quadratic, and yet does not go on, rounding of the point is the limit
     const double last = std::exchange(m_norm, sum.norm());
-    if(m_norm <= tolerance || (m_norm <= 1e-6 && m_norm > last / 2))
+    if(m_norm <= tolerance::center || (m_norm <= tolerance::near_center && m_norm > last / 2))
       return true;
     // masses in two points have no curvature along the line through both
-    hessian += 1e-12 * Eigen::Matrix3d::Identity();
+    hessian += tolerance::least_curvature * Eigen::Matrix3d::Identity();
     const Vector step = hessian.ldlt().solve(sum);
     const double length = step.norm();
     move(step / length, step_length(step / length, (std::min)(length, longest_step)));
@@ -153,7 +154,7 @@ private:
     const double first = slope(d, 0);
     for(int trial = 0; trial < 40; ++trial) {
       const double last = slope(d, t);
-      if(last <= -first / 2 || last <= tolerance)
+      if(last <= -first / 2 || last <= tolerance::center)
         break;
       t *= (std::max)(0.1, first / (first - last));
     }

@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Seam_pruning.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -25,12 +25,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
-using Intrinsic_triangulations::Face_index;
-using Intrinsic_triangulations::Halfedge_index;
-using Intrinsic_triangulations::Vertex_index;
 
 // The edges of a short tree that joins all terminals of each component: the shortest paths that a
 // minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at walls are joined

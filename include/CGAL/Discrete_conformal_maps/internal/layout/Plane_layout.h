@@ -7,9 +7,9 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Cut_graph.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
 #include <vector>
@@ -15,11 +15,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
-using Intrinsic_triangulations::Halfedge_index;
-using Intrinsic_triangulations::Vertex_index;
 
 // Closes open edges from the ends of their graph on: around a vertex with one open edge that is no
 // terminal, all faces fit. `is_open` says of each edge whether it is open, and then whether it

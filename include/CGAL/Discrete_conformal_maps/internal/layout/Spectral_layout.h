@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <Eigen/SparseCore>
@@ -75,7 +76,7 @@ public:
       const Eigen::VectorXd step = solver.solve(residual(energy, z));
       std::vector<Vector> better = corrected(z, step);
       Energy least = evaluate(better);
-      if(!(step.norm() < last / 2) || !(least.value <= (1 + 1e-9) * energy.value))
+      if(!(step.norm() < last / 2) || !(least.value <= (1 + tolerance::growth) * energy.value))
         break;
       last = step.norm();
       z = std::move(better);

@@ -8,8 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
@@ -22,12 +22,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
-using Intrinsic_triangulations::Face_index;
-using Intrinsic_triangulations::Halfedge_index;
-using Intrinsic_triangulations::Vertex_index;
 
 // A triangulated sphere with vertices in the plane and one at infinity: the stereographic
 // projection of an inscribed polyhedron. It can be made exactly Delaunay, which is convex on the

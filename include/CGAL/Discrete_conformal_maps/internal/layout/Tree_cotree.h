@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Seam_pruning.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -23,8 +23,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-using Intrinsic_triangulations::Face_index;
 
 // Ways between faces of a closed surface through edges, each of which has a length.
 class Dual_distances

@@ -8,11 +8,13 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +41,7 @@ public:
     const Delta_complex& mesh = problem.triangulation().mesh();
     Spherical_scale_factors<double> rounded(mesh, problem.triangulation().length_map(),
                                             at_infinity);
-    rounded.minimize(1e-13, visitor);
+    rounded.minimize(tolerance::gradient, visitor);
     visitor.start(Flattening_stage::layout);
     take(rounded);
     if(is_good())
@@ -49,7 +51,7 @@ public:
                                               at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
-    precise.minimize(1e-22, visitor);
+    precise.minimize(tolerance::extended_gradient, visitor);
     visitor.start(Flattening_stage::layout);
     take(precise);
   }
@@ -70,8 +72,19 @@ public:
   std::size_t bound_violations() const { return m_bound_violations; }
   bool is_extended() const { return m_is_extended; }
 
-  // a tenth of the error that is expected of a good map; rounding alone stays far below
-  bool is_good() const { return is_certified() && m_cross_ratio_error <= 1e-9; }
+  // rounding alone stays far below that
+  bool is_good() const
+  {
+    return is_certified() && m_cross_ratio_error <= tolerance::good_cross_ratio;
+  }
+
+  Map_status status() const
+  {
+    if(!is_certified())
+      return Map_status::not_convex;
+    return m_cross_ratio_error <= tolerance::cross_ratio ? Map_status::success
+                                                         : Map_status::not_conformal;
+  }
 
   // Certified results come first, then those with less error.
   friend bool operator<(const Unfolded_sphere& a, const Unfolded_sphere& b)
@@ -90,9 +103,9 @@ private:
   void take(const Spherical_scale_factors<FT>& scale)
   {
     m_minimization = scale.result();
-    // angles that are off by more than this do not lay out
     m_angle_error = scale.angle_error();
-    if(!(m_angle_error <= 1e-9 && m_minimization.gradient_error <= 1e-9))
+    if(!(m_angle_error <= tolerance::layout_angle &&
+         m_minimization.gradient_error <= tolerance::layout_angle))
       return;
     Partially_decorated_surface<FT> surface(m_problem.triangulation().mesh(),
                                             m_problem.triangulation().length_map(), m_at_infinity);
@@ -154,8 +167,7 @@ private:
   {
     Ptolemy_surface<double> ideal(m_problem.triangulation().mesh(),
                                   m_problem.triangulation().length_map());
-    for(Halfedge_index h : m_flips)
-      ideal.flip(h);
+    ideal.replay(m_flips);
     const Delta_complex& mesh = ideal.mesh();
     m_cross_ratio_error = max_stereographic_cross_ratio_error(
       mesh, [&](Edge_index e) { return ideal.length(e); }, position, m_at_infinity);
@@ -164,7 +176,7 @@ private:
       is_wrong[v.idx()] = !(scale.values()[v.idx()] >= scale.bounds()[v.idx()]);
     for(Halfedge_index h : mesh.halfedges())
       if(const std::size_t v = mesh.target(h).idx(); mesh.source(h) == m_at_infinity)
-        is_wrong[v] |= scale.values()[v] - scale.bounds()[v] > 1e-8; // lengths of equal error
+        is_wrong[v] |= scale.values()[v] - scale.bounds()[v] > tolerance::bound;
     m_bound_violations = std::size_t(std::count(is_wrong.begin(), is_wrong.end(), 1));
   }
 

@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 
 #include <array>
 #include <cmath>
@@ -16,11 +16,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
-using Intrinsic_triangulations::Halfedge_index;
-using Intrinsic_triangulations::Vertex_index;
 
 // The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h
 // is ij.

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Bounded_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/SparseCore>
 
@@ -53,8 +54,8 @@ public:
     if(m_is_damped && damped(0) && length() > bound / 2)
       return true; // as in the step before
     m_is_damped = !minimize(hessian, Vector::Zero(gradient.size()), gradient, bound);
-    for(double lift = 0; m_is_damped && !damped(lift); lift = lift == 0 ? 1e-14 : 100 * lift)
-      if(lift > 1)
+    for(double lift = 0; m_is_damped && !damped(lift); lift = tolerance::next_lift(lift))
+      if(lift > tolerance::greatest_lift)
         return false;
     return true;
   }
@@ -157,7 +158,8 @@ private:
     const Vector slope = gradient + hessian * m_direction + diagonal.cwiseProduct(m_direction);
     const Vector size = gradient.cwiseAbs() + hessian.cwiseAbs() * m_direction.cwiseAbs() +
                         diagonal.cwiseProduct(m_direction.cwiseAbs());
-    const double margin = 1e-12, depth = (std::max)(margin * length(), 0.8 * greatest_depth());
+    const double margin = tolerance::cancellation,
+                 depth = (std::max)(margin * length(), 0.8 * greatest_depth());
     std::vector<Eigen::Index> result;
     for(const Eigen::Index i : m_variables.indices())
       if(is_active(i) ? slope[i] < -margin * size[i] : m_slack[i] - m_direction[i] > depth)

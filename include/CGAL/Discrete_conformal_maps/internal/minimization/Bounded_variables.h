@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <CGAL/assertions.h>
 
@@ -48,7 +49,7 @@ public:
     Vector result = point;
     for(const Eigen::Index i : indices()) {
       const double l = m_lower_bound[i];
-      const double margin = 64 * std::numeric_limits<double>::epsilon() * std::abs(l);
+      const double margin = tolerance::variable * std::abs(l);
       if(std::isfinite(l) && result[i] <= l + margin)
         result[i] = l;
     }

@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
 
@@ -110,7 +111,7 @@ private:
     if(summary.termination_type == ceres::NO_CONVERGENCE)
       return Status::iteration_limit;
     const double size = (std::max)(std::abs(summary.initial_cost), std::abs(summary.final_cost));
-    if(std::abs(m_last_change) <= 1e-12 * size)
+    if(std::abs(m_last_change) <= tolerance::cancellation * size)
       return Status::rounding_limit;
     return m_saw_not_finite ? Status::not_finite : Status::no_descent;
   }

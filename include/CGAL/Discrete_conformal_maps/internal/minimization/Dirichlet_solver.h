@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/SparseCore>
@@ -33,8 +34,8 @@ public:
   {
     // the lift, relative to the diagonal, is against rounding where weights differ by many orders
     for(double lift = 0; !m_solver.factorize(matrix, lift * matrix.diagonal());
-        lift = lift == 0 ? 1e-14 : 100 * lift)
-      if(lift > 1e-3)
+        lift = tolerance::next_lift(lift))
+      if(lift > tolerance::greatest_Laplacian_lift)
         throw Intrinsic_triangulations::Numerical_error(
           "the Laplacian has no factorization as a positive definite matrix");
   }

@@ -88,7 +88,8 @@ private:
         has_fixed.resize(component[i] + 1, 0);
       }
       members[component[i]].push_back(static_cast<Eigen::Index>(i));
-      has_fixed[component[i]] |= m_is_fixed[i];
+      if(m_is_fixed[i])
+        has_fixed[component[i]] = 1;
     }
     for(std::size_t c = 0; c < members.size(); ++c)
       if(!has_fixed[c] && !members[c].empty())

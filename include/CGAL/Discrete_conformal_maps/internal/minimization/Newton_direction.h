@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Supernodal_Cholesky.h>
@@ -34,7 +35,7 @@ typedef Simplicial_Cholesky Default_Cholesky;
 inline Eigen::VectorXd damping(const Eigen::SparseMatrix<double>& hessian,
                                const Eigen::VectorXd& gradient, double bound, double lift)
 {
-  const double least = 1e-10 * max_norm(gradient);
+  const double least = tolerance::damping * max_norm(gradient);
   return gradient.cwiseAbs().cwiseMax(least) / bound + lift * hessian.diagonal();
 }
 
@@ -69,8 +70,8 @@ public:
     if(m_is_damped && damped(0) && length() > bound / 2)
       return limit(bound); // as in the step before
     m_is_damped = !solve(hessian, ground, gradient) || length() > bound;
-    for(double lift = 0; m_is_damped && !damped(lift); lift = lift == 0 ? 1e-14 : 100 * lift)
-      if(lift > 1)
+    for(double lift = 0; m_is_damped && !damped(lift); lift = tolerance::next_lift(lift))
+      if(lift > tolerance::greatest_lift)
         return false;
     return limit(bound);
   }

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -86,9 +87,9 @@ private:
   // damped
   bool leads_nowhere()
   {
-    const double unit = 64 * std::numeric_limits<double>::epsilon();
     const bool is_short =
-      ((m_descent.point() - m_base).array().abs() <= unit * m_base.array().abs()).all();
+      ((m_descent.point() - m_base).array().abs() <= tolerance::variable * m_base.array().abs())
+        .all();
     m_short_steps = is_short && !m_direction.is_damped() ? m_short_steps + 1 : 0;
     return m_short_steps == 3;
   }

@@ -81,7 +81,7 @@ public:
     Cholmod_workspace workspace;
     cholmod_factor* factor =
       workspace.analyze(view(upper), upper.rows() > 100000 ? CHOLMOD_NESDIS : CHOLMOD_AMD);
-    const Eigen::VectorXi order =
+    Eigen::VectorXi order =
       Eigen::Map<const Eigen::VectorXi>(static_cast<const int*>(factor->Perm), upper.rows());
     workspace.free(factor);
     return order;

@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 
 #include <Eigen/Sparse>
@@ -20,8 +20,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-using Intrinsic_triangulations::Vertex_index;
 
 // Greedy cones. The scale factors that make the surface flat are estimated by one linear system; a
 // cone is placed where they are greatest, and the estimate is zero there from then on. For a new

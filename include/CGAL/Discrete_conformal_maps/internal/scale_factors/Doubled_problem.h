@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
@@ -175,9 +176,12 @@ public:
   // each can have a curvature of less than a full turn.
   static std::size_t needed_cones(double excess)
   {
-    if(std::abs(excess) <= 1e-8)
+    if(std::abs(excess) <= tolerance::curvature_sum)
       return 0;
-    return excess > 0 ? 1 : static_cast<std::size_t>(std::floor(-excess / (2 * pi()) + 1e-8)) + 1;
+    return excess > 0 ? 1
+                      : static_cast<std::size_t>(
+                          std::floor(-excess / (2 * pi()) + tolerance::curvature_sum)) +
+                          1;
   }
 
   // how many vertices with prescribed scale factors each component has
@@ -208,7 +212,7 @@ public:
     const std::vector<double> area = curvature_excess();
     const std::vector<std::size_t> fixed = number_of_fixed();
     for(std::size_t c = 0; c < area.size(); ++c)
-      if(fixed[c] == 0 && !(area[c] > 1e-8))
+      if(fixed[c] == 0 && !(area[c] > tolerance::curvature_sum))
         throw Intrinsic_triangulations::Invalid_input(
           "component " + std::to_string(c) +
           " cannot be hyperbolic with the prescribed curvatures: " + "it would have an area of " +

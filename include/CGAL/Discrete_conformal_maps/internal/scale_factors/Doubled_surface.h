@@ -7,19 +7,13 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 
 #include <vector>
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
-using Intrinsic_triangulations::Face_index;
-using Intrinsic_triangulations::Halfedge_index;
-using Intrinsic_triangulations::Vertex_index;
 
 // Two copies of a surface, glued along the boundary (Section 4.3.4). The first keeps its numbers;
 // the border halfedges of the surface become those of the second copy. Components without boundary
@@ -57,10 +51,9 @@ public:
   // It leads from the mirrored target to the mirrored source.
   Halfedge_index mirrored(Halfedge_index h) const
   {
+    using namespace Intrinsic_triangulations;
     const Edge_index e(h);
-    const bool is_border = m_half.is_border(e);
-    return is_border ? m_half.opposite(h)
-                     : Halfedge_index(2 * m_edge[e.idx()].idx() + 1 - h.idx() % 2);
+    return opposite(m_half.is_border(e) ? h : directed_as(h, first_halfedge(m_edge[e.idx()])));
   }
 
 private:

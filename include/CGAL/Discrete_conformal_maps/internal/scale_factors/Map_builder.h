@@ -8,10 +8,11 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
 
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -24,8 +25,6 @@ namespace internal {
 // The steps from scale factors to what all maps have in common.
 class Map_builder
 {
-  typedef Intrinsic_triangulations::Diamond<double> Diamond;
-
 public:
   // `map` is what is built
   Map_builder(Doubled_problem& problem, std::size_t number_of_front_faces,
@@ -39,10 +38,13 @@ public:
   template <typename Scale_factors>
   void set_scale_factors(const Scale_factors& scale)
   {
+    m_data.status = scale.status();
     m_data.minimization = scale.result();
     m_data.max_curvature_error = scale.max_curvature_error();
     m_data.log_scale.assign(scale.values().data(), scale.values().data() + scale.values().size());
   }
+
+  void set_status(Map_status status) { m_data.status = status; }
 
   void add_to_scale_factors(const std::vector<double>& correction)
   {
@@ -50,21 +52,23 @@ public:
       m_data.log_scale[v] += correction[v];
   }
 
-  // Takes the triangulation of the problem, and flips it to ideal Delaunay with the scale factors.
+  // Takes the triangulation of the problem, and makes it ideal Delaunay with the scale factors.
   void trace()
   {
     take_triangulation();
-    if(m_problem.flipping() == Flipping::to_Delaunay)
-      flip_to_Delaunay();
+    if(m_problem.flipping() == Flipping::to_Delaunay) {
+      Penner_surface<double> surface(mesh(), m_data.bc.length_map());
+      surface.scale(log_scale());
+      replay(surface.flips());
+    }
     correspond();
   }
 
-  // the same with flips that are known
+  // Takes the triangulation of the problem, and makes these flips.
   void trace(const std::vector<Halfedge_index>& flips)
   {
     take_triangulation();
-    for(Halfedge_index h : flips)
-      flip(h);
+    replay(flips);
     correspond();
   }
 
@@ -83,29 +87,21 @@ public:
   {
     const double u =
       m_data.log_scale[mesh().source(h).idx()] + m_data.log_scale[mesh().target(h).idx()];
-    return m_data.bc.length(mesh().edge(h)) * std::exp(u / 2);
+    return internal::scaled_length(m_data.bc.length(mesh().edge(h)), length_factor(u));
   }
 
-  // of the edges of T^C, by the same flips in the precision of the scale factors
+  // of the edges of T^C, by the recorded flips in the precision of the scale factors
   template <typename FT>
   std::vector<FT> scaled_lengths(const std::vector<FT>& u) const
   {
-    using std::exp;
-    const Intrinsic_triangulations::Ideal_geometry_traits<FT> traits;
-    Delta_complex b = m_data.bc.input_mesh();
-    std::vector<FT> length(b.num_edges());
-    for(Edge_index e : b.edges())
-      length[e.idx()] = FT(m_data.bc.input_length(e));
-    const auto of = [&](Halfedge_index h) { return length[Edge_index(h).idx()]; };
-    for(Halfedge_index h : m_flips) {
-      const Halfedge_index o = b.opposite(h);
-      length[Edge_index(h).idx()] = traits.compute_flipped_length_object()(
-        {of(h), of(b.next(h)), of(b.prev(h)), of(b.next(o)), of(b.prev(o))});
-      flip_edge(h, b);
-    }
-    for(Edge_index e : b.edges())
-      length[e.idx()] *= exp((u[b.vertex(e, 0).idx()] + u[b.vertex(e, 1).idx()]) / 2);
-    return length;
+    Ptolemy_surface<FT> surface(m_data.bc.input_mesh(), m_data.bc.input_length_map());
+    surface.replay(m_flips);
+    std::vector<FT> result(mesh().num_edges());
+    for(Edge_index e : mesh().edges())
+      result[e.idx()] = internal::scaled_length(
+        surface.length(e),
+        length_factor(FT(u[mesh().vertex(e, 0).idx()] + u[mesh().vertex(e, 1).idx()])));
+    return result;
   }
 
 private:
@@ -129,29 +125,11 @@ private:
       Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(m_data.bc);
   }
 
-  void flip(Halfedge_index h)
+  void replay(const std::vector<Halfedge_index>& flips)
   {
-    m_data.bc.flip(h);
-    m_flips.push_back(h);
-  }
-
-  bool is_Delaunay(Halfedge_index h) const
-  {
-    const Halfedge_index o = mesh().opposite(h);
-    const Diamond diamond{scaled_length(h), scaled_length(mesh().next(h)),
-                          scaled_length(mesh().prev(h)), scaled_length(mesh().next(o)),
-                          scaled_length(mesh().prev(o))};
-    return m_data.bc.traits().is_locally_Delaunay_object()(diamond);
-  }
-
-  void flip_to_Delaunay()
-  {
-    Intrinsic_triangulations::internal::Edge_stack stack(mesh().num_edges());
-    for(Edge_index e : mesh().edges())
-      stack.push(e);
-    Intrinsic_triangulations::internal::flip_waiting(
-      mesh(), stack, [this](Halfedge_index h) { return is_Delaunay(h); },
-      [this](Halfedge_index h) { flip(h); });
+    for(Halfedge_index h : flips)
+      m_data.bc.flip(h);
+    m_flips = flips;
   }
 
   Doubled_problem& m_problem;

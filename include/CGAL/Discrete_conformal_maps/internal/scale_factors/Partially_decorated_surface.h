@@ -7,7 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,23 +24,22 @@ namespace internal {
 // A closed ideal polyhedron, one vertex of which has no horocycle, in the triangulation that is
 // Delaunay for given scale factors of the others (Section 4.4.1). Without that vertex, its edges
 // and its faces it is a disk, the remaining surface.
-template <typename FT>
+template <typename FT_>
 class Partially_decorated_surface
 {
 public:
+  typedef FT_ FT;
+
   template <typename EdgeLengthMap>
   Partially_decorated_surface(const Delta_complex& mesh, const EdgeLengthMap& length,
                               Vertex_index at_infinity)
-    : m_surface(mesh, length),
-      m_at_infinity(at_infinity),
-      m_scaled_length(mesh.num_edges()),
-      m_root_of_scale(mesh.num_vertices(), FT(1))
+    : m_surface(mesh, length), m_at_infinity(at_infinity)
   {}
 
   const Delta_complex& mesh() const { return m_surface.mesh(); }
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
   // all flips so far
-  const std::vector<Halfedge_index>& flips() const { return m_flips; }
+  const std::vector<Halfedge_index>& flips() const { return m_surface.flips(); }
 
   bool is_remaining(Edge_index e) const
   {
@@ -52,67 +52,46 @@ public:
   }
 
   // With a scale factor of zero at the vertex at infinity. Arcs elsewhere do not depend on it.
-  const FT& scaled_length(Edge_index e) const { return m_scaled_length[e.idx()]; }
+  const FT& scaled_length(Edge_index e) const { return m_surface.scaled_length(e); }
 
   // Takes other scale factors, and flips to the triangulation that is Delaunay with them. That of
   // the vertex at infinity has no influence.
   // \throws Numerical_error if a scaled length is no length
-  void scale(const std::vector<FT>& u)
+  void scale(std::vector<FT> u)
   {
     using std::abs;
-    using std::exp;
+    u[m_at_infinity.idx()] = 0;
     FT greatest(0);
     for(Vertex_index v : mesh().vertices())
-      if(v != m_at_infinity) {
-        m_root_of_scale[v.idx()] = exp(u[v.idx()] / 2);
-        greatest = (std::max)(greatest, FT(abs(u[v.idx()])));
-      }
-    m_margin = 16 * std::numeric_limits<FT>::epsilon() * (1 + greatest);
-    for(Edge_index e : mesh().edges())
-      set_scaled_length(e);
-    m_surface.flip_until([this](Halfedge_index h) { return is_Delaunay(h); },
-                         [this](Halfedge_index h) {
-                           set_scaled_length(mesh().edge(h));
-                           m_flips.push_back(h);
-                         });
+      greatest = (std::max)(greatest, FT(abs(u[v.idx()])));
+    m_margin =
+      tolerance::roundings_of_squares * std::numeric_limits<FT>::epsilon() * (1 + greatest);
+    m_surface.set_scale_factors(u);
+    m_surface.flip_until([this](Halfedge_index h) { return is_Delaunay(h); });
   }
 
 private:
-  void set_scaled_length(Edge_index e)
-  {
-    FT& length = m_scaled_length[e.idx()];
-    length = m_surface.length(e) * m_root_of_scale[mesh().vertex(e, 0).idx()] *
-             m_root_of_scale[mesh().vertex(e, 1).idx()];
-    if(!m_geometry.is_length_object()(length))
-      throw Intrinsic_triangulations::Numerical_error(
-        "edge " + std::to_string(e.idx()) + " has no positive finite length after scaling");
-  }
-
   // Equation 4.16, where arcs at infinity vanish. A tie is decided in favor of edges to infinity:
   // they are the limit of triangulations with a horocycle there. The two tolerances differ, so that
   // no edge is flipped back.
   bool is_Delaunay(Halfedge_index h) const
   {
     const auto is_finite = [this](Vertex_index v) { return v != m_at_infinity; };
-    const Halfedge_index o = mesh().opposite(h);
+    const Halfedge_index o = opposite(h);
     const bool i = is_finite(mesh().target(o)), j = is_finite(mesh().target(h)),
                k = is_finite(mesh().target(mesh().next(h))),
                l = is_finite(mesh().target(mesh().next(o)));
-    const Horocyclic_arcs<FT> arc(m_surface.diamond(h, m_scaled_length));
-    const FT opposite = (k ? arc.at_k : FT(0)) + (l ? arc.at_l : FT(0));
+    const Horocyclic_arcs<FT> arc(m_surface.scaled_diamond(h));
+    const FT facing = (k ? arc.at_k : FT(0)) + (l ? arc.at_l : FT(0));
     const FT adjacent = (i ? arc.at_i : FT(0)) + (j ? arc.at_j : FT(0));
     if(i && j && k != l)
-      return opposite < adjacent * (1 - m_margin);
-    return !(opposite > adjacent * (1 + 4 * m_margin));
+      return facing < adjacent * (1 - m_margin);
+    return !(facing > adjacent * (1 + 4 * m_margin));
   }
 
-  Intrinsic_triangulations::Ideal_geometry_traits<FT> m_geometry;
-  Ptolemy_surface<FT> m_surface;
+  Penner_surface<FT> m_surface;
   Vertex_index m_at_infinity;
-  std::vector<FT> m_scaled_length;
-  std::vector<FT> m_root_of_scale; // e^(u/2)
-  FT m_margin = FT(0);             // of ties: the rounding error of squared lengths
-  std::vector<Halfedge_index> m_flips;
+  FT m_margin = FT(0); // of ties: the rounding error of squared lengths
 };
 
 } // namespace internal

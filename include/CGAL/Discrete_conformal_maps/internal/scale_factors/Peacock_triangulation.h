@@ -8,6 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +34,7 @@ class Peacock_triangulation
 {
 public:
   // \pre the triangulation is ideal Delaunay
+  // \throws Flip_limit_exceeded if rounding makes the flips go on
   template <typename EdgeLengthMap>
   Peacock_triangulation(const Delta_complex& mesh, const EdgeLengthMap& length, Vertex_index center)
     : m_surface(mesh, length), m_center(center), m_end(mesh.num_edges())
@@ -48,7 +51,7 @@ public:
 
   const Delta_complex& mesh() const { return m_surface.mesh(); }
 
-  std::size_t number_of_flips() const { return m_number_of_flips; }
+  std::size_t number_of_flips() const { return m_surface.flips().size(); }
 
   // the distance of the horocycle of the center to that of each vertex; infinity for the center
   // itself
@@ -72,7 +75,7 @@ private:
   // Notes at which scale of the arcs at the center the edge ceases to be Delaunay (Equation 4.16).
   void enqueue(Edge_index e)
   {
-    const Halfedge_index h(2 * e.idx()), o = mesh().opposite(h);
+    const Halfedge_index h(2 * e.idx()), o = opposite(h);
     const Horocyclic_arcs<FT> arc(m_surface.diamond(h));
     FT growing(0), shrinking(0), center_size(0); // what stands against the edge
     const auto add = [&](Vertex_index v, const FT& x) {
@@ -87,7 +90,7 @@ private:
     FT& end = m_end[e.idx()];
     end = (std::max)(FT(-shrinking / growing), m_scale);
     // a tie is not broken by rounding, lest edges be flipped without end
-    if(growing > 16 * std::numeric_limits<FT>::epsilon() * center_size)
+    if(growing > tolerance::roundings_of_squares * std::numeric_limits<FT>::epsilon() * center_size)
       m_queue.emplace(end, e.idx());
     else
       end = std::numeric_limits<FT>::infinity();
@@ -98,10 +101,10 @@ private:
     if(flip_status(h, mesh()) != Intrinsic_triangulations::Operation_status::possible)
       return;
     m_scale = m_end[Edge_index(h).idx()];
+    Intrinsic_triangulations::internal::check_flip_limit(number_of_flips(), mesh().num_edges());
     m_surface.flip(h);
-    ++m_number_of_flips;
     m_end[Edge_index(h).idx()] = std::numeric_limits<FT>::infinity(); // it does not come back
-    for(Edge_index e : Intrinsic_triangulations::internal::edges_around(h, m_surface.mesh()))
+    for(Edge_index e : Intrinsic_triangulations::internal::edges_around(h, mesh()))
       enqueue(e);
   }
 
@@ -111,7 +114,6 @@ private:
   std::vector<FT> m_end; // the scale up to which each edge stays
   typedef std::pair<FT, size_type> Entry;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
-  std::size_t m_number_of_flips = 0;
 };
 
 } // namespace internal

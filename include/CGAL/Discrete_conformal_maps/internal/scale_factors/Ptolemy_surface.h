@@ -7,27 +7,17 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
 
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Edge_index;
-using Intrinsic_triangulations::Face_index;
-using Intrinsic_triangulations::Halfedge_index;
-using Intrinsic_triangulations::Vertex_index;
-
 // A closed ideal polyhedron with Penner lengths. Its edges turn by Ptolemy's relation (Equation
-// 4.4).
+// 4.4), and the flips are recorded.
 template <typename FT>
 class Ptolemy_surface
 {
@@ -37,7 +27,7 @@ public:
   // `length` is a readable property map of positive lengths
   template <typename EdgeLengthMap>
   Ptolemy_surface(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_mesh(mesh), m_length(mesh.num_edges()), m_stack(mesh.num_edges())
+    : m_mesh(mesh), m_length(mesh.num_edges())
   {
     for(Edge_index e : mesh.edges())
       m_length[e.idx()] = FT(get(length, e));
@@ -46,34 +36,21 @@ public:
   const Delta_complex& mesh() const { return m_mesh; }
   const FT& length(Edge_index e) const { return m_length[e.idx()]; }
 
+  // all flips so far; those of another surface with this connectivity can be replayed
+  const std::vector<Halfedge_index>& flips() const { return m_flips; }
+  void replay(const std::vector<Halfedge_index>& flips)
+  {
+    for(Halfedge_index h : flips)
+      flip(h);
+  }
+
   // the edge ij of `h` and its faces ijk and jil, with other lengths of edges if wanted
   Diamond diamond(Halfedge_index h) const { return diamond(h, m_length); }
   Diamond diamond(Halfedge_index h, const std::vector<FT>& length) const
   {
-    const Halfedge_index o = m_mesh.opposite(h);
+    const Halfedge_index o = opposite(h);
     const auto of = [&](Halfedge_index x) { return length[Edge_index(x).idx()]; };
     return {of(h), of(m_mesh.next(h)), of(m_mesh.prev(h)), of(m_mesh.next(o)), of(m_mesh.prev(o))};
-  }
-
-  // Flips edges for which `is_good(h)` is false, and calls `after_flip(h)`. Returns the number of
-  // flips.
-  template <typename Is_good, typename After_flip>
-  std::size_t flip_until(const Is_good& is_good, const After_flip& after_flip)
-  {
-    std::size_t count = 0;
-    const std::size_t limit =
-      Intrinsic_triangulations::internal::default_flip_limit(m_mesh.num_edges());
-    for(Edge_index e : m_mesh.edges())
-      m_stack.push(e);
-    Intrinsic_triangulations::internal::flip_waiting(
-      m_mesh, m_stack, is_good, [&](Halfedge_index h) {
-        if(count++ == limit)
-          throw Intrinsic_triangulations::Flip_limit_exceeded(
-            "not Delaunay after as many Ptolemy flips as are allowed");
-        flip(h);
-        after_flip(h);
-      });
-    return count;
   }
 
   // \pre `flip_status(h, mesh())` says that it is possible
@@ -81,13 +58,14 @@ public:
   {
     m_length[Edge_index(h).idx()] = m_geometry.compute_flipped_length_object()(diamond(h));
     flip_edge(h, m_mesh);
+    m_flips.push_back(h);
   }
 
 private:
   Intrinsic_triangulations::Ideal_geometry_traits<FT> m_geometry;
   Delta_complex m_mesh;
   std::vector<FT> m_length;
-  Intrinsic_triangulations::internal::Edge_stack m_stack;
+  std::vector<Halfedge_index> m_flips;
 };
 
 // The horocyclic arcs of two decorated triangles ijk and jil, each multiplied by the length of ij

@@ -8,16 +8,12 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
-#include <CGAL/Discrete_conformal_maps/Flattening_status.h>
+#include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-
-#ifdef CGAL_USE_MPFR
-#include <boost/multiprecision/mpfr.hpp>
-#else
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#endif
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,22 +24,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-#ifdef CGAL_USE_MPFR // many times as fast
-template <unsigned int digits>
-using Extended_backend =
-  boost::multiprecision::mpfr_float_backend<digits, boost::multiprecision::allocate_stack>;
-#else
-template <unsigned int digits>
-using Extended_backend = boost::multiprecision::cpp_bin_float<digits>;
-#endif
-
-// takes over where double has too few digits
-typedef boost::multiprecision::number<Extended_backend<34>, boost::multiprecision::et_off> Extended;
-
-// takes over from that where errors grow on very long ways
-typedef boost::multiprecision::number<Extended_backend<115>, boost::multiprecision::et_off>
-  More_extended;
 
 // The scale factors of a doubled problem, with faces of the geometry of `Triangle`.
 template <template <typename> class Triangle>
@@ -66,7 +46,7 @@ public:
   const Minimization_result& result() const { return m_result; }
   // of the vertices where curvatures are prescribed
   double max_curvature_error() const { return m_max_curvature_error; }
-  Flattening_status status() const { return m_status; }
+  Map_status status() const { return m_status; }
   // whether all faces have the triangle inequality, but for rounding
   bool has_layout() const { return m_has_layout; }
 
@@ -96,7 +76,8 @@ public:
   template <typename FT, typename Visitor>
   std::vector<FT> refine(const Triangulation& triangulation, Visitor& visitor)
   {
-    const double limit = 1e4 * static_cast<double>(std::numeric_limits<FT>::epsilon());
+    const double limit =
+      tolerance::roundings_of_gradient * static_cast<double>(std::numeric_limits<FT>::epsilon());
     auto energy = energy_at_start<FT>(triangulation);
     for(double before = 1, norm = max_norm(energy.gradient());
         norm > limit && norm < before / 10;) {
@@ -104,7 +85,8 @@ public:
       Vector x = Vector::Zero(m_u.size());
       before = norm;
       // the digits of x end there
-      norm = Newton_minimizer(1e-12 * norm)(energy, x, domain(), visitor).gradient_norm;
+      norm =
+        Newton_minimizer(tolerance::reduction * norm)(energy, x, domain(), visitor).gradient_norm;
     }
     note_values(energy);
     return energy.scale_factors();
@@ -182,20 +164,20 @@ private:
   // In a fixed triangulation it need not be rounding that stops the minimization.
   bool has_no_solution() const
   {
-    return m_status == Flattening_status::no_minimum ||
-           (m_status == Flattening_status::triangle_inequality &&
+    return m_status == Map_status::no_minimum ||
+           (m_status == Map_status::triangle_inequality &&
             m_result.status == Minimization_status::iteration_limit);
   }
 
   // after a minimization that has led in this direction
-  Flattening_status status(const Vector& direction) const
+  Map_status status(const Vector& direction) const
   {
     if(m_problem.flipping() == Flipping::none && falls_without_end(direction))
-      return Flattening_status::no_minimum;
+      return Map_status::no_minimum;
     if(!m_has_layout)
-      return Flattening_status::triangle_inequality;
-    return m_result.status == Minimization_status::converged ? Flattening_status::success
-                                                             : Flattening_status::not_converged;
+      return Map_status::triangle_inequality;
+    return m_result.status == Minimization_status::converged ? Map_status::success
+                                                             : Map_status::not_converged;
   }
 
   // Far along a direction, every face of a fixed triangulation has the angle pi where its entry is
@@ -219,7 +201,7 @@ private:
         least = (std::min)(least, direction[Eigen::Index(mesh.source(h).idx())]);
       add(-pi * least);
     }
-    return slope < -1e-12 * size; // rounding
+    return slope < -tolerance::cancellation * size;
   }
 
   Minimization_domain domain() const
@@ -235,7 +217,7 @@ private:
   Vector m_u;
   std::vector<Extended> m_extended;
   Minimization_result m_result;
-  Flattening_status m_status = Flattening_status::success;
+  Map_status m_status = Map_status::success;
   bool m_has_layout = true;
   double m_max_curvature_error = 0;
 };

@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Peacock_triangulation.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
 
@@ -91,7 +92,6 @@ private:
   // Ten or twenty are usual. Where bounds are active without effect, it may be better to take more
   // digits.
   static constexpr std::size_t iteration_limit = 100;
-  static constexpr double sufficient = 1e-13; // radians
   static constexpr bool is_rounded = std::is_same<FT, double>::value;
 
   template <typename Visitor>
@@ -120,7 +120,7 @@ private:
     m_result = last;
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
-    if(last.gradient_norm <= sufficient)
+    if(last.gradient_norm <= tolerance::gradient)
       m_result.status =
         Minimization_status::converged; // what is less than that is welcome, no more
   }

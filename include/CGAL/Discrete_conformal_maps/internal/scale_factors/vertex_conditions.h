@@ -7,9 +7,9 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -19,9 +19,6 @@
 namespace CGAL {
 namespace Discrete_conformal_maps {
 namespace internal {
-
-using Intrinsic_triangulations::Delta_complex;
-using Intrinsic_triangulations::Vertex_index;
 
 // What is prescribed at the vertices of `g`, by numbers. Where the caller says nothing: flat
 // inside, and `on_boundary` on the boundary.

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Chord_crossings.h>
-#include <CGAL/Discrete_conformal_maps/internal/subdivision/Edge_marks.h>
+#include <CGAL/Discrete_conformal_maps/internal/subdivision/Marked_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 
@@ -47,12 +47,12 @@ class Face_chords
   typedef Intrinsic_triangulations::internal::Face_regions Face_regions;
 
 public:
-  explicit Face_chords(const Edge_marks<FT>& edge_marks) : m_edge_marks(edge_marks) {}
+  explicit Face_chords(const Marked_edges<FT>& edges) : m_edges(edges) {}
 
   // Complexity: linear in the marks and crossings.
   void set_face(Face_index f)
   {
-    m_side = Intrinsic_triangulations::sides(f, m_edge_marks.mesh());
+    m_side = Intrinsic_triangulations::sides(f, m_edges.mesh());
     m_ends.clear();
     m_chord_at_end.clear();
     const std::array<std::size_t, 2> n = number_chords();
@@ -100,13 +100,13 @@ private:
   {
     const std::array<Face_regions, 2> regions{this->regions(0), this->regions(1)};
     for(std::size_t s = 0; s < 3; ++s) {
-      const std::size_t n = m_edge_marks.count(Edge_index(m_side[s]));
+      const std::size_t n = m_edges.numbers().size(Edge_index(m_side[s]));
       std::array<std::size_t, 2> number{};
       m_marks[s].clear();
       m_chord[s].clear();
       m_ends_at_corner[s].clear();
       for(std::size_t p = 0; p < n; ++p) {
-        m_marks[s].push_back(m_edge_marks.mark(m_side[s], static_cast<size_type>(p)));
+        m_marks[s].push_back(m_edges.mark(m_side[s], static_cast<size_type>(p)));
         const std::size_t k = m_marks[s].back().family;
         const auto curve = regions[k].curve_at_side(s, number[k]++);
         m_chord[s].push_back((k == 0 ? 0 : regions[0].size() - 1) +
@@ -123,7 +123,7 @@ private:
   {
     std::array<std::size_t, 3> n;
     for(std::size_t s = 0; s < 3; ++s)
-      n[s] = m_edge_marks.count(family, Edge_index(m_side[s]));
+      n[s] = m_edges.count(family, Edge_index(m_side[s]));
     return Face_regions(n);
   }
 
@@ -157,15 +157,14 @@ private:
   {
     const std::size_t i = end.is_first ? 0 : 1;
     if(end.mark == at_corner) {
-      chord.vertex[i] = m_edge_marks.mesh().source(m_side[end.side]);
+      chord.vertex[i] = m_edges.mesh().source(m_side[end.side]);
       chord.weight[i] = {FT(1 - i), FT(i)};
       chord.place[i] = place(end.side, FT(0));
       return;
     }
     const Mark<FT>& mark = m_marks[end.side][end.mark];
     chord.vertex[i] = mark.vertex;
-    chord.along =
-      end.is_first ? m_edge_marks.mesh(chord.family).opposite(mark.across) : mark.across;
+    chord.along = end.is_first ? opposite(mark.across) : mark.across;
     chord.weight[i] = {mark.weight[1 - i], mark.weight[i]};
     chord.place[i] = place(end.side, mark.here);
   }
@@ -234,7 +233,7 @@ private:
     return (std::min)((std::max)(t, FT(0)), FT(1));
   }
 
-  const Edge_marks<FT>& m_edge_marks;
+  const Marked_edges<FT>& m_edges;
   std::array<Halfedge_index, 3> m_side;
   std::array<std::vector<Mark<FT>>, 3> m_marks;      // of each side
   std::array<std::vector<std::size_t>, 3> m_chord;   // of each mark

@@ -7,9 +7,11 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/Surface_history.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Turned_edge.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
 #include <algorithm>
@@ -37,10 +39,10 @@ struct Curve_segment
 class Curve_tracer
 {
 public:
-  Curve_tracer(const Surface_map& map, bool forward) : m_map(map), m_is_forward(forward) {}
+  Curve_tracer(const Surface_map& map, bool forward) : m_route(map.route(forward)) {}
 
   // The edge of `h`, a halfedge of the level where the curve starts, from its source to its target.
-  // Faces have the numbers of the evolving surface.
+  // Faces have the indices of the evolving surface.
   const std::vector<Curve_segment>& trace(Halfedge_index h)
   {
     carry_edge(h);
@@ -48,7 +50,7 @@ public:
     return m_result;
   }
 
-  // The same; the curve runs through vertices that it comes to within rounding.
+  // Traces likewise, and lets the curve run through vertices that it comes to within rounding.
   const std::vector<Curve_segment>& trace_through_near_vertices(Halfedge_index h)
   {
     carry_edge(h);
@@ -65,7 +67,7 @@ private:
   struct Timed_segment
   {
     Curve_segment segment;
-    Surface_history::Time time;
+    Route::Time time;
   };
 
   void carry_edge(Halfedge_index h)
@@ -76,26 +78,21 @@ private:
     while(!m_stack.empty()) {
       const Timed_segment s = m_stack.back();
       m_stack.pop_back();
-      if(s.time == last_time())
+      if(s.time == m_route.end().time())
         m_result.push_back(s.segment);
       else
-        carry(s.segment, m_is_forward ? s.time : s.time - 1);
+        carry(s);
     }
-  }
-
-  Surface_history::Time last_time() const
-  {
-    return (m_is_forward ? m_map.coarse() : m_map.fine()).time();
   }
 
   // an edge and its reverse start in the same face
   Timed_segment start(Halfedge_index h) const
   {
-    const Surface_level& level = m_is_forward ? m_map.fine() : m_map.coarse();
+    const Surface_level& level = m_route.start();
     const Delta_complex& mesh = level.mesh();
     Halfedge_index inner = mesh.halfedge(mesh.edge(h), 0);
     if(mesh.is_border(inner))
-      inner = mesh.opposite(inner);
+      inner = opposite(inner);
     const std::size_t s = Intrinsic_triangulations::side_number(inner, mesh);
     const std::size_t from = inner == h ? s : (s + 1) % 3, to = inner == h ? (s + 1) % 3 : s;
     return timed({level.surface_face(mesh.face(inner)), corner_point(from, 0), corner_point(to, 1)},
@@ -110,28 +107,17 @@ private:
     return result;
   }
 
-  Timed_segment timed(const Curve_segment& s, Surface_history::Time now) const
+  Timed_segment timed(const Curve_segment& s, Route::Time now) const
   {
-    return {s,
-            m_is_forward ? m_map.next_operation(s.face, now) : m_map.end_of_operation(s.face, now)};
+    return {s, m_route.next(s.face, now)};
   }
 
-  // the parts of the segment after operation `t` come on the stack, the first on top
-  void carry(const Curve_segment& s, Surface_history::Time t)
+  // the parts of the segment after its next operation come on the stack, the first on top
+  void carry(const Timed_segment& s)
   {
     m_parts.clear();
-    const Surface_operation& operation = m_map.history()[t];
-    switch(operation.kind) {
-      case Surface_operation::Kind::scaling: scale(operation, s); break;
-      case Surface_operation::Kind::flip: turn_edge(Turned_edge(operation, m_is_forward), s); break;
-      case Surface_operation::Kind::removal:
-      case Surface_operation::Kind::border_removal:
-        if(m_is_forward)
-          remove_vertex(Vertex_sectors(operation), s);
-        else
-          insert_vertex(Vertex_sectors(operation), s);
-    }
-    const Surface_history::Time now = m_is_forward ? t + 1 : t;
+    const Route::Time now =
+      m_route.pass(s.time, [&](const auto& operation) { pass(operation, s.segment); });
     for(std::size_t n = m_parts.size(); n-- > 0;)
       m_stack.push_back(timed(m_parts[n], now));
   }
@@ -148,10 +134,9 @@ private:
   }
 
   // A curve bends on an edge where the changes on its two sides differ.
-  void scale(const Surface_operation& scaling, Curve_segment s)
+  void pass(const Scaling& scaling, Curve_segment s)
   {
-    const double x = m_is_forward ? scaling.x[0] : 1 / scaling.x[0];
-    const Coordinates factor = scale_factors(m_map.history(), scaling, x, s.face);
+    const Coordinates factor = m_route.factors(scaling, s.face);
     for(Face_point* p : {&s.from, &s.to}) {
       if(is_pair(p->corners))
         m_is_bend[p->node] = 1;
@@ -161,23 +146,25 @@ private:
     m_parts.push_back(s);
   }
 
-  void turn_edge(const Turned_edge& turn, const Curve_segment& s)
+  void pass(const Flip& flip, const Curve_segment& s)
   {
-    const Patch_face& face = turn.before(s.face == turn.before(0).face ? 0 : 1);
+    const Turned_edge turn(flip, m_route.is_forward());
+    const Patch_face face = turn.before(turn.has_r(s.face));
     const Patch_point from = face.in_patch(s.from), to = face.in_patch(s.to);
     const int from_side = turn.side(from), to_side = turn.side(to);
     if(from_side * to_side >= 0)
-      return add_part(turn.after(from_side + to_side >= 0 ? 0 : 1), turn.turned(from),
-                      turn.turned(to));
+      return add_part(turn.after(from_side + to_side >= 0), turn.turned(from), turn.turned(to));
     Patch_point x = turn.crossing(from, to);
     number(x);
-    add_part(turn.after(from_side > 0 ? 0 : 1), turn.turned(from), x);
-    add_part(turn.after(to_side > 0 ? 0 : 1), x, turn.turned(to));
+    add_part(turn.after(from_side > 0), turn.turned(from), x);
+    add_part(turn.after(to_side > 0), x, turn.turned(to));
   }
 
-  void remove_vertex(const Vertex_sectors& sectors, const Curve_segment& s)
+  void pass(const Vertex_sectors& sectors, const Curve_segment& s)
   {
-    const Patch_face& face = sectors[sectors.sector_of(s.face)];
+    if(!m_route.is_forward())
+      return insert_vertex(sectors, s);
+    const Patch_face face = sectors[sectors.sector_of(s.face)];
     add_part(sectors.whole(), sectors.in_whole(face.in_patch(s.from)),
              sectors.in_whole(face.in_patch(s.to)));
   }
@@ -190,8 +177,7 @@ private:
       return add_part(sectors[from.first], from.point, to.point);
     if(to.is_in(from.last))
       return add_part(sectors[from.last], from.point, to.point);
-    // one way around the vertex there is one spoke; where its line is crossed tells which way is
-    // right
+    // one way around the vertex there is one spoke; where its line is crossed decides on the way
     const bool one_ahead = sectors.is_border() ? from.last == 0 : (from.last + 1) % 3 == to.first;
     const std::size_t spoke = one_ahead ? (from.last + 1) % 3 : from.first;
     auto [point, excess] = sectors.on_line(spoke, x, y);
@@ -280,8 +266,7 @@ private:
 
   static constexpr Corner_set inside = 7;
 
-  const Surface_map& m_map;
-  bool m_is_forward;
+  Route m_route;
   std::vector<char> m_is_bend; // of each point
   std::vector<Timed_segment> m_stack;
   std::vector<Curve_segment> m_parts; // of the segment that is being carried

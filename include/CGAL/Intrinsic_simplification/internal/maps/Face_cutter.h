@@ -7,9 +7,11 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-#include <CGAL/Intrinsic_simplification/Surface_history.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Turned_edge.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Vertex_sectors.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +24,7 @@ namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
 
-// A side of a polygon, by the point where it starts and the number of the line on which it is.
+// A side of a polygon, by the point where it starts and the index of the line on which it is.
 struct Cell_side
 {
   Face_point from;
@@ -38,7 +40,7 @@ struct Cell
   std::vector<Cell_side> sides; // counterclockwise
 };
 
-// whether side number `n` lies on an edge of the face
+// whether the side with index `n` lies on an edge of the face
 inline bool is_on_edge(const Cell& cell, std::size_t n)
 {
   const std::size_t next = n + 1 == cell.sides.size() ? 0 : n + 1;
@@ -66,14 +68,14 @@ double polygon_area(std::size_t n, const At& at)
 
 // Carries a face of the fine level through the operations to the coarse level. Like a curve it is
 // cut where it is crossed by a new edge, and its cells go their ways alone. Those on the two sides
-// of a cut know their common points by number, and agree on their coordinates to the last bit. So
+// of a cut know their common points by index, and agree on their coordinates to the last bit. So
 // whatever rounding does, cells are a subdivision of the face.
 class Face_cutter
 {
 public:
-  explicit Face_cutter(const Surface_map& map) : m_map(map) {}
+  explicit Face_cutter(const Surface_map& map) : m_route(map.route(true)) {}
 
-  // The cells of `f`. Faces have the numbers of the evolving surface.
+  // The cells of `f`. Faces have the indices of the evolving surface.
   const std::vector<Cell>& cut(Face_index f)
   {
     m_result.clear();
@@ -82,14 +84,14 @@ public:
     m_is_crease.assign(3, 1);
     m_number_of_points = 3;
     m_stack.clear();
-    push(start(m_map.fine().surface_face(f)), m_map.fine().time());
+    push(start(m_route.start().surface_face(f)), m_route.start().time());
     while(!m_stack.empty()) {
       Timed_cell c = std::move(m_stack.back());
       m_stack.pop_back();
-      if(c.time == m_map.coarse().time())
+      if(c.time == m_route.end().time())
         m_result.push_back(std::move(c.cell));
       else
-        carry(c.cell, c.time);
+        m_route.pass(c.time, [&](const auto& operation) { pass(operation, c); });
     }
     return m_result;
   }
@@ -103,7 +105,7 @@ private:
   struct Timed_cell
   {
     Cell cell;
-    Surface_history::Time time;
+    Route::Time time;
   };
 
   // a point of a cell before a flip, with the side that it begins, and on which side of the new
@@ -129,22 +131,11 @@ private:
     return result;
   }
 
-  void push(Cell&& cell, Surface_history::Time now)
+  // with the time of its next operation
+  void push(Cell&& cell, Route::Time now)
   {
-    const Surface_history::Time next = m_map.next_operation(cell.face, now);
+    const Route::Time next = m_route.next(cell.face, now);
     m_stack.push_back({std::move(cell), next});
-  }
-
-  void carry(Cell& cell, Surface_history::Time t)
-  {
-    const Surface_operation& operation = m_map.history()[t];
-    switch(operation.kind) {
-      case Surface_operation::Kind::scaling: scale(operation, cell); break;
-      case Surface_operation::Kind::flip: return turn_edge(Turned_edge(operation, true), t, cell);
-      case Surface_operation::Kind::removal:
-      case Surface_operation::Kind::border_removal: remove_vertex(Vertex_sectors(operation), cell);
-    }
-    push(std::move(cell), t + 1);
   }
 
   template <typename Change>
@@ -156,45 +147,48 @@ private:
       p = change(p);
   }
 
-  void scale(const Surface_operation& scaling, Cell& cell)
+  void pass(const Scaling& scaling, Timed_cell& c)
   {
-    for(std::size_t n = 0; n < cell.sides.size(); ++n)
-      if(is_on_edge(cell, n))
-        m_is_crease[cell.sides[n].line] = 1;
-    const Coordinates factor = scale_factors(m_map.history(), scaling, scaling.x[0], cell.face);
-    change_points(cell, [&](Face_point p) {
-      for(std::size_t c = 0; c < 3; ++c)
-        p.weight[c] *= factor[c];
+    for(std::size_t n = 0; n < c.cell.sides.size(); ++n)
+      if(is_on_edge(c.cell, n))
+        m_is_crease[c.cell.sides[n].line] = 1;
+    const Coordinates factor = m_route.factors(scaling, c.cell.face);
+    change_points(c.cell, [&](Face_point p) {
+      for(std::size_t k = 0; k < 3; ++k)
+        p.weight[k] *= factor[k];
       return p;
     });
+    push(std::move(c.cell), c.time + 1);
   }
 
-  void remove_vertex(const Vertex_sectors& sectors, Cell& cell)
+  void pass(const Vertex_sectors& sectors, Timed_cell& c)
   {
-    const Patch_face& sector = sectors[sectors.sector_of(cell.face)];
-    cell.face = sectors.whole().face;
-    change_points(cell, [&](const Face_point& p) {
+    const Patch_face sector = sectors[sectors.sector_of(c.cell.face)];
+    c.cell.face = sectors.whole().face;
+    change_points(c.cell, [&](const Face_point& p) {
       return sectors.whole().in_face(sectors.in_whole(sector.in_patch(p)));
     });
+    push(std::move(c.cell), c.time + 1);
   }
 
-  void turn_edge(const Turned_edge& turn, Surface_history::Time t, const Cell& cell)
+  void pass(const Flip& flip, const Timed_cell& c)
   {
-    const Patch_face& before = turn.before(cell.face == turn.before(0).face ? 0 : 1);
+    const Turned_edge turn(flip, true);
+    const Patch_face before = turn.before(turn.has_r(c.cell.face));
     m_points.clear();
-    for(const Cell_side& s : cell.sides) {
+    for(const Cell_side& s : c.cell.sides) {
       Patch_point x = before.in_patch(s.from);
       if(turn.is_near_diagonal(x))
         x = numbered(turn.crossing(x, x), x.node);
       m_points.push_back({x, s.line, turn.side(x)});
     }
-    for(std::size_t c = 0; c < 3; ++c)
-      m_image[c] = before.in_patch(cell.image[c]);
+    for(std::size_t n = 0; n < 3; ++n)
+      m_image[n] = before.in_patch(c.cell.image[n]);
     const bool has_positive = move_to_front(1), has_negative = move_to_front(-1);
     if(has_positive && has_negative)
-      cut_along(turn, t);
+      cut_along(turn, c.time);
     else
-      add_part(turn, has_negative ? -1 : 1, m_points, t);
+      add_part(turn, !has_negative, m_points, c.time);
   }
 
   static Patch_point numbered(Patch_point x, std::size_t node)
@@ -216,7 +210,7 @@ private:
 
   // Points on the edge go with those before them. There are two parts, or more if rounding has bent
   // a side; then the negative side is cut off part by part.
-  void cut_along(const Turned_edge& turn, Surface_history::Time t)
+  void cut_along(const Turned_edge& turn, Route::Time t)
   {
     move_to_front(1); // the last that is not on the edge is negative now
     const std::size_t edge = line_of_flip(t);
@@ -234,13 +228,13 @@ private:
       here.push_back({x, edge, 0});
       there.push_back({x, p.line, 0});
       if(side < 0)
-        add_part(turn, -1, std::exchange(m_negative, {}), t);
+        add_part(turn, false, std::exchange(m_negative, {}), t);
       side = -side;
     }
-    add_part(turn, 1, m_positive, t);
+    add_part(turn, true, m_positive, t);
   }
 
-  std::size_t line_of_flip(Surface_history::Time t)
+  std::size_t line_of_flip(Route::Time t)
   {
     const auto [line, is_new] = m_lines.emplace(t, m_is_crease.size());
     if(is_new)
@@ -248,7 +242,7 @@ private:
     return line->second;
   }
 
-  // the same, to the last bit, whichever cell asks
+  // agrees to the last bit for both cells that ask
   Patch_point crossing(const Turned_edge& turn, const Patch_point& x, const Patch_point& y)
   {
     if(x.node > y.node)
@@ -258,21 +252,25 @@ private:
     return numbered(turn.crossing(x, y), entry->second);
   }
 
-  void add_part(const Turned_edge& turn, int side, const Part& part, Surface_history::Time t)
+  void add_part(const Turned_edge& turn, bool has_p, const Part& part, Route::Time t)
   {
-    const Patch_face& after = turn.after(side > 0 ? 0 : 1);
+    const Patch_face after = turn.after(has_p);
     Cell result{after.face, {}, {}};
     for(const Sided_point& p : part)
       result.sides.push_back({after.in_face(turn.turned(p.point)), p.line});
-    for(std::size_t c = 0; c < 3; ++c)
-      result.image[c] = after.in_face(turn.changed(m_image[c], side > 0));
+    for(std::size_t c = 0; c < 3; ++c) {
+      Patch_point image = m_image[c];
+      turn.change(image.weight, has_p);
+      image.corners = after.corners();
+      result.image[c] = after.in_face(image);
+    }
     push(std::move(result), t + 1);
   }
 
-  const Surface_map& m_map;
+  Route m_route;
   std::size_t m_number_of_points = 0;
   std::vector<char> m_is_crease; // of each line
-  std::map<Surface_history::Time, std::size_t> m_lines;
+  std::map<Route::Time, std::size_t> m_lines;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_crossings; // of sides that were cut
   std::vector<Timed_cell> m_stack;
   Part m_points, m_positive, m_negative; // of the cell that is being cut

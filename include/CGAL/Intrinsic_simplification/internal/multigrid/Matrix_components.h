@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_simplification/internal/tolerances.h>
+
 #include <Eigen/SparseCore>
 
 #include <cmath>
@@ -33,7 +35,7 @@ public:
         explore(j, matrix);
   }
 
-  // with the same numbers, for the unknowns of a coarse level
+  // with the indices of components of the fine level, for the unknowns of a coarse level
   Matrix_components(const Matrix_components& fine, const Matrix& prolongation)
     : m_label(static_cast<std::size_t>(prolongation.cols()), none),
       m_is_floating(fine.m_is_floating)
@@ -52,8 +54,7 @@ private:
 
   static std::size_t index(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
-  // A sum of all entries that rounding can have caused counts as zero; each of them is a sum of
-  // some ten numbers itself.
+  // A sum of all entries that rounding can have caused counts as zero.
   void explore(int start, const Matrix& matrix)
   {
     double sum = 0, size = 0;
@@ -71,8 +72,7 @@ private:
         }
       }
     }
-    const double rounding = 10 * std::numeric_limits<double>::epsilon() * size;
-    m_is_floating.push_back(std::abs(sum) <= rounding ? 1 : 0);
+    m_is_floating.push_back(std::abs(sum) <= matrix_rounding * size ? 1 : 0);
   }
 
   std::vector<std::size_t> m_label; // of each unknown

@@ -16,7 +16,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,8 +29,9 @@ typedef Eigen::VectorXd Vector;
 class Multigrid_level
 {
 public:
-  explicit Multigrid_level(Matrix matrix) : m_matrix(std::move(matrix))
+  explicit Multigrid_level(Matrix matrix)
   {
+    m_matrix.swap(matrix); // Eigen's matrices are not moved
     m_matrix.makeCompressed();
     const Vector diagonal = m_matrix.diagonal();
     m_inverse_diagonal = (diagonal.array() > 0).select(diagonal.cwiseInverse(), 0); // empty rows
@@ -48,7 +48,7 @@ public:
       relax(j, b, x);
   }
 
-  // the same in reverse, which makes both together symmetric
+  // a sweep in reverse, which makes both together symmetric
   void smooth_back(const Vector& b, Vector& x) const
   {
     for(Eigen::Index j = x.size(); j-- > 0;)

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/Flip_geometry.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/recorded_changes.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <array>
@@ -26,23 +26,23 @@ namespace internal {
 class Loop_flipper
 {
 public:
-  // Whether no loop is left at the center of `star`. The change of scale and the flips are appended
-  // to `history`.
+  // Returns whether no loop is left at the center of `star`. The change of scale and the flips are
+  // appended to `history`.
   bool operator()(const Flattened_star& star, Intrinsic_surface& surface, Surface_history& history)
   {
     m_start = history.size();
     m_undo.clear();
-    history.add_scaling(star, surface.mesh());
-    for(std::size_t n = 0; n < star.size(); ++n)
-      surface.set_length(surface.mesh().edge(star[n].halfedge), star.flat_length(n));
-    for(;;) {
+    scale(star, surface, history);
+    // a flip makes the degree smaller, unless both new ends are at the center too
+    for(std::size_t limit = 10 * star.size(); limit > 0; --limit) {
       const Loops loops = find_loops(star.center(), surface);
       if(loops.count == 0)
         return true;
       if(!loops.flippable.is_valid())
         return false;
-      flip(loops.flippable, surface, history);
+      flip_loop(loops.flippable, surface, history);
     }
+    return false;
   }
 
   // restores what was before the last call
@@ -75,7 +75,7 @@ private:
   {
     Loops result{0, Delta_complex::null_halfedge()};
     const Delta_complex& mesh = surface.mesh();
-    Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    for_each_spoke(v, mesh, [&](Halfedge_index h) {
       if(mesh.target(h) != v)
         return;
       ++result.count;
@@ -85,25 +85,23 @@ private:
     return result;
   }
 
-  void flip(Halfedge_index h, Intrinsic_surface& surface, Surface_history& history)
+  void flip_loop(Halfedge_index h, Intrinsic_surface& surface, Surface_history& history)
   {
     const Delta_complex& mesh = surface.mesh();
-    const Halfedge_index o = mesh.opposite(h);
+    const Halfedge_index o = opposite(h);
     m_undo.push_back({h,
                       surface.length(h),
                       {surface.direction(h), surface.direction(o)},
                       {mesh.halfedge(mesh.face(h)), mesh.halfedge(mesh.face(o))},
                       {mesh.halfedge(mesh.source(h)), mesh.halfedge(mesh.target(h))}});
-    const Flip_geometry flip = flip_geometry(surface.diamond(h));
-    history.add_flip(h, mesh, flip.s, flip.t);
-    surface.flip(h, flip.length);
+    flip(h, flip_geometry(surface.diamond(h)), surface, history);
   }
 
   // Four quarter turns bring an edge back.
   static void undo_flip(const Undo& undo, Intrinsic_surface& surface)
   {
     Delta_complex& mesh = surface.mesh();
-    const Halfedge_index h = undo.halfedge, o = mesh.opposite(h);
+    const Halfedge_index h = undo.halfedge, o = opposite(h);
     for(int turn = 0; turn < 3; ++turn)
       Intrinsic_triangulations::flip_edge(h, mesh);
     surface.set_length(mesh.edge(h), undo.length);

@@ -9,6 +9,8 @@
 
 #include <CGAL/Intrinsic_simplification/Flattened_star.h>
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/recorded_changes.h>
+#include <CGAL/Intrinsic_simplification/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -35,12 +37,11 @@ struct Plane_point
   friend double squared_norm(const Plane_point& p) { return p.x * p.x + p.y * p.y; }
 };
 
-// An edge from the center that is to be flipped: its new length, and the places of the crossing on
-// the old and the new edge.
+// an edge from the center that is to be flipped
 struct Spoke_flip
 {
   Halfedge_index halfedge;
-  double length, s, t;
+  Flip_geometry geometry;
 };
 
 // The flat star of a vertex without loops, laid out in the plane around the origin, and the spokes
@@ -128,11 +129,9 @@ private:
     const double area = cross(j - l, k - j);
     const double inside = cross(l, k);
     const double unit = std::sqrt(squared_norm(l) * squared_norm(k));
-    if(area > rounding() * unit && inside >= -rounding() * unit)
+    if(area > rounding_unit() * unit && inside >= -rounding_unit() * unit)
       corner.power = -incircle(l, j, k) / area;
   }
-
-  static double rounding() { return Intrinsic_triangulations::rounding_unit<double>(); }
 
   // positive if the origin is inside the circle
   static double incircle(const Plane_point& a, const Plane_point& b, const Plane_point& c)
@@ -168,8 +167,9 @@ private:
   {
     const double at_l = cross(l, j.point), at_k = cross(j.point, k);
     const double both = at_l + at_k;
-    return {j.spoke, std::sqrt(squared_norm(k - l)), std::clamp(cross(l, k) / both, 0., 1.),
-            std::clamp(at_l / both, 0., 1.)};
+    return {j.spoke,
+            {std::sqrt(squared_norm(k - l)), std::clamp(cross(l, k) / both, 0., 1.),
+             std::clamp(at_l / both, 0., 1.)}};
   }
 
   // false if the center is not between them
@@ -181,7 +181,7 @@ private:
     const std::array<double, 3> area{cross(q, r), m_is_border ? 0 : cross(r, p), cross(p, q)};
     const double sum = area[0] + area[1] + area[2];
     for(std::size_t n = 0; n < 3; ++n) {
-      if(!(area[n] >= -rounding() * sum))
+      if(!(area[n] >= -rounding_unit() * sum))
         return false;
       m_weight[n] = (std::max)(area[n], 0.) / sum;
     }

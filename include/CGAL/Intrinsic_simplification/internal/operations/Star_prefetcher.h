@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/Vertex_heap.h>
-#include <CGAL/Intrinsic_simplification/internal/operations/prefetch.h>
 
 #include <array>
 #include <cstddef>
@@ -18,6 +17,26 @@
 namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
+
+// asks for a byte of memory that will be read soon; no effect but on time
+inline void prefetch(const void* address)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#else
+  (void)address;
+#endif
+}
+
+// asks for some bytes, no more than two lines of the cache
+inline void prefetch(const void* address, std::size_t size)
+{
+  prefetch(address);
+  prefetch(static_cast<const char*>(address) + size - 1);
+}
+
+// what a cost has for a vertex; of a cost that is not known nothing is
+inline void prefetch_vertex(Intrinsic_triangulations::Vertex_index, const void*) {}
 
 // Brings the stars of the vertices near the top of a heap into the cache, many at once: a walk
 // around a star waits for memory at each spoke, and many walks side by side wait hardly longer. On
@@ -59,7 +78,7 @@ private:
   {
     m_recent[slot(v)] = v;
     prefetch_vertex(v, &cost);
-    const Halfedge_index first = Intrinsic_triangulations::first_spoke(v, surface.mesh());
+    const Halfedge_index first = first_spoke(v, surface.mesh());
     m_walks.push_back({first, first});
   }
 
@@ -75,7 +94,7 @@ private:
     if(mesh.is_border(h))
       return false;
     prefetch(&surface.length_map()[mesh.edge(mesh.next(h))]);
-    walk.spoke = Intrinsic_triangulations::next_spoke(h, mesh);
+    walk.spoke = next_spoke(h, mesh);
     return walk.spoke != walk.first;
   }
 

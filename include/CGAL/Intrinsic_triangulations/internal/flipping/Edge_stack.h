@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <boost/container/vector.hpp>
 
@@ -38,8 +39,7 @@ public:
     push_if(true, e);
   }
 
-  // Always writes, so that nothing depends on an answer as hard to foretell as `is_wanted`: jumps
-  // that the processor gets wrong would cost more than all the rest.
+  // Branch-free: `is_wanted` is unpredictable, and mispredictions would dominate.
   // \pre `e` is one of the edges that there were at first
   void push_if(bool is_wanted, Edge_index e)
   {
@@ -70,16 +70,32 @@ inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_comp
           mesh.edge(mesh.prev(o))};
 }
 
+// More flips than real data need: each edge is allowed a thousand, and a hundred million are for
+// small triangulations that are sheared far (a ring of n vertices takes n^2 flips for each turn).
+inline std::size_t default_flip_limit(std::size_t number_of_edges)
+{
+  return 100000000 + 1000 * number_of_edges;
+}
+
+// \throws Flip_limit_exceeded if no further flip is allowed
+inline void check_flip_limit(std::size_t flips, std::size_t number_of_edges)
+{
+  if(flips >= default_flip_limit(number_of_edges))
+    throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
+}
+
 // Flips edges, first those that wait in `stack`, then those around flipped ones, until `is_good(h)`
-// for all that can be flipped. `flip(h)` is to turn the edge of `h`.
+// for all that can be flipped. `flip(h)` is to turn the edge of `h`. \throws Flip_limit_exceeded
+// if more flips are needed than `default_flip_limit()`
 template <typename Is_good, typename Flip>
 void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,
                   const Flip& flip)
 {
-  while(!stack.empty()) {
+  for(std::size_t flips = 0; !stack.empty();) {
     const Halfedge_index h = mesh.halfedge(stack.pop());
     if(is_good(h) || flip_status(h, mesh) != Operation_status::possible)
       continue;
+    check_flip_limit(flips++, mesh.num_edges());
     flip(h);
     for(Edge_index e : edges_around(h, mesh))
       stack.push(e);

@@ -8,10 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 
 #include <CGAL/number_utils.h>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -60,10 +60,10 @@ public:
     FT distance;
   };
 
-  template <typename EdgeLengthMap>
-  Flat_face(Halfedge_index h, const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_length{get(length, mesh.edge(h)), get(length, mesh.edge(mesh.next(h))),
-               get(length, mesh.edge(mesh.prev(h)))},
+  template <typename Surface>
+  Flat_face(Halfedge_index h, const Surface& surface)
+    : m_length{edge_length(h, surface), edge_length(surface.mesh().next(h), surface),
+               edge_length(surface.mesh().prev(h), surface)},
       m_quadrupled_area(quadrupled_area(m_length[0], m_length[1], m_length[2])),
       m_direction{Vector(1), -std::conj(turn(1)), -turn(0)}
   {}
@@ -159,12 +159,13 @@ private:
   std::array<Vector, 3> m_direction;
 };
 
-template <typename EdgeLengthMap>
-auto angle_at_source(Halfedge_index h, const Delta_complex& mesh, const EdgeLengthMap& length)
+template <typename Surface>
+Length_of<Surface> angle_at_source(Halfedge_index h, const Surface& surface)
 {
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
-  return corner_angle<FT>(get(length, mesh.edge(mesh.next(h))), get(length, mesh.edge(h)),
-                          get(length, mesh.edge(mesh.prev(h))));
+  const Delta_complex& mesh = surface.mesh();
+  return corner_angle<Length_of<Surface>>(edge_length(mesh.next(h), surface),
+                                          edge_length(h, surface),
+                                          edge_length(mesh.prev(h), surface));
 }
 
 } // namespace internal

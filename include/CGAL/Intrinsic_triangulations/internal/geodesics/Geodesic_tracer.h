@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
@@ -40,20 +41,20 @@ public:
   typedef typename Flat_face<FT>::Vector Vector;
   static_assert(std::is_floating_point<FT>::value, "directions at vertices are angles");
 
-  Geodesic_tracer(const Delta_complex& mesh, const EdgeLengthMap& length, At_boundary at_boundary,
+  Geodesic_tracer(const Surface_view<EdgeLengthMap>& surface, At_boundary at_boundary,
                   OutputIterator path)
-    : m_mesh(mesh), m_length(length), m_at_boundary(at_boundary), m_path(path)
+    : m_surface(surface), m_mesh(surface.mesh()), m_at_boundary(at_boundary), m_path(path)
   {}
 
-  Geodesic<FT> from_vertex(Vertex_index v, const Vector& vector)
+  Geodesic<FT> from(Vertex_index v, const Vector& vector)
   {
     CGAL_precondition(!m_mesh.is_isolated(v));
     start(first_spoke(v, m_mesh), {FT(1), FT(0), FT(0)}, vector);
-    leave_vertex(Angles(m_h, m_mesh, m_length), wrapped(std::arg(m_start)));
+    leave_vertex(Angles(m_h, m_surface), wrapped(std::arg(m_start)));
     return trace();
   }
 
-  Geodesic<FT> from_point(const Face_location<FT>& p, const Vector& vector)
+  Geodesic<FT> from(const Face_location<FT>& p, const Vector& vector)
   {
     start(m_mesh.halfedge(p.first), p.second, vector);
     for(std::size_t k = 0; k < 3; ++k)
@@ -98,7 +99,7 @@ private:
   }
 
   // Takes side `s` of the face as the new x-axis.
-  void turn_frame(std::size_t s) { turn_frame(Face(m_h, m_mesh, m_length), s); }
+  void turn_frame(std::size_t s) { turn_frame(Face(m_h, m_surface), s); }
   void turn_frame(const Face& face, std::size_t s)
   {
     m_direction *= std::conj(face.direction(s));
@@ -110,7 +111,7 @@ private:
 
   void cross_face()
   {
-    const Face face(m_h, m_mesh, m_length);
+    const Face face(m_h, m_surface);
     const auto exit = face.exit(m_place, m_direction);
     if(CGAL::abs(m_remaining - exit.distance) <= face.tolerance())
       end_at(exit.place);
@@ -179,18 +180,17 @@ private:
   void leave_corner()
   {
     const FT angle = std::arg(m_direction);
-    if(angle >= 0 && angle <= angle_at_source(m_h, m_mesh, m_length))
+    if(angle >= 0 && angle <= angle_at_source(m_h, m_surface))
       return;
-    const Angles angles(m_h, m_mesh, m_length);
+    const Angles angles(m_h, m_surface);
     leave_vertex(angles, angles.normalized(angle));
   }
 
   // Goes straight on: normalized, that is the direction opposite to the one back.
   void pass_vertex()
   {
-    const Angles angles(m_h, m_mesh, m_length);
-    const FT back =
-      std::clamp(std::arg(-m_direction), FT(0), angle_at_source(m_h, m_mesh, m_length));
+    const Angles angles(m_h, m_surface);
+    const FT back = std::clamp(std::arg(-m_direction), FT(0), angle_at_source(m_h, m_surface));
     const FT phi = wrapped(angles.normalized(back) + pi<FT>());
     if(!angles.is_border() || m_at_boundary == At_boundary::slide)
       record({m_mesh.prev(m_h), FT(1)});
@@ -216,7 +216,7 @@ private:
   void turn_to(const FT& angle, const FT& tolerance)
   {
     const Halfedge_index first = m_h;
-    FT before(0), corner = angle_at_source(m_h, m_mesh, m_length);
+    FT before(0), corner = angle_at_source(m_h, m_surface);
     while(angle - before > corner - tolerance) {
       const Halfedge_index next = next_spoke(m_h, m_mesh);
       if(m_mesh.is_border(next)) {
@@ -229,7 +229,7 @@ private:
         return;
       }
       before += corner;
-      corner = angle_at_source(m_h, m_mesh, m_length);
+      corner = angle_at_source(m_h, m_surface);
     }
     m_direction = angle - before > tolerance ? std::polar(FT(1), angle - before) : Vector(1);
   }
@@ -274,7 +274,7 @@ private:
   void slide()
   {
     const bool forward = m_direction.real() > 0;
-    const FT distance = m_place[forward ? 0 : 1] * get(m_length, m_mesh.edge(m_h));
+    const FT distance = m_place[forward ? 0 : 1] * edge_length(m_h, m_surface);
     if(m_remaining <= distance) {
       end_between(end_of_side(forward), m_remaining / distance);
       return;
@@ -286,8 +286,8 @@ private:
     m_place = end_of_side(!forward);
   }
 
+  Surface_view<EdgeLengthMap> m_surface;
   const Delta_complex& m_mesh;
-  const EdgeLengthMap& m_length;
   At_boundary m_at_boundary;
   OutputIterator m_path;
 

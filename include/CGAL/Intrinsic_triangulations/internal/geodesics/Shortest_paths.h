@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
@@ -51,9 +52,11 @@ public:
   };
 
   // `target` is one more point, which is no vertex; without it its face is null.
-  Shortest_paths(const Delta_complex& mesh, const EdgeLengthMap& length,
-                 const Face_location<FT>& target = {})
-    : m_mesh(mesh), m_length(length), m_target(target), m_path(mesh.num_vertices())
+  Shortest_paths(const Surface_view<EdgeLengthMap>& surface, const Face_location<FT>& target = {})
+    : m_surface(surface),
+      m_mesh(surface.mesh()),
+      m_target(target),
+      m_path(surface.mesh().num_vertices())
   {}
 
   void start_at(Vertex_index v)
@@ -66,7 +69,7 @@ public:
   void start_at(const Face_location<FT>& p)
   {
     const Halfedge_index h = m_mesh.halfedge(p.first);
-    const Face face(h, m_mesh, m_length);
+    const Face face(h, m_surface);
     const Origin origin{FT(0), Delta_complex::null_vertex(), h, Vector(1)};
     for(std::size_t s = 0; s < 3; ++s) {
       const Vertex_index corner = m_mesh.source(sides(p.first, m_mesh)[s]);
@@ -134,7 +137,7 @@ private:
     friend bool operator<(const Bend& b, const Bend& c) { return b.length > c.length; }
   };
 
-  FT length(Halfedge_index h) const { return get(m_length, m_mesh.edge(h)); }
+  FT length(Halfedge_index h) const { return edge_length(h, m_surface); }
 
   // ---- Paths ----
 
@@ -161,7 +164,7 @@ private:
   // wider than the tolerance of what is seen.
   bool can_bend(Vertex_index v) const
   {
-    const Vertex_angles<FT> angles(first_spoke(v, m_mesh), m_mesh, m_length);
+    const Vertex_angles<FT> angles(first_spoke(v, m_mesh), m_surface);
     return angles.sum() - (angles.is_border() ? 1 : 2) * pi<FT>() > rounding_unit<FT>();
   }
 
@@ -189,7 +192,7 @@ private:
       reach(m_mesh.target(h), path_from(origin, Vector(length(h))));
       if(m_mesh.is_border(h))
         return;
-      const Face face(h, m_mesh, m_length);
+      const Face face(h, m_surface);
       if(is_open)
         open_view(h, face, 1, {FT(1), FT(0), FT(0)}, origin);
       look_for_target(h, face, {FT(1), FT(0), FT(0)}, origin);
@@ -313,7 +316,7 @@ private:
   void unfold(const View& view)
   {
     const Halfedge_index o = m_mesh.opposite(view.edge);
-    const Face face(o, m_mesh, m_length);
+    const Face face(o, m_surface);
     const Vector target(length(view.edge)), apex = target + face.side(2);
     const FT tolerance = face.tolerance() + rounding_unit<FT>() * std::abs(view.position);
     const auto is_seen = [&](const Vector& z) {
@@ -357,8 +360,8 @@ private:
     return {origin.before, origin.bend, origin.frame, -origin.axis};
   }
 
+  Surface_view<EdgeLengthMap> m_surface;
   const Delta_complex& m_mesh;
-  const EdgeLengthMap& m_length;
   Vertex_index m_source;      // null if the source is no vertex
   Face_location<FT> m_target; // in a null face if there is none
   std::vector<Path> m_path;   // to each vertex

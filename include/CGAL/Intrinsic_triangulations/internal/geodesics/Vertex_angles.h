@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 
@@ -20,12 +21,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-template <typename FT>
-FT pi()
-{
-  return std::acos(FT(-1));
-}
-
 // The angles at one vertex: on the surface, counterclockwise from a given spoke, and normalized,
 // from its first spoke (Section 2.3.2).
 template <typename FT>
@@ -33,17 +28,17 @@ class Vertex_angles
 {
 public:
   // Complexity: linear in the degree.
-  template <typename EdgeLengthMap>
-  Vertex_angles(Halfedge_index spoke, const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_before(0), m_sum(0)
+  template <typename Surface>
+  Vertex_angles(Halfedge_index spoke, const Surface& surface) : m_before(0), m_sum(0)
   {
+    const Delta_complex& mesh = surface.mesh();
     const Vertex_index v = mesh.source(spoke);
     const Halfedge_index first = first_spoke(v, mesh);
     Halfedge_index h = first;
     do {
       if(h == spoke)
         m_before = m_sum;
-      m_sum += angle_at_source(h, mesh, length);
+      m_sum += angle_at_source(h, surface);
       h = next_spoke(h, mesh);
     } while(h != first && !mesh.is_border(h));
     m_is_border = mesh.is_border(h);

@@ -37,7 +37,7 @@ struct Start_in_input_face
     : location(tri.input_location(h)),
       axis(tri.input_spoke_before(h).is_valid() ? tri.input_spoke_before(h)
                                                 : tri.input_mesh().halfedge(location.first)),
-      face(axis, tri.input_mesh(), tri.input_length_map()),
+      face(axis, tri.input()),
       place(coordinates_from(axis, location, tri.input_mesh()))
   {}
 
@@ -74,7 +74,7 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
       start.face.between(start.place, coordinates_from(start.axis, end.location, mesh)));
   const std::size_t first = start.number(exit(0), mesh);
   const std::size_t last = end.number(mesh.opposite(exit(n - 1)), mesh);
-  lay_out_strip(strip, mesh, tri.input_length_map(), exit, n,
+  lay_out_strip(strip, tri.input(), exit, n,
                 std::make_pair(start.place_beyond(first), end.place_beyond(last)));
   if(!tri.traits().is_length_object()(strip.length()))
     throw Numerical_error("the strip of edge " + std::to_string(tri.mesh().edge(h).idx()) +

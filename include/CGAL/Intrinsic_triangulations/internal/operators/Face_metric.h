@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -27,13 +28,13 @@ template <typename FT>
 class Face_metric
 {
 public:
-  template <typename EdgeLengthMap>
-  Face_metric(Face_index f, const Delta_complex& mesh, const EdgeLengthMap& length) : m_face(f)
+  template <typename Surface>
+  Face_metric(Face_index f, const Surface& surface) : m_face(f)
   {
-    const auto h = sides(f, mesh);
+    const auto h = sides(f, surface.mesh());
     for(std::size_t s = 0; s < 3; ++s) {
-      m_corner[s] = mesh.source(h[s]);
-      m_length[s] = get(length, mesh.edge(h[s]));
+      m_corner[s] = surface.mesh().source(h[s]);
+      m_length[s] = edge_length(h[s], surface);
     }
     m_quadrupled_area = quadrupled_area(m_length[0], m_length[1], m_length[2]);
   }

@@ -16,8 +16,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
@@ -43,10 +41,12 @@ FT checked_time_step_factor(const NamedParameters& np)
 }
 
 // The time for which heat flows on each component.
-template <typename FT, typename EdgeLengthMap>
-std::vector<FT> time_steps(const Delta_complex& mesh, const EdgeLengthMap& length, const FT& factor,
+template <typename Surface, typename FT>
+std::vector<FT> time_steps(const Surface& surface, const FT& factor,
                            const Mesh_components& components)
 {
+  const Delta_complex& mesh = surface.mesh();
+  const auto& length = surface.length_map();
   std::vector<FT> result(components.size(), FT(0)), count(components.size(), FT(0));
   for(Edge_index e : mesh.edges()) {
     const std::size_t c = components[mesh.vertex(e, 0).idx()];
@@ -75,11 +75,11 @@ class Heat_flow
 public:
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
-  template <typename EdgeLengthMap, typename NamedParameters>
-  Heat_flow(const Delta_complex& mesh, const EdgeLengthMap& length, const NamedParameters& np)
-    : m_components(mesh),
-      m_rate(decay_rates(mesh, length, checked_time_step_factor<FT>(np))),
-      m_factorization(plus_diagonal(cotan_laplacian(mesh, length), m_rate), "heat flow")
+  template <typename Surface, typename NamedParameters>
+  Heat_flow(const Surface& surface, const NamedParameters& np)
+    : m_components(surface.mesh()),
+      m_rate(decay_rates(surface, checked_time_step_factor<FT>(np))),
+      m_factorization(plus_diagonal(cotan_laplacian(surface), m_rate), "heat flow")
   {}
 
   const Mesh_components& components() const { return m_components; }
@@ -117,7 +117,7 @@ public:
   // the heat from `sources`, times unit()
   Vector spread(const Vector& sources) const { return m_factorization.solve(unit() * sources); }
 
-  // the heat from `sources`, times unit(), which is above the range of FT on all components with a
+  // returns the heat from `sources`, times unit(), which reaches all vertices of components with a
   // source
   Vector spread_everywhere(const Vector& sources) const
   {
@@ -132,11 +132,11 @@ public:
   }
 
 private:
-  template <typename EdgeLengthMap>
-  Vector decay_rates(const Delta_complex& mesh, const EdgeLengthMap& length, const FT& factor) const
+  template <typename Surface>
+  Vector decay_rates(const Surface& surface, const FT& factor) const
   {
-    const auto time = time_steps(mesh, length, factor, m_components);
-    Vector result = lumped_mass_matrix(mesh, length).diagonal();
+    const auto time = time_steps(surface, factor, m_components);
+    Vector result = lumped_mass_matrix(surface).diagonal();
     for(Eigen::Index v = 0; v < result.size(); ++v)
       if(const FT t = time[m_components[static_cast<std::size_t>(v)]]; t > 0)
         result[v] /= t;

@@ -39,8 +39,8 @@ public:
     lost     // the face has no area, or the circumcenter is too far away
   };
 
-  Circumcenter_walk(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_mesh(mesh), m_length(length)
+  Circumcenter_walk(const Surface_view<EdgeLengthMap>& surface)
+    : m_surface(surface), m_mesh(surface.mesh())
   {}
 
   // The walk must stop before edges where `is_fixed(h)`. It ends after as many steps as there are
@@ -87,9 +87,9 @@ private:
   // Corner 0 is at the origin, corner 1 on the real axis.
   void set_first_face(Halfedge_index h)
   {
-    const auto length = [&](Halfedge_index x) { return get(m_length, m_mesh.edge(x)); };
+    const auto length = [&](Halfedge_index x) { return edge_length(x, m_surface); };
     const FT base = length(h), left = length(m_mesh.next(h)), right = length(m_mesh.prev(h));
-    const Face face(h, m_mesh, m_length);
+    const Face face(h, m_surface);
     m_halfedge = h;
     m_corner = {Vector(0), Vector(base), -face.side(2)};
     m_center = Vector(base, doubled_corner_product(base, left, right) * base /
@@ -129,7 +129,7 @@ private:
   {
     const Vector source = m_corner[(s + 1) % 3], target = m_corner[s];
     m_halfedge = m_mesh.opposite(m_halfedge); // already that of the side
-    const Face face(m_halfedge, m_mesh, m_length);
+    const Face face(m_halfedge, m_surface);
     m_corner = {source, target, source - normalized(target - source) * face.side(2)};
   }
 
@@ -160,10 +160,10 @@ private:
     return is_fixed(m_halfedge) ? End::blocked : End::on_edge;
   }
 
-  FT length_of_side(std::size_t s) const { return get(m_length, m_mesh.edge(side(s))); }
+  FT length_of_side(std::size_t s) const { return edge_length(side(s), m_surface); }
 
+  Surface_view<EdgeLengthMap> m_surface;
   const Delta_complex& m_mesh;
-  const EdgeLengthMap& m_length;
   Halfedge_index m_halfedge; // side 0 of the current face
   std::array<Vector, 3> m_corner;
   Vector m_center;

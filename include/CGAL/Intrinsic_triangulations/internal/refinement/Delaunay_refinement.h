@@ -68,8 +68,8 @@ public:
       m_visitor(visitor),
       m_inserter(tri),
       m_narrow(tri),
-      m_walk(m_mesh, tri.length_map()),
-      m_ball(m_mesh, tri.length_map()),
+      m_walk(tri.intrinsic()),
+      m_ball(tri.intrinsic()),
       m_stack(m_mesh.num_edges())
   {}
 

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -37,8 +38,8 @@ class Dijkstra_ball
   };
 
 public:
-  Dijkstra_ball(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_mesh(mesh), m_length(length)
+  Dijkstra_ball(const Surface_view<EdgeLengthMap>& surface)
+    : m_surface(surface), m_mesh(surface.mesh())
   {}
 
   // Returns the vertices of the ball in the order of their distances, `center` the first of them.
@@ -55,7 +56,7 @@ public:
         continue;
       m_vertices.push_back(v);
       for_each_spoke(v, m_mesh, [&, d = distance](Halfedge_index h) {
-        const FT reached = d + get(m_length, m_mesh.edge(h));
+        const FT reached = d + edge_length(h, m_surface);
         if(reached <= radius)
           push(m_mesh.target(h), reached);
       });
@@ -73,8 +74,8 @@ private:
     m_queue.push({distance, v});
   }
 
+  Surface_view<EdgeLengthMap> m_surface;
   const Delta_complex& m_mesh;
-  const EdgeLengthMap& m_length;
   std::size_t m_round = 0;
   std::vector<Label> m_label;
   std::vector<Vertex_index> m_vertices;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 
@@ -37,7 +38,7 @@ public:
     : m_tri(tri), m_is_narrow(tri.mesh().num_vertices(), false)
   {
     for(Vertex_index v : tri.mesh().vertices())
-      m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < FT(CGAL_PI) / 3;
+      m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < pi<FT>() / 3;
   }
 
   // Returns why a face that violates the bound on angles is excused, and by which narrow vertex: if
@@ -123,7 +124,7 @@ private:
         sector = FT(0);
       }
       if(!mesh.is_border(h))
-        sector += angle_at_source(h, mesh, m_tri.length_map());
+        sector += angle_at_source(h, m_tri);
     });
     if(mesh.is_border(v))
       return least;

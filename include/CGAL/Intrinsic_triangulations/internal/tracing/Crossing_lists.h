@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 
@@ -29,6 +30,7 @@ class Crossing_lists
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::Integer Integer;
+  typedef Delta_complex::size_type size_type;
   typedef typename Triangulation::Coordinates Coordinates;
   typedef boost::container::small_vector<Halfedge_index, 4> List;
 
@@ -39,7 +41,7 @@ public:
     for(Edge_index e : tri.mesh().edges()) {
       m_list[e].resize(crossings.count(e));
       for(std::size_t m = 0; m < m_list[e].size(); ++m)
-        m_list[e][m] = crossings(e, m);
+        m_list[e][m] = crossings(first_halfedge(e), m);
       set_if_shared(e);
     }
   }
@@ -48,8 +50,7 @@ public:
   // that lies along `h`.
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
-    const List& list = m_list[Edge_index(h)];
-    return is_even(h) ? list[m] : opposite(list[list.size() - 1 - m]);
+    return at(h, m, m_list[Edge_index(h)]);
   }
 
   // the number of crossings on the edge of `h`
@@ -83,27 +84,33 @@ public:
   {
     m_list.resize(m_tri.mesh().num_edges());
     const List whole = m_list[Edge_index(mj)];
-    const std::size_t first = count_of(im), second = count_of(mj), n = whole.size();
-    const auto at = [&](std::size_t m) {
-      return is_even(mj) ? whole[m] : opposite(whole[n - 1 - m]);
-    };
+    const std::size_t first = count_of(im), second = count_of(mj);
     m_list[Edge_index(im)].resize(first);
     m_list[Edge_index(mj)].resize(second);
     for(std::size_t m = 0; m < first; ++m)
-      set(im, m, at(m));
+      set(im, m, at(mj, m, whole));
     for(std::size_t m = 0; m < second; ++m)
-      set(mj, m, at(n - second + m));
+      set(mj, m, at(mj, whole.size() - second + m, whole));
   }
 
   // to be called after the edge `e` may have become shared
   void set_if_shared(Edge_index e)
   {
     if(m_tri.coordinates().is_shared(e))
-      m_list[e].assign(1, m_tri.input_halfedge(Halfedge_index(2 * e.idx())));
+      m_list[e].assign(1, m_tri.input_halfedge(first_halfedge(e)));
   }
 
 private:
-  static bool is_even(Halfedge_index h) { return h.idx() % 2 == 0; }
+  static std::size_t place(Halfedge_index h, std::size_t m, const List& list)
+  {
+    return along_first_halfedge(h, static_cast<size_type>(m), static_cast<size_type>(list.size()));
+  }
+  // item `m` of the list of the edge of `h`, as seen from `h`
+  static Halfedge_index at(Halfedge_index h, std::size_t m, const List& list)
+  {
+    return directed_as(h, list[place(h, m, list)]);
+  }
+
   // the length of the list that the edge of `h` should have
   std::size_t count_of(Halfedge_index h) const
   {
@@ -115,10 +122,7 @@ private:
   void set(Halfedge_index h, std::size_t m, Halfedge_index input)
   {
     List& list = m_list[Edge_index(h)];
-    if(is_even(h))
-      list[m] = input;
-    else
-      list[list.size() - 1 - m] = opposite(input);
+    list[place(h, m, list)] = directed_as(h, input);
   }
 
   // Makes the list of an edge from those around it. A shared edge across it is in none of those: it
@@ -127,7 +131,7 @@ private:
   {
     if(m_tri.coordinates().is_shared(e))
       return set_if_shared(e);
-    const Halfedge_index h(2 * e.idx());
+    const Halfedge_index h = first_halfedge(e);
     m_list[e].assign(count_of(h), diagonal);
     copy_from_beyond(h);
     copy_from_beyond(opposite(h));

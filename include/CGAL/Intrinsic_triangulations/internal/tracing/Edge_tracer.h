@@ -63,8 +63,7 @@ public:
       m_crossings.push_back(c);
     while(m_tri.coordinates().advance(c, m_mesh) != Coordinates::Turn::ends);
     lay_out_strip(
-      m_strip, m_mesh, m_tri.length_map(),
-      [this](std::size_t m) { return m_crossings[m].halfedge; }, size());
+      m_strip, m_tri, [this](std::size_t m) { return m_crossings[m].halfedge; }, size());
     recover_positions();
   }
 

@@ -8,36 +8,33 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// For each edge of T2 the number of crossings on all edges before it, and last the number of all.
+// The numbers of the crossings on all edges of T2.
 template <typename Integer>
-std::vector<Delta_complex::size_type>
-first_crossings(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh)
+Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
+                            const Delta_complex& mesh)
 {
   typedef Delta_complex::size_type size_type;
-  const std::uint64_t limit = (std::numeric_limits<size_type>::max)() / 8;
-  std::vector<size_type> first(mesh.num_edges() + 1, 0);
-  std::uint64_t total = 0;
-  for(size_type i = 0; i < mesh.num_edges(); ++i) {
-    first[i] = static_cast<size_type>(total);
-    if(mesh.is_removed(Edge_index(i)))
-      continue;
-    total += static_cast<std::uint64_t>(coordinates.crossings(Halfedge_index(2 * i)));
-    if(total > limit)
+  std::vector<size_type> count(mesh.num_edges(), 0);
+  for(Edge_index e : mesh.edges()) {
+    const auto n = static_cast<std::uint64_t>(coordinates.crossings(first_halfedge(e)));
+    if(n > (std::numeric_limits<size_type>::max)())
       throw Overflow_error("more crossings than a mesh can number");
+    count[e.idx()] = static_cast<size_type>(n);
   }
-  first.back() = static_cast<size_type>(total);
-  return first;
+  return Edge_marks(std::move(count));
 }
 
 // The halfedges of T1 that cross each edge of T2, in order. No geometry.
@@ -50,23 +47,22 @@ public:
   template <typename Integer>
   Input_crossings(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
                   const Vertex_spokes& spokes)
-    : m_first(first_crossings(coordinates, mesh)), m_crossing(m_first.back())
+    : m_marks(number_crossings(coordinates, mesh)), m_crossing(m_marks.size())
   {
     coordinates.for_each_curve_end(
       mesh, spokes, [&](Halfedge_index h, const Integer& k, Halfedge_index start) {
-        if(start.idx() % 2 == 0)
+        if(is_first_halfedge(start))
           record(start, coordinates, coordinates.first_crossing(h, k, mesh), mesh);
       });
   }
 
   // returns the number of crossings on the edge `e` of T2
-  size_type count(Edge_index e) const { return m_first[e.idx() + 1] - m_first[e]; }
+  size_type count(Edge_index e) const { return m_marks.size(e); }
 
-  // returns the halfedge of T1 that crosses the first halfedge of `e` as its number `m` from left
-  // to right
-  Halfedge_index operator()(Edge_index e, std::size_t m) const
+  // returns the halfedge of T1 that crosses the halfedge `h` as its number `m` from left to right
+  Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
-    return m_crossing[m_first[e] + m];
+    return directed_as(h, m_crossing[m_marks(h, static_cast<size_type>(m))]);
   }
 
 private:
@@ -75,17 +71,13 @@ private:
               typename Integer_coordinates<Integer>::Crossing c, const Delta_complex& mesh)
   {
     typedef typename Integer_coordinates<Integer>::Turn Turn;
-    do {
-      const Edge_index e(c.halfedge);
-      const size_type number = static_cast<size_type>(c.number);
-      if(c.halfedge.idx() % 2 == 0)
-        m_crossing[m_first[e] + number] = input;
-      else
-        m_crossing[m_first[e.idx() + 1] - 1 - number] = opposite(input);
-    } while(coordinates.advance(c, mesh) != Turn::ends);
+    do
+      m_crossing[m_marks(c.halfedge, static_cast<size_type>(c.number))] =
+        directed_as(c.halfedge, input);
+    while(coordinates.advance(c, mesh) != Turn::ends);
   }
 
-  std::vector<size_type> m_first;
+  Edge_marks m_marks;
   std::vector<Halfedge_index> m_crossing;
 };
 

@@ -75,8 +75,8 @@ private:
        m_correspondence.is_shared(Side::intrinsic, Edge_index(spoke)))
       return {m_mesh.face(spoke), regions.region_at_side(s, 0)};
     // to the left of the curve that leaves this corner
-    const auto mark = m_correspondence.rank_on_intrinsic(
-      m_correspondence.crossing(Side::input, input, 0).id, m_mesh.next(spoke));
+    const auto mark = m_correspondence.crossings_on_intrinsic().position(
+      m_mesh.next(spoke), m_correspondence.crossing(Side::input, input, 0).id);
     return {m_mesh.face(spoke), regions.region_at_side((s + 1) % 3, mark + 1)};
   }
 

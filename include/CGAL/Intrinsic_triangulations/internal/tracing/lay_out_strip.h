@@ -15,14 +15,16 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Lays out the triangles of `mesh` that a line passes which leaves a face through each of the
+// Lays out the triangles of `surface` that a line passes which leaves a face through each of the
 // halfedges exit(0), ..., exit(n - 1). n > 0. The line starts at the corner opposite to exit(0) and
 // ends at the one beyond exit(n - 1); or if `ends` is a pair of barycentric coordinates, at the
 // points with these in the same triangles, that of the corner first.
-template <typename Strip, typename LengthMap, typename Exit, typename... Ends>
-void lay_out_strip(Strip& strip, const Delta_complex& mesh, const LengthMap& length_map,
-                   const Exit& exit, std::size_t n, const Ends&... ends)
+template <typename Strip, typename Surface, typename Exit, typename... Ends>
+void lay_out_strip(Strip& strip, const Surface& surface, const Exit& exit, std::size_t n,
+                   const Ends&... ends)
 {
+  const Delta_complex& mesh = surface.mesh();
+  const auto& length_map = surface.length_map();
   const auto length = [&](Halfedge_index h) -> decltype(auto) { return length_map[mesh.edge(h)]; };
   Halfedge_index ij = exit(0);
   strip.start(length(mesh.prev(ij)), length(ij), length(mesh.next(ij)), ends.first...);

@@ -2,12 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_EDGE_MARKS_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_EDGE_MARKS_H
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_MARKED_EDGES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_MARKED_EDGES_H
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
 #include <array>
 #include <cstddef>
@@ -20,11 +22,18 @@ namespace internal {
 
 using Intrinsic_triangulations::Correspondence;
 using Intrinsic_triangulations::Delta_complex;
+using Intrinsic_triangulations::directed_as;
 using Intrinsic_triangulations::Edge_index;
+using Intrinsic_triangulations::Edge_marks;
+using Intrinsic_triangulations::edge_point;
 using Intrinsic_triangulations::Face_index;
 using Intrinsic_triangulations::Face_location;
+using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::Halfedge_index;
+using Intrinsic_triangulations::is_first_halfedge;
+using Intrinsic_triangulations::opposite;
 using Intrinsic_triangulations::Side;
+using Intrinsic_triangulations::Surface_place;
 using Intrinsic_triangulations::Vertex_index;
 
 // whether two meshes have the same connectivity, with the same numbers
@@ -41,21 +50,21 @@ inline bool is_same_complex(const Delta_complex& a, const Delta_complex& b)
 
 // the point of the edge of `h` with these weights of its source and its target, in the face of `h`
 template <typename FT>
-Face_location<FT> location_on_edge(Halfedge_index h, const std::array<FT, 2>& weight,
-                                   const Delta_complex& mesh)
+Surface_place<FT> place_on_edge(Halfedge_index h, const std::array<FT, 2>& weight,
+                                const Delta_complex& mesh)
 {
   const std::size_t s = Intrinsic_triangulations::side_number(h, mesh);
-  Face_location<FT> result{mesh.face(h), {FT(0), FT(0), FT(0)}};
-  result.second[s] = weight[0];
-  result.second[(s + 1) % 3] = weight[1];
+  Surface_place<FT> result{h, {mesh.face(h), {FT(0), FT(0), FT(0)}}};
+  result.location.second[s] = weight[0];
+  result.location.second[(s + 1) % 3] = weight[1];
   return result;
 }
 
 // the source of `h`, in the face of `h`
 template <typename FT>
-Face_location<FT> location_of_source(Halfedge_index h, const Delta_complex& mesh)
+Surface_place<FT> place_of_source(Halfedge_index h, const Delta_complex& mesh)
 {
-  return location_on_edge<FT>(h, {FT(1), FT(0)}, mesh);
+  return place_on_edge<FT>(h, {FT(1), FT(0)}, mesh);
 }
 
 template <typename FT, std::size_t n>
@@ -76,30 +85,33 @@ struct Mark
   Halfedge_index across;    // leaves the face of the halfedge of B
   FT here;                  // the place on the latter
   std::array<FT, 2> weight; // of the ends of `across`; the sum of their vectors is the point of B
-  Face_location<FT>
-    other; // in the other family's triangulation, its face is left of the halfedge if the edge is shared
+  Surface_place<FT> other;  // in the other family's triangulation; if the edge is shared there, in
+                            // the face on the left of the halfedge
 };
 
 // The marks of both families on the edges of B, in one order. That of either family is exact;
 // between the two families their places decide, and where these are equal, A comes first along the
 // first halfedge.
 template <typename FT>
-class Edge_marks
+class Marked_edges
 {
 public:
   typedef Delta_complex::size_type size_type;
 
   template <typename Traits_AB, typename Traits_BC>
-  Edge_marks(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
+  Marked_edges(const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
     : m_mesh(ab.mesh(Side::intrinsic)), m_other{&ab.mesh(Side::input), &bc.mesh(Side::intrinsic)}
   {
     set_spokes(0, Side::intrinsic, ab);
     set_spokes(1, Side::input, bc);
-    m_first.reserve(m_mesh.num_edges() + 1);
     m_marks.reserve(ab.number_of_crossings() + bc.number_of_crossings());
-    for(Edge_index e : m_mesh.edges())
+    std::vector<size_type> count_of_both;
+    for(Edge_index e : m_mesh.edges()) {
+      m_count_of_A.push_back(ab.number_of_crossings(Side::intrinsic, e));
+      count_of_both.push_back(m_count_of_A.back() + bc.number_of_crossings(Side::input, e));
       merge(e, ab, bc);
-    m_first.push_back(static_cast<size_type>(m_marks.size()));
+    }
+    m_numbers = Edge_marks(std::move(count_of_both));
     for(Edge_index e : m_mesh.edges())
       for(std::size_t family = 0; family < 2; ++family)
         if(count(family, e) > 0)
@@ -110,25 +122,21 @@ public:
   const Delta_complex& mesh() const { return m_mesh; }
   const Delta_complex& mesh(std::size_t family) const { return *m_other[family]; }
 
-  size_type count(Edge_index e) const { return m_first[e.idx() + 1] - m_first[e]; }
+  const Edge_marks& numbers() const { return m_numbers; }
   size_type count(std::size_t family, Edge_index e) const
   {
-    return family == 0 ? m_count_of_A[e] : count(e) - m_count_of_A[e];
+    return family == 0 ? m_count_of_A[e] : m_numbers.size(e) - m_count_of_A[e];
   }
-  size_type number_before(Edge_index e) const { return m_first[e]; }
 
   // mark `p` on the halfedge `h`, counted from its source
   Mark<FT> mark(Halfedge_index h, size_type p) const
   {
-    const Edge_index e(h);
-    const bool is_even = h.idx() % 2 == 0;
-    Mark<FT> m = m_marks[is_even ? m_first[e] + p : m_first[e.idx() + 1] - 1 - p];
-    if(!is_even) {
-      m.across = mesh(m.family).opposite(m.across);
-      m.here = 1 - m.here;
+    Mark<FT> m = m_marks[m_numbers(h, p)];
+    m.across = directed_as(h, m.across);
+    m.here = edge_point(h, m.here).t;
+    if(!is_first_halfedge(h))
       std::swap(m.weight[0], m.weight[1]);
-    }
-    if(count(1 - m.family, e) == 0)
+    if(count(1 - m.family, Edge_index(h)) == 0)
       m.other = on_shared(1 - m.family, h, m.here);
     return m;
   }
@@ -154,11 +162,9 @@ private:
   template <typename Traits_AB, typename Traits_BC>
   void merge(Edge_index e, const Correspondence<Traits_AB>& ab, const Correspondence<Traits_BC>& bc)
   {
-    const Halfedge_index h(2 * e.idx());
+    const Halfedge_index h = first_halfedge(e);
     const size_type n = ab.number_of_crossings(Side::intrinsic, e);
     const size_type m = bc.number_of_crossings(Side::input, e);
-    m_first.push_back(static_cast<size_type>(m_marks.size()));
-    m_count_of_A.push_back(n);
     for(size_type p = 0, q = 0; p < n || q < m;) {
       const bool is_A = q == m || (p < n && !(bc.crossing(Side::input, h, q).here.t <
                                               ab.crossing(Side::intrinsic, h, p).here.t));
@@ -188,23 +194,23 @@ private:
   // triangulation.
   void locate_others(std::size_t family, Edge_index e)
   {
-    const Halfedge_index h(2 * e.idx());
+    const Halfedge_index h = first_halfedge(e);
     const Delta_complex& other = mesh(family);
-    const size_type end = m_first[e.idx() + 1];
-    Node left{FT(0), location_of_source<FT>(spoke(family, h), other)};
-    size_type first = m_first[e];
+    size_type first = m_numbers.before(e);
+    const size_type end = first + m_numbers.size(e);
+    Node left{FT(0), place_of_source<FT>(spoke(family, h), other).location};
     for(size_type i = first; i < end; ++i) {
       const Mark<FT>& m = m_marks[i];
       if(m.family != family)
         continue;
-      const Halfedge_index inward = other.opposite(m.across);
       locate(first, i, left,
-             {m.here, location_on_edge<FT>(inward, {m.weight[1], m.weight[0]}, other)});
-      left = {m.here, location_on_edge(m.across, m.weight, other)};
+             {m.here,
+              place_on_edge<FT>(opposite(m.across), {m.weight[1], m.weight[0]}, other).location});
+      left = {m.here, place_on_edge(m.across, m.weight, other).location};
       first = i + 1;
     }
     locate(first, end, left,
-           {FT(1), location_of_source<FT>(spoke(family, m_mesh.opposite(h)), other)});
+           {FT(1), place_of_source<FT>(spoke(family, opposite(h)), other).location});
   }
 
   void locate(size_type first, size_type last, const Node& left, const Node& right)
@@ -212,20 +218,22 @@ private:
     const FT width = right.here - left.here;
     for(size_type i = first; i < last; ++i) {
       const FT t = width > 0 ? FT((m_marks[i].here - left.here) / width) : FT(0);
-      m_marks[i].other = {left.location.first,
-                          between(left.location.second, right.location.second, t)};
+      m_marks[i].other = {
+        Halfedge_index(),
+        {left.location.first, between(left.location.second, right.location.second, t)}};
     }
   }
 
-  Face_location<FT> on_shared(std::size_t family, Halfedge_index h, const FT& t) const
+  Surface_place<FT> on_shared(std::size_t family, Halfedge_index h, const FT& t) const
   {
-    return location_on_edge<FT>(spoke(family, h), {1 - t, t}, mesh(family));
+    return place_on_edge<FT>(spoke(family, h), {1 - t, t}, mesh(family));
   }
 
   const Delta_complex& m_mesh;
   std::array<const Delta_complex*, 2> m_other;
   std::array<std::vector<Halfedge_index>, 2> m_spoke;
-  std::vector<size_type> m_first, m_count_of_A; // of each edge
+  Edge_marks m_numbers;                // of the marks of both families
+  std::vector<size_type> m_count_of_A; // of each edge
   std::vector<Mark<FT>> m_marks;
 };
 
@@ -233,4 +241,4 @@ private:
 } // namespace Discrete_conformal_maps
 } // namespace CGAL
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_EDGE_MARKS_H
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_MARKED_EDGES_H

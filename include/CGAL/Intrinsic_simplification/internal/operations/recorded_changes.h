@@ -2,17 +2,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FLIP_GEOMETRY_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FLIP_GEOMETRY_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_RECORDED_CHANGES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_RECORDED_CHANGES_H
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_simplification/Flattened_star.h>
+#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/Surface_history.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
-#include <CGAL/double.h>
-
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Intrinsic_simplification {
@@ -39,8 +42,25 @@ inline Flip_geometry flip_geometry(const Intrinsic_triangulations::Diamond<doubl
   return {length, std::clamp(0.5 + feet / (2 * d.ij * d.ij * both), 0., 1.), at_l / both};
 }
 
+// Flips the edge of `h` and records it.
+inline void flip(Halfedge_index h, const Flip_geometry& geometry, Intrinsic_surface& surface,
+                 Surface_history& history)
+{
+  history.add_flip(h, surface.mesh(), geometry.s, geometry.t);
+  surface.flip(h, geometry.length);
+}
+
+// Flattens the center of a star and records it. Directions stay.
+inline void scale(const Flattened_star& star, Intrinsic_surface& surface, Surface_history& history)
+{
+  history.add_scaling(star.center(), std::exp(-star.scale_factor()), star.scale_factor() != 0,
+                      surface.mesh());
+  for(std::size_t n = 0; n < star.size(); ++n)
+    surface.set_length(surface.mesh().edge(star[n].halfedge), star.flat_length(n));
+}
+
 } // namespace internal
 } // namespace Intrinsic_simplification
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FLIP_GEOMETRY_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_RECORDED_CHANGES_H

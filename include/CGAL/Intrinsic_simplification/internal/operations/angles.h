@@ -2,16 +2,22 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_ANGLE_SUM_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_ANGLE_SUM_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_ANGLES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_ANGLES_H
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_simplification/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+
 #include <cmath>
+#include <complex>
 
 namespace CGAL {
 namespace Intrinsic_simplification {
 namespace internal {
+
+using Intrinsic_triangulations::pi;
 
 // The sum of angles between 0 and pi, given by their cosines and sines: a product of complex
 // numbers, with the quadrants counted that it passes. One arc tangent is needed for all.
@@ -34,10 +40,9 @@ public:
   // the sum minus `angle`, a multiple of pi, without the rounding of a large sum
   double minus(double angle) const
   {
-    constexpr double pi = 3.14159265358979323846;
     const double rest = std::atan2(m_sine, m_cosine);
-    const double turns = std::round((m_quadrant + 0.5) / 4 - rest / (2 * pi));
-    return (2 * pi * turns - angle) + rest;
+    const double turns = std::round((m_quadrant + 0.5) / 4 - rest / (2 * pi<double>()));
+    return (2 * pi<double>() * turns - angle) + rest;
   }
 
 private:
@@ -50,8 +55,32 @@ private:
   int m_quadrant = 0;
 };
 
+// the sides of a triangle and four times its area
+struct Angle_at_ab
+{
+  double a, b, c, area;
+};
+
+// a complex number whose argument is the change of the angle between the sides a and b
+inline std::complex<double> turn(const Angle_at_ab& before, const Angle_at_ab& after)
+{
+  using Intrinsic_triangulations::doubled_corner_product;
+  const double x = doubled_corner_product(before.c, before.a, before.b);
+  const double new_x = doubled_corner_product(after.c, after.a, after.b);
+  return {x * new_x + before.area * after.area, after.area * x - new_x * before.area};
+}
+
+// the argument; near zero by a series up to rounding, which is faster
+inline double argument(const std::complex<double>& z)
+{
+  const double t = z.imag() / z.real(), s = t * t;
+  if(!(z.real() > 0) || s > greatest_squared_tangent)
+    return std::arg(z);
+  return t * (1 - s * (1 / 3. - s * (1 / 5. - s * (1 / 7. - s * (1 / 9. - s / 11)))));
+}
+
 } // namespace internal
 } // namespace Intrinsic_simplification
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_ANGLE_SUM_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_ANGLES_H

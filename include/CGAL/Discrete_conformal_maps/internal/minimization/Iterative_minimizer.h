@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_ITERATIVE_MINIMIZER_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_ITERATIVE_MINIMIZER_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// A model of `ConvexMinimizer` whose steps are those of an `Iteration<Energy, Visitor>`.
+template <template <typename, typename> class Iteration>
+class Iterative_minimizer
+{
+public:
+  template <typename Energy, typename Visitor>
+  Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
+                                 const Minimization_domain& domain, Visitor&& visitor) const
+  {
+    CGAL_precondition(static_cast<std::size_t>(u.size()) == energy.size());
+    const Free_variables variables(domain, energy.size());
+    Iteration<Energy, Visitor> iteration(energy, u, variables, m_limits, visitor);
+    return iteration.run();
+  }
+
+  template <typename Energy>
+  Minimization_result operator()(Energy& energy, Eigen::VectorXd& u,
+                                 const Minimization_domain& domain = Minimization_domain()) const
+  {
+    return (*this)(energy, u, domain, Default_minimization_visitor());
+  }
+
+protected:
+  Iterative_minimizer(double gradient_tolerance, std::size_t maximum_number_of_iterations)
+    : m_limits{gradient_tolerance, maximum_number_of_iterations}
+  {
+    CGAL_precondition(gradient_tolerance >= 0);
+  }
+
+private:
+  Minimization_limits m_limits;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_ITERATIVE_MINIMIZER_H

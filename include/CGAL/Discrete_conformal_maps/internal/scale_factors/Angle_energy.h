@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_ANGLE_ENERGY_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_ANGLE_ENERGY_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/assemble_columns.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// What the energies of scale factors have in common, whose derivatives are angle defects: a surface
+// that is scaled, the angles of its faces, and the Hessian, a cotan Laplacian. `Derived` has the
+// gradient, as `sum_angles()`, and says with `is_remaining()` which edges and faces belong to the
+// energy.
+template <typename Derived, typename Surface, typename Triangle>
+class Angle_energy
+{
+public:
+  typedef typename Surface::FT FT;
+  typedef Eigen::VectorXd Vector;
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  std::size_t size() const { return m_origin.size(); }
+
+  // Where a scaled length is no length, the gradient is NaN.
+  void evaluate(const Vector& x)
+  {
+    for(std::size_t i = 0; i < m_origin.size(); ++i)
+      m_scale_factor[i] = m_origin[i] + FT(x[Eigen::Index(i)]);
+    m_has_Hessian = false;
+    try {
+      m_surface.scale(m_scale_factor);
+    } catch(const Intrinsic_triangulations::Numerical_error&) {
+      m_gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
+      return;
+    }
+    measure_faces();
+    for(Vertex_index v : mesh().vertices())
+      m_gradient_error = (std::max)(m_gradient_error, m_error[v.idx()]);
+    derived().sum_angles();
+  }
+
+  // The variable is zero there: by default, at the present point.
+  void set_origin(const std::vector<FT>& origin) { m_origin = origin; }
+  void move_origin() { m_origin = m_scale_factor; }
+
+  const std::vector<FT>& scale_factors() const { return m_scale_factor; }
+  const Surface& surface() const { return m_surface; }
+
+  // at the source of `h`, in the scaled metric. \pre the face of `h` remains
+  FT angle(Halfedge_index h) const { return m_corner[h.idx()].angle(); }
+
+  const Vector& gradient() const { return m_gradient; }
+  double gradient_error() const { return m_gradient_error; }
+
+  const Matrix& Hessian() const
+  {
+    if(!m_has_Hessian)
+      assemble_columns(
+        mesh(), [this](Vertex_index v, auto& entries) { collect_column(v, entries); }, m_Hessian);
+    m_has_Hessian = true;
+    return m_Hessian;
+  }
+
+protected:
+  // with `is_fixed` if faces may violate the triangle inequality
+  Angle_energy(Surface surface, bool is_fixed)
+    : m_is_fixed(is_fixed),
+      m_surface(std::move(surface)),
+      m_scale_factor(mesh().num_vertices(), FT(0)),
+      m_origin(mesh().num_vertices(), FT(0)),
+      m_corner(mesh().num_halfedges()),
+      m_cotangent(mesh().num_halfedges()),
+      m_gradient(Vector::Zero(Eigen::Index(mesh().num_vertices())))
+  {}
+
+  const Delta_complex& mesh() const { return m_surface.mesh(); }
+  const Corner<FT>& corner(Halfedge_index h) const { return m_corner[h.idx()]; }
+  std::size_t flat_faces() const { return m_flat_faces; }
+
+  void set_gradient(Vertex_index v, double defect)
+  {
+    m_gradient[Eigen::Index(v.idx())] = mesh().is_isolated(v) ? 0 : defect;
+  }
+
+  Triangle triangle(const std::array<Halfedge_index, 3>& side) const
+  {
+    const auto length = [&](std::size_t s) { return m_surface.scaled_length(Edge_index(side[s])); };
+    return Triangle({length(0), length(1), length(2)});
+  }
+
+private:
+  Derived& derived() { return static_cast<Derived&>(*this); }
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+
+  void measure_faces()
+  {
+    m_error.assign(m_origin.size(), 0.);
+    m_gradient_error = 0;
+    m_flat_faces = 0;
+    for(Face_index f : mesh().faces()) {
+      const auto side = Intrinsic_triangulations::sides(f, mesh());
+      if(derived().is_remaining(f))
+        measure(side);
+      else
+        for(Halfedge_index h : side)
+          m_cotangent[h.idx()] = 0;
+    }
+  }
+
+  void measure(const std::array<Halfedge_index, 3>& side)
+  {
+    const Triangle face = triangle(side);
+    m_flat_faces += face.is_flat();
+    const bool is_linear = m_is_fixed && face.is_flat();
+    for(std::size_t s = 0; s < 3; ++s) {
+      m_corner[side[s].idx()] = face.corner(s);
+      m_cotangent[side[s].idx()] = is_linear ? 0 : static_cast<double>(face.cotangent((s + 2) % 3));
+      m_error[mesh().source(side[s]).idx()] +=
+        is_linear ? 0 : static_cast<double>(face.angle_error());
+    }
+  }
+
+  // half the sum of the cotangents opposite to the edge
+  double weight(Halfedge_index h) const
+  {
+    return (m_cotangent[h.idx()] + m_cotangent[opposite(h).idx()]) / 2;
+  }
+
+  // The second derivative along x is the sum over all edges that remain of
+  //   weight ((x_i - x_j)^2 + tanh^2 (x_i + x_j)^2).
+  void collect_column(Vertex_index v, Column_entries& entries) const
+  {
+    if(mesh().is_isolated(v))
+      return;
+    double diagonal = 0;
+    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+      if(!derived().is_remaining(Edge_index(h)))
+        return;
+      const Vertex_index w = mesh().target(h);
+      const auto tanh2 =
+        static_cast<double>(Triangle::squared_tanh(m_surface.scaled_length(Edge_index(h))));
+      if(w != v)
+        entries.emplace_back(static_cast<int>(w.idx()), (tanh2 - 1) * weight(h));
+      diagonal += (w == v ? 2 * tanh2 : 1 + tanh2) * weight(h);
+    });
+    entries.emplace_back(static_cast<int>(v.idx()), diagonal);
+  }
+
+  bool m_is_fixed;
+  Surface m_surface;
+  std::vector<FT> m_scale_factor, m_origin;
+  std::vector<Corner<FT>> m_corner; // at the source of each halfedge
+  std::vector<double> m_cotangent;  // of the angle opposite to each halfedge
+  std::vector<double> m_error;      // of the sum of angles, for each vertex
+  Vector m_gradient;
+  double m_gradient_error = 0;
+  std::size_t m_flat_faces = 0;
+  mutable Matrix m_Hessian;
+  mutable bool m_has_Hessian = false;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_ANGLE_ENERGY_H

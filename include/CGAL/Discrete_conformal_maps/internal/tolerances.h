@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_TOLERANCES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_TOLERANCES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <limits>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// All tolerances of the package. None depends on the unit of length: they are angles, logarithms
+// of ratios of lengths, or relative to what is compared. Bounds of rounding errors, which are
+// derived from a formula, stand with that formula.
+namespace tolerance {
+
+constexpr double unit = std::numeric_limits<double>::epsilon();
+
+// Angles, in radians. Rounding of a sum of angles leaves 1e-14 on good meshes: ten times that is
+// reached everywhere, a thousand times that is what more digits are taken for.
+constexpr double gradient = 1e-13, curvature = 1e-11;
+// The minimum of the spherical energy in 34 digits: scale factors have an error of at most its
+// root where bounds are active.
+constexpr double extended_gradient = 1e-22;
+// L-BFGS compares values, which have half of the digits of the gradient.
+constexpr double lbfgs_gradient = 1e-6;
+// A face with an angle that is off by more cannot be laid out in the plane.
+constexpr double layout_angle = 1e-9;
+// Prescribed curvatures come from files with some ten digits, and are summed up.
+constexpr double curvature_sum = 1e-8;
+
+// Products of motions that must be the identity.
+constexpr double gluing = 1e-9;
+// What 34 digits instead of 16 make of such an error.
+constexpr double extended_gain = 1e-18;
+
+// Length cross ratios, relative: what is allowed, and what more digits are taken for.
+constexpr double cross_ratio = 1e-8, good_cross_ratio = 1e-9;
+// Logarithmic scale factors at their bounds: lengths with the error that cross ratios may have.
+constexpr double bound = 1e-8;
+// Translations along seams of a flat surface, relative to the longest: closed curves without
+// length, or parallel ones.
+constexpr double translation = 1e-8;
+
+// Sums that cancel, relative to the sum of the absolute values of thousands of terms.
+constexpr double cancellation = 1e-12;
+// What a gradient can be reduced by in one minimization: the digits of the variable, in `double`,
+// end four digits below.
+constexpr double reduction = 1e-12;
+// The gradient that rounding of a number type leaves: its unit times the number of roundings.
+constexpr double roundings_of_gradient = 1e4;
+// Some roundings of one variable: steps, or distances from a bound, that are no more are none.
+constexpr double variable = 64 * unit;
+// The greatest rounding error of squared lengths and quotients of them, in units: ties are not
+// decided by less.
+constexpr double roundings_of_squares = 16;
+
+// The center of mass: a hundred roundings of the sum of masses; the distance below which Newton's
+// method converges quadratically, so that a step that gains little is rounding; and the curvature
+// that masses in two points lack along the line through both.
+constexpr double center = 1e-14, near_center = 1e-6, least_curvature = 1e-12;
+// By how much an energy may grow, relatively, while its minimizer still converges.
+constexpr double growth = 1e-9;
+
+// The least entry of a damped diagonal, relative to the greatest.
+constexpr double damping = 1e-10;
+// A diagonal is lifted against rounding in a factorization by a hundred units, then more and more;
+// a Laplacian that needs more than a thousandth is none.
+constexpr double greatest_lift = 1, greatest_Laplacian_lift = 1e-3;
+inline double next_lift(double lift) { return lift == 0 ? 1e-14 : 100 * lift; }
+
+} // namespace tolerance
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_TOLERANCES_H

@@ -1,0 +1,383 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_MARKED_FINE_EDGES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_MARKED_FINE_EDGES_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+using Intrinsic_triangulations::first_halfedge;
+using Intrinsic_triangulations::is_first_halfedge;
+using Intrinsic_triangulations::opposite;
+
+// The order in which curves cross an edge. Curves that do not cross each other go on side by side
+// until they leave a face by different sides or corners: there they tell their order, without any
+// numbers.
+class Crossing_order
+{
+public:
+  Crossing_order(const std::vector<Coarse_piece>& pieces, const Delta_complex& mesh)
+    : m_pieces(pieces), m_mesh(mesh)
+  {}
+
+  // Compares the places on the first halfedge of an edge where two pieces end: negative if that of
+  // `a` is before that of `b`, zero if the curves never separate.
+  int compare(std::size_t a, std::size_t b) const
+  {
+    const Halfedge_index left = first_halfedge(Edge_index(side_of_end(a)));
+    const int result = compare_ahead(strand(a, left), strand(b, left), left);
+    const Halfedge_index right = opposite(left);
+    return result != 0 ? result : -compare_ahead(strand(a, right), strand(b, right), right);
+  }
+
+private:
+  // a piece, followed with or against the direction of its edge
+  struct Strand
+  {
+    std::size_t piece;
+    bool is_forward;
+  };
+
+  Halfedge_index side_of_end(std::size_t piece) const
+  {
+    const Curve_segment& segment = m_pieces[piece].segment;
+    return internal::side_of_end(segment, segment.to, m_mesh);
+  }
+
+  // on the left of `h`, away from where a piece comes to its edge
+  Strand strand(std::size_t piece, Halfedge_index h) const
+  {
+    return side_of_end(piece) == h ? Strand{piece, false} : Strand{piece + 1, true};
+  }
+
+  const Face_point& end(const Strand& s) const
+  {
+    const Curve_segment& segment = m_pieces[s.piece].segment;
+    return s.is_forward ? segment.to : segment.from;
+  }
+
+  static void advance(Strand& s) { s.piece = s.is_forward ? s.piece + 1 : s.piece - 1; }
+
+  // goes on to where a curve leaves the face
+  void leave_face(Strand& s) const
+  {
+    while(is_bend(end(s)))
+      advance(s);
+  }
+
+  // Where the curve leaves a face that it has entered by side `n`, counterclockwise: odd at
+  // corners, even at sides; zero if it bends back to that side.
+  std::size_t exit(const Strand& s, std::size_t n) const
+  {
+    const Face_point& p = end(s);
+    return is_on_side(p) ? 2 * ((side_number(p) + 3 - n) % 3)
+                         : 2 * ((corner_number(p) + 2 - n) % 3) + 1;
+  }
+
+  // Compares the places where two curves enter the face of `h` by `h`.
+  int compare_ahead(Strand a, Strand b, Halfedge_index h) const
+  {
+    for(;;) {
+      leave_face(a);
+      leave_face(b);
+      const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
+      const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
+      if(exit_a == 0 || exit_b == 0 || (exit_a == exit_b && is_at_corner(end(a))))
+        return 0;
+      if(exit_a != exit_b)
+        return exit_a > exit_b ? -1 : 1;
+      h = opposite(internal::side_of_end(m_pieces[a.piece].segment, end(a), m_mesh));
+      advance(a);
+      advance(b);
+    }
+  }
+
+  const std::vector<Coarse_piece>& m_pieces;
+  const Delta_complex& m_mesh;
+};
+
+// The marks on the edges of the fine level, in their order along these, and the pieces of the edges
+// of the coarse level between them. Vertices of a subdivision are those of the fine level, marks,
+// and bends.
+//
+// Curves that come to a vertex within rounding run through it: where they cross the edges there,
+// their marks are moved to the vertex, in their order along the edge. So what does not cross before
+// does not cross then. Marks that have not been moved are kept.
+class Marked_fine_edges
+{
+public:
+  typedef Intrinsic_triangulations::Edge_marks Edge_marks;
+
+  // With bends of edges of the fine level on the coarse surface, or without.
+  Marked_fine_edges(const Surface_map& map, bool with_fine_bends)
+    : m_map(map), m_fine(map.fine().mesh()), m_number_of_vertices(m_fine.number_of_vertices())
+  {
+    Traced_curves traced(map);
+    order_crossings(traced);
+    m_is_along.assign(m_fine.number_of_edges(), 0);
+    run_through_near_vertices(traced);
+    m_first_fine_bend = m_number_of_vertices;
+    if(with_fine_bends)
+      add_fine_bends();
+    order(m_marks, m_pieces);
+    number_marks();
+    find_pieces_before_vertices();
+  }
+
+  const Surface_map& map() const { return m_map; }
+  Curve_index number_of_vertices() const { return m_number_of_vertices; }
+  bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
+
+  // ---- Pieces of edges of the coarse level ----
+
+  const std::vector<Coarse_piece>& pieces() const { return m_pieces; }
+  Curve_index first_piece(Edge_index e) const { return m_first_piece[e.idx()]; }
+  Curve_index end_of_pieces(Edge_index e) const { return m_first_piece[e.idx() + 1]; }
+
+  // the piece that ends at a vertex inside an edge of the coarse level, otherwise none
+  Curve_index piece_before(Vertex_index v) const { return m_piece_before[v.idx()]; }
+
+  // ---- Marks ----
+
+  const Curve_mark& mark(Curve_index n) const { return m_marks[n]; }
+  Curve_index mark_of(Vertex_index v) const { return m_mark_of_vertex[v.idx()]; }
+
+  // the numbers of all marks, and of those that are kept
+  const Edge_marks& numbers() const { return m_numbers; }
+  const Edge_marks& kept() const { return m_kept; }
+
+  // the pieces on the two sides of a mark that is kept, in the direction of the first halfedge
+  std::pair<Halfedge_index, Halfedge_index> pieces_around_mark(Curve_index n) const
+  {
+    const Halfedge_index h = first_halfedge(m_marks[n].edge);
+    return {m_kept.piece(h, m_kept_before[n]), m_kept.piece(h, m_kept_before[n] + 1)};
+  }
+
+  // whether a mark is moved to the source of the halfedge `h`
+  bool is_at_source(Halfedge_index h, Curve_index n) const
+  {
+    const double ratio = m_marks[n].ratio;
+    return is_first_halfedge(h) ? ratio <= rounding() : is_at_target_of_first(ratio);
+  }
+
+  // ---- Bends of edges of the fine level ----
+
+  bool is_fine_bend(Vertex_index v) const { return v.idx() >= m_first_fine_bend; }
+  const Surface_map::Location& fine_bend(Vertex_index v) const
+  {
+    return m_fine_bends[v.idx() - m_first_fine_bend];
+  }
+
+private:
+  typedef std::vector<Curve_mark> Marks;
+  typedef std::vector<Coarse_piece> Pieces;
+
+  // where a curve has come into a face: at which corner, after how many pieces and vertices
+  struct Entry
+  {
+    std::size_t corner;
+    Curve_index pieces, vertices;
+  };
+
+  static bool is_at_target_of_first(double ratio)
+  {
+    return !(ratio <= rounding()) && ratio * rounding() >= 1;
+  }
+  static bool is_kept(double ratio)
+  {
+    return !(ratio <= rounding()) && !is_at_target_of_first(ratio);
+  }
+
+  // ---- The order ----
+
+  // mark `n` becomes what has been mark `order[n]`
+  static void renumber(const std::vector<Curve_index>& order, Marks& marks, Pieces& pieces)
+  {
+    Marks result;
+    std::vector<Curve_index> place(order.size());
+    for(Curve_index n = 0; n < order.size(); ++n) {
+      result.push_back(marks[order[n]]);
+      place[order[n]] = n;
+    }
+    marks.swap(result);
+    for(Coarse_piece& piece : pieces)
+      for(Curve_index& mark : piece.marks)
+        if(mark != no_index)
+          mark = place[mark];
+  }
+
+  static std::vector<Curve_index> indices(std::size_t n)
+  {
+    std::vector<Curve_index> result(n);
+    std::iota(result.begin(), result.end(), Curve_index(0));
+    return result;
+  }
+
+  // by edges, and along them
+  static void order(Marks& marks, Pieces& pieces)
+  {
+    std::vector<Curve_index> order = indices(marks.size());
+    std::stable_sort(order.begin(), order.end(), [&](Curve_index x, Curve_index y) {
+      return std::tie(marks[x].edge, marks[x].ratio) < std::tie(marks[y].edge, marks[y].ratio);
+    });
+    renumber(order, marks, pieces);
+  }
+
+  // Sorts the crossings by their places at first, but it is the curves that determine the order.
+  // Then places are made to agree.
+  void order_crossings(Traced_curves& traced) const
+  {
+    Marks& marks = traced.marks;
+    order(marks, traced.pieces);
+    std::vector<Curve_index> order = indices(marks.size());
+    const Crossing_order curves(traced.pieces, m_fine);
+    const auto are_exchanged = [&](Curve_index x, Curve_index y) {
+      return marks[x].edge == marks[y].edge && curves.compare(marks[x].piece, marks[y].piece) > 0;
+    };
+    for(std::size_t n = 1; n < order.size(); ++n)
+      for(std::size_t k = n; k > 0 && are_exchanged(order[k - 1], order[k]); --k)
+        std::swap(order[k - 1], order[k]);
+    renumber(order, marks, traced.pieces);
+    for(std::size_t n = 1; n < marks.size(); ++n)
+      if(marks[n].edge == marks[n - 1].edge)
+        marks[n].ratio = (std::max)(marks[n].ratio, marks[n - 1].ratio);
+  }
+
+  void number_marks()
+  {
+    std::vector<Curve_index> all(m_fine.number_of_edges(), 0), kept(all);
+    m_mark_of_vertex.assign(m_number_of_vertices, no_index);
+    for(Curve_index n = 0; n < m_marks.size(); ++n) {
+      const std::size_t e = m_marks[n].edge;
+      m_kept_before.push_back(kept[e]);
+      ++all[e];
+      if(is_kept(m_marks[n].ratio)) {
+        ++kept[e];
+        m_mark_of_vertex[m_marks[n].vertex] = n;
+      }
+    }
+    m_numbers = Edge_marks(std::move(all));
+    m_kept = Edge_marks(std::move(kept));
+  }
+
+  void find_pieces_before_vertices()
+  {
+    m_piece_before.assign(m_number_of_vertices, no_index);
+    for(Curve_index p = 0; p + 1 < m_pieces.size(); ++p)
+      if(m_pieces[p].edge == m_pieces[p + 1].edge)
+        m_piece_before[m_pieces[p].target] = p;
+  }
+
+  // ---- Vertices ----
+
+  Vertex_index new_vertex()
+  {
+    const Vertex_index v(m_number_of_vertices);
+    m_number_of_vertices = checked_index(m_number_of_vertices + std::size_t(1));
+    return v;
+  }
+
+  // Moves what is near to an end of an edge there, and cuts off the corners where that leads from a
+  // vertex to itself.
+  void run_through_near_vertices(Traced_curves& traced)
+  {
+    m_marks = std::move(traced.marks);
+    Entry entry{};
+    for(std::size_t e = 0; e + 1 < traced.first_piece.size(); ++e) {
+      m_first_piece.push_back(checked_index(m_pieces.size()));
+      for(Curve_index p = traced.first_piece[e]; p < traced.first_piece[e + 1]; ++p)
+        keep_piece(traced.pieces[p], entry);
+    }
+    m_first_piece.push_back(checked_index(m_pieces.size()));
+  }
+
+  void keep_piece(Coarse_piece piece, Entry& entry)
+  {
+    const Curve_segment& s = piece.segment;
+    if(!is_bend(s.from))
+      entry = {corner_near(s, s.from, piece.marks[0]), checked_index(m_pieces.size()),
+               m_number_of_vertices};
+    const std::size_t exit = corner_near(s, s.to, piece.marks[1]);
+    if(exit < 3 && exit == entry.corner) {
+      m_pieces.resize(entry.pieces);
+      m_number_of_vertices = entry.vertices;
+      return;
+    }
+    const auto side = Intrinsic_triangulations::sides(s.face, m_fine);
+    piece.target = exit < 3 ? m_fine.source(side[exit]) : new_vertex();
+    if(piece.marks[1] != no_index)
+      m_marks[piece.marks[1]].vertex = piece.target;
+    if(!is_bend(s.from) && entry.corner < 3 && exit < 3)
+      m_is_along[Edge_index(edge_along(s, entry.corner, exit, m_fine))] = 1;
+    m_pieces.push_back(piece);
+  }
+
+  // at which corner a point is or has been moved to; 3 if at none
+  std::size_t corner_near(const Curve_segment& s, const Face_point& p, Curve_index mark) const
+  {
+    if(is_at_corner(p))
+      return corner_number(p);
+    if(mark == no_index || is_kept(m_marks[mark].ratio))
+      return 3;
+    const std::size_t n = side_number(p);
+    return is_at_source(side_of_end(s, p, m_fine), mark) ? n : (n + 1) % 3;
+  }
+
+  // Edges of the coarse level have been traced before: an edge along which they run has no bends.
+  void add_fine_bends()
+  {
+    Curve_tracer tracer(m_map, true);
+    for(Edge_index e : m_fine.edges())
+      if(!m_is_along[e]) {
+        const auto& segments = tracer.trace(first_halfedge(e));
+        for(std::size_t n = 0; n + 1 < segments.size(); ++n)
+          if(is_bend(segments[n].to))
+            add_fine_bend(e, segments[n]);
+      }
+  }
+
+  void add_fine_bend(Edge_index e, const Curve_segment& s)
+  {
+    const double ratio = s.to.along[1] / s.to.along[0];
+    if(!is_kept(ratio))
+      return;
+    m_marks.push_back({e, ratio, no_index, new_vertex()});
+    Surface_map::Location p{m_map.coarse().level_face(s.face), s.to.weight};
+    normalize(p.second);
+    m_fine_bends.push_back(p);
+  }
+
+  const Surface_map& m_map;
+  const Delta_complex& m_fine;
+  Curve_index m_number_of_vertices, m_first_fine_bend = no_index;
+  Pieces m_pieces;
+  std::vector<Curve_index> m_first_piece; // of each edge of the coarse level, and the end
+  std::vector<Curve_index> m_piece_before, m_mark_of_vertex; // of each vertex
+  Marks m_marks;                                             // in the order of edges and along them
+  Edge_marks m_numbers, m_kept;
+  std::vector<Curve_index> m_kept_before; // of each mark, how many are kept before it on its edge
+  std::vector<char> m_is_along; // whether an edge of the coarse level runs along a fine edge
+  std::vector<Surface_map::Location> m_fine_bends;
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_MARKED_FINE_EDGES_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_TRACED_CURVES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_TRACED_CURVES_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Curve_tracer.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// Indices of marks and pieces.
+typedef Delta_complex::size_type Curve_index;
+constexpr Curve_index no_index = (std::numeric_limits<Curve_index>::max)();
+
+inline Curve_index checked_index(std::size_t n)
+{
+  if(n >= no_index / 4)
+    throw Intrinsic_triangulations::Overflow_error("too many pieces for a subdivision");
+  return static_cast<Curve_index>(n);
+}
+
+// Where a point of a curve is in its face: at a corner, on a side, or inside, where the curve bends.
+inline bool is_at_corner(const Face_point& p) { return is_single(p.corners); }
+inline bool is_on_side(const Face_point& p) { return is_pair(p.corners); }
+inline bool is_bend(const Face_point& p) { return !is_at_corner(p) && !is_on_side(p); }
+
+inline std::size_t corner_number(const Face_point& p)
+{
+  return p.corners == bit(0) ? 0 : p.corners == bit(1) ? 1 : 2;
+}
+
+inline std::size_t side_number(const Face_point& p)
+{
+  return (p.corners & bit(2)) == 0 ? 0 : (p.corners & bit(0)) == 0 ? 1 : 2;
+}
+
+// the side of the face of a segment on which one of its ends lies
+inline Halfedge_index side_of_end(const Curve_segment& s, const Face_point& end,
+                                  const Delta_complex& mesh)
+{
+  return Intrinsic_triangulations::sides(s.face, mesh)[side_number(end)];
+}
+
+// the halfedge from one corner of the face of a segment to another
+inline Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::size_t to,
+                                 const Delta_complex& mesh)
+{
+  const auto side = Intrinsic_triangulations::sides(s.face, mesh);
+  return to == (from + 1) % 3 ? side[from] : Intrinsic_triangulations::opposite(side[to]);
+}
+
+// a straight part of an edge of the coarse level in a face of the fine level, the marks at its ends,
+// and the vertex where it ends
+struct Coarse_piece
+{
+  Curve_segment segment;
+  Edge_index edge;
+  std::array<Curve_index, 2> marks;
+  Vertex_index target;
+};
+
+// A point on an edge of the fine level, with a ratio between zero and infinity from the source to
+// the target of its first halfedge.
+struct Curve_mark
+{
+  Edge_index edge;
+  double ratio;
+  Curve_index piece; // that comes to it, as traced
+  Vertex_index vertex;
+};
+
+// The edges of the coarse level as chains of pieces, and their marks on edges of the fine level, in
+// the order of tracing. Pieces of one edge follow each other.
+struct Traced_curves
+{
+  std::vector<Coarse_piece> pieces;
+  std::vector<Curve_index> first_piece; // of each edge of the coarse level, and the end
+  std::vector<Curve_mark> marks;
+
+  explicit Traced_curves(const Surface_map& map)
+  {
+    Curve_tracer tracer(map, false);
+    for(Edge_index e : map.coarse().mesh().edges()) {
+      first_piece.push_back(checked_index(pieces.size()));
+      Curve_index mark = no_index;
+      for(Curve_segment s : tracer.trace(Intrinsic_triangulations::first_halfedge(e))) {
+        s.face = map.fine().level_face(s.face);
+        add_piece(s, e, mark, map.fine().mesh());
+      }
+    }
+    first_piece.push_back(checked_index(pieces.size()));
+  }
+
+private:
+  // the mark where the piece starts becomes that where it ends
+  void add_piece(const Curve_segment& s, Edge_index e, Curve_index& mark, const Delta_complex& fine)
+  {
+    const Curve_index from = std::exchange(mark, no_index);
+    if(is_on_side(s.to)) {
+      mark = checked_index(marks.size());
+      add_crossing(s, fine);
+    }
+    pieces.push_back({s, e, {from, mark}, Vertex_index()});
+  }
+
+  void add_crossing(const Curve_segment& s, const Delta_complex& fine)
+  {
+    const std::size_t n = side_number(s.to);
+    const Halfedge_index h = side_of_end(s, s.to, fine);
+    double from = s.to.weight[n], to = s.to.weight[(n + 1) % 3];
+    if(!Intrinsic_triangulations::is_first_halfedge(h))
+      std::swap(from, to);
+    marks.push_back({Edge_index(h), to / from, checked_index(pieces.size()), Vertex_index()});
+  }
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_TRACED_CURVES_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_SPOKES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_SPOKES_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// The first spoke of a star to each neighbor. A hash table of its own, which stays in the cache.
+class First_spokes
+{
+public:
+  void start(std::size_t number_of_spokes)
+  {
+    m_bits = 3;
+    while((std::size_t(1) << m_bits) < 2 * number_of_spokes)
+      ++m_bits;
+    m_entries.assign(std::size_t(1) << m_bits, {Vertex_index(), none});
+  }
+
+  // the index of the first spoke to `j`; it is `n` if there has been none before
+  std::size_t first(Vertex_index j, std::size_t n)
+  {
+    std::size_t place = (j.idx() * 2654435769U) >> (32 - m_bits);
+    while(m_entries[place].second != none && m_entries[place].first != j)
+      place = (place + 1) % m_entries.size();
+    if(m_entries[place].second == none)
+      m_entries[place] = {j, static_cast<std::uint32_t>(n)};
+    return m_entries[place].second;
+  }
+
+private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t m_bits = 0;
+  std::vector<std::pair<Vertex_index, std::uint32_t>> m_entries;
+};
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_SPOKES_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOLERANCES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOLERANCES_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Intrinsic_simplification {
+namespace internal {
+
+// Every tolerance of the package, with its reason. They are relative, or angles: none depends on
+// the unit of length.
+
+inline double rounding_unit() { return Intrinsic_triangulations::rounding_unit<double>(); }
+
+// The part of a homogeneous coordinate that may be due to rounding where a point comes to a vertex
+// or an edge: the coordinates of a crossing are sums of a few products.
+inline double rounding() { return 16 * rounding_unit(); }
+
+// By which the sum of so many angles may differ from its exact value: each is rounded to a unit of
+// a full turn.
+inline double angle_rounding(std::size_t number_of_angles)
+{
+  return rounding_unit() * 2 * Intrinsic_triangulations::pi<double>() *
+         static_cast<double>(number_of_angles);
+}
+
+// An excess of angles from which one more step of Newton's method, which squares it, leads to about
+// half of all digits. That is enough for a cost, which decides only about the order of removals.
+constexpr double nearly_flat = 1e-4;
+
+// The last step of Newton's method may change the scale factor by no more than this. If a small
+// excess hardly changes with the scale factor, it vanishes in the limit of length zero only.
+constexpr double greatest_last_step = 0.1;
+
+// Newton's method does not take a longer step, which would multiply lengths by more than e^2 at
+// once: the linear model is of no use that far away.
+constexpr double greatest_newton_step = 4;
+
+// The square of the tangent up to which six terms of the series of the arc tangent are exact up to
+// rounding: the next term is at most 0.0036^6 / 13, that is 1.7e-16, of the result.
+constexpr double greatest_squared_tangent = 0.0036;
+
+// The part of the sum of all absolute values of a Laplace matrix that its sum may have by rounding:
+// each entry is a sum of some ten numbers.
+constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
+
+// The part of a residual below which the residual that conjugate gradients carry along may not be
+// the true one: it has gone through some hundred updates.
+constexpr double residual_rounding = 1000 * std::numeric_limits<double>::epsilon();
+
+} // namespace internal
+} // namespace Intrinsic_simplification
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOLERANCES_H

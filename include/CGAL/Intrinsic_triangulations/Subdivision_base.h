@@ -1,0 +1,261 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SUBDIVISION_BASE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SUBDIVISION_BASE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsSubdivision
+/// a point of a triangulation as a convex combination of one vertex, of the ends of an edge, or of
+/// the corners of a face.
+template <typename FT>
+struct Vertex_weights
+{
+  std::size_t size;                   ///< the number of vertices
+  std::array<Vertex_index, 3> vertex; ///< the vertices
+  std::array<FT, 3> weight;           ///< their weights, which sum up to one
+};
+
+/// \ingroup PkgIntrinsicTriangulationsSubdivision
+/// what all subdivisions have: a polygon mesh into which the edges of two or more triangulations of
+/// a surface together cut it. Every face of it is part of one face of each triangulation.
+///
+/// A subdivision refers to the triangulations, and its queries are valid until these change.
+///
+/// \tparam Derived the subdivision
+/// \tparam Side_ the enumeration that names the triangulations
+/// \tparam number_of_sides the number of triangulations
+/// \tparam FT_ the type of barycentric coordinates
+/// \tparam Point the point type of the mesh
+template <typename Derived, typename Side_, std::size_t number_of_sides, typename FT_,
+          typename Point>
+class Subdivision_base
+{
+public:
+  /// names one of the triangulations.
+  typedef Side_ Side;
+  /// the type of barycentric coordinates.
+  typedef FT_ FT;
+  /// the type of the mesh.
+  typedef Surface_mesh<Point> Mesh;
+  /// the type of numbers of elements.
+  typedef Delta_complex::size_type size_type;
+
+  /// returns the mesh.
+  const Mesh& mesh() const { return m_mesh; }
+
+  /// returns the mesh, for properties and for points; its connectivity must stay.
+  Mesh& mesh() { return m_mesh; }
+
+  /// returns the connectivity of `side`.
+  const Delta_complex& mesh(Side side) const { return *m_side[index(side)]; }
+
+  /// returns the vertex of `side` that `v` is; null if it is no vertex there.
+  Vertex_index parent_vertex(Side side, Vertex_index v) const
+  {
+    return v.idx() < mesh(side).number_of_vertices() ? v : Vertex_index();
+  }
+
+  /// returns whether `v` is a vertex of `side`.
+  bool is_vertex(Side side, Vertex_index v) const
+  {
+    return derived().parent_vertex(side, v).is_valid();
+  }
+
+  /// returns the face of `side` of which `f` is a part.
+  Face_index parent_face(Side side, Face_index f) const
+  {
+    return m_parent_face[index(side)][f.idx()];
+  }
+
+  /// returns the halfedge of `side` of which `h` is a part; null if there is none.
+  Halfedge_index parent_halfedge(Side side, Halfedge_index h) const
+  {
+    const Halfedge_index parent = m_parent_halfedge[index(side)][Edge_index(h).idx()];
+    return parent.is_valid() ? directed_as(h, parent) : parent;
+  }
+
+  /// returns the edge of `side` of which `e` is a part; null if there is none.
+  Edge_index parent_edge(Side side, Edge_index e) const
+  {
+    const Halfedge_index parent = m_parent_halfedge[index(side)][e.idx()];
+    return parent.is_valid() ? Edge_index(parent) : Edge_index();
+  }
+
+  /// returns the barycentric coordinates of the target of `h` in the parent of its face.
+  /// Complexity: constant, or linear in the degree of the target.
+  /// \pre `h` is no border halfedge
+  std::array<FT, 3> coordinates(Side side, Halfedge_index h) const
+  {
+    const Vertex_index v = m_mesh.target(h);
+    const Surface_place<FT> p = derived().place(side, v);
+    if(!p.along.is_valid())
+      return p.location.second;
+    const bool is_corner = is_vertex(side, v);
+    if(!is_corner && parent_halfedge(side, h).is_valid())
+      return on_side(side, parent_halfedge(side, h), p);
+    const Halfedge_index spoke = parent_of_spoke(side, h);
+    return is_corner ? face_location(Edge_point<FT>{spoke, FT(0)}, mesh(side)).second
+                     : on_side(side, spoke, p);
+  }
+
+  /// returns the place of the target of `h` in the parent of its face, with `coordinates(side, h)`.
+  /// The null face if `h` is a border halfedge.
+  Face_location<FT> location(Side side, Halfedge_index h) const
+  {
+    if(m_mesh.is_border(h))
+      return {Face_index(), {}};
+    return {parent_face(side, m_mesh.face(h)), derived().coordinates(side, h)};
+  }
+
+  /// returns `v` as a convex combination of vertices of `side`. Complexity: constant.
+  Vertex_weights<FT> weights(Side side, Vertex_index v) const
+  {
+    const Vertex_index parent = derived().parent_vertex(side, v);
+    if(parent.is_valid())
+      return {1, {parent}, {FT(1)}};
+    const Surface_place<FT> p = derived().place(side, v);
+    if(!p.along.is_valid())
+      return corner_weights(side, p.location);
+    const FT t = edge_point(p.along, p.location, mesh(side)).t;
+    return {2, {mesh(side).source(p.along), mesh(side).target(p.along)}, {1 - t, t}};
+  }
+
+  /// cuts every polygon into triangles; the parts keep the parents. Complexity: linear if polygons
+  /// are convex.
+  void triangulate()
+  {
+    const size_type polygons = m_mesh.number_of_faces();
+    for(size_type i = 0; i < polygons; ++i) {
+      const Face_index f(i);
+      while(has_more_than_three_sides(f))
+        cut_ear(derived().before_ear(m_mesh.halfedge(f)));
+    }
+  }
+
+protected:
+  explicit Subdivision_base(const std::array<const Delta_complex*, number_of_sides>& sides)
+    : m_side(sides)
+  {}
+
+  static constexpr std::size_t index(Side side) { return static_cast<std::size_t>(side); }
+
+  Vertex_weights<FT> corner_weights(Side side, const Face_location<FT>& p) const
+  {
+    const auto h = sides(p.first, mesh(side));
+    return {
+      3, {mesh(side).source(h[0]), mesh(side).source(h[1]), mesh(side).source(h[2])}, p.second};
+  }
+
+  // ---- Refined by subdivisions whose polygons are not convex, or that have data at corners ----
+
+  Halfedge_index before_ear(Halfedge_index h) const { return h; }
+  void copy_corner(Halfedge_index /*from*/, Halfedge_index /*to*/) {}
+
+  // ---- For builders ----
+
+  void resize(size_type vertices, size_type edges, size_type faces)
+  {
+    m_mesh = Mesh();
+    m_mesh.resize(vertices, edges, faces);
+    for(auto& parents : m_parent_halfedge)
+      parents.assign(edges, Halfedge_index());
+    for(auto& parents : m_parent_face)
+      parents.assign(faces, Face_index());
+  }
+
+  Halfedge_index add_edge()
+  {
+    for(auto& parents : m_parent_halfedge)
+      parents.emplace_back();
+    return m_mesh.add_edge();
+  }
+
+  // adds a face whose sides are linked already
+  Face_index add_face(Halfedge_index first, const std::array<Face_index, number_of_sides>& parents)
+  {
+    const Face_index f = m_mesh.add_face();
+    m_mesh.set_halfedge(f, first);
+    for(std::size_t side = 0; side < number_of_sides; ++side)
+      m_parent_face[side].push_back(parents[side]);
+    Halfedge_index h = first;
+    do {
+      m_mesh.set_face(h, f);
+      h = m_mesh.next(h);
+    } while(h != first);
+    return f;
+  }
+
+  void set_parent(Side side, Halfedge_index h, Halfedge_index parent)
+  {
+    m_parent_halfedge[index(side)][Edge_index(h).idx()] = directed_as(h, parent);
+  }
+  void set_parent(Side side, Face_index f, Face_index parent)
+  {
+    m_parent_face[index(side)][f.idx()] = parent;
+  }
+
+private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+  Derived& derived() { return static_cast<Derived&>(*this); }
+
+  // the halfedge of `side` that is next clockwise from the face of `h` around its target
+  Halfedge_index parent_of_spoke(Side side, Halfedge_index h) const
+  {
+    do
+      h = opposite(m_mesh.next(h));
+    while(!parent_halfedge(side, h).is_valid());
+    return parent_halfedge(side, opposite(h));
+  }
+
+  // a place along an edge, on the side `h` of a face
+  std::array<FT, 3> on_side(Side side, Halfedge_index h, const Surface_place<FT>& p) const
+  {
+    const Edge_point<FT> on_edge = edge_point(p.along, p.location, mesh(side));
+    return face_location(h == p.along ? on_edge : reversed(on_edge, mesh(side)), mesh(side)).second;
+  }
+
+  bool has_more_than_three_sides(Face_index f) const
+  {
+    const Halfedge_index h = m_mesh.halfedge(f), third = m_mesh.next(m_mesh.next(h));
+    return third != h && m_mesh.next(third) != h;
+  }
+
+  // cuts the two sides after `h` off its face
+  void cut_ear(Halfedge_index h)
+  {
+    const Face_index f = m_mesh.face(h);
+    const Halfedge_index second = m_mesh.next(m_mesh.next(h));
+    internal::cut_ear(h, m_mesh);
+    for(auto& parents : m_parent_halfedge)
+      parents.emplace_back();
+    for(auto& parents : m_parent_face)
+      parents.push_back(parents[f.idx()]);
+    derived().copy_corner(second, m_mesh.next(h));
+    derived().copy_corner(h, opposite(m_mesh.next(h)));
+  }
+
+  std::array<const Delta_complex*, number_of_sides> m_side;
+  Mesh m_mesh;
+  std::array<std::vector<Face_index>, number_of_sides> m_parent_face;
+  std::array<std::vector<Halfedge_index>, number_of_sides> m_parent_halfedge; // of first halfedges
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SUBDIVISION_BASE_H

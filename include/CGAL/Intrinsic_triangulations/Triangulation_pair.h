@@ -1,0 +1,348 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_PAIR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_PAIR_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// whether points inside faces have distances in this geometry, so that vertices can be inserted
+template <typename Traits, typename = void>
+struct Has_distance : std::false_type
+{};
+
+template <typename Traits>
+struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_distance_object())>>
+  : std::true_type
+{};
+
+// of the face of `h`, beginning with `h`
+template <typename Surface>
+std::array<Length_of<Surface>, 3> side_lengths(Halfedge_index h, const Surface& surface)
+{
+  const Delta_complex& mesh = surface.mesh();
+  return {edge_length(h, surface), edge_length(mesh.next(h), surface),
+          edge_length(mesh.prev(h), surface)};
+}
+
+} // namespace internal
+
+template <typename Traits>
+class Intrinsic_triangulation;
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// two triangulations \f$T_1\f$ and \f$T_2\f$ of one surface: connectivity and edge lengths of
+/// both, the integer coordinates (normal coordinates and roundabouts) that determine how the edges
+/// of \f$T_1\f$ run over \f$T_2\f$, and the places on \f$T_1\f$ of the vertices that only
+/// \f$T_2\f$ has. The operations that change \f$T_2\f$ are those of `Intrinsic_triangulation`.
+///
+/// \tparam Traits_ a model of `IntrinsicGeometryTraits`
+template <typename Traits_>
+class Triangulation_pair
+{
+  typedef Triangulation_pair Self;
+
+public:
+  /// the geometry.
+  typedef Traits_ Traits;
+  /// the type of lengths and barycentric coordinates.
+  typedef typename Traits::FT FT;
+  /// the type of normal coordinates.
+  typedef typename Traits::Integer Integer;
+  /// the type of the integer coordinates.
+  typedef Integer_coordinates<Integer> Coordinates;
+  /// the type of numbers and indices of elements.
+  typedef Delta_complex::size_type size_type;
+  /// the type of the maps of edge lengths.
+  typedef Delta_complex::Property_map<Edge_index, FT> Edge_length_map;
+
+  /// \name The Two Surfaces
+  /// @{
+
+  /// returns \f$T_1\f$ as a model of `IntrinsicSurface`.
+  Surface_view<Edge_length_map> input() const { return {m_input, m_input_length}; }
+  /// returns \f$T_2\f$ as a model of `IntrinsicSurface`.
+  Surface_view<Edge_length_map> intrinsic() const { return {m_mesh, m_length}; }
+  /// returns one of the two as a model of `IntrinsicSurface`.
+  Surface_view<Edge_length_map> surface(Side side) const
+  {
+    return side == Side::input ? input() : intrinsic();
+  }
+
+  /// returns the connectivity of \f$T_1\f$.
+  const Delta_complex& input_mesh() const { return m_input; }
+
+  /// returns the connectivity of \f$T_2\f$.
+  const Delta_complex& mesh() const { return m_mesh; }
+
+  /// returns the length of the edge `e` of \f$T_1\f$.
+  const FT& input_length(Edge_index e) const { return m_input_length[e]; }
+
+  /// returns the length of the edge `e` of \f$T_2\f$.
+  const FT& length(Edge_index e) const { return m_length[e]; }
+
+  /// returns the edge lengths of \f$T_1\f$.
+  const Edge_length_map& input_length_map() const { return m_input_length; }
+  /// returns the edge lengths of \f$T_2\f$.
+  const Edge_length_map& length_map() const { return m_length; }
+
+  /// returns the spokes of \f$T_1\f$.
+  const Vertex_spokes& spokes() const { return m_spokes; }
+
+  /// returns the integer coordinates of \f$T_2\f$.
+  const Coordinates& coordinates() const { return m_coordinates; }
+
+  /// returns whether the edge `e` of \f$T_2\f$ must not be flipped.
+  bool is_constrained(Edge_index e) const { return m_is_constrained[e]; }
+
+  /// returns the geometry.
+  const Traits& traits() const { return m_traits; }
+
+  /// @}
+  /// \name Inserted Vertices
+  /// @{
+
+  /// returns the number of vertices that only \f$T_2\f$ has.
+  size_type number_of_inserted_vertices() const
+  {
+    return m_mesh.number_of_vertices() - m_input.number_of_vertices();
+  }
+
+  /// returns whether `v` is a vertex of \f$T_2\f$ only.
+  bool is_inserted(Vertex_index v) const { return v.idx() >= m_input.number_of_vertices(); }
+
+  /// returns where the inserted vertex `v` lies on \f$T_1\f$. \pre `is_inserted(v)`
+  const Inserted_vertex<FT>& inserted_vertex(Vertex_index v) const
+  {
+    return m_inserted[v.idx() - m_input.number_of_vertices()];
+  }
+
+  /// returns where the inserted vertices lie on \f$T_1\f$, in the order of their indices.
+  const std::vector<Inserted_vertex<FT>>& inserted_vertices() const { return m_inserted; }
+
+  /// returns the place on \f$T_1\f$ of the point at `t` on the halfedge `h` of \f$T_2\f$.
+  /// \pre the edge of `h` is shared and \f$0 < t < 1\f$
+  /// \throws Numerical_error if there is no number between the places of its ends
+  Inserted_vertex<FT> place_on_shared(Halfedge_index h, const FT& t) const
+  {
+    const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
+    const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
+    if(!(start.t < p.t && p.t < 1 - end.t))
+      throw Numerical_error("no place is left on edge " + std::to_string(m_mesh.edge(h).idx()));
+    const Edge_point<FT> inside = m_input.is_border(p.halfedge) ? reversed(p, m_input) : p;
+    return {inside.halfedge, face_location(inside, m_input)};
+  }
+
+  /// returns the first of the two spokes of a vertex inserted on the edge of `along`, null if
+  /// `along` is null: the one on the boundary, or the first halfedge of its edge.
+  Halfedge_index first_inserted_spoke(Halfedge_index along) const
+  {
+    return along.is_valid()
+             ? internal::first_inserted_spoke(along, m_input.is_border(along),
+                                              m_input.is_border(m_input.opposite(along)))
+             : along;
+  }
+
+  /// returns the index of the spoke `spoke` at a vertex inserted on its edge.
+  size_type number_of_inserted_spoke(Halfedge_index spoke) const
+  {
+    return first_inserted_spoke(spoke) == spoke ? 0 : 1;
+  }
+
+  /// @}
+  /// \name Correspondence
+  /// @{
+
+  /// returns the distance of two points of one face of \f$T_1\f$; `Traits` is a model of
+  /// `IntrinsicGeometryTraitsWithDistance`. \pre `p.first == q.first`
+  FT distance(const Face_location<FT>& p, const Face_location<FT>& q) const
+  {
+    return m_traits.compute_distance_object()(
+      internal::side_lengths(m_input.halfedge(p.first), input()), p.second, q.second);
+  }
+
+  /// returns the place of the source of the halfedge `h` of \f$T_2\f$ on `input_spoke_before(h)`,
+  /// if that is not null.
+  Edge_point<FT> start_on_spoke(Halfedge_index h) const
+  {
+    const Halfedge_index spoke = input_spoke_before(h);
+    return {spoke, spoke.is_valid() ? place_along(spoke, m_mesh.source(h)) : FT(0)};
+  }
+
+  /// returns the place of the vertex `v` of \f$T_2\f$ on the halfedge `input` of \f$T_1\f$, whose
+  /// source it is unless it has been inserted. \pre it lies on the edge of `input`
+  FT place_along(Halfedge_index input, Vertex_index v) const
+  {
+    if(!is_inserted(v))
+      return FT(0);
+    const Inserted_vertex<FT>& m = inserted_vertex(v);
+    const FT t = edge_point(m.along, m.location, m_input).t;
+    return input == m.along ? t : FT(1 - t);
+  }
+
+  /// returns the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of
+  /// `at.halfedge`, which contains `v`, unless `v` lies inside a face. If `v` is a vertex of
+  /// \f$T_1\f$, its place is `at`.
+  Face_location<FT> input_location(Vertex_index v, const Edge_point<FT>& at) const
+  {
+    if(!is_inserted(v))
+      return face_location(at, m_input);
+    if(!inserted_vertex(v).along.is_valid())
+      return inserted_vertex(v).location;
+    return face_location(Edge_point<FT>{at.halfedge, place_along(at.halfedge, v)}, m_input);
+  }
+
+  /// returns the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into
+  /// which `h` leads, or which lies on its left if its edge is shared. \pre `h` is no border
+  /// halfedge
+  Face_location<FT> input_location(Halfedge_index h) const
+  {
+    return input_location(m_mesh.source(h), {input_spoke_before(h), FT(0)});
+  }
+
+  /// lays out the triangles of \f$T_1\f$ through which the halfedge `h` of \f$T_2\f$ runs.
+  /// \param strip the strip to be laid out
+  /// \param h the halfedge
+  /// \param exit a function: exit(m) is the halfedge of \f$T_1\f$ through which `h` leaves a face
+  ///        as crossing m
+  /// \param n the number of crossings, positive
+  /// \returns the length of `h`
+  template <typename Exit>
+  FT lay_out(typename Traits::Geodesic_strip& strip, Halfedge_index h, const Exit& exit,
+             std::size_t n) const
+  {
+    if constexpr(internal::Has_distance<Traits>::value)
+      internal::lay_out_strip(
+        strip, input(), exit, n,
+        std::make_pair(
+          coordinates_beyond(exit(0), input_location(h)),
+          coordinates_beyond(m_input.opposite(exit(n - 1)), input_location(m_mesh.opposite(h)))));
+    else
+      internal::lay_out_strip(strip, input(), exit, n);
+    return strip.length();
+  }
+
+  /// returns the halfedge of \f$T_1\f$ that coincides with the halfedge `h` of \f$T_2\f$.
+  /// \pre the edge of `h` is shared
+  Halfedge_index input_halfedge(Halfedge_index h) const
+  {
+    return m_coordinates.shared_halfedge(h, m_mesh, m_spokes);
+  }
+
+  /// returns the last spoke of \f$T_1\f$ at or clockwise from the halfedge `h` of \f$T_2\f$ around
+  /// its source; null if the source lies inside a face of \f$T_1\f$.
+  Halfedge_index input_spoke_before(Halfedge_index h) const
+  {
+    const Vertex_index v = m_mesh.source(h);
+    if(m_spokes.degree(v) == 0)
+      return m_mesh.null_halfedge();
+    const size_type r = m_coordinates.roundabout(h);
+    if(m_coordinates.is_shared(m_mesh.edge(h)))
+      return m_spokes.halfedge(v, r);
+    return m_spokes.halfedge(v, (r == 0 ? m_spokes.degree(v) : r) - 1);
+  }
+
+  /// returns the length of the part of an edge of \f$T_1\f$ between two points, `start` on one of
+  /// its halfedges and `end` on the other; the result is bitwise equal from both sides.
+  FT part_length(const Edge_point<FT>& start, const Edge_point<FT>& end) const
+  {
+    const bool is_first = is_first_halfedge(start.halfedge);
+    const FT &first = is_first ? start.t : end.t, &last = is_first ? end.t : start.t;
+    const FT& length = m_input_length[m_input.edge(start.halfedge)];
+    return first == 0 && last == 0 ? length : FT((1 - last - first) * length);
+  }
+
+  /// returns the length that the edge of `h` in \f$T_2\f$ has on \f$T_1\f$.
+  /// \pre the edge of `h` is shared
+  FT shared_length(Halfedge_index h) const
+  {
+    return part_length(start_on_spoke(h), start_on_spoke(m_mesh.opposite(h)));
+  }
+
+  /// @}
+
+private:
+  friend class Intrinsic_triangulation<Traits>;
+
+  explicit Triangulation_pair(const Traits& traits = Traits(), Delta_complex input = {},
+                              Delta_complex mesh = {},
+                              std::vector<Inserted_vertex<FT>> inserted = {})
+    : m_traits(traits),
+      m_input(std::move(input)),
+      m_mesh(std::move(mesh)),
+      m_inserted(std::move(inserted))
+  {
+    attach();
+  }
+
+  Triangulation_pair(const Self& other)
+    : m_traits(other.m_traits),
+      m_input(other.m_input),
+      m_spokes(other.m_spokes),
+      m_mesh(other.m_mesh),
+      m_inserted(other.m_inserted)
+  {
+    attach();
+  }
+
+  Triangulation_pair(Self&& other) = default;
+  Self& operator=(Self&& other) = default;
+  Self& operator=(const Self& other) { return *this = Self(other); }
+
+  // (re)binds the property maps to the meshes
+  void attach()
+  {
+    m_input_length = add_edge_map<FT>(m_input, "e:length");
+    m_length = add_edge_map<FT>(m_mesh, "e:length");
+    m_coordinates = Coordinates(m_mesh);
+    m_is_constrained = add_edge_map<bool>(m_mesh, "e:is_constrained");
+  }
+
+  template <typename Value>
+  static Delta_complex::Property_map<Edge_index, Value> add_edge_map(Delta_complex& mesh,
+                                                                     const char* name)
+  {
+    return mesh.template add_property_map<Edge_index, Value>(name, Value(0)).first;
+  }
+
+  // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side`
+  // first
+  std::array<FT, 3> coordinates_beyond(Halfedge_index side, const Face_location<FT>& p) const
+  {
+    return coordinates_from(m_input.prev(side), p, m_input);
+  }
+
+  Traits m_traits;
+  Delta_complex m_input; // T1
+  Edge_length_map m_input_length;
+  Vertex_spokes m_spokes;
+  Delta_complex m_mesh; // T2
+  Edge_length_map m_length;
+  Coordinates m_coordinates;
+  Delta_complex::Property_map<Edge_index, bool> m_is_constrained;
+  std::vector<Inserted_vertex<FT>> m_inserted; // vertices of T2 after those of T1
+};
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_PAIR_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+template <typename Traits>
+typename Traits::FT checked_length(const Triangulation_pair<Traits>& pair,
+                                   const typename Traits::FT& length)
+{
+  if(!pair.traits().is_length_object()(length))
+    throw Numerical_error("an edge at an inserted vertex has no positive finite length");
+  return length;
+}
+
+// The length of an edge from a new vertex at `m` to the vertex `v` that lies along spoke `r` of the
+// new one.
+template <typename Traits>
+typename Traits::FT shared_spoke_length(const Triangulation_pair<Traits>& pair,
+                                        const Inserted_vertex<typename Traits::FT>& m,
+                                        Delta_complex::size_type r, Vertex_index v)
+{
+  typedef typename Traits::FT FT;
+  const Halfedge_index first = pair.first_inserted_spoke(m.along);
+  const Halfedge_index spoke = r == 0 ? first : opposite(first), back = opposite(spoke);
+  const FT t = edge_point(m.along, m.location, pair.input_mesh()).t;
+  return checked_length(pair, pair.part_length({spoke, spoke == m.along ? t : FT(1 - t)},
+                                               {back, pair.place_along(back, v)}));
+}
+
+// The distance of the point `p` in the face of `h` in T2, whose corner 0 is the source of `h`, to a
+// corner.
+template <typename Traits>
+typename Traits::FT distance_to_corner(const Triangulation_pair<Traits>& pair, Halfedge_index h,
+                                       const std::array<typename Traits::FT, 3>& p,
+                                       std::size_t corner)
+{
+  return checked_length(pair, pair.traits().compute_distance_object()(
+                                side_lengths(h, pair.intrinsic()), p,
+                                barycentric_coordinates(corner, typename Traits::FT(0))));
+}
+
+// The distance of the point at `t` on `h` to the opposite corner, 0 beyond the boundary.
+template <typename Traits>
+typename Traits::FT distance_to_apex(const Triangulation_pair<Traits>& pair, Halfedge_index h,
+                                     const typename Traits::FT& t)
+{
+  return pair.mesh().is_border(h) ? typename Traits::FT(0)
+                                  : distance_to_corner(pair, h, barycentric_coordinates(0, t), 2);
+}
+
+// The edge that takes the place of two at an inserted vertex which lie along one edge of T1.
+struct Merged_edge
+{
+  Halfedge_index side; // null if there are no such two
+  Delta_complex::size_type r_source, r_target;
+  bool is_constrained;
+};
+
+// \pre `v` has three spokes
+template <typename Traits>
+Merged_edge merged_edge(const Triangulation_pair<Traits>& pair, Vertex_index v)
+{
+  const Delta_complex& mesh = pair.mesh();
+  const auto& coordinates = pair.coordinates();
+  // `side` will lead from the target of the spoke `x` to that of the spoke `y`
+  const auto merge = [&](Halfedge_index x, Halfedge_index y, Halfedge_index side) -> Merged_edge {
+    return {side, coordinates.roundabout(opposite(x)), coordinates.roundabout(opposite(y)),
+            pair.is_constrained(Edge_index(x)) && pair.is_constrained(Edge_index(y))};
+  };
+  const Halfedge_index a = first_spoke(v, mesh);
+  if(mesh.is_border(v))
+    return merge(next_spoke(next_spoke(a, mesh), mesh), a, a);
+  Halfedge_index x = a;
+  do {
+    const Halfedge_index y = next_spoke(x, mesh);
+    if(coordinates.is_shared(Edge_index(x)) && coordinates.is_shared(Edge_index(y)))
+      return merge(x, y, mesh.next(x));
+    x = y;
+  } while(x != a);
+  return {};
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H

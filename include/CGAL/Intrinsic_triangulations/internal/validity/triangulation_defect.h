@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDITY_TRIANGULATION_DEFECT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDITY_TRIANGULATION_DEFECT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Whether the place of an inserted vertex makes sense by itself.
+template <typename FT>
+bool is_valid_place(const Inserted_vertex<FT>& m, const Delta_complex& input)
+{
+  const auto& [f, p] = m.location;
+  if(!f.is_valid() || !input.has_valid_index(f) || !(p[0] >= 0 && p[1] >= 0 && p[2] >= 0) ||
+     CGAL::abs(p[0] + p[1] + p[2] - 1) > rounding_unit<FT>())
+    return false;
+  if(!m.along.is_valid())
+    return true;
+  return input.has_valid_index(m.along) && input.face(m.along) == f &&
+         p[(side_number(m.along, input) + 2) % 3] == 0;
+}
+
+inline std::ptrdiff_t Euler_characteristic(const Delta_complex& mesh)
+{
+  return std::ptrdiff_t(mesh.number_of_vertices()) - std::ptrdiff_t(mesh.number_of_edges()) +
+         std::ptrdiff_t(mesh.number_of_faces());
+}
+
+template <typename Traits>
+void check_inserted(const Triangulation_pair<Traits>& pair)
+{
+  const auto& inserted = pair.inserted_vertices();
+  if(!Has_distance<Traits>::value && !inserted.empty())
+    throw Invalid_input("vertices cannot be inserted in this geometry");
+  for(std::size_t i = 0; i < inserted.size(); ++i)
+    if(!is_valid_place(inserted[i], pair.input_mesh()))
+      throw Invalid_input("inserted vertex " + std::to_string(i) + " has no place in the input");
+  if(pair.mesh().num_vertices() != pair.input_mesh().num_vertices() + inserted.size())
+    throw Invalid_input("the numbers of vertices and of places do not fit");
+}
+
+// What is wrong between the two valid complexes, empty if nothing is.
+template <typename Traits>
+std::string correspondence_defect(const Triangulation_pair<Traits>& pair)
+{
+  const Delta_complex &input = pair.input_mesh(), &mesh = pair.mesh();
+  const auto& coordinates = pair.coordinates();
+  if(mesh.num_vertices() != input.num_vertices() + pair.inserted_vertices().size() ||
+     Euler_characteristic(mesh) != Euler_characteristic(input))
+    return "the two triangulations differ in their numbers of elements";
+  for(Edge_index e : mesh.edges()) {
+    if(!pair.traits().is_length_object()(pair.length(e)))
+      return "edge " + std::to_string(e.idx()) + " has no positive finite length";
+    if(pair.is_constrained(e) && !coordinates.is_shared(e))
+      return "edge " + std::to_string(e.idx()) + " is constrained but not in the input";
+  }
+  if(!coordinates.is_valid(mesh, pair.spokes()))
+    return "the integer coordinates contradict each other";
+  for(Edge_index e : mesh.edges())
+    if(coordinates.is_shared(e) && pair.length(e) != pair.shared_length(mesh.halfedge(e)))
+      return "edge " + std::to_string(e.idx()) + " is in the input with another length";
+  return curve_defect(coordinates, mesh, input, pair.spokes());
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDITY_TRIANGULATION_DEFECT_H

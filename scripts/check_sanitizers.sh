@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Builds the program and the unit tests with the sanitizers for addresses and undefined behaviour,
+# and runs the tests; arguments are passed to ctest (-R Refine). Slow. Dynamic types are not checked,
+# since CGAL's arrangements, which tests compare with, cast faces to a class that they are not of.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/set_up.sh
+cmake -S . -B build/sanitizers -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+  -DCGAL_DATA_DIR="$PWD/build/cgal_data" \
+  -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -fno-omit-frame-pointer \
+-fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=undefined"
+cmake --build build/sanitizers --target intrinsic unit_tests
+# The other tests build or check text.
+UBSAN_OPTIONS=print_stacktrace=1 ctest --test-dir build/sanitizers --output-on-failure -j2 \
+  -E '^(headers|clang[._].*|consumer[.].*|doc)$' "$@"

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What a history records of each kind of operation.
+
+#include "simplified_surfaces.h"
+
+#include <type_traits>
+
+namespace {
+
+using namespace Test_surfaces;
+
+static_assert(sizeof(IS::Surface_operation) == 32);
+static_assert(sizeof(IS::Face_corner) == 4);
+
+// the operation at time `t` if it is of this type
+template <typename Operation>
+const Operation operation(const IS::Surface_history& history, std::size_t t)
+{
+  Operation result{};
+  history[t].visit([&](const auto& o) {
+    if constexpr(std::is_same_v<decltype(o), const Operation&>)
+      result = o;
+    else
+      ADD_FAILURE() << "an operation of another type";
+  });
+  return result;
+}
+
+void expect_corner(const IS::Face_corner& c, Halfedge_index h, const Delta_complex& mesh)
+{
+  EXPECT_EQ(c.face(), mesh.face(h));
+  EXPECT_EQ(IT::sides(c.face(), mesh)[c.index()], h);
+}
+
+TEST(Surface_history, KeepsTheFacesOfEachOperation)
+{
+  const Mesh closed = octahedron();
+  const Evolving_surface s(closed);
+  const Delta_complex& mesh = s.mesh();
+  IS::Surface_history history;
+  const Halfedge_index h = mesh.halfedge(mesh.face(Halfedge_index(4)));
+  history.add_scaling(Vertex_index(1), 1.5, true, mesh);
+  history.add_scaling(Vertex_index(1), 1, false, mesh);
+  history.add_flip(h, mesh, 0.25, 0.75);
+  history.add_removal(h, mesh, 0.125, 0.5);
+  history.add_border_removal(h, mesh, 0.375);
+  ASSERT_EQ(history.size(), 5u);
+
+  const auto scaling = operation<IS::Scaling>(history, 0);
+  EXPECT_EQ(scaling.vertex, Vertex_index(1));
+  EXPECT_EQ(scaling.factor, 1.5);
+  EXPECT_EQ(scaling.number_of_corners, 4u);
+  for(const IS::Face_corner& c : history.corners(scaling))
+    EXPECT_EQ(mesh.source(IT::sides(c.face(), mesh)[c.index()]), Vertex_index(1));
+  EXPECT_TRUE(history.corners(operation<IS::Scaling>(history, 1)).empty());
+
+  const auto flip = operation<IS::Flip>(history, 2);
+  EXPECT_EQ(flip.halfedge, h);
+  expect_corner(flip.corners[0], h, mesh);
+  expect_corner(flip.corners[1], mesh.opposite(h), mesh);
+  EXPECT_EQ(flip.crossing_before, 0.25);
+  EXPECT_EQ(flip.crossing_after, 0.75);
+
+  const auto removal = operation<IS::Removal>(history, 3);
+  Halfedge_index spoke = h;
+  for(const IS::Face_corner& c : removal.corners) {
+    expect_corner(c, spoke, mesh);
+    spoke = IT::next_spoke(spoke, mesh);
+  }
+  EXPECT_EQ(removal.weight, (std::array<double, 2>{0.125, 0.5}));
+
+  const auto border_removal = operation<IS::Border_removal>(history, 4);
+  expect_corner(border_removal.corners[0], h, mesh);
+  expect_corner(border_removal.corners[1], IT::next_spoke(h, mesh), mesh);
+  EXPECT_EQ(border_removal.weight, 0.375);
+}
+
+TEST(Surface_history, CanBeTruncated)
+{
+  const Evolving_surface s(octahedron());
+  IS::Surface_history history;
+  history.add_scaling(Vertex_index(0), 2, true, s.mesh());
+  history.add_flip(Halfedge_index(0), s.mesh(), 0.5, 0.5);
+  history.add_scaling(Vertex_index(1), 2, true, s.mesh());
+  history.truncate(1);
+  ASSERT_EQ(history.size(), 1u);
+  history.add_scaling(Vertex_index(2), 3, true, s.mesh());
+  const auto scaling = operation<IS::Scaling>(history, 1);
+  EXPECT_EQ(scaling.first_corner, 4u);
+  for(const IS::Face_corner& c : history.corners(scaling))
+    EXPECT_EQ(s.mesh().source(IT::sides(c.face(), s.mesh())[c.index()]), Vertex_index(2));
+}
+
+TEST(Surface_history, RefusesFacesBeyondItsCodes)
+{
+  EXPECT_NO_THROW(IS::Face_corner(Face_index((1U << 30U) - 1), 2));
+  EXPECT_THROW(IS::Face_corner(Face_index(1U << 30U), 0), IT::Overflow_error);
+}
+
+} // namespace

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "generators.h"
+
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/poisson.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
+#include <CGAL/Intrinsic_triangulations/vector_heat.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <type_traits>
+
+namespace {
+
+using namespace Test_surfaces;
+using Triangulation = IT::Intrinsic_triangulation<>;
+using IT::Side;
+
+// ---- A surface that offers no more than is asked for ----
+
+class Length_archetype
+{
+public:
+  using key_type = Edge_index;
+  using value_type = double;
+  using reference = double;
+  using category = boost::readable_property_map_tag;
+
+  explicit Length_archetype(const Triangulation& t) : m_triangulation(&t) {}
+  friend double get(const Length_archetype& map, Edge_index e)
+  {
+    return map.m_triangulation->length(e);
+  }
+
+private:
+  const Triangulation* m_triangulation;
+};
+
+class Surface_archetype
+{
+public:
+  explicit Surface_archetype(const Triangulation& t) : m_triangulation(t) {}
+  Surface_archetype(const Surface_archetype&) = delete;
+  Surface_archetype& operator=(const Surface_archetype&) = delete;
+
+  const Delta_complex& mesh() const { return m_triangulation.mesh(); }
+  Length_archetype length_map() const { return Length_archetype(m_triangulation); }
+
+private:
+  const Triangulation& m_triangulation;
+};
+
+// What every algorithm on a surface computes from one vertex, in one vector.
+template <typename Surface>
+Eigen::VectorXcd results(const Surface& surface)
+{
+  const Vertex_index v(0);
+  const IT::Tangent_frames<> frames(surface);
+  const Eigen::VectorXd distance = IT::heat_distance(surface, v);
+  const IT::Geodesic<double> there = IT::trace_geodesic(surface, v, {0.3, 0.2});
+  const IT::Geodesic<double> on = IT::trace_geodesic(surface, there.end, there.direction);
+  const auto logarithms = IT::logarithmic_map(surface, v);
+  const Halfedge_index spoke = surface.mesh().halfedge(there.end.first);
+  Eigen::VectorXcd result(11);
+  result << distance.sum(), IT::cotan_laplacian(surface).norm(), IT::mass_matrix(surface).norm(),
+    IT::solve_poisson(surface, distance).norm(), IT::connection_laplacian(surface, frames).norm(),
+    (IT::divergence_matrix(surface) * IT::gradient_matrix(surface)).norm(),
+    IT::Vector_heat<>(surface).transport(v, 1.).sum(), on.end.second[0], logarithms.back().vector,
+    IT::logarithm(surface, spoke, there.end),
+    IT::tangent_vector_at_vertex(surface, spoke, there.direction);
+  return result;
+}
+
+} // namespace
+
+TEST(Intrinsic_surface, archetype)
+{
+  Triangulation t(perturbed(random_sphere(30, 1), 0.3, 1));
+  IT::make_Delaunay(t);
+  EXPECT_EQ(results(Surface_archetype(t)), results(t.intrinsic()));
+}
+
+TEST(Intrinsic_surface, models_of_one_surface_give_equal_results)
+{
+  Triangulation t(perturbed(random_sphere(30, 2), 0.3, 2));
+  EXPECT_EQ(results(t), results(t.input()));
+  IT::make_Delaunay(t);
+  const Eigen::VectorXcd expected = results(t.intrinsic());
+  EXPECT_EQ(results(t), expected);
+  EXPECT_EQ(results(t.surface(Side::intrinsic)), expected);
+  EXPECT_EQ(results(IT::Surface_view(t.mesh(), t.length_map())), expected);
+  EXPECT_EQ(results(t.surface(Side::input)), results(t.input()));
+  EXPECT_NE(results(t.input()), expected);
+}
+
+TEST(Intrinsic_surface, number_type_is_that_of_the_lengths)
+{
+  const Triangulation t(tetrahedron());
+  static_assert(std::is_same_v<IT::Length_of<Surface_archetype>, double>);
+  static_assert(std::is_same_v<decltype(t.input()), decltype(t.intrinsic())>);
+  static_assert(std::is_same_v<IT::Length_map_of<Triangulation>, Triangulation::Edge_length_map>);
+  EXPECT_EQ(&t.input().mesh(), &t.input_mesh());
+  EXPECT_EQ(&t.intrinsic().mesh(), &t.mesh());
+}
