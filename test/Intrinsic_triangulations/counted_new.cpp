@@ -10,20 +10,39 @@
 #include <new>
 
 std::size_t number_of_allocations();
+std::size_t bytes_in_use();
 
 namespace {
-std::size_t count = 0;
-}
+
+std::size_t count = 0, bytes = 0;
+
+// Before each block stands its size, in so many bytes that the block is aligned for all types.
+constexpr std::size_t header = alignof(std::max_align_t);
+static_assert(header >= sizeof(std::size_t));
+
+} // namespace
 
 std::size_t number_of_allocations() { return count; }
+std::size_t bytes_in_use() { return bytes; }
 
 void* operator new(std::size_t size)
 {
   ++count;
-  if(void* p = std::malloc(size == 0 ? 1 : size))
-    return p;
-  throw std::bad_alloc();
+  void* const p = std::malloc(header + size);
+  if(!p)
+    throw std::bad_alloc();
+  bytes += size;
+  *static_cast<std::size_t*>(p) = size;
+  return static_cast<char*>(p) + header;
 }
 
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p) noexcept
+{
+  if(!p)
+    return;
+  void* const whole = static_cast<char*>(p) - header;
+  bytes -= *static_cast<std::size_t*>(whole);
+  std::free(whole);
+}
+
+void operator delete(void* p, std::size_t) noexcept { operator delete(p); }

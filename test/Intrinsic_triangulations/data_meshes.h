@@ -7,40 +7,80 @@
 
 #include "generators.h"
 
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
-
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <iostream>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace Test_surfaces {
 
-// Calls `visit(mesh)` for CGAL's triangle meshes up to a size of files in bytes. What is no surface
-// may be refused with a reason, which is printed; but most must not be.
+// CGAL's data files that are no triangulated surface as they stand, with the defect by which a
+// diagnosis begins. All others are surfaces.
+inline const std::map<std::string, std::string>& refused_data_meshes()
+{
+  static const std::map<std::string, std::string> result = [] {
+    std::map<std::string, std::string> files{{"b9.ply", "no faces"},
+                                             {"blobby-shuffled.off", "inconsistent orientation"},
+                                             {"cube-shuffled.off", "inconsistent orientation"},
+                                             {"oblong-shuffled.off", "inconsistent orientation"},
+                                             {"tet-shuffled.off", "inconsistent orientation"},
+                                             {"pig.stl", "non-manifold vertex"},
+                                             {"polygon_mesh.off", "non-manifold vertex"}};
+    for(const char* name : {"3torus",
+                            "P",
+                            "beam",
+                            "corner",
+                            "corner_poly",
+                            "corner_with_hole",
+                            "corner_with_sharp_edge",
+                            "cross_quad",
+                            "cube4-shuffled",
+                            "cube_poly",
+                            "cube_quad",
+                            "double-torus-3-holes",
+                            "double-torus-example",
+                            "hole",
+                            "mesh_with_colors",
+                            "mpi",
+                            "prim",
+                            "pyramid",
+                            "quad",
+                            "quads_to_stitch",
+                            "torus_quad"})
+      files[std::string(name) + ".off"] = "face that is not a triangle";
+    return files;
+  }();
+  return result;
+}
+
+// Returns why `file` is no surface, empty if it is one.
+inline std::string refusal_of_data_mesh(const std::string& file)
+{
+  const auto found = refused_data_meshes().find(std::filesystem::path(file).filename().string());
+  return found == refused_data_meshes().end() ? std::string() : found->second;
+}
+
+// Calls `visit(mesh)` for CGAL's triangle meshes up to a size of files in bytes, none left out:
+// what the soup lacks in orientation or at vertices, CGAL repairs as it reads.
 template <typename Visit>
 void for_each_data_mesh(std::uintmax_t largest_file, const Visit& visit)
 {
   const std::vector<std::string> files = data_meshes(largest_file);
-  std::size_t visited = 0;
+  if(files.empty())
+    GTEST_SKIP() << "CGAL's data files are not here";
   for(const std::string& file : files) {
     SCOPED_TRACE(file);
     Mesh mesh;
-    if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh) ||
-       !CGAL::is_triangle_mesh(mesh) || mesh.number_of_faces() == 0)
-      continue;
-    try {
+    ASSERT_TRUE(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh));
+    const bool is_refused = refusal_of_data_mesh(file) == "face that is not a triangle";
+    EXPECT_EQ(CGAL::is_triangle_mesh(mesh), !is_refused);
+    if(!is_refused)
       visit(mesh);
-      ++visited;
-    } catch(const IT::Invalid_input& e) {
-      std::cout << file << ": " << e.what() << '\n';
-    }
   }
-  EXPECT_TRUE(files.empty() || visited > files.size() / 2);
 }
 
 } // namespace Test_surfaces

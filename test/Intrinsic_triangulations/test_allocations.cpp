@@ -2,8 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Elementary operations allocate nothing.
+// Elementary operations allocate nothing, and objects take the memory that the manual says.
 
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -13,7 +15,9 @@
 #include <cmath>
 #include <cstddef>
 
-std::size_t number_of_allocations(); // counted_new.cpp
+// counted_new.cpp
+std::size_t number_of_allocations();
+std::size_t bytes_in_use();
 
 namespace {
 
@@ -29,6 +33,26 @@ Mesh wavy_square(unsigned n)
     for(unsigned j = 0; j <= n; ++j)
       mesh.add_vertex(Point(i, 3. * j, 2 * std::sin(1.7 * i) * std::cos(0.9 * j)));
   const auto vertex = [&](unsigned i, unsigned j) { return Mesh::Vertex_index(i * (n + 1) + j); };
+  for(unsigned i = 0; i < n; ++i)
+    for(unsigned j = 0; j < n; ++j) {
+      mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+      mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+    }
+  return mesh;
+}
+
+// a torus of n x n cells with a wavy radius
+Mesh wavy_torus(unsigned n)
+{
+  Mesh mesh;
+  const double turn = 2 * std::acos(-1.) / n;
+  for(unsigned i = 0; i < n; ++i)
+    for(unsigned j = 0; j < n; ++j) {
+      const double r = 1 + 0.3 * std::sin(1.7 * i), s = 4 + r * std::cos(turn * j);
+      mesh.add_vertex(
+        Point(s * std::cos(turn * i), s * std::sin(turn * i), r * std::sin(turn * j)));
+    }
+  const auto vertex = [&](unsigned i, unsigned j) { return Mesh::Vertex_index(i % n * n + j % n); };
   for(unsigned i = 0; i < n; ++i)
     for(unsigned j = 0; j < n; ++j) {
       mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
@@ -61,6 +85,30 @@ TEST(Allocations, MakeDelaunayAllocatesItsStackOnly)
   const std::size_t flips = IT::make_Delaunay(tri);
   EXPECT_LT(number_of_allocations() - before, 20u);
   EXPECT_GT(flips, 1000u);
+}
+
+// of the object that `make()` returns, for each of `edges` edges
+template <typename Make>
+double bytes_per_edge(std::size_t edges, const Make& make)
+{
+  const std::size_t before = bytes_in_use();
+  const auto object = make();
+  return static_cast<double>(bytes_in_use() - before) / static_cast<double>(edges);
+}
+
+TEST(Allocations, BytesOnAClosedSurface)
+{
+  const Mesh mesh = wavy_torus(100);
+  const std::size_t edges = mesh.number_of_edges();
+  EXPECT_NEAR(bytes_per_edge(edges, [&] { return IT::Intrinsic_triangulation<>(mesh); }), 116, 1);
+  IT::Intrinsic_triangulation<> tri(mesh);
+  EXPECT_NEAR(bytes_per_edge(edges, [&] { return IT::Vertex_inserter<>(tri); }), 40, 1);
+  EXPECT_NEAR(bytes_per_edge(edges, [&] { return IT::Correspondence<>(tri); }), 80, 6);
+  EXPECT_GT(IT::make_Delaunay(tri), edges / 10);
+  IT::Correspondence<> with_crossings(tri);
+  const double crossings = static_cast<double>(with_crossings.number_of_crossings());
+  EXPECT_LT(bytes_per_edge(edges, [&] { return IT::Correspondence<>(tri); }),
+            86 + 45 * crossings / static_cast<double>(edges));
 }
 
 } // namespace

@@ -342,17 +342,6 @@ Flat_surface needles(int n, int width, int height)
   return flat_surface(points, triangles);
 }
 
-std::vector<std::string> data_meshes()
-{
-  std::vector<std::string> result;
-#ifdef CGAL_DATA_DIR
-  for(const char* name :
-      {"elephant.off", "oblong.off", "camel.off", "pig.off", "knot1.off", "hand.off", "cheese.off"})
-    result.push_back(std::string(CGAL_DATA_DIR) + "/meshes/" + name);
-#endif
-  return result;
-}
-
 } // namespace
 
 TEST(Exponential_map, straight_in_the_plane_and_around_a_torus)
@@ -440,11 +429,14 @@ TEST(Exponential_map, from_a_vertex_inserted_on_an_edge)
 
 TEST(Exponential_map, same_on_both_triangulations_of_data)
 {
-  for(const std::string& name : data_meshes()) {
+  if(data_meshes(1000000).empty())
+    GTEST_SKIP() << "CGAL's data files are not here";
+  for(const char* name : {"elephant.off", "oblong.off", "camel.off", "pig.off", "knot1.off",
+                          "hand.off", "cheese.off"}) {
     SCOPED_TRACE(name);
     Mesh mesh;
-    if(!std::filesystem::exists(name) || !CGAL::IO::read_polygon_mesh(name, mesh))
-      continue;
+    ASSERT_TRUE(
+      CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), mesh));
     Triangulation t(mesh);
     IT::make_Delaunay(t);
     check_independence(t, 100, 1e-9);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/vector_heat.h>
 #include <gtest/gtest.h>
 
@@ -110,8 +111,6 @@ Mesh strip(std::size_t n)
   return grid(n, 1, [](double x, double y) { return Point(x, y, 0); });
 }
 
-// ---- Vectors ----
-
 // A cone of angle 2 pi sin(slope) with n vertices on each ring; vertex 0 is the tip.
 struct Round_cone
 {
@@ -147,6 +146,94 @@ struct Round_cone
     return make_mesh(points, triangles);
   }
 };
+
+// A triangulation in the plane with a set of sources and the distances from it.
+struct Known_distances
+{
+  std::string name;
+  Triangulation t;
+  std::vector<Vertex_index> sources;
+  Values exact;
+  double bound; // of the mean error, in mean edge lengths
+};
+
+double mean_length(const Triangulation& t)
+{
+  double sum = 0;
+  for(Edge_index e : t.mesh().edges())
+    sum += t.length(e);
+  return sum / static_cast<double>(t.mesh().number_of_edges());
+}
+
+// Of the vertices of T2, by those of the input.
+std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
+{
+  const Flat_faces input(Side::input, t);
+  std::vector<Point> result(mesh.points().begin(), mesh.points().end());
+  for(Vertex_index v : t.mesh().vertices())
+    if(t.is_inserted(v))
+      result.push_back(place_in_space(t.inserted_vertex(v).location, input, mesh));
+  return result;
+}
+
+// The sources are the vertices where the exact distance is zero.
+template <typename Distance>
+Known_distances known_distances(const std::string& name, const Triangulation& t, const Mesh& mesh,
+                                double bound, const Distance& distance)
+{
+  const std::vector<Point> place = positions(t, mesh);
+  Known_distances result{name, t, {}, Values(static_cast<Eigen::Index>(place.size())), bound};
+  for(Vertex_index v : t.mesh().vertices()) {
+    const double d = distance(place[v.idx()]);
+    result.exact[v.idx()] = d < 1e-9 ? 0 : d;
+    if(d < 1e-9)
+      result.sources.push_back(v);
+  }
+  return result;
+}
+
+double from_center(const Point& p) { return std::hypot(p.x(), p.y()); }
+double from_edges_of_unit_square(const Point& p)
+{
+  return (std::min)({p.x(), 1 - p.x(), p.y(), 1 - p.y()});
+}
+
+Mesh flat_disk() { return Round_cone{20, 126, 2 * pi}.mesh(); }
+
+// from -1 to 1, with 41 straight rows
+Mesh rows()
+{
+  return grid(40, 40, [](double x, double y) { return Point(x / 20 - 1, y / 20 - 1, 0); });
+}
+
+std::vector<Known_distances> known_distances()
+{
+  const Mesh square = rows(), disk = flat_disk(), coarse = unit_square(2, 1);
+  const Triangulation on_square(square);
+  Triangulation on_disk(disk), refined(coarse);
+  IT::make_Delaunay(on_disk);
+  IT::refine(refined, IT::parameters::maximum_circumradius(0.02));
+  const Point a(-0.5, 0, 0), b(0.5, 0.3, 0);
+  return {
+    known_distances("one point", on_square, square, 0.3, from_center),
+    known_distances("two points", on_square, square, 0.25,
+                    [&](const Point& p) { return (std::min)(straight(p, a), straight(p, b)); }),
+    known_distances("line from edge to edge", on_square, square, 0.035,
+                    [](const Point& p) { return std::abs(p.x()); }),
+    known_distances(
+      "segment", on_square, square, 0.55,
+      [](const Point& p) { return std::hypot(p.x(), (std::max)(0., std::abs(p.y()) - 0.5)); }),
+    known_distances("region", on_square, square, 0.4,
+                    [](const Point& p) { return (std::max)(0., from_center(p) - 0.4); }),
+    known_distances("boundary of a disk", on_disk, disk, 0.01,
+                    [](const Point& p) { return 1 - from_center(p); }),
+    known_distances("circle", on_disk, disk, 0.01,
+                    [](const Point& p) { return std::abs(0.5 - from_center(p)); }),
+    known_distances("boundary of a refined square", refined, coarse, 0.2,
+                    from_edges_of_unit_square)};
+}
+
+// ---- Vectors ----
 
 double angle_between(const Complex& x, const Complex& y) { return std::abs(std::arg(x / y)); }
 
@@ -266,6 +353,19 @@ TEST(Heat_distance, sources_and_components)
   const Values nearest = a.head(torus).cwiseMin(b.head(torus));
   EXPECT_LT(error(both.head(torus), nearest), 0.1);
   EXPECT_TRUE((distance.distances(std::vector<Vertex_index>()).array() > 1e300).all());
+}
+
+// No constant subtracted from the solution of the Poisson equation obeys the bounds: neither the
+// least nor the mean of the values at the sources.
+TEST(Heat_distance, many_sources_in_closed_form)
+{
+  for(const Known_distances& known : known_distances()) {
+    SCOPED_TRACE(known.name);
+    const Values computed = IT::heat_distance(known.t.intrinsic(), known.sources);
+    for(Vertex_index source : known.sources)
+      EXPECT_EQ(computed[source.idx()], 0);
+    EXPECT_LT((computed - known.exact).cwiseAbs().mean(), known.bound * mean_length(known.t));
+  }
 }
 
 TEST(Heat_distance, time_step)

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "data_meshes.h"
 #include "generators.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -468,16 +469,7 @@ TEST(Make_Delaunay, is_deterministic)
 
 TEST(Make_Delaunay, data_meshes)
 {
-  const std::vector<std::string> files = data_meshes(200000);
-  if(files.empty())
-    GTEST_SKIP() << "CGAL's meshes are not there";
-  std::size_t checked = 0;
-  for(const std::string& file : files) {
-    SCOPED_TRACE(file);
-    Mesh mesh;
-    if(!CGAL::IO::read_polygon_mesh(file, mesh, CGAL::parameters::verbose(false)) ||
-       !refusal(mesh).empty())
-      continue;
+  for_each_data_mesh(200000, [](const Mesh& mesh) {
     Triangulation t(mesh);
     IT::make_Delaunay(t);
     expect_Delaunay(t);
@@ -485,9 +477,7 @@ TEST(Make_Delaunay, data_meshes)
     EXPECT_TRUE(t.is_valid(true));
     t.flip_to_input();
     EXPECT_TRUE(t.is_valid(true));
-    ++checked;
-  }
-  EXPECT_GT(checked, files.size() / 4);
+  });
 }
 
 // ---- Inputs ----

@@ -4,6 +4,7 @@
 
 #include "measuring.h"
 #include "near_degenerate_meshes.h"
+#include "refinement_checks.h"
 
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iostream>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -119,7 +122,7 @@ void check_recomputed_lengths(const Mesh& mesh)
     const Halfedge_index h = IT::first_halfedge(e);
     if(n == 0)
       continue;
-    const auto exit = [&](std::size_t m) { return opposite(crossings(h, m)); };
+    const auto exit = [&](std::size_t m) { return IT::opposite(crossings(h, m)); };
     IT::internal::lay_out_strip(strip, IT::Surface_view(input, length), exit, n);
     EXPECT_NEAR(double(t.length(e) / strip.length()), 1, 4e-15 * double(n + 1)) << n;
   }
@@ -148,19 +151,22 @@ void check_remaining(const Triangulation& t, const IT::Refinement_result& result
     }
 }
 
-// Thin tubes need more faces than a test has time for: insertions are limited.
-void check_refinement(const Mesh& mesh)
+// Thin tubes need more faces than a test has time for: insertions are limited. Angles come from
+// lengths with rounding, and from these in needles.
+IT::Refinement_status check_refinement(const Mesh& mesh)
 {
   Triangulation t(mesh);
   const auto result =
     IT::refine(t, IT::parameters::maximum_number_of_insertions(std::size_t(1000)));
   EXPECT_TRUE(IT::is_Delaunay(t));
-  ASSERT_TRUE(t.is_valid(true));
+  EXPECT_TRUE(t.is_valid(true));
+  check_angles(t, 25, result);
   check_remaining(t, result);
   const Correspondence c(t);
   const Subdivision s(c);
   EXPECT_TRUE(s.mesh().is_valid());
   EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
+  return result.status;
 }
 
 template <typename Check>
@@ -205,4 +211,15 @@ TEST(Near_degenerate_meshes, recomputed_lengths_of_needles)
 
 TEST(Near_degenerate_meshes, Delaunay_with_subdivision) { for_each_mesh(check_Delaunay); }
 
-TEST(Near_degenerate_meshes, refined_with_subdivision) { for_each_mesh(check_refinement); }
+// Every face has 25 degrees, or is excused by a narrow vertex, or the limit was hit. The counts are
+// what was measured: refinement of such meshes need not end.
+TEST(Near_degenerate_meshes, refined_with_subdivision)
+{
+  std::map<IT::Refinement_status, unsigned int> count;
+  for_each_mesh([&](const Mesh& mesh) { ++count[check_refinement(mesh)]; });
+  for(const auto& [status, n] : count)
+    std::cout << n << ' ' << to_string(status) << '\n';
+  EXPECT_GE(count[IT::Refinement_status::bounds_met], 465u);
+  EXPECT_GE(count[IT::Refinement_status::bounds_met_but_excused], 65u);
+  EXPECT_LE(count[IT::Refinement_status::no_room], 5u);
+}

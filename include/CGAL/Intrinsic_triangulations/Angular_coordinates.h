@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// the directions of all halfedges of \f$T_2\f$ in frames that do not change when edges are
+/// stores the directions of all halfedges of \f$T_2\f$ in frames that do not change when edges are
 /// flipped: those of \f$T_1\f$.
 ///
 /// The angular coordinate of a halfedge is its normalized angle at its source (Section 2.3.2), as
@@ -40,9 +40,9 @@ namespace Intrinsic_triangulations {
 /// refine(tri, parameters::visitor(std::ref(angles)));
 /// \endcode
 /// A new halfedge goes between its two neighbors in the proportion of the two corners, so that the
-/// errors of angles do not grow with the number of flips, but for the rounding of each. Whoever
-/// changes `tri` by other means calls the functions below, and `recompute()` after
-/// `Intrinsic_triangulation::collect_garbage()`, which gives halfedges other numbers.
+/// errors of angles do not grow with the number of flips, up to the rounding of each. After changes
+/// of `tri` by other means the functions below must be called, and `recompute()` after
+/// `Intrinsic_triangulation::collect_garbage()`, which renumbers halfedges.
 ///
 /// The object refers to the triangulation. Memory: two numbers for each halfedge and one for each
 /// vertex.
@@ -71,28 +71,31 @@ public:
     recompute();
   }
 
-  Angular_coordinates(Triangulation&&) = delete; // it would refer to what is gone
+  Angular_coordinates(Triangulation&&) =
+    delete; // it would refer to an object that no longer exists
 
-  /// the triangulation.
+  /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
-  /// the normalized angle \f$\varphi\f$ of the direction in which the halfedge `h` of \f$T_2\f$
-  /// leaves its source, in the frame of \f$T_1\f$: between 0 and \f$2\pi\f$, but for rounding.
+  /// returns the normalized angle \f$\varphi\f$ of the direction in which the halfedge `h` of
+  /// \f$T_2\f$ leaves its source, in the frame of \f$T_1\f$: between 0 and \f$2\pi\f$, up to
+  /// rounding.
   const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
 
-  /// the parallel transport \f$R_{ij}\f$ along the halfedge `h` of \f$T_2\f$ between the frames of
+  /// returns the parallel transport \f$R_{ij}\f$ along the halfedge `h` of \f$T_2\f$ between the
+  /// frames of
   /// \f$T_1\f$ (see `Tangent_frames::transport()`).
   std::complex<FT> transport(Halfedge_index h) const
   {
     return -std::polar(FT(1), angle(m_tri.mesh().opposite(h)) - angle(h));
   }
 
-  /// the frames of \f$T_1\f$ at its vertices; for those at inserted vertices see
+  /// returns the frames of \f$T_1\f$ at its vertices; for those at inserted vertices see
   /// `angle_on_input()`.
   const Tangent_frames<FT>& frames() const { return m_frames; }
 
-  /// computes all angles afresh, as the constructor does. Afterwards \f$T_2\f$ may have been
-  /// changed in any way, and its elements have other numbers.
+  /// computes all angles afresh, as the constructor does. To be called after \f$T_2\f$ has
+  /// been changed in other ways, or its elements have been renumbered.
   void recompute()
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -106,8 +109,7 @@ public:
   }
 
   /// computes the angles of the edge of `h`, which has just been flipped, from its two faces; those
-  /// of
-  /// \f$T_1\f$ if it is shared. Complexity: constant.
+  /// of \f$T_1\f$ if it is shared. Complexity: constant.
   void after_flip(Halfedge_index h)
   {
     set_angle(h);

@@ -43,10 +43,10 @@ typedef Delta_complex::Edge_index Edge_index;
 typedef Delta_complex::Face_index Face_index;
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// says whether an operation on a Delta-complex is possible, and if not, why.
+/// states whether an operation on a Delta-complex is possible, and if not, why.
 enum class Operation_status
 {
-  possible,     ///< nothing stands against it
+  possible,     ///< the operation can be performed
   border_edge,  ///< the edge has a face on one side only
   same_face,    ///< both sides of an edge at hand are in one face
   wrong_degree, ///< the vertex has not exactly three incident edges
@@ -69,7 +69,7 @@ inline const char* to_string(Operation_status status)
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns the other halfedge of the edge of `h`, as every `Surface_mesh` numbers it, in a single
-/// instruction: walks wait for nothing else.
+/// instruction, which bounds the speed of walks.
 inline Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
@@ -160,8 +160,8 @@ Halfedge_index add_directed_edge(Vertex_index source, Vertex_index target, Surfa
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// says whether the edge of `h` can be flipped. The edge of a degree-1 vertex cannot: its two sides
-/// are in one face. Complexity: constant.
+/// returns whether the edge of `h` can be flipped. The edge of a degree-1 vertex cannot: its two
+/// sides are in one face. Complexity: constant.
 template <typename P>
 Operation_status flip_status(Halfedge_index h, const Surface_mesh<P>& mesh)
 {
@@ -173,9 +173,8 @@ Operation_status flip_status(Halfedge_index h, const Surface_mesh<P>& mesh)
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// turns the edge \f$ij\f$ of `h` counterclockwise into the other diagonal \f$kl\f$ of its two
-/// faces
-/// \f$ijk\f$ and \f$jil\f$: afterwards `h` leads from \f$l\f$ to \f$k\f$ and \f$i\f$ is on its
-/// left. Complexity: constant.
+/// faces \f$ijk\f$ and \f$jil\f$: afterwards `h` leads from \f$l\f$ to \f$k\f$ and \f$i\f$ is on
+/// its left. Complexity: constant.
 /// \pre `flip_status(h, mesh) == Operation_status::possible`
 template <typename P>
 void flip_edge(Halfedge_index h, Surface_mesh<P>& mesh)
@@ -279,7 +278,7 @@ Halfedge_index split_edge(Halfedge_index h, Surface_mesh<P>& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// says whether `v` can be removed by `remove_degree_3_vertex()`. Complexity: constant.
+/// returns whether `v` can be removed by `remove_degree_3_vertex()`. Complexity: constant.
 template <typename P>
 Operation_status removal_status(Vertex_index v, const Surface_mesh<P>& mesh)
 {
@@ -382,7 +381,8 @@ std::string halfedge_defect(Halfedge_index h, const Surface_mesh<P>& mesh)
   return mesh.is_removed(mesh.face(h)) ? "its face is removed" : "";
 }
 
-// The number of halfedges with target `v` that are reached from halfedge(v), at most `limit` + 1.
+// Returns the number of halfedges with target `v` that are reached from halfedge(v), at most
+// `limit` + 1.
 template <typename P>
 std::size_t umbrella_size(Vertex_index v, std::size_t limit, const Surface_mesh<P>& mesh)
 {
@@ -411,7 +411,7 @@ std::string vertex_defect(Vertex_index v, std::size_t degree, std::size_t border
   return {};
 }
 
-// The first defect of `mesh` as a Delta-complex in words, empty if it is valid.
+// Returns the first defect of `mesh` as a Delta-complex in words, empty if it is valid.
 template <typename P>
 std::string Delta_complex_defect(const Surface_mesh<P>& mesh)
 {

@@ -23,10 +23,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// the geometry of triangles that are flat and Euclidean.
+/// defines the geometry of triangles that are flat and Euclidean.
 ///
-/// With an exact number type every decision is exact. With a floating point type a decision is
-/// taken only where its sign is certain for the stored lengths; see `Is_locally_Delaunay`.
+/// With an exact number type every decision is exact. With a floating point type decisions have a
+/// one-sided tolerance of `rounding_unit()`: an edge is flipped only where that is certain for the
+/// stored lengths; see `Is_locally_Delaunay`.
 ///
 /// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`
 /// \tparam Integer_ the signed integer type of normal coordinates
@@ -81,9 +82,9 @@ private:
   {
     FT p, q, opposite;
 
-    // The cosine times 2 p q, and the squared sine times (2 p q)^2, for a smaller angle if `u` is
-    // positive: both are increased as much as a relative error `u` of the sides can do. With the
-    // opposite sign they are those for a larger angle, as long as the angle is obtuse.
+    // Returns the cosine times 2 p q, and the squared sine times (2 p q)^2, for a smaller angle if
+    // `u` is positive: both are increased as much as a relative error `u` of the sides can do. With
+    // the opposite sign they are those for a larger angle, as long as the angle is obtuse.
     FT cosine(const FT& u) const
     {
       const FT sides = p * p + q * q, square = opposite * opposite;
@@ -121,17 +122,17 @@ public:
   ///
   /// The angles at \f$k\f$ and \f$l\f$ add up to more than \f$\pi\f$ if one of them, at \f$k\f$
   /// say, is obtuse, and \f$\cos\theta_l \sin\theta_k < -\cos\theta_k \sin\theta_l\f$. In floating
-  /// point an edge counts as non-Delaunay only if it is so for all lengths within `rounding_unit()`
-  /// of the stored ones. So four cocircular points are a tie and ties are kept, an edge that has
-  /// just been flipped is never flipped back, and a triangle of zero area over its long side gives
-  /// way.
+  /// point the tolerance is one-sided: an edge counts as non-Delaunay only if it is so for all
+  /// lengths within `rounding_unit()` of the stored ones. So four cocircular points are a tie and
+  /// ties are kept, an edge that has just been flipped is never flipped back, and a triangle of
+  /// zero area over its long side gives way.
   struct Is_locally_Delaunay
   {
     /// returns whether the edge is Delaunay.
     bool operator()(const Diamond<FT>& length) const
     {
-      // away from equality the cosines tell, which are cheap; where they hardly change, near 0 and
-      // pi, only the sines do
+      // away from equality the cosines decide, which are cheap; where they hardly change, near 0
+      // and pi, only the sines can
       if(is_certain(length))
         return true;
       if(is_surely_less(outer(length), inner(length)))
@@ -141,16 +142,16 @@ public:
                                  rounding_unit<FT>()) != POSITIVE;
     }
 
-    /// returns whether the edge is Delaunay and far from a tie. No jump depends on it: where
-    /// answers are irregular, this is several times faster.
+    /// returns whether the edge is Delaunay and far from a tie. Branch-free: in loops over all
+    /// edges, where the answer is unpredictable, this is several times faster.
     bool is_certain(const Diamond<FT>& length) const
     {
       return is_surely_less(inner(length), outer(length));
     }
 
   private:
-    // the sum of the cosines at k and l, times twice the product of the outer sides, is outer -
-    // inner
+    // The sum of the cosines at k and l, times twice the product of the outer sides, is outer -
+    // inner.
     static FT outer(const Diamond<FT>& length)
     {
       return (length.jk * length.jk + length.ki * length.ki) * (length.il * length.lj) +

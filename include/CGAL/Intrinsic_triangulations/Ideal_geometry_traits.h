@@ -18,10 +18,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
-/// the geometry of ideal hyperbolic triangles whose corners are decorated with horocycles. The
-/// length of an edge is its Penner length \f$\ell = e^{\lambda/2}\f$, where \f$\lambda\f$ is the
-/// signed distance of the two horocycles (Section 4.1.2). Any positive numbers are the lengths of a
-/// decorated triangle.
+/// defines the geometry of ideal hyperbolic triangles whose corners are decorated with horocycles.
+/// The length of an edge is its Penner length \f$\ell = e^{\lambda/2}\f$, where \f$\lambda\f$ is
+/// the signed distance of the two horocycles (Section 4.1.2). Any positive numbers are the lengths
+/// of a decorated triangle.
 ///
 /// Four operations suffice: with an exact number type, for instance `CGAL::Exact_rational`, every
 /// length and every decision is exact. With a floating point type an edge is flipped only where
@@ -61,8 +61,7 @@ public:
   ///
   /// Both sides of Equation 4.5 are divided by the product of the four outer lengths. The condition
   /// is then \f$ \frac{\ell_{ij}^2}{\ell_{jk}\ell_{ki}} + \frac{\ell_{ij}^2}{\ell_{il}\ell_{lj}}
-  /// \leq
-  /// \frac{\ell_{jk}^2 + \ell_{ki}^2}{\ell_{jk}\ell_{ki}} +
+  /// \leq \frac{\ell_{jk}^2 + \ell_{ki}^2}{\ell_{jk}\ell_{ki}} +
   /// \frac{\ell_{il}^2 + \ell_{lj}^2}{\ell_{il}\ell_{lj}} \f$. All terms are positive. In floating
   /// point an edge counts as non-Delaunay only if it is so for all lengths within `rounding_unit()`
   /// of the stored ones: these change a term on the left by four such units and one on the right,
@@ -82,7 +81,7 @@ public:
       return !(inner > outer * (1 + 7 * rounding_unit<FT>()));
     }
 
-    /// returns the same: the answer is quick always.
+    /// returns whether the edge is Delaunay; there is no cheaper form.
     bool is_certain(const Diamond<FT>& length) const { return (*this)(length); }
   };
 

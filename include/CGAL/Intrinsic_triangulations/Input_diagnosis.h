@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
-/// what can be wrong with, or worth noting about, an input mesh.
+/// lists what can be wrong with, or worth noting about, an input mesh.
 enum class Defect_kind : std::size_t
 {
   NON_FINITE_COORDINATE,
@@ -48,7 +48,7 @@ enum class Defect_element
 };
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
-/// what is known about a kind of defect.
+/// describes a kind of defect.
 struct Defect_description
 {
   Defect_kind kind;       ///< the kind described

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// four values on the edges at a vertex \f$m\f$ that splits the edge \f$ij\f$ of a diamond. On the
-/// boundary one of \f$mk\f$ and \f$ml\f$ does not exist, and its value means nothing.
+/// holds four values on the edges at a vertex \f$m\f$ that splits the edge \f$ij\f$ of a diamond.
+/// On the boundary one of \f$mk\f$ and \f$ml\f$ does not exist, and its value is unspecified.
 template <typename T>
 struct Edge_split
 {
@@ -32,20 +32,20 @@ struct Edge_split
 };
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the coordinates of the edges from a vertex \f$m\f$ that splits a face to the three corners.
+/// holds the coordinates of the edges from a vertex \f$m\f$ that splits a face to the three
+/// corners.
 template <typename Integer>
 struct Face_split
 {
   std::array<Integer, 3> n; ///< the normal coordinates
   std::array<Vertex_spokes::size_type, 3>
-    r; ///< the roundabouts at \f$m\f$; 0 if it is in a face of
-       ///< \f$T_1\f$
+    r; ///< the roundabouts at \f$m\f$; 0 if it is inside a face of \f$T_1\f$
 };
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// the normal coordinates \f$n\f$ and roundabouts \f$r\f$ of Section 3.1, as property maps on the
 /// edges and halfedges of a triangulation \f$T_2\f$, which encode how the edges of a triangulation
-/// \f$T_1\f$ of the same surface run over it. They know no lengths; all their answers are exact.
+/// \f$T_1\f$ of the same surface run over it. They are independent of lengths and exact.
 ///
 /// The curves of \f$T_1\f$ that cross a halfedge are numbered from its source, starting with 0.
 ///
@@ -93,34 +93,34 @@ public:
   /// \name Access
   /// @{
 
-  /// the normal coordinate \f$n\f$ of `e`: -1 if the edge is in \f$T_1\f$ too, otherwise the number
-  /// of its crossings with edges of \f$T_1\f$.
+  /// returns the normal coordinate \f$n\f$ of `e`: -1 if the edge is in \f$T_1\f$ too, otherwise
+  /// the number of its crossings with edges of \f$T_1\f$.
   const Integer& normal_coordinate(Edge_index e) const { return m_n[e]; }
 
-  /// the roundabout \f$r\f$ of `h`: the number of the first spoke of \f$T_1\f$ at or
+  /// returns the roundabout \f$r\f$ of `h`: the number of the first spoke of \f$T_1\f$ at or
   /// counterclockwise from `h` around its source.
   size_type roundabout(Halfedge_index h) const { return m_r[h]; }
 
-  /// whether the edge of `h` is in \f$T_1\f$ too.
+  /// returns whether the edge of `h` is in \f$T_1\f$ too.
   bool is_shared(Edge_index e) const { return m_n[e] < 0; }
 
-  /// the number \f$n^+\f$ of crossings on the edge of `h`.
+  /// returns the number \f$n^+\f$ of crossings on the edge of `h`.
   Integer crossings(Halfedge_index h) const
   {
     return Intrinsic_triangulations::crossings(m_n[edge_of(h)]);
   }
 
-  /// the map of normal coordinates.
+  /// returns the map of normal coordinates.
   const Normal_coordinate_map& normal_coordinate_map() const { return m_n; }
-  /// the map of roundabouts.
+  /// returns the map of roundabouts.
   const Roundabout_map& roundabout_map() const { return m_r; }
 
   /// @}
   /// \name Corners
   /// @{
 
-  /// the number \f$e\f$ of curves that start at the corner opposite to `h` and cross `h` (Equation
-  /// 3.1).
+  /// returns the number \f$e\f$ of curves that start at the corner opposite to `h` and cross `h`
+  /// (Equation 3.1).
   /// \pre `h` is not a border halfedge
   Integer curves_leaving(Halfedge_index h, const Delta_complex& mesh) const
   {
@@ -128,7 +128,7 @@ public:
                                                     crossings(mesh.next(h)));
   }
 
-  /// the number \f$c\f$ of curves that cut off the corner opposite to `h` (Equation 3.2).
+  /// returns the number \f$c\f$ of curves that cut off the corner opposite to `h` (Equation 3.2).
   /// \pre `h` is not a border halfedge
   Integer curves_around(Halfedge_index h, const Delta_complex& mesh) const
   {
@@ -136,7 +136,8 @@ public:
                                                    crossings(mesh.next(h)));
   }
 
-  /// the number of spokes of \f$T_1\f$ at or counterclockwise from `h` and before the next spoke of
+  /// returns the number of spokes of \f$T_1\f$ at or counterclockwise from `h` and before the next
+  /// spoke of
   /// \f$T_2\f$: those that start in the corner at the source of `h`, and the one along `h`.
   Integer spokes_from(Halfedge_index h, const Delta_complex& mesh) const
   {
@@ -151,15 +152,19 @@ public:
   /// Algorithms 1 and 2.
   /// @{
 
-  /// the first crossing of the curve that leaves the source of `spoke`, counted from `spoke` as
-  /// number `k` of those that start inside its corner. \pre `k < curves_leaving(next(spoke))`
+  /// returns the first crossing of the curve that leaves the source of `spoke`, counted from
+  /// `spoke` as number `k` of those that start inside its corner. \pre
+  /// `k < curves_leaving(next(spoke))`
   Crossing first_crossing(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh) const
   {
     const Halfedge_index opposite_side = mesh.next(spoke);
     return {opposite_side, static_cast<Integer>(curves_around(mesh.prev(spoke), mesh) + k)};
   }
 
-  /// moves `c` to the next crossing of its curve; leaves it unchanged if the curve ends.
+  /// moves `c` to the next crossing of its curve; leaves it unchanged if the curve ends. Repeated,
+  /// it comes to an end for every curve that starts at a corner, if the crossings are possible in
+  /// every face: a crossing has at most one predecessor and the first has none, so that none
+  /// repeats.
   Turn advance(Crossing& c, const Delta_complex& mesh) const
   {
     const Halfedge_index ji = mesh.opposite(c.halfedge);
@@ -176,8 +181,9 @@ public:
     return Turn::ends;
   }
 
-  /// the spoke of \f$T_1\f$ along which the curve that ends beyond `c` runs, seen from its end.
-  /// \pre `advance(c)` says that the curve ends
+  /// returns the spoke of \f$T_1\f$ along which the curve that ends beyond `c` runs, seen from its
+  /// end.
+  /// \pre `advance(c)` returns `Turn::ends`
   Halfedge_index spoke_at_end(const Crossing& c, const Delta_complex& mesh,
                               const Vertex_spokes& spokes) const
   {
@@ -188,8 +194,8 @@ public:
                            mesh, spokes);
   }
 
-  /// the spoke of \f$T_1\f$ that is number `k` of those that start inside the corner at the source
-  /// of `spoke`.
+  /// returns the spoke of \f$T_1\f$ that is number `k` of those that start inside the corner at the
+  /// source of `spoke`.
   Halfedge_index spoke_in_corner(Halfedge_index spoke, const Integer& k, const Delta_complex& mesh,
                                  const Vertex_spokes& spokes) const
   {
@@ -215,7 +221,7 @@ public:
     }
   }
 
-  /// the halfedge of \f$T_1\f$ that coincides with `h`. \pre `is_shared(edge(h))`
+  /// returns the halfedge of \f$T_1\f$ that coincides with `h`. \pre `is_shared(edge(h))`
   Halfedge_index shared_halfedge(Halfedge_index h, const Delta_complex& mesh,
                                  const Vertex_spokes& spokes) const
   {
@@ -403,7 +409,7 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// collects the values of the edge map `map` on the diamond around the edge of `h`. Beyond a border
-/// halfedge there is no face, and the two values there mean nothing.
+/// halfedge there is no face, and the two values there are unspecified.
 template <typename EdgeMap>
 inline Diamond<typename boost::property_traits<EdgeMap>::value_type>
 diamond(const EdgeMap& map, Halfedge_index h, const Delta_complex& mesh)

@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// five values on the edges of a diamond: the edge \f$ij\f$ and the four other sides of its faces
+/// holds five values on the edges of a diamond: the edge \f$ij\f$ and the four other sides of its
+/// faces
 /// \f$ijk\f$ and \f$jil\f$.
 template <typename T>
 struct Diamond
@@ -30,7 +31,7 @@ struct Diamond
 };
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// \f$n^+ = \max(n, 0)\f$, the number of transversal crossings.
+/// returns \f$n^+ = \max(n, 0)\f$, the number of transversal crossings.
 template <typename Integer>
 Integer crossings(const Integer& n)
 {
@@ -38,7 +39,7 @@ Integer crossings(const Integer& n)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// \f$n^- = -\min(n, 0)\f$, one on a shared edge and zero elsewhere.
+/// returns \f$n^- = -\min(n, 0)\f$, one on a shared edge and zero elsewhere.
 template <typename Integer>
 int is_shared(const Integer& n)
 {
@@ -46,8 +47,8 @@ int is_shared(const Integer& n)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the number \f$e\f$ of curves that start at a corner of a triangle and cross the opposite side
-/// (Equation 3.1), from the crossings of that side and of the two sides at the corner.
+/// returns the number \f$e\f$ of curves that start at a corner of a triangle and cross the opposite
+/// side (Equation 3.1), from the crossings of that side and of the two sides at the corner.
 template <typename Integer>
 Integer curves_leaving(const Integer& opposite, const Integer& right, const Integer& left)
 {
@@ -56,8 +57,8 @@ Integer curves_leaving(const Integer& opposite, const Integer& right, const Inte
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the number \f$c\f$ of curves that cut off a corner of a triangle (Equation 3.2), from the
-/// crossings of the opposite side and of the two sides at the corner.
+/// returns the number \f$c\f$ of curves that cut off a corner of a triangle (Equation 3.2), from
+/// the crossings of the opposite side and of the two sides at the corner.
 template <typename Integer>
 Integer curves_around(const Integer& opposite, const Integer& right, const Integer& left)
 {
@@ -70,8 +71,8 @@ Integer curves_around(const Integer& opposite, const Integer& right, const Integ
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// says whether three numbers of crossings are possible on the sides of a triangle (Section 3.1.1):
-/// if they obey the triangle inequality, their sum must be even.
+/// returns whether three numbers of crossings are possible on the sides of a triangle (Section
+/// 3.1.1): if they obey the triangle inequality, their sum must be even.
 template <typename Integer>
 bool are_valid_crossings(const Integer& a, const Integer& b, const Integer& c)
 {
@@ -106,7 +107,7 @@ struct Corner_counts
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the normal coordinate of \f$kl\f$ after \f$ij\f$ has been flipped (Equation 3.4).
+/// returns the normal coordinate of \f$kl\f$ after \f$ij\f$ has been flipped (Equation 3.4).
 template <typename Integer>
 Integer flipped_normal_coordinate(const Diamond<Integer>& n)
 {

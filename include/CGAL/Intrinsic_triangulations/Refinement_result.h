@@ -16,13 +16,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// how a refinement has ended.
+/// states how a refinement has ended.
 enum class Refinement_status
 {
   bounds_met,             ///< every face obeys the bounds
-  bounds_met_but_excused, ///< every face does that is not excused by a narrow vertex
-  insertion_limit,        ///< as many vertices have been inserted as are allowed
-  no_room                 ///< the number type has no room for vertices where they would be needed
+  bounds_met_but_excused, ///< every face that violates a bound is excused by a narrow vertex
+  insertion_limit,        ///< the allowed number of insertions was used up
+  no_room                 ///< rounded numbers leave no room for vertices that would be needed
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
@@ -39,13 +39,14 @@ inline const char* to_string(Refinement_status status)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// why a face violates the bounds after a refinement.
+/// states why a face violates the bounds after a refinement.
 enum class Remaining_reason
 {
   at_narrow_vertex,     ///< exactly one of its corners is narrow (Section 3.6)
-  beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a narrow vertex
+  beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a narrow vertex, and only edges of
+                        ///< \f$T_1\f$ that end there cross it
   insertion_limit,      ///< no more insertions were allowed
-  no_room               ///< the number type has no room for the new edges
+  no_room               ///< rounded numbers leave no room for the new edges
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
@@ -62,21 +63,21 @@ inline const char* to_string(Remaining_reason reason)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// a face that violates the bounds after a refinement.
+/// describes a face that violates the bounds after a refinement.
 struct Remaining_face
 {
   Face_index face;         ///< the face of \f$T_2\f$
-  Remaining_reason reason; ///< why it is left
-  Vertex_index vertex;     ///< the narrow vertex, if that is the reason
+  Remaining_reason reason; ///< the reason
+  Vertex_index vertex;     ///< the narrow vertex that excuses it; null if none does
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// what `refine()` has done.
+/// describes what `refine()` has done.
 struct Refinement_result
 {
   Refinement_status status = Refinement_status::bounds_met; ///< how it ended
   std::size_t insertions = 0;                               ///< the number of vertices inserted
-  std::size_t removals = 0;              ///< how many of these have been removed again
+  std::size_t removals = 0;                                 ///< the number of those removed again
   std::size_t flips = 0;                 ///< the number of flips, removals not counted
   std::vector<Remaining_face> remaining; ///< the faces that violate the bounds
 };

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -28,10 +29,9 @@ namespace Intrinsic_triangulations {
 ///
 /// The object keeps for every edge of \f$T_2\f$ the edges of \f$T_1\f$ that cross it, in order. So
 /// an insertion looks only at the crossings on the face in which it takes place, however far the
-/// edges of
-/// \f$T_1\f$ run. The triangulation must not be changed by others while the object is used.
-/// Memory: 40 bytes for each edge, and four and more for each crossing from the fifth on an edge
-/// on.
+/// edges of \f$T_1\f$ run. The triangulation must not be changed by others while the object is
+/// used. Memory: 40 bytes for each edge, and four and more for each crossing from the fifth on an
+/// edge on.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type
@@ -51,17 +51,16 @@ public:
   /// prepares changes of `tri`. Complexity: linear in the elements and crossings.
   explicit Vertex_inserter(Triangulation& tri) : m_tri(tri), m_lists(tri), m_marks(tri) {}
 
-  /// the triangulation.
+  /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
-  /// the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
+  /// returns the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
   const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
 
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one
   /// coordinate is zero. Whatever the rounding, the integer coordinates are those of a point in one
   /// region between edges of \f$T_1\f$ (Section 3.5.1), and if `p` is on a shared edge, the vertex
-  /// is on that edge of
-  /// \f$T_1\f$. Complexity: linear in the crossings on the sides of the face.
+  /// is on that edge of \f$T_1\f$. Complexity: linear in the crossings on the sides of the face.
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
   /// \returns the vertex; one that was there already if two coordinates are zero
@@ -79,7 +78,7 @@ public:
     return split_face(p, closeness);
   }
 
-  /// whether the edge of `h` can be split: not if both of its sides are in one face.
+  /// returns whether the edge of `h` can be split: not if both of its sides are in one face.
   bool can_be_split(Halfedge_index h) const
   {
     return flip_status(h, m_tri.mesh()) != Operation_status::same_face;
@@ -116,13 +115,14 @@ public:
   /// Complexity: in practice quadratic in the degree.
   /// \param v the vertex
   /// \param after_flip a function that is called with a halfedge of every flipped edge
-  /// \returns the face that takes its place; null if no more edges could be flipped: then the
-  ///          vertex stays, and the triangulation is valid, but perhaps not Delaunay
+  /// \returns the face that takes its place; null if no more edges could be flipped, or 10,000
+  ///          flips were not enough: then the vertex stays, and the triangulation is valid, but
+  ///          perhaps not Delaunay
   /// \pre `triangulation().is_inserted(v)`
   template <typename After_flip>
   Face_index remove(Vertex_index v, const After_flip& after_flip);
 
-  /// the same.
+  /// removes the inserted vertex `v` without notifying of flips.
   Face_index remove(Vertex_index v)
   {
     return remove(v, [](Halfedge_index) {});
@@ -162,7 +162,7 @@ private:
     FT distance = std::numeric_limits<FT>::infinity();
   };
 
-  // of those on the boundary of a region
+  // returns the curve on the boundary of a region that is nearest to `p`
   Curve_near_by nearest_curve(const Face_map& face_map, std::size_t number,
                               const Face_location<FT>& p) const
   {
@@ -178,7 +178,7 @@ private:
     return nearest;
   }
 
-  // of `p` from the line through the points `a` and `b` of its face
+  // returns the distance of `p` from the line through the points `a` and `b` of its face
   FT distance_from_line(const Coordinates& a, const Coordinates& b,
                         const Face_location<FT>& p) const
   {
@@ -216,9 +216,9 @@ private:
                             {place.halfedge, face_location(place, m_tri.input_mesh())});
   }
 
-  // The place of the point closest to `p` on the way from `begin` to `end`. The distance is that on
-  // the surface: in a thin face any other would carry what rounding puts `p` off the curve to along
-  // the curve.
+  // Returns the place of the point closest to `p` on the way from `begin` to `end`. The distance is
+  // that on the surface: in a thin face any other would carry what rounding puts `p` off the curve
+  // to along the curve.
   FT foot_on_chord(const Coordinates& begin, const Coordinates& end,
                    const Face_location<FT>& p) const
   {
@@ -248,7 +248,7 @@ private:
     return split;
   }
 
-  // the regions of the face of `h`, with `h` as side 0
+  // returns the regions of the face of `h`, with `h` as side 0
   internal::Face_regions regions_at(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -256,7 +256,8 @@ private:
       {m_lists.count(h), m_lists.count(mesh.next(h)), m_lists.count(mesh.prev(h))});
   }
 
-  // the number of crossings from a point on `h` after `p` of its crossings to the opposite corner
+  // returns the number of crossings from a point on `h` after `p` of its crossings to the opposite
+  // corner
   Integer crossings_to_apex(Halfedge_index h, std::size_t p) const
   {
     if(m_tri.mesh().is_border(h))
@@ -316,7 +317,7 @@ private:
     }
   };
 
-  // The vertex is on the edge of T1 that crosses `h` at its crossing `p`, from left to right.
+  // Inserts a vertex on the edge of T1 that crosses `h` at its crossing `p`, from left to right.
   Vertex_index split_edge_at_crossing(Halfedge_index h, std::size_t s, std::size_t p)
   {
     const std::size_t n = m_lists.count(h);
@@ -345,8 +346,8 @@ private:
 
   // ---- Removal ----
 
-  // The excess over pi of the angle at the source of `h` in the diamond around its edge. Where it
-  // is not positive at either end, the edge can be flipped.
+  // Returns the excess over pi of the angle at the source of `h` in the diamond around its edge.
+  // Where it is not positive at either end, the edge can be flipped.
   FT excess_at_source(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh();
@@ -369,15 +370,15 @@ private:
 
 // A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three
 // spokes gets more by a flip of an edge opposite to it. Angles at `v` exceed pi by rounding only. A
-// flat angle there does no harm, since the face without area goes away with `v`; at the other end
-// it would stay.
+// flat angle there is allowed, since the face without area is removed with `v`; at the other end it
+// would stay.
 template <typename Traits>
 Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
 {
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
   for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
-  const FT tolerance(1e-6); // beyond rounding of the angles
+  const FT tolerance = internal::flat_angle_tolerance<FT>();
   FT least = std::numeric_limits<FT>::infinity();
   Halfedge_index result;
   for_each_spoke(v, mesh, [&](Halfedge_index spoke) {

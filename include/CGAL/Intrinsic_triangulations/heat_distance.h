@@ -17,7 +17,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -35,6 +36,12 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes geodesic distances on a triangulated surface by the heat method \cgalCite{CWW17}, for
 /// one set of sources after the other; the two matrices are factorized once.
+///
+/// The distance is zero at every source: it is the function with this property whose gradient comes
+/// closest to the direction away from the sources. Without the condition, the function with that
+/// gradient takes different values at different sources, by many edge lengths if these fill a
+/// region, so that no constant subtracted from it is right; one source needs no more than a
+/// constant.
 ///
 /// Distances are approximate: on a Delaunay triangulation with evenly spread vertices they are off
 /// by one to three percent on average, on others they can be far off. Refinement makes the error
@@ -77,9 +84,10 @@ public:
       m_poisson(surface)
   {}
 
-  /// computes the distance of every vertex to the nearest source. On each component the least value
-  /// at a source is exactly zero; on a component without a source all values are infinite.
-  /// Complexity: linear in the size of the factorizations.
+  /// computes the distance of every vertex to the nearest source. It is exactly zero at the sources
+  /// and infinite on a component without a source; elsewhere it can be below zero by an error of
+  /// the method. Complexity: linear in the size of the factorizations; if a component has more than
+  /// one source, another sparse Cholesky factorization.
   /// \param sources a range of vertices
   /// \throws Numerical_error if the heat is below the range of `FT` somewhere: with `double` that
   ///         takes some 1400 mean edge lengths (and less with a factor below one)
@@ -88,12 +96,15 @@ public:
   {
     const Vector is_source = m_flow.indicator(sources);
     const Vector descent = unit_descent(m_flow.spread_everywhere(is_source));
-    Vector result = m_poisson.solve(-(m_divergence * descent));
-    shift(result, is_source);
+    const Vector moments = -(m_divergence * descent);
+    Vector result = has_several_sources(is_source) ? with_zero_at(is_source).solve(moments)
+                                                   : m_poisson.solve(moments);
+    subtract_value_at_source(result, is_source);
     return result;
   }
 
-  /// computes the distance of every vertex to `source`; otherwise as above.
+  /// computes the distance of every vertex to one source. Complexity: linear in the size of the
+  /// factorizations.
   Vector distances(Vertex_index source) const { return distances(std::array{source}); }
 
 private:
@@ -107,17 +118,31 @@ private:
     return field;
   }
 
-  void shift(Vector& distance, const Vector& is_source) const
+  bool has_several_sources(const Vector& is_source) const
+  {
+    const auto count = m_flow.number_of_sources(is_source);
+    return std::any_of(count.begin(), count.end(), [](std::size_t n) { return n > 1; });
+  }
+
+  Poisson_solver<FT> with_zero_at(const Vector& is_source) const
+  {
+    return Poisson_solver<FT>(m_poisson,
+                              boost::make_function_property_map<Vertex_index>(
+                                [&](Vertex_index v) { return is_source[v.idx()] != 0; }));
+  }
+
+  // Where there are several sources on a component, the values there are zero already.
+  void subtract_value_at_source(Vector& distance, const Vector& is_source) const
   {
     const auto& components = m_flow.components();
     const auto component = [&](Eigen::Index v) { return components[static_cast<std::size_t>(v)]; };
-    std::vector<FT> least(components.size(), std::numeric_limits<FT>::infinity());
+    // without a source, all distances become infinite
+    std::vector<FT> at_source(components.size(), -std::numeric_limits<FT>::infinity());
     for(Eigen::Index v = 0; v < distance.size(); ++v)
       if(is_source[v] != 0)
-        least[component(v)] = (std::min)(least[component(v)], distance[v]);
+        at_source[component(v)] = distance[v];
     for(Eigen::Index v = 0; v < distance.size(); ++v)
-      distance[v] = CGAL::is_finite(least[component(v)]) ? distance[v] - least[component(v)]
-                                                         : std::numeric_limits<FT>::infinity();
+      distance[v] -= at_source[component(v)];
   }
 
   internal::Heat_flow<FT> m_flow;

@@ -51,7 +51,7 @@ void write_line(std::ostream& os, const First& first, const Rest&... rest)
   os << '\n';
 }
 
-// What a file says of one triangulation. `more(e)` is the rest of the line of an edge.
+// The content of a file for one triangulation. `more(e)` is the rest of the line of an edge.
 template <typename Surface, typename More>
 void write_complex(std::ostream& os, const Surface& surface, const More& more)
 {
@@ -68,7 +68,8 @@ void write_complex(std::ostream& os, const Surface& surface, const More& more)
     write_line(os, mesh.halfedge(f));
 }
 
-// Reads triangulations line by line. Memory is taken as lines come, not as the file promises them.
+// Reads triangulations line by line. Memory is allocated for lines that were read, not for those
+// that a file announces.
 template <typename FT, typename Integer>
 class Complex_reader
 {
@@ -92,7 +93,7 @@ public:
     m_lines.expect(header);
   }
 
-  // the rest of the file, line by line
+  // returns the rest of the file, line by line
   Line_reader& lines() { return m_lines; }
 
   Delta_complex read_input()
@@ -119,7 +120,7 @@ public:
     return mesh;
   }
 
-  // the places of the vertices that only T2 has
+  // returns the places of the vertices that only T2 has
   std::vector<Inserted_vertex<FT>> read_inserted(const Delta_complex& input)
   {
     m_lines.next_line();

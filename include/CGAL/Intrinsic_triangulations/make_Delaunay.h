@@ -27,8 +27,9 @@ struct Default_flip_visitor
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// says whether every edge of `tri` that could be flipped is Delaunay (Equation 2.6).
-/// Complexity: linear.
+/// returns whether every edge of `tri` that could be flipped is Delaunay (Equation 2.6). With
+/// floating point numbers the tolerance is one-sided: `false` is true of the stored lengths, `true`
+/// of lengths within `rounding_unit()` of them. Complexity: linear.
 template <typename Traits>
 bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 {
@@ -116,8 +117,8 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 ///     \cgalParamDefault{a thousand for each edge, and a hundred million}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told every flip; an exception that it throws stops the flipping and
-///                           leaves `tri` valid}
+///     \cgalParamDescription{is notified of every flip; an exception that it throws stops the
+///                           flipping and leaves `tri` valid}
 ///     \cgalParamType{a model of `FlipVisitor`; use `std::ref()` to pass an object with a state}
 ///     \cgalParamDefault{`Default_flip_visitor`}
 ///   \cgalParamNEnd

@@ -57,13 +57,19 @@ public:
   template <typename Surface, typename VertexIsFixedMap = boost::static_property_map<bool>>
   explicit Poisson_solver(const Surface& surface,
                           const VertexIsFixedMap& is_fixed = VertexIsFixedMap(false))
-    : m_components(surface.mesh()),
-      m_laplacian(cotan_laplacian(surface)),
-      m_area(lumped_mass_matrix(surface).diagonal()),
-      m_is_fixed(fixed_vertices(surface.mesh(), is_fixed)),
-      m_is_anchored(anchored_components()),
-      m_unknowns(select_unknowns()),
-      m_factorization(m_unknowns.transpose() * m_laplacian * m_unknowns, "cotan Laplacian")
+    : Poisson_solver(internal::Mesh_components(surface.mesh()), cotan_laplacian(surface),
+                     lumped_mass_matrix(surface).diagonal(),
+                     fixed_vertices(surface.mesh().num_vertices(), is_fixed))
+  {}
+
+  /// factorizes the matrix of the surface of `other`, with values prescribed at other vertices.
+  /// \param other a solver for the surface
+  /// \param is_fixed a readable property map from its vertices to `bool`: where values are
+  ///   prescribed
+  template <typename VertexIsFixedMap>
+  Poisson_solver(const Poisson_solver& other, const VertexIsFixedMap& is_fixed)
+    : Poisson_solver(other.m_components, other.m_laplacian, other.m_area,
+                     fixed_vertices(other.m_area.size(), is_fixed))
   {}
 
   /// solves with prescribed values. Complexity: linear in the size of the factorization.
@@ -88,15 +94,25 @@ public:
 private:
   typedef Eigen::SparseMatrix<FT> Matrix;
 
+  Poisson_solver(const internal::Mesh_components& components, const Matrix& laplacian,
+                 const Vector& area, const std::vector<char>& is_fixed)
+    : m_components(components),
+      m_laplacian(laplacian),
+      m_area(area),
+      m_is_fixed(is_fixed),
+      m_is_anchored(anchored_components()),
+      m_unknowns(select_unknowns()),
+      m_factorization(m_unknowns.transpose() * m_laplacian * m_unknowns, "cotan Laplacian")
+  {}
+
   static std::size_t index(Eigen::Index v) { return static_cast<std::size_t>(v); }
 
-  template <typename VertexIsFixedMap>
-  static std::vector<char> fixed_vertices(const Delta_complex& mesh,
-                                          const VertexIsFixedMap& is_fixed)
+  template <typename Size, typename VertexIsFixedMap>
+  static std::vector<char> fixed_vertices(Size number_of_vertices, const VertexIsFixedMap& is_fixed)
   {
-    std::vector<char> result(mesh.num_vertices(), 0);
-    for(Vertex_index v : mesh.vertices())
-      result[v.idx()] = get(is_fixed, v) ? 1 : 0;
+    std::vector<char> result(static_cast<std::size_t>(number_of_vertices), 0);
+    for(std::size_t v = 0; v < result.size(); ++v)
+      result[v] = get(is_fixed, Vertex_index(static_cast<Vertex_index::size_type>(v))) ? 1 : 0;
     return result;
   }
 

@@ -36,13 +36,13 @@ struct Default_refinement_visitor : Default_flip_visitor
   {}
   /// is called after the vertex `v` has been removed.
   void after_removal(Vertex_index /* v */, Face_index /* f */) {}
-  /// is called after elements have got other numbers.
+  /// is called after elements have been renumbered.
   void after_renumbering() {}
 };
 
 namespace internal {
 
-// The bounds that faces shall obey.
+// The bounds that faces are to obey.
 template <typename Traits, typename Predicate>
 class Face_bounds
 {
@@ -58,8 +58,8 @@ public:
       m_predicate(predicate)
   {}
 
-  // whether `f` violates the bound on angles; its least angle has the sine shortest * area / (2
-  // product)
+  // Returns whether `f` violates the bound on angles. With sides a <= b <= c, the sine of the least
+  // angle is a * quadrupled_area / (2 abc).
   bool is_too_thin(Face_index f) const
   {
     const std::array<FT, 3> side = sides_of(f);
@@ -67,7 +67,7 @@ public:
            2 * side[0] * side[1] * side[2] * m_sine;
   }
 
-  // whether `f` violates the bound on the circumradius, or the predicate wants it refined
+  // returns whether `f` violates the bound on the circumradius, or the predicate wants it refined
   bool is_too_large(Face_index f) const
   {
     const std::array<FT, 3> side = sides_of(f);
@@ -113,7 +113,7 @@ std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits
   return remaining;
 }
 
-// Sets the faces that remain, and says whether one of them has no excuse.
+// Sets the faces that remain, and returns whether one of them has no excuse.
 template <typename Traits, typename Bounds>
 bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                     Refinement_result& result)
@@ -134,11 +134,11 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
 
 // Inserts vertices and leaves no garbage, not even after an exception.
 template <typename Traits, typename Bounds, typename Visitor>
-void insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds, std::size_t limit,
-                     Visitor& visitor, Refinement_result& result)
+void insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
+                     const Refinement_limits& limits, Visitor& visitor, Refinement_result& result)
 {
   try {
-    Delaunay_refinement<Traits, Bounds, Visitor>(tri, bounds, limit, visitor).run(result);
+    Delaunay_refinement<Traits, Bounds, Visitor>(tri, bounds, limits, visitor).run(result);
   } catch(...) {
     tri.collect_garbage();
     throw;
@@ -149,22 +149,18 @@ void insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   }
 }
 
-// Lengths that come from many roundings are computed afresh, and what that brings to light is
-// mended.
+// Lengths that come from many roundings are computed afresh; edges and faces that turn out to
+// violate their conditions are flipped and refined again.
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-                         std::size_t limit, Visitor& visitor)
+                         const Refinement_limits& limits, Visitor& visitor)
 {
-  const auto make_Delaunay = [&] {
-    return CGAL::Intrinsic_triangulations::make_Delaunay(
-      tri, CGAL::parameters::visitor(std::ref(visitor)));
-  };
   Refinement_result result;
-  result.flips = make_Delaunay();
+  result.flips = make_Delaunay(tri, limits.flips, visitor);
   for(int round = 0; round < 20; ++round) {
-    insert_vertices(tri, bounds, limit, visitor, result);
+    insert_vertices(tri, bounds, limits, visitor, result);
     tri.recompute_lengths();
-    result.flips += make_Delaunay();
+    result.flips += make_Delaunay(tri, limits.flips, visitor);
     if(!note_remaining(tri, bounds, result) || result.status == Refinement_status::insertion_limit)
       break;
   }
@@ -174,17 +170,23 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// inserts vertices into `tri` and flips it to Delaunay until every face obeys the bounds: Chew's
-/// second algorithm (Algorithm 5), in which a circumcenter is inserted, or the boundary or
-/// constrained edge that hides it is split in the middle. The surface and the vertices of the input
-/// stay as they are.
+/// inserts vertices into `tri` and flips it to Delaunay until every face obeys the bounds or is
+/// excused: Chew's second algorithm (Algorithm 5), in which a circumcenter is inserted, or the
+/// boundary or constrained edge that hides it is split in the middle. The surface and the vertices
+/// of the input stay as they are.
 ///
-/// With bounds on the angle of up to 25 degrees, and on closed surfaces without constraints up to
-/// 30, it ends on all surfaces; in practice higher bounds work too. Vertices with less than 60
-/// degrees around them, or between two boundary or constrained edges, are narrow: no triangulation
-/// has large angles there. A face with exactly one narrow corner is excused, and so is one that
-/// lies in faces of \f$T_1\f$ at a narrow vertex (Section 3.6, where it must lie in one such face).
-/// Only the bound on angles is excused.
+/// Vertices with an angle sum of less than 60 degrees, or less than 60 degrees between two boundary
+/// or constrained edges, are narrow: no triangulation has large angles there. A face that violates
+/// the bound on angles, and only this one, is excused if exactly one of its corners is narrow, or
+/// if there is a narrow vertex \f$v\f$ such that it lies in faces of \f$T_1\f$ at \f$v\f$ and is
+/// crossed only by edges of \f$T_1\f$ that end at \f$v\f$. (In Section 3.6 it must lie in one face
+/// of \f$T_1\f$ at a narrow vertex.)
+///
+/// That it ends in exact arithmetic is proven for angles of up to 30 degrees on closed surfaces
+/// without narrow vertices and constrained edges (Theorem 3). With boundary, constrained edges or
+/// narrow vertices this is an open question on surfaces; the manual has what was measured. With
+/// floating point numbers it can insert vertices without end on nearly degenerate meshes, whatever
+/// the bound: only `maximum_number_of_insertions` guarantees an end.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type
@@ -201,19 +203,24 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 ///     \cgalParamDefault{infinite}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_predicate}
-///     \cgalParamDescription{a function that says of a face of \f$T_2\f$ whether it shall be
-///       refined}
+///     \cgalParamDescription{a function that returns whether a face of \f$T_2\f$ is to be refined}
 ///     \cgalParamType{callable with a `Face_index`, returns `bool`}
 ///     \cgalParamDefault{no face}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_insertions}
-///     \cgalParamDescription{how many vertices may be inserted}
+///     \cgalParamDescription{the number of vertices that may be inserted}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{10,000,000}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the number of flips that are allowed before the first insertion, and
+///       after each}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{as for `make_Delaunay()`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told every change of `tri`; an exception that it throws stops the
-///                           refinement and leaves `tri` valid}
+///     \cgalParamDescription{is notified of every change of `tri`; an exception that it throws
+///                           stops the refinement and leaves `tri` valid}
 ///     \cgalParamType{a model of `RefinementVisitor`; use `std::ref()` to pass an object with a
 ///       state}
 ///     \cgalParamDefault{`Default_refinement_visitor`}
@@ -224,7 +231,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 /// crossings on them; beyond that linear in the elements and crossings.
 /// \returns what has been done, how it ended, and the faces that violate the bounds, with the
 ///   reason
-/// \throws Numerical_error, Overflow_error as `make_Delaunay()`
+/// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
 /// \post `tri` is Delaunay and has no garbage
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -240,14 +247,17 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                                          std::numeric_limits<FT>::infinity()));
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
-  const std::size_t limit(choose_parameter(
-    get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(10000000)));
+  const internal::Refinement_limits limits{
+    choose_parameter(get_parameter(np, internal_np::maximum_number_of_insertions),
+                     std::size_t(10000000)),
+    choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
+                     internal::default_flip_limit(tri.mesh().number_of_edges()))};
   Default_refinement_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   return internal::refine(
     tri, internal::Face_bounds<Traits, decltype(predicate)>(tri, degrees, circumradius, predicate),
-    limit, visitor);
+    limits, visitor);
 }
 
 } // namespace Intrinsic_triangulations

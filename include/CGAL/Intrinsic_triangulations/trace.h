@@ -55,8 +55,8 @@ struct Scaled_trace
   std::vector<FT> scales; // empty where all are 1
 };
 
-// The first half of Algorithm 1, from the vertex `v` on the edge of `h`.
-// Complexity: linear in the degree of `v`.
+// Finds where the edge of `h` starts on T2 at its vertex `v`: the first half of Algorithm 1. It
+// ends, since the spokes around `v` have all numbers. Complexity: linear in the degree of `v`.
 template <typename Traits>
 Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index v,
                                                  const Intrinsic_triangulation<Traits>& tri)
@@ -104,7 +104,7 @@ Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& t
   return mesh.target(last);
 }
 
-// The trace of the halfedge `h` of T1, the first of its edge.
+// Returns the trace of the halfedge `h` of T1, the first of its edge.
 template <typename Traits>
 Scaled_trace<Traits> trace_first_halfedge(Halfedge_index h,
                                           const Intrinsic_triangulation<Traits>& tri)
@@ -159,8 +159,8 @@ trace_input_edge(const Intrinsic_triangulation<Traits>& tri, Halfedge_index h)
 
 namespace internal {
 
-// The halfedges of T1 through which the halfedge `h` of T2 leaves faces, in order: the curves that
-// cross it are followed to their ends, which tell their edges.
+// Returns the halfedges of T1 through which the halfedge `h` of T2 leaves faces, in order: the
+// curves that cross it are followed to their ends, which determine their edges.
 template <typename Traits>
 std::vector<Halfedge_index> crossed_halfedges(Halfedge_index h,
                                               const Intrinsic_triangulation<Traits>& tri)
@@ -211,7 +211,7 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
 ///   on which it has been inserted; it is null if the vertex has been inserted inside a face. The
 ///   sequence of crossed edges is exact; their places are rounded.
 /// Complexity: linear in the crossings of all the edges of \f$T_1\f$ that `h` crosses, since these
-/// are recognised by their ends. To trace many edges use `Correspondence`, which is linear in all
+/// are identified by their ends. To trace many edges use `Correspondence`, which is linear in all
 /// crossings.
 /// \throws Numerical_error if a layout has no positive finite length
 template <typename Traits>

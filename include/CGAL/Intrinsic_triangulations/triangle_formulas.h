@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -19,13 +21,6 @@ namespace Intrinsic_triangulations {
 
 namespace internal {
 
-// whether operations on numbers of this type are rounded
-template <typename FT>
-constexpr bool is_rounded()
-{
-  return std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact;
-}
-
 template <typename FT>
 constexpr FT power_of_two(int exponent)
 {
@@ -35,22 +30,9 @@ constexpr FT power_of_two(int exponent)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the one tolerance of the package: the relative error that a decision grants to every length.
-/// Zero for exact number types; for floating point 16 units in the last place, while a length comes
-/// from fewer than ten roundings.
-template <typename FT>
-constexpr FT rounding_unit()
-{
-  if constexpr(internal::is_rounded<FT>())
-    return 16 * std::numeric_limits<FT>::epsilon();
-  else
-    return FT(0);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsFormulas
-/// 16 times the squared area of the triangle with sides `a`, `b`, `c`, by Kahan's form of Heron's
-/// formula, which loses no digits on needles. A triangle that rounding has pressed beyond flat
-/// counts as flat.
+/// returns 16 times the squared area of the triangle with sides `a`, `b`, `c`, by Kahan's form of
+/// Heron's formula, which loses no digits on needles. A triangle that rounding has pressed beyond
+/// flat counts as flat.
 template <typename FT>
 inline FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
 {
@@ -62,7 +44,7 @@ inline FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// four times the area of the triangle with sides `a`, `b`, `c`.
+/// returns four times the area of the triangle with sides `a`, `b`, `c`.
 template <typename FT>
 FT quadrupled_area(const FT& a, const FT& b, const FT& c)
 {
@@ -70,8 +52,8 @@ FT quadrupled_area(const FT& a, const FT& b, const FT& c)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the position of the foot of the height over a side \f$ij\f$, measured from the midpoint of that
-/// side towards \f$j\f$, times twice the length of the side. The height times that is
+/// returns the position of the foot of the height over a side \f$ij\f$, measured from the midpoint
+/// of that side towards \f$j\f$, times twice the length of the side. The height times that is
 /// `quadrupled_area()`.
 template <typename FT>
 FT scaled_foot(const FT& jk, const FT& ki)
@@ -80,8 +62,8 @@ FT scaled_foot(const FT& jk, const FT& ki)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the length of a vector in a triangle whose side `s` leads from corner `s` to the next and has
-/// length `side[s]`. The vector has barycentric coordinates `w`, whose sum is zero. This is
+/// returns the length of a vector in a triangle whose side `s` leads from corner `s` to the next
+/// and has length `side[s]`. The vector has barycentric coordinates `w`, whose sum is zero. This is
 /// Equation 3.7, evaluated along the longest side and across it, so that thin triangles lose no
 /// digits.
 template <typename FT>
@@ -97,8 +79,8 @@ FT vector_length(const std::array<FT, 3>& side, const std::array<FT, 3>& w)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// twice the scalar product of the two sides at the corner opposite to side `a` of the triangle
-/// with sides `a`, `b`, `c`: \f$b^2 + c^2 - a^2\f$ without its cancellation.
+/// returns twice the scalar product of the two sides at the corner opposite to side `a` of the
+/// triangle with sides `a`, `b`, `c`: \f$b^2 + c^2 - a^2\f$ without its cancellation.
 template <typename FT>
 FT doubled_corner_product(const FT& a, const FT& b, const FT& c)
 {

@@ -26,7 +26,7 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // A corner names its vertex and the side of its face that leaves it.
-// `forward` tells whether that side runs from the first to the second end of its edge.
+// `forward` states whether that side runs from the first to the second end of its edge.
 struct Edge_side
 {
   std::size_t corner;
@@ -57,7 +57,7 @@ struct Diagnosis_complex
     return corner + 1 == first_corner[f + 1] ? first_corner[f] : corner + 1;
   }
 
-  // The corner of the side's face at end `end` of the edge.
+  // Returns the corner of the side's face at end `end` of the edge.
   std::size_t corner_at(const Edge_side& side, int end) const
   {
     return side.forward == (end == 0) ? side.corner : next(side.corner);

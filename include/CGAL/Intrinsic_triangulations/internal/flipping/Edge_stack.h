@@ -62,7 +62,7 @@ private:
   std::size_t m_size = 0;
 };
 
-// the four other edges of the two faces at `h`
+// returns the four other edges of the two faces at `h`
 inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_complex& mesh)
 {
   const Halfedge_index o = opposite(h);

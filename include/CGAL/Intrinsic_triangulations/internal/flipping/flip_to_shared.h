@@ -33,7 +33,8 @@ std::size_t flip_along_curve(Halfedge_index spoke, Integer_coordinates<Integer>&
 }
 
 // Flips until all edges are shared (Algorithm 4). Flips of one curve can bring another into a
-// corner that has been dealt with; hence the repetition. Returns the number of flips.
+// corner that has been dealt with; hence the repetition. That it ends is proven by
+// Mosher (1988). Returns the number of flips.
 template <typename Integer>
 std::size_t flip_to_shared(Integer_coordinates<Integer>& coordinates, Delta_complex& mesh,
                            const Vertex_spokes& spokes)
@@ -48,8 +49,8 @@ std::size_t flip_to_shared(Integer_coordinates<Integer>& coordinates, Delta_comp
   return flips;
 }
 
-// Whether the curve that starts as number `k` in the corner of `spoke` ends where the edge of
-// `input` along which it starts does.
+// Returns whether the curve that starts as number `k` in the corner of `spoke` ends where the edge
+// of `input` along which it starts does.
 template <typename Integer>
 bool ends_at_twin(Halfedge_index spoke, const Integer& k,
                   const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
@@ -63,7 +64,7 @@ bool ends_at_twin(Halfedge_index spoke, const Integer& k,
   return coordinates.spoke_at_end(crossing, mesh, spokes) == input.opposite(start);
 }
 
-// The first edge of `input` that does not run over `mesh` to its other end, in words.
+// Returns the first edge of `input` that does not run over `mesh` to its other end, in words.
 template <typename Integer>
 std::string curve_defect(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
                          const Delta_complex& input, const Vertex_spokes& spokes)

@@ -68,7 +68,7 @@ public:
       m_direction{Vector(1), -std::conj(turn(1)), -turn(0)}
   {}
 
-  // the unit vector along side `s`
+  // returns the unit vector along side `s`
   const Vector& direction(std::size_t s) const { return m_direction[s]; }
 
   Vector side(std::size_t s) const { return m_length[s] * m_direction[s]; }
@@ -89,7 +89,7 @@ public:
     return (q[1] - p[1]) * side(0) - (q[2] - p[2]) * side(2);
   }
 
-  // of the ray from `p` with unit direction `d`
+  // returns where the ray from `p` with unit direction `d` leaves the face
   Exit exit(const Place& p, const Vector& d) const
   {
     std::array<FT, 3> left, ahead; // of the ray is corner k, so far
@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  // the rotation by the angle at corner `k`
+  // returns the rotation by the angle at corner `k`
   Vector turn(std::size_t k) const
   {
     const FT product =
@@ -111,7 +111,7 @@ private:
     return normalized(Vector(product, m_quadrupled_area));
   }
 
-  // the nearest corner on the ray; 3 if there is none
+  // returns the nearest corner on the ray; 3 if there is none
   std::size_t corner_hit(const std::array<FT, 3>& left, const std::array<FT, 3>& ahead) const
   {
     std::size_t result = 3;
@@ -129,9 +129,9 @@ private:
     return result;
   }
 
-  // The ray leaves through the side whose source is on its right and whose target is on its left.
-  // If rounding leaves a doubt, a side other than side 0, through which the ray mostly comes, is
-  // preferred.
+  // Returns the side through which the ray leaves, whose source is on its right and whose target is
+  // on its left. If rounding leaves a doubt, a side other than side 0, through which the ray mostly
+  // comes, is preferred.
   static std::size_t side_crossed(const std::array<FT, 3>& left)
   {
     const auto margin = [&](std::size_t s) { return (std::min)(-left[s], left[(s + 1) % 3]); };
@@ -139,7 +139,8 @@ private:
     return margin(0) > margin(result) ? 0 : result;
   }
 
-  // The distance is that of the rounded place: then a side almost along the ray does no harm.
+  // Returns the exit through a side, with the distance of the rounded place: this is stable for
+  // sides almost along the ray.
   Exit side_exit(const std::array<FT, 3>& left, const std::array<FT, 3>& ahead,
                  const Vector& d) const
   {

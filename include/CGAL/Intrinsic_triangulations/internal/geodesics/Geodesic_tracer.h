@@ -80,6 +80,7 @@ private:
     m_start = m_direction = m_total > 0 ? vector / m_total : Vector(1);
   }
 
+  // Ends: every step takes a part of the remaining length, or is counted as idle by use_up().
   Geodesic<FT> trace()
   {
     while(m_remaining > 0 && m_status != Geodesic_status::stopped_at_boundary)
@@ -91,7 +92,7 @@ private:
       m_status, {f, m_place}, m_direction, m_direction * std::conj(m_start), m_total - m_remaining};
   }
 
-  // the side of the present face that `h` is, counted from `m_h`
+  // returns the side of the present face that `h` is, counted from `m_h`
   std::size_t number_of(Halfedge_index h) const
   {
     return h == m_h ? 0 : h == m_mesh.next(m_h) ? 1 : 2;
@@ -137,8 +138,8 @@ private:
     m_remaining = 0;
   }
 
-  // A line makes no headway for a while where it turns around a vertex that it almost hits. It
-  // never does if its length is so great that steps vanish beside it.
+  // Steps around a vertex that is almost hit may have no length, but are fewer than the halfedges.
+  // Where the remaining length is so great that steps vanish in its rounding, there is no end.
   void use_up(const FT& distance)
   {
     const FT before = m_remaining;

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
@@ -84,7 +85,7 @@ public:
     run([] { return std::numeric_limits<FT>::infinity(); });
   }
 
-  // The path to a vertex, after run().
+  // Returns the path to a vertex, after run().
   const Path& operator[](Vertex_index v) const { return m_path[v.idx()]; }
 
   // to the vertex `v` alone
@@ -94,7 +95,7 @@ public:
     return m_path[v.idx()];
   }
 
-  // The path to the point given at construction alone.
+  // Returns the path to the point given at construction alone.
   Path path_to_target()
   {
     run([&] { return m_path_to_target.length; });
@@ -140,7 +141,8 @@ private:
 
   // ---- Paths ----
 
-  // Of two paths that are equal but for rounding the straight one is better.
+  // Replaces `path` by `other` if that is better, and returns whether it was: of two paths that are
+  // equal up to rounding the straight one is better.
   static bool improve(Path& path, const Path& other)
   {
     const FT tolerance = rounding_unit<FT>() * other.length;
@@ -158,7 +160,8 @@ private:
       m_bends.push({path.length, v});
   }
 
-  // The shadow of a vertex that is not counted is no wider than the tolerance of what is seen.
+  // Returns whether shortest paths bend at `v`. The shadow of a vertex that is not counted is no
+  // wider than the tolerance of what is seen.
   bool can_bend(Vertex_index v) const
   {
     const Vertex_angles<FT> angles(first_spoke(v, m_mesh), m_surface);
@@ -228,13 +231,14 @@ private:
       m_views.push(view);
   }
 
-  // of the origin from the point of the edge at `x`, with the path before the origin
+  // returns the distance of the source from the point of the edge at `x`, through the origin
   static FT distance(const View& view, const FT& x)
   {
     return view.origin.before + std::abs(view.position - x);
   }
 
-  // Whether all paths through the view are longer than those by one of the ends of the edge.
+  // Returns whether all paths through the view are longer than those by one of the ends of the
+  // edge.
   bool is_useless(const View& view) const
   {
     const FT by_source = m_path[m_mesh.source(view.edge).idx()].length + view.end;
@@ -247,11 +251,21 @@ private:
 
   // ---- Following views ----
 
+  // More steps than surfaces need: on embedded ones views are at most quadratic in the size, and a
+  // hundred million are for few faces that paths wind around. Rounding could make it more.
+  std::size_t greatest_number_of_steps() const
+  {
+    const std::size_t n = m_mesh.number_of_halfedges();
+    return 100000000 + n * n;
+  }
+
   template <typename Limit>
   void run(const Limit& limit)
   {
     const FT infinity = std::numeric_limits<FT>::infinity();
-    while(!m_views.empty() || !m_bends.empty()) {
+    for(std::size_t steps = 0; !m_views.empty() || !m_bends.empty(); ++steps) {
+      if(steps > greatest_number_of_steps())
+        throw Numerical_error("the search for shortest paths does not end");
       const FT view = m_views.empty() ? infinity : m_views.top().least;
       const FT bend = m_bends.empty() ? infinity : m_bends.top().length;
       if((std::min)(view, bend) > limit() * (1 + rounding_unit<FT>()))
@@ -280,7 +294,7 @@ private:
       unfold(view);
   }
 
-  // Where the line from the origin to the point `z` beyond the edge crosses the edge.
+  // Returns where the line from the origin to the point `z` beyond the edge crosses the edge.
   static FT crossing(const View& view, const Vector& z)
   {
     const Vector& p = view.position;
@@ -288,8 +302,8 @@ private:
     return height > 0 ? p.real() + (z.real() - p.real()) * (p.imag() / height) : z.real();
   }
 
-  // The place between `a` and `b` where the ray through the point of the edge at `x` meets that
-  // side of the next face; 0 at `a`.
+  // Returns the place between `a` and `b` where the ray through the point of the edge at `x` meets
+  // that side of the next face; 0 at `a`.
   static FT hit(const View& view, const FT& x, const Vector& a, const Vector& b)
   {
     const Vector d = x - view.position;

@@ -52,10 +52,10 @@ public:
   bool is_border() const { return m_is_border; }
   const FT& sum() const { return m_sum; }
 
-  // of the direction at this angle from the spoke
+  // returns the normalized angle of the direction at this angle from the spoke
   FT normalized(const FT& angle) const { return (m_before + angle) / m_sum * normalized_sum(); }
 
-  // the angle on the surface from the first spoke
+  // returns the angle on the surface from the first spoke
   FT on_surface(const FT& normalized) const { return normalized / normalized_sum() * m_sum; }
 
 private:

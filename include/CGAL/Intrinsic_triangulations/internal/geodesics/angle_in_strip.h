@@ -41,13 +41,13 @@ struct Start_in_input_face
       place(coordinates_from(axis, location, tri.input_mesh()))
   {}
 
-  // the coordinates of the point, that of the corner opposite to side `s` first
+  // returns the coordinates of the point, that of the corner opposite to side `s` first
   typename Flat_face<FT>::Place place_beyond(std::size_t s) const
   {
     return {place[(s + 2) % 3], place[s], place[(s + 1) % 3]};
   }
 
-  // the number of a side of the face, counted from the axis
+  // returns the number of a side of the face, counted from the axis
   std::size_t number(Halfedge_index side, const Delta_complex& mesh) const
   {
     return side == axis ? 0 : side == mesh.next(axis) ? 1 : 2;
@@ -59,8 +59,8 @@ struct Start_in_input_face
   typename Flat_face<FT>::Place place; // the coordinate of the source of the axis first
 };
 
-// The angle between the x-axis of `start` and the halfedge `h` of T2, in (-pi, 2 pi). It leaves
-// faces of T1 through exit(0), ..., exit(n - 1).
+// Returns the angle between the x-axis of `start` and the halfedge `h` of T2, in (-pi, 2 pi). It
+// leaves faces of T1 through exit(0), ..., exit(n - 1).
 template <typename Traits, typename Exit>
 typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Halfedge_index h,
                                    const Exit& exit, std::size_t n,
@@ -82,9 +82,9 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
   return std::arg(start.face.to_corner(first, start.place)) + strip.angle();
 }
 
-// The angle on the surface from the spoke of T1 before the halfedge `h` of T2, or from halfedge(f)
-// if the source lies inside the face f of T1, counterclockwise to `h`; exit(0), ..., exit(n - 1) as
-// above.
+// Returns the angle on the surface from the spoke of T1 before the halfedge `h` of T2, or from
+// halfedge(f) if the source lies inside the face f of T1, counterclockwise to `h`; it leaves faces
+// of T1 through exit(0), ..., exit(n - 1).
 template <typename Traits, typename Exit>
 typename Traits::FT angle_from_spoke(Halfedge_index h, const Exit& exit, std::size_t n,
                                      const Intrinsic_triangulation<Traits>& tri,
@@ -98,8 +98,8 @@ typename Traits::FT angle_from_spoke(Halfedge_index h, const Exit& exit, std::si
   return is_in_face && angle < 0 ? angle + 2 * pi<FT>() : angle;
 }
 
-// The angle of the spoke of T1 before the halfedge `h` of T2, whose source is an inserted vertex,
-// in the frame of T1; that of halfedge(f) if it lies inside the face f.
+// Returns the angle of the spoke of T1 before the halfedge `h` of T2, whose source is an inserted
+// vertex, in the frame of T1; that of halfedge(f) if it lies inside the face f.
 template <typename Traits>
 typename Traits::FT angle_of_inserted_spoke(Halfedge_index h,
                                             const Intrinsic_triangulation<Traits>& tri)

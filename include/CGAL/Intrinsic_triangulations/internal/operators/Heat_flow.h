@@ -104,25 +104,27 @@ public:
     return result;
   }
 
-  std::vector<char> components_with_source(const Vector& sources) const
+  // on each component
+  std::vector<std::size_t> number_of_sources(const Vector& sources) const
   {
-    std::vector<char> result(m_components.size(), 0);
+    std::vector<std::size_t> result(m_components.size(), 0);
     for(Eigen::Index v = 0; v < sources.size(); ++v)
       if(sources[v] != 0)
-        result[m_components[static_cast<std::size_t>(v)]] = 1;
+        ++result[m_components[static_cast<std::size_t>(v)]];
     return result;
   }
 
   // the heat from `sources`, times unit()
   Vector spread(const Vector& sources) const { return m_factorization.solve(unit() * sources); }
 
-  // the heat from `sources`, times unit(), which reaches all vertices of components with a source
+  // returns the heat from `sources`, times unit(), which reaches all vertices of components with a
+  // source
   Vector spread_everywhere(const Vector& sources) const
   {
     Vector heat = spread(sources);
-    const auto has_source = components_with_source(sources);
+    const auto count = number_of_sources(sources);
     for(Eigen::Index v = 0; v < heat.size(); ++v)
-      if(has_source[m_components[static_cast<std::size_t>(v)]] &&
+      if(count[m_components[static_cast<std::size_t>(v)]] > 0 &&
          !(CGAL::abs(heat[v]) > (std::numeric_limits<FT>::min)()))
         throw Numerical_error("no heat reaches vertex " + std::to_string(v) +
                               "; a greater time step factor is needed");

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <array>
@@ -35,14 +36,16 @@ public:
     inside,  // of the face of halfedge(), with coordinates()
     on_edge, // of halfedge(), at along()
     blocked, // by the edge of halfedge()
-    lost     // the face has no area
+    lost     // the face has no area, or the circumcenter is too far away
   };
 
   Circumcenter_walk(const Surface_view<EdgeLengthMap>& surface)
     : m_surface(surface), m_mesh(surface.mesh())
   {}
 
-  // `is_fixed(h)` says where the walk must stop.
+  // The walk must stop before edges where `is_fixed(h)`. It ends after as many steps as there are
+  // faces: a circumcenter that is farther away belongs to a face that is not Delaunay, since no
+  // empty circle is that large.
   template <typename Is_fixed>
   End walk(Face_index f, const Is_fixed& is_fixed)
   {
@@ -77,8 +80,8 @@ public:
 
   const FT& along() const { return m_along; }
 
-  // The distance by which a circumcenter may be moved: it is as good then.
-  FT closeness() const { return m_radius / 1048576; }
+  // returns the distance by which the circumcenter may be moved onto an edge
+  FT closeness() const { return m_radius * circumcenter_tolerance<FT>(); }
 
 private:
   // Corner 0 is at the origin, corner 1 on the real axis.
@@ -100,8 +103,8 @@ private:
     return s == 0 ? m_halfedge : s == 1 ? m_mesh.next(m_halfedge) : m_mesh.prev(m_halfedge);
   }
 
-  // the side with its source to the right of the line from `start` to the center, its target to the
-  // left
+  // returns the side with its source to the right of the line from `start` to the center, its
+  // target to the left
   std::size_t first_exit(const Vector& start) const
   {
     std::array<FT, 3> left;

@@ -25,12 +25,18 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+struct Refinement_limits
+{
+  std::size_t insertions;
+  std::size_t flips; // before the first insertion, and after each
+};
+
 // Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted,
 // or the boundary or constrained edge that hides it is split and circumcenters near by are removed
 // again.
 //
 // `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused. The
-// visitor is told every change.
+// visitor is notified of every change.
 template <typename Traits, typename Bounds, typename Visitor>
 class Delaunay_refinement
 {
@@ -53,11 +59,12 @@ class Delaunay_refinement
   };
 
 public:
-  Delaunay_refinement(Triangulation& tri, const Bounds& bounds, std::size_t limit, Visitor& visitor)
+  Delaunay_refinement(Triangulation& tri, const Bounds& bounds, const Refinement_limits& limits,
+                      Visitor& visitor)
     : m_tri(tri),
       m_mesh(tri.mesh()),
       m_bounds(bounds),
-      m_limit(limit),
+      m_limits(limits),
       m_visitor(visitor),
       m_inserter(tri),
       m_narrow(tri),
@@ -66,6 +73,8 @@ public:
       m_stack(m_mesh.num_edges())
   {}
 
+  // Ends: every candidate that is taken from the queue leads to an insertion, of which there is a
+  // limited number, or changes nothing and is gone.
   void run(Refinement_result& result)
   {
     m_result = &result;
@@ -76,7 +85,7 @@ public:
       m_queue.pop();
       if(!is_current(c))
         continue;
-      if(result.insertions == m_limit) {
+      if(result.insertions == m_limits.insertions) {
         result.status = Refinement_status::insertion_limit;
         return;
       }
@@ -115,8 +124,8 @@ private:
     return !m_mesh.is_removed(c.face) && circumradius(c.face) == c.circumradius && is_bad(c.face);
   }
 
-  // A face stays as it is when numbers have no room left for the new vertex. What the visitor
-  // throws goes on to the caller.
+  // A face stays as it is where rounded numbers leave no room for the new vertex. Exceptions of the
+  // visitor go on to the caller.
   void refine(Face_index f)
   {
     try {
@@ -211,12 +220,17 @@ private:
     note_change(m_mesh.face(m_mesh.opposite(h)));
   }
 
+  // Rounded lengths could lead in circles, hence the limit.
   void restore_Delaunay()
   {
+    const std::size_t before = m_result->flips;
     while(!m_stack.empty()) {
       const Edge_index e = m_stack.pop();
       if(m_mesh.is_removed(e) || m_tri.is_Delaunay(e))
         continue;
+      if(m_result->flips - before == m_limits.flips)
+        throw Flip_limit_exceeded(
+          "not Delaunay after an insertion and as many flips as are allowed");
       const Halfedge_index h = m_mesh.halfedge(e);
       m_inserter.flip(h);
       ++m_result->flips;
@@ -239,7 +253,7 @@ private:
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
   const Bounds& m_bounds;
-  std::size_t m_limit;
+  Refinement_limits m_limits;
   Visitor& m_visitor;
   bool m_is_visited = false; // while the visitor is called
   Vertex_inserter<Traits> m_inserter;

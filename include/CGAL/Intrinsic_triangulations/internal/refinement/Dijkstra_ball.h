@@ -22,14 +22,15 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // Finds vertices whose distance along edges is at most a radius. A call costs no more than its
-// ball.
+// ball. It ends because lengths are positive: a vertex enters the queue again only with a smaller
+// distance, and there are finitely many within the radius.
 template <typename EdgeLengthMap>
 class Dijkstra_ball
 {
   typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
   typedef std::pair<FT, Vertex_index> Entry;
 
-  // distances from the center are those of the current call if `round` is
+  // a label of an earlier call has another `round`
   struct Label
   {
     std::size_t round = 0;
@@ -41,7 +42,7 @@ public:
     : m_surface(surface), m_mesh(surface.mesh())
   {}
 
-  // The vertices of the ball in the order of their distances, `center` the first of them.
+  // Returns the vertices of the ball in the order of their distances, `center` the first of them.
   const std::vector<Vertex_index>& vertices(Vertex_index center, const FT& radius)
   {
     ++m_round;

@@ -41,8 +41,9 @@ public:
       m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < pi<FT>() / 3;
   }
 
-  // Why a bad face may stay, and the narrow vertex that is to blame. `lists` has the crossings on
-  // all edges.
+  // Returns why a face that violates the bound on angles is excused, and by which narrow vertex: if
+  // exactly one of its corners is narrow, or else if it lies in faces of T1 at a narrow vertex and
+  // is crossed by no other edges than those at this vertex. `lists` has the crossings on all edges.
   std::optional<Remaining_face> excuse(Face_index f, const Crossing_lists<Traits>& lists) const
   {
     Vertex_index narrow;
@@ -63,9 +64,9 @@ private:
     return v.idx() < m_is_narrow.size() && m_is_narrow[v.idx()];
   }
 
-  // A face that is crossed by edges at one vertex only lies in faces at this vertex. Without this,
-  // the wedge at a narrow vertex would be filled with ever smaller faces where several faces of T1
-  // share it.
+  // A face that is crossed only by edges at one vertex lies in faces at this vertex. If it had to
+  // lie in one of them, the wedge at a narrow vertex would be filled with ever smaller faces where
+  // several faces of T1 share it.
   std::optional<Remaining_face> excuse_by_input_faces(Face_index f,
                                                       const Crossing_lists<Traits>& lists) const
   {
@@ -75,8 +76,8 @@ private:
     return {};
   }
 
-  // The ends of an edge of T1 that crosses `f`, or if there is none, the corners of the face that
-  // contains it.
+  // Returns the ends of an edge of T1 that crosses `f`, or if there is none, the corners of the
+  // face that contains it.
   std::array<Vertex_index, 3> first_candidates(Face_index f,
                                                const Crossing_lists<Traits>& lists) const
   {
@@ -106,7 +107,8 @@ private:
     return m_tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
   }
 
-  // The least of the angles between fixed edges; the whole angle if there are less than two.
+  // Returns the least of the angles between fixed edges, or the whole angle if there are fewer than
+  // two.
   FT least_sector(Vertex_index v) const
   {
     const Delta_complex& mesh = m_tri.mesh();

@@ -26,11 +26,11 @@ struct Part_of_edge
 {
   FT begin, end;
 
-  // the place at a part `t` of the way
+  // returns the place at a part `t` of the way
   FT operator()(const FT& t) const { return (std::min)(FT(begin + t * (end - begin)), end); }
 };
 
-// The part of the halfedge `h` of T1 from the vertex `v` of T2 to the vertex `w`.
+// Returns the part of the halfedge `h` of T1 from the vertex `v` of T2 to the vertex `w`.
 template <typename Traits>
 Part_of_edge<typename Traits::FT> part_of_edge(Halfedge_index h, Vertex_index v, Vertex_index w,
                                                const Intrinsic_triangulation<Traits>& tri)
@@ -72,14 +72,14 @@ public:
   // Crossing number `m` of the curve: it leaves the face of the halfedge there.
   const Crossing& crossing(std::size_t m) const { return m_crossings[m]; }
 
-  // The halfedge of T2 that ends with the curve, clockwise from it.
+  // Returns the halfedge of T2 that ends with the curve, clockwise from it.
   Halfedge_index last_spoke() const
   {
     return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(m_crossings.back().halfedge)));
   }
 
-  // The barycentric coordinates of that crossing along the curve (they never decrease) and along
-  // the halfedge.
+  // Returns the barycentric coordinates of that crossing along the curve (they never decrease) and
+  // along the halfedge.
   const typename Traits::Geodesic_strip::Crossing& position(std::size_t m) const
   {
     return m_positions[m];

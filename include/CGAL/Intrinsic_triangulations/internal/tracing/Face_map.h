@@ -75,7 +75,7 @@ public:
     return result;
   }
 
-  // the image of a point of the polygon, with coordinates that sum up to one
+  // returns the image of a point of the polygon, with coordinates that sum up to one
   Coordinates operator()(const Coordinates& p) const
   {
     Coordinates weight{}; // of corners 0, best, best + 1
@@ -99,9 +99,9 @@ public:
   }
 
 private:
-  // The image of a point of a triangle, given its barycentric coordinates. Where the triangle is
-  // thin, rounding spoils them. So only one is used, that across the longest side, or across a side
-  // on which the point lies; the place along that side is found by projection.
+  // Returns the image of a point of a triangle, given its barycentric coordinates. Where the
+  // triangle is thin, rounding spoils them. So only one is used, that across the longest side, or
+  // across a side on which the point lies; the place along that side is found by projection.
   Coordinates image_in_triangle(const Coordinates& p, const std::array<std::size_t, 3>& corner,
                                 const Coordinates& weight) const
   {
@@ -117,7 +117,8 @@ private:
     return combination({across, 1 - t - across * (1 - foot), t - across * foot}, a, b, c);
   }
 
-  // the corner of a triangle opposite to a side on which a point lies, or to the longest side
+  // returns the corner of a triangle opposite to a side on which a point lies, or to the longest
+  // side
   std::size_t apex(const std::array<std::size_t, 3>& corner, const Coordinates& weight) const
   {
     std::size_t result = 0;
@@ -135,7 +136,8 @@ private:
     return result;
   }
 
-  // the place of the projection of `p` on the line from corner `a` to corner `b`, from 0 to 1
+  // returns the place of the projection of `p` on the line from corner `a` to corner `b`, from 0 to
+  // 1
   FT place_along(std::size_t a, std::size_t b, const Coordinates& p) const
   {
     return clamped(dot(m_corner[a], m_corner[b], m_corner[a], p) /
@@ -162,7 +164,8 @@ private:
     return combination({1 - t, t, FT(0)}, from, to, to);
   }
 
-  // the image of the point with barycentric coordinates `weight` with respect to three corners
+  // returns the image of the point with barycentric coordinates `weight` with respect to three
+  // corners
   Coordinates combination(Coordinates weight, std::size_t a, std::size_t b, std::size_t c) const
   {
     const std::array<std::size_t, 3> corner{a, b, c};
@@ -219,7 +222,7 @@ public:
       corner.side, corner.is_vertex() ? FT(0) : m_marks.here(corner.side, corner.mark));
   }
 
-  // the number of the region in which `p` lies
+  // returns the number of the region in which `p` lies
   std::size_t region_of(const Coordinates& p) const
   {
     for(std::size_t s = 0; s < 3; ++s) {
@@ -232,7 +235,8 @@ public:
     return m_regions.first_of_rest() + first_where(is_before, m_regions.leaving());
   }
 
-  // the face of the other triangulation in which region `m` lies, and the map of the region to it
+  // returns the face of the other triangulation in which region `m` lies, and the map of the region
+  // to it
   std::pair<Face_index, Polygon_map<FT>> region_map(std::size_t m) const
   {
     const Region region = m_regions[m];
@@ -246,7 +250,7 @@ public:
   }
 
 private:
-  // the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
+  // returns the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
   template <typename Condition>
   static std::size_t first_where(const Condition& condition, std::size_t n)
   {
@@ -261,14 +265,14 @@ private:
     return low;
   }
 
-  // whether `p` is on the side of corner `s` of curve `j` around it
+  // returns whether `p` is on the side of corner `s` of curve `j` around it
   bool is_at_corner(std::size_t s, std::size_t j, const Coordinates& p) const
   {
     const auto curve = m_regions.curve_around(s, j);
     return orientation(coordinates(curve[0]), coordinates(curve[1]), p) > 0;
   }
 
-  // whether `p` is between the side after the apex and curve `j` from the apex
+  // returns whether `p` is between the side after the apex and curve `j` from the apex
   bool is_before_curve(std::size_t j, const Coordinates& p) const
   {
     Coordinates apex{};
@@ -281,7 +285,7 @@ private:
     return corner.is_vertex() ? FT(1) : m_marks.scale(corner.side, corner.mark);
   }
 
-  // The place of a corner in the face of the other triangulation in which the region lies.
+  // Returns the place of a corner in the face of the other triangulation in which the region lies.
   Face_location<FT> corner_across(const Region& region, std::size_t c) const
   {
     const Region_corner& corner = region[c];

@@ -78,33 +78,34 @@ public:
 
   std::size_t size() const { return m_around[0] + m_around[1] + m_around[2] + m_leaving + 1; }
 
-  // The number of curves that cut off corner `s`, and of those that leave corner `apex()`
+  // Returns the number of curves that cut off corner `s`, and of those that leave corner `apex()`
   std::size_t around(std::size_t s) const { return m_around[s]; }
   std::size_t leaving() const { return m_leaving; }
   std::size_t apex() const { return m_apex; }
 
-  // the numbers among all regions of region `j` around corner `s`, and of the first of the rest
+  // returns the numbers among all regions of region `j` around corner `s`, and of the first of the
+  // rest
   std::size_t around_corner(std::size_t s, std::size_t j) const
   {
     return j + (s > 0 ? m_around[0] : 0) + (s > 1 ? m_around[1] : 0);
   }
   std::size_t first_of_rest() const { return size() - 1 - m_leaving; }
 
-  // the two marks of curve `j` around corner `s`: on the side after and before the corner
+  // returns the two marks of curve `j` around corner `s`: on the side after and before the corner
   std::array<Region_corner, 2> curve_around(std::size_t s, std::size_t j) const
   {
     const std::size_t before = (s + 2) % 3;
     return {Region_corner{s, j, true}, Region_corner{before, m_crossings[before] - 1 - j, false}};
   }
 
-  // the mark of curve `j` from the apex on the opposite side
+  // returns the mark of curve `j` from the apex on the opposite side
   Region_corner end_of_curve(std::size_t j) const
   {
     const std::size_t near = (m_apex + 1) % 3;
     return {near, m_around[near] + j, true};
   }
 
-  // The number of curves between region `number` and each corner of the face.
+  // Returns the number of curves between region `number` and each corner of the face.
   std::array<std::size_t, 3> crossings_to_corners(std::size_t number) const
   {
     for(std::size_t s = 0; s < 3; ++s) {
@@ -130,7 +131,7 @@ public:
     Region_corner mark, other;
   };
 
-  // the curve from one corner of a region to the next
+  // returns the curve from one corner of a region to the next
   Curve curve(const Region_corner& from, const Region_corner& to) const
   {
     if(from.is_vertex() || to.is_vertex()) {
@@ -143,7 +144,7 @@ public:
     return {mark.side, mark.mark, false, mark, other};
   }
 
-  // the curve that leaves the face at crossing `p` of side `s`; its other end is not told
+  // returns the curve that leaves the face at crossing `p` of side `s`; its other end is not set
   Curve curve_at_side(std::size_t s, std::size_t p) const
   {
     const std::size_t t = (s + 1) % 3, from_target = m_crossings[s] - 1 - p;
@@ -155,8 +156,8 @@ public:
     return {m_apex, p - m_around[s], true, mark, {}};
   }
 
-  // The number of curves between a point on `curve` and each corner of the face; -1 to where it
-  // ends.
+  // Returns the number of curves between a point on `curve` and each corner of the face; -1 to
+  // where it ends.
   std::array<std::ptrdiff_t, 3> crossings_to_corners(const Curve& curve) const
   {
     std::array<std::ptrdiff_t, 3> crossings;
@@ -174,7 +175,7 @@ public:
     return crossings;
   }
 
-  // The region beside the piece of side `s` after `p` of its crossings.
+  // Returns the region beside the piece of side `s` after `p` of its crossings.
   std::size_t region_at_side(std::size_t s, std::size_t p) const
   {
     const std::size_t t = (s + 1) % 3, from_target = m_crossings[s] - p;

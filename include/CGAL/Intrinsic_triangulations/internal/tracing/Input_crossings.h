@@ -56,10 +56,10 @@ public:
       });
   }
 
-  // the number of crossings on the edge `e` of T2
+  // returns the number of crossings on the edge `e` of T2
   size_type count(Edge_index e) const { return m_marks.size(e); }
 
-  // the halfedge of T1 that crosses the halfedge `h` as its number `m` from left to right
+  // returns the halfedge of T1 that crosses the halfedge `h` as its number `m` from left to right
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
     return directed_as(h, m_crossing[m_marks(h, static_cast<size_type>(m))]);

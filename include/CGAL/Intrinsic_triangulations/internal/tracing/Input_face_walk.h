@@ -10,6 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,8 +27,8 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the face
-// straight to the point, through regions of faces of T2. Should rounding lead astray, all regions
-// are looked at.
+// straight to the point, through regions of faces of T2. If rounding leads to a wrong region, all
+// regions are searched.
 template <typename Traits>
 class Input_face_walk
 {
@@ -42,7 +45,7 @@ public:
     : m_correspondence(correspondence), m_mesh(correspondence.mesh(Side::intrinsic))
   {}
 
-  // the place on T2 of the point `p` of a face of T1
+  // returns the place on T2 of the point `p` of a face of T1
   Face_location<FT> operator()(const Face_location<FT>& p) const
   {
     Place place = first_place(p.first);
@@ -53,7 +56,7 @@ public:
         break;
       place = *next;
     }
-    if(squared_distance(place, p.second) > closeness() * closeness())
+    if(squared_distance(place, p.second) > CGAL::square(region_tolerance<FT>()))
       place = closest_place(start, p.second);
     return {place.first, Face_of_place(place, *this).map.inverse()(p.second)};
   }
@@ -61,7 +64,7 @@ public:
 private:
   std::size_t side_of(Halfedge_index h) const { return side_number(h, m_mesh); }
 
-  // the region at the source of the first side of a face of T1
+  // returns the region at the source of the first side of a face of T1
   Place first_place(Face_index f) const
   {
     const Halfedge_index input = m_correspondence.mesh(Side::input).halfedge(f);
@@ -101,7 +104,8 @@ private:
     Polygon_map<FT> map;
   };
 
-  // the region beyond the piece of a side of `face` after corner `c`; none beyond the face of T1
+  // returns the region beyond the piece of a side of `face` after corner `c`; none beyond the face
+  // of T1
   std::optional<Place> beyond(const Face_of_place& face, const Place& place, std::size_t c) const
   {
     const Region_corner& corner = face.region[c];
@@ -114,8 +118,8 @@ private:
                  regions_of(m_mesh.face(o)).region_at_side(side_of(o), from_target));
   }
 
-  // The region beyond the piece through which the line from the first corner of the face of T1 to
-  // `p` leaves the region; none if `p` is not beyond it.
+  // Returns the region beyond the piece through which the line from the first corner of the face of
+  // T1 to `p` leaves the region; none if `p` is not beyond it.
   std::optional<Place> next_place(const Place& place, const Coordinates& p) const
   {
     const Face_of_place face(place, *this);
@@ -134,7 +138,7 @@ private:
     return result;
   }
 
-  // Of all regions in the face of T1 the one that is closest to `p`.
+  // Returns the region in the face of T1 that is closest to `p`. Each is looked at once.
   Place closest_place(const Place& start, const Coordinates& p) const
   {
     std::set<Place> seen{start};
@@ -154,19 +158,18 @@ private:
     return best.second;
   }
 
-  // Of `p` from a region, in barycentric coordinates. Pieces that are so short that rounding may
-  // turn them do not say where the inside is.
+  // Returns the squared distance of `p` from a region, in barycentric coordinates. Pieces that are
+  // so short that rounding may turn them do not determine where the inside is.
   FT squared_distance(const Place& place, const Coordinates& p) const
   {
     const Face_of_place face(place, *this);
-    const FT tolerance = closeness() * closeness();
     std::size_t long_pieces = 0;
     bool is_outside = false;
     FT least = std::numeric_limits<FT>::infinity();
     for(std::size_t c = 0; c < face.region.size(); ++c) {
       const Coordinates &a = face.corner(c), &b = face.corner(c + 1);
       least = (std::min)(least, squared_distance(a, b, p));
-      if(dot(a, b, a, b) > tolerance) {
+      if(dot(a, b, a, b) > CGAL::square(region_tolerance<FT>())) {
         ++long_pieces;
         is_outside = is_outside || orientation(a, b, p) < 0;
       }
@@ -174,7 +177,7 @@ private:
     return long_pieces > 1 && !is_outside ? FT(0) : least;
   }
 
-  // of `p` from the piece from `a` to `b`
+  // returns the squared distance of `p` from the piece from `a` to `b`
   static FT squared_distance(const Coordinates& a, const Coordinates& b, const Coordinates& p)
   {
     const FT square = dot(a, b, a, b);
@@ -185,9 +188,6 @@ private:
       foot[s] = a[s] + t * (b[s] - a[s]);
     return dot(foot, p, foot, p);
   }
-
-  // A point that is outside of its region by no more is there by rounding.
-  static FT closeness() { return FT(1e-12); }
 
   const Correspondence<Traits>& m_correspondence;
   const Delta_complex& m_mesh;

@@ -25,7 +25,7 @@ struct Has_scale<
   : std::true_type
 {};
 
-// the scale of a crossing, 1 where crossings have none
+// returns the scale of a crossing, 1 where crossings have none
 template <typename Traits>
 typename Traits::FT scale_of(const typename Traits::Geodesic_strip::Crossing& crossing)
 {

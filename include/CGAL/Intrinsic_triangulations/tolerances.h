@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TOLERANCES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TOLERANCES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/number_utils.h>
+
+#include <limits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// whether operations on numbers of this type are rounded
+template <typename FT>
+constexpr bool is_rounded()
+{
+  return std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// returns the relative error that a decision grants to every length: 0 for exact number types; for
+/// floating point 16 units in the last place, while a length comes from fewer than ten roundings.
+///
+/// All decisions about lengths and directions use it: whether an edge is Delaunay or can be
+/// flipped, whether lengths obey the triangle inequality, whether a geodesic hits a vertex, and
+/// whether barycentric coordinates sum up to 1. It is relative: to the lengths that are compared,
+/// to a whole turn or angle sum, or to 1. The other tolerances of the package, in this header too,
+/// choose where vertices are inserted, which edges are flipped to remove them, and when a search
+/// goes over all regions of a face; none of them decides what is Delaunay.
+template <typename FT>
+constexpr FT rounding_unit()
+{
+  if constexpr(internal::is_rounded<FT>())
+    return 16 * std::numeric_limits<FT>::epsilon();
+  else
+    return FT(0);
+}
+
+namespace internal {
+
+// The angle in radians by which a corner that is nearly flat or nearly zero can be wrong: its
+// cosine is rounded, and so it is uncertain by the square root of that. For `double` it is 2^-20.
+// Removing a vertex flips no edge whose diamond exceeds a flat angle by more.
+template <typename FT>
+FT flat_angle_tolerance()
+{
+  return 16 * CGAL::sqrt(rounding_unit<FT>());
+}
+
+// How far a circumcenter may be moved onto an edge, in circumradii. For `double` it is 2^-20: far
+// more than the rounding of a walk, so that no piece is left whose length is rounding, and so
+// little that angles change by no more than nearly flat corners are uncertain anyway.
+template <typename FT>
+FT circumcenter_tolerance()
+{
+  return flat_angle_tolerance<FT>();
+}
+
+// The distance from a region, in barycentric coordinates of a face of T1, up to which a point
+// counts as in it. A line through the face passes many edges, each with the rounding of its
+// crossing; for `double` this is 2^-40. Beyond it, all regions of the face are looked at.
+template <typename FT>
+constexpr FT region_tolerance()
+{
+  return 256 * rounding_unit<FT>();
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TOLERANCES_H
