@@ -13,12 +13,12 @@
 #include <sstream>
 #include <vector>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
 typedef std::complex<double> Complex;
-typedef CM::Hyperbolic_tiling::Tile Tile;
+typedef DCM::Hyperbolic_tiling::Tile Tile;
 
 constexpr double pixel = 1. / 1000; // what cannot be seen, in a disk with radius 1
 
@@ -26,7 +26,7 @@ constexpr double pixel = 1. / 1000; // what cannot be seen, in a disk with radiu
 void add_geodesic(std::ostream& out, const Complex& from, const Complex& to)
 {
   const bool is_left = (std::conj(from) * to).imag() > 0; // of the origin
-  const double radius = std::sqrt((std::max)(std::norm(CM::geodesic_center(from, to)) - 1, 0.));
+  const double radius = std::sqrt((std::max)(std::norm(DCM::geodesic_center(from, to)) - 1, 0.));
   if(std::isfinite(radius) && radius < 1000)
     out << 'A' << radius << ' ' << radius << " 0 0 " << (is_left ? 0 : 1) << ' ';
   else
@@ -49,7 +49,7 @@ void add_tile(std::ostream& out, const Tile& tile, const std::vector<Complex>& c
 
 } // namespace
 
-std::string disk_picture(const CM::Hyperbolic_conformal_map& map, int depth)
+std::string disk_picture(const DCM::Hyperbolic_conformal_map& map, int depth)
 {
   const std::size_t n = map.number_of_components();
   std::ostringstream out;
@@ -60,7 +60,7 @@ std::string disk_picture(const CM::Hyperbolic_conformal_map& map, int depth)
          ".t0{fill:#f4b860}.t1{fill:#c9dbe8}.t2{fill:#e6eef4}.t3{fill:#fafcfd}"
          "circle{fill:none;stroke:#234;stroke-width:.004}</style>\n";
   for(std::size_t c = 0; c < n; ++c) {
-    const CM::Hyperbolic_tiling tiling(map, c);
+    const DCM::Hyperbolic_tiling tiling(map, c);
     out << "<g transform=\"translate(" << 2.04 * double(c) << ") scale(1 -1)\">\n";
     if(!tiling.corners().empty())
       for(const Tile& tile : tiling.tiles(map.group(c).relation.empty() ? 0 : depth, pixel))

@@ -13,19 +13,19 @@
 #include <complex>
 #include <limits>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-using CM::Layer;
-using CM::Vertex_index;
+using DCM::Layer;
+using DCM::Vertex_index;
 
-std::complex<double> position(const CM::Planar_conformal_map&, const std::array<double, 3>& z)
+std::complex<double> position(const DCM::Planar_conformal_map&, const std::array<double, 3>& z)
 {
   return {z[0] / z[2], z[1] / z[2]};
 }
 
-std::complex<double> position(const CM::Hyperbolic_conformal_map& map,
+std::complex<double> position(const DCM::Hyperbolic_conformal_map& map,
                               const std::array<double, 3>& z)
 {
   return map.to_disk(z);
@@ -142,7 +142,7 @@ private:
     return c.is_valid() && m_map.is_seam(c) && is_front(h) && is_front(mesh().opposite(h));
   }
 
-  std::array<double, 3> coordinates(const CM::Discrete_conformal_map::Face_location& on_C) const
+  std::array<double, 3> coordinates(const DCM::Discrete_conformal_map::Face_location& on_C) const
   {
     const std::array<double, 3> z = m_map.homogeneous_coordinates(on_C);
     if(m_result.texture.dimension == 3)
@@ -171,19 +171,19 @@ bool has_area(const Point& p, const Point& q, const Point& r)
 
 } // namespace
 
-Output_mesh flat_mesh(const CM::Planar_conformal_map& map, const Mesh& input,
+Output_mesh flat_mesh(const DCM::Planar_conformal_map& map, const Mesh& input,
                       const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
 {
   return Flat_mesh_builder(map, input, is_homogeneous).build(cones);
 }
 
-Output_mesh flat_mesh(const CM::Hyperbolic_conformal_map& map, const Mesh& input,
+Output_mesh flat_mesh(const DCM::Hyperbolic_conformal_map& map, const Mesh& input,
                       const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
 {
   return Flat_mesh_builder(map, input, is_homogeneous).build(cones);
 }
 
-Eigen::SparseMatrix<double> interpolation_matrix(const CM::Planar_conformal_map& map,
+Eigen::SparseMatrix<double> interpolation_matrix(const DCM::Planar_conformal_map& map,
                                                  const Mesh& input)
 {
   return Flat_mesh_builder(map, input, false).interpolation_matrix();

@@ -31,7 +31,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
@@ -69,7 +69,7 @@ public:
       m_length = edge_lengths(m_run);
       return flattening_conditions(m_options, mesh());
     });
-    const CM::Planar_conformal_map map = solved();
+    const DCM::Planar_conformal_map map = solved();
     m_run.timed("write", [&] {
       if(!m_options.matrix.empty())
         m_run.add_output(m_options.matrix, matrix_market(interpolation_matrix(map, mesh()),
@@ -81,25 +81,25 @@ public:
 private:
   Mesh& mesh() { return m_run.input().mesh; }
 
-  CM::Planar_conformal_map solved()
+  DCM::Planar_conformal_map solved()
   {
 #ifdef INTRINSIC_USE_CERES
     if(m_options.solver == "ceres")
-      return flattened_by(CM::Ceres_minimizer());
+      return flattened_by(DCM::Ceres_minimizer());
 #endif
-    return flattened_by(CM::Newton_minimizer());
+    return flattened_by(DCM::Newton_minimizer());
   }
 
   template <class Minimizer>
-  CM::Planar_conformal_map flattened_by(const Minimizer& minimizer)
+  DCM::Planar_conformal_map flattened_by(const Minimizer& minimizer)
   {
     const double bound = m_options.cones == "greedy" ? m_options.maximum_log_scale.value_or(5)
                                                      : std::numeric_limits<double>::infinity();
     const auto conditions =
       boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
     const auto flipping =
-      m_options.solver == "cetm" ? CM::Flipping::none : CM::Flipping::to_Delaunay;
-    return shaped(CM::parameters::edge_length_map(m_length)
+      m_options.solver == "cetm" ? DCM::Flipping::none : DCM::Flipping::to_Delaunay;
+    return shaped(DCM::parameters::edge_length_map(m_length)
                     .vertex_condition_map(conditions)
                     .maximum_log_scale(bound)
                     .flipping(flipping)
@@ -109,25 +109,25 @@ private:
 
   // Throws Program_error, which names the mesh, if it is not for the shape.
   template <class Parameters>
-  CM::Planar_conformal_map shaped(const Parameters& np)
+  DCM::Planar_conformal_map shaped(const Parameters& np)
   {
     const std::string& shape = m_options.boundary[0];
     if(!is_shape(shape))
-      return CM::flatten(mesh(), np);
+      return DCM::flatten(mesh(), np);
     try {
       if(shape == "disk")
-        return CM::flatten_to_disk(mesh(), np);
-      return CM::flatten_to_rectangle(mesh(), CM::rectangle_corners(mesh(), np), np);
+        return DCM::flatten_to_disk(mesh(), np);
+      return DCM::flatten_to_rectangle(mesh(), DCM::rectangle_corners(mesh(), np), np);
     } catch(const IT::Invalid_input& e) {
       throw Program_error(m_run.options().input + ": " + e.what());
     }
   }
 
   // Those that were placed and those of the file.
-  std::vector<Mesh::Vertex_index> cones(const CM::Planar_conformal_map& map)
+  std::vector<Mesh::Vertex_index> cones(const DCM::Planar_conformal_map& map)
   {
     std::vector<Mesh::Vertex_index> result;
-    for(const CM::Vertex_index v : map.cones())
+    for(const DCM::Vertex_index v : map.cones())
       result.emplace_back(v.idx());
     for(const Mesh::Vertex_index v : mesh().vertices())
       if(!mesh().is_border(v) && m_conditions[v].value != 0)
@@ -143,15 +143,15 @@ private:
   Conditions m_conditions;
 };
 
-void describe(Command_run& run, const CM::Planar_conformal_map& map, const Output_mesh& result,
+void describe(Command_run& run, const DCM::Planar_conformal_map& map, const Output_mesh& result,
               std::size_t iterations, std::size_t number_of_cones)
 {
   Statistics& statistics = run.statistics();
   statistics["cones"] = number_of_cones;
   statistics["iterations"] = iterations;
-  statistics["status"] = CM::to_string(map.status());
+  statistics["status"] = DCM::to_string(map.status());
   statistics["max_curvature_error"] = map.max_curvature_error();
-  statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
+  statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   describe_triangles(statistics, result);
   describe_sizes(statistics, map, run.input().mesh, result);
 }
@@ -169,7 +169,7 @@ std::string summary_of(const Statistics& s)
 } // namespace
 
 void finish(Command_run& run, const Texture_options& options, Mesh_format format,
-            const CM::Planar_conformal_map& map, std::size_t iterations,
+            const DCM::Planar_conformal_map& map, std::size_t iterations,
             const std::vector<Mesh::Vertex_index>& cones)
 {
   check_status(map);

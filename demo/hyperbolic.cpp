@@ -20,7 +20,7 @@
 #include <functional>
 #include <sstream>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
@@ -33,27 +33,27 @@ std::vector<Mesh::Vertex_index> cones_of(const Conditions& conditions, const Mes
   return result;
 }
 
-CM::Hyperbolic_conformal_map uniformized(Command_run& run, const Edge_length_map& length,
-                                         const Conditions& conditions)
+DCM::Hyperbolic_conformal_map uniformized(Command_run& run, const Edge_length_map& length,
+                                          const Conditions& conditions)
 {
   const Mesh& mesh = run.input().mesh;
   Stage_visitor visitor{run};
   const auto condition =
     boost::make_iterator_property_map(conditions.begin(), get(boost::vertex_index, mesh));
-  return CM::uniformize_hyperbolic(
-    mesh, CM::parameters::vertex_condition_map(condition).edge_length_map(length).visitor(
+  return DCM::uniformize_hyperbolic(
+    mesh, DCM::parameters::vertex_condition_map(condition).edge_length_map(length).visitor(
             std::ref(visitor)));
 }
 
 // Generators as real and imaginary parts of a and b; the relation as numbers of generators, from
 // 1, negative for inverse ones.
-Statistics description(const CM::Fuchsian_group& group)
+Statistics description(const DCM::Fuchsian_group& group)
 {
   Statistics result{{"genus", group.genus}, {"area", group.area}};
   if(!group.relation.empty())
     result["relation_error"] = group.relation_error;
   result["generators"] = Statistics::array();
-  for(const CM::Disk_motion<>& motion : group.generators)
+  for(const DCM::Disk_motion<>& motion : group.generators)
     result["generators"].push_back(motion.entries());
   result["relation"] = Statistics::array();
   for(const auto& letter : group.relation) {
@@ -63,14 +63,14 @@ Statistics description(const CM::Fuchsian_group& group)
   return result;
 }
 
-void describe(Command_run& run, const CM::Hyperbolic_conformal_map& map,
+void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map,
               const std::vector<Mesh::Vertex_index>& cones)
 {
   const Mesh& mesh = run.input().mesh;
   Statistics& statistics = run.statistics();
   statistics["cones"] = cones.size();
   statistics["iterations"] = map.minimization().iterations;
-  statistics["status"] = CM::to_string(map.status());
+  statistics["status"] = DCM::to_string(map.status());
   statistics["max_curvature_error"] = map.max_curvature_error();
   statistics["max_gluing_error"] = map.max_gluing_error();
   statistics["area"] = map.area();
@@ -98,7 +98,7 @@ std::string summary_of(const Statistics& s)
 } // namespace
 
 void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
-            const CM::Hyperbolic_conformal_map& map, const std::vector<Mesh::Vertex_index>& cones)
+            const DCM::Hyperbolic_conformal_map& map, const std::vector<Mesh::Vertex_index>& cones)
 {
   check_status(map);
   run.timed("write", [&] {

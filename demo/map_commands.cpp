@@ -11,18 +11,18 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-const char* name_of(CM::Flattening_stage stage)
+const char* name_of(DCM::Flattening_stage stage)
 {
   switch(stage) {
-    case CM::Flattening_stage::cones: return "cones";
-    case CM::Flattening_stage::optimize: return "optimize";
-    case CM::Flattening_stage::trace: return "trace";
-    case CM::Flattening_stage::subdivide: return "subdivide";
-    case CM::Flattening_stage::layout: return "layout";
+    case DCM::Flattening_stage::cones: return "cones";
+    case DCM::Flattening_stage::optimize: return "optimize";
+    case DCM::Flattening_stage::trace: return "trace";
+    case DCM::Flattening_stage::subdivide: return "subdivide";
+    case DCM::Flattening_stage::layout: return "layout";
   }
   return "";
 }
@@ -31,7 +31,7 @@ const char* name_of(CM::Flattening_stage stage)
 
 Stages map_stages(bool has_cones)
 {
-  using Stage = CM::Flattening_stage;
+  using Stage = DCM::Flattening_stage;
   Stages result;
   for(const Stage stage :
       {Stage::cones, Stage::optimize, Stage::trace, Stage::subdivide, Stage::layout})
@@ -40,7 +40,7 @@ Stages map_stages(bool has_cones)
   return result;
 }
 
-void Stage_visitor::start(CM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
+void Stage_visitor::start(DCM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
 
 Mesh_format format_with_texture(const std::string& path, const std::string& format_name)
 {
@@ -51,26 +51,26 @@ Mesh_format format_with_texture(const std::string& path, const std::string& form
   return format;
 }
 
-void check_status(const CM::Discrete_conformal_map& map)
+void check_status(const DCM::Discrete_conformal_map& map)
 {
-  if(map.status() == CM::Map_status::success)
+  if(map.status() == DCM::Map_status::success)
     return;
-  const char* reason = map.status() == CM::Map_status::not_converged
-                         ? CM::to_string(map.minimization().status)
-                         : CM::to_string(map.status());
+  const char* reason = map.status() == DCM::Map_status::not_converged
+                         ? DCM::to_string(map.minimization().status)
+                         : DCM::to_string(map.status());
   std::ostringstream text;
-  text << CM::message(map.status()) << ": " << reason << ", with an error of curvatures of "
+  text << DCM::message(map.status()) << ": " << reason << ", with an error of curvatures of "
        << map.max_curvature_error() << " radians";
   throw std::runtime_error(text.str());
 }
 
-void describe_sizes(Statistics& statistics, const CM::Discrete_conformal_map& map,
+void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& map,
                     const Mesh& input, const Output_mesh& result)
 {
   std::vector<double> u;
   for(const Mesh::Vertex_index v : input.vertices())
     if(!input.is_isolated(v))
-      u.push_back(map.log_scale(CM::Vertex_index(v.idx())));
+      u.push_back(map.log_scale(DCM::Vertex_index(v.idx())));
   double sum = 0, square_sum = 0;
   for(const double x : u)
     sum += x;
@@ -79,8 +79,8 @@ void describe_sizes(Statistics& statistics, const CM::Discrete_conformal_map& ma
   statistics["log_scale_min"] = *std::min_element(u.begin(), u.end());
   statistics["log_scale_max"] = *std::max_element(u.begin(), u.end());
   statistics["log_scale_square_sum"] = square_sum;
-  statistics["flips"] = map.number_of_flips(CM::Layer::B);
-  statistics["ptolemy_flips"] = map.number_of_flips(CM::Layer::C);
+  statistics["flips"] = map.number_of_flips(DCM::Layer::B);
+  statistics["ptolemy_flips"] = map.number_of_flips(DCM::Layer::C);
   describe_subdivision(statistics, result.points.size(), result.edges.size(),
                        result.polygons.size());
 }

@@ -16,27 +16,27 @@
 #include <functional>
 #include <sstream>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-CM::Spherical_conformal_map mapped(Command_run& run)
+DCM::Spherical_conformal_map mapped(Command_run& run)
 {
   const Edge_length_map length = run.timed("build", [&] { return edge_lengths(run); });
   Stage_visitor visitor{run};
-  return CM::map_to_sphere(run.input().mesh,
-                           CM::parameters::edge_length_map(length).visitor(std::ref(visitor)));
+  return DCM::map_to_sphere(run.input().mesh,
+                            DCM::parameters::edge_length_map(length).visitor(std::ref(visitor)));
 }
 
-void describe(Command_run& run, const CM::Spherical_conformal_map& map, const Output_mesh& result)
+void describe(Command_run& run, const DCM::Spherical_conformal_map& map, const Output_mesh& result)
 {
   Statistics& statistics = run.statistics();
   statistics["disk"] = map.is_disk();
   statistics["iterations"] = map.minimization().iterations;
-  statistics["status"] = CM::to_string(map.status());
+  statistics["status"] = DCM::to_string(map.status());
   statistics["extended_precision"] = map.is_extended();
   statistics["max_curvature_error"] = map.max_curvature_error();
-  statistics["max_cross_ratio_error"] = CM::max_cross_ratio_error(map);
+  statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   statistics["convex"] = map.certificate().is_convex();
   statistics["concave_edges"] = map.certificate().concave_edges;
   statistics["flipped_triangles"] = map.certificate().flipped_triangles;
@@ -60,7 +60,7 @@ std::string summary_of(const Statistics& s)
 } // namespace
 
 void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
-            const CM::Spherical_conformal_map& map)
+            const DCM::Spherical_conformal_map& map)
 {
   check_status(map);
   run.timed("write", [&] {

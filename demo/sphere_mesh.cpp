@@ -9,16 +9,16 @@
 #include <limits>
 #include <sstream>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-using CM::Vertex_index;
+using DCM::Vertex_index;
 
 class Sphere_mesh_builder : Map_mesh_builder
 {
 public:
-  Sphere_mesh_builder(const CM::Spherical_conformal_map& map, const Mesh& input)
+  Sphere_mesh_builder(const DCM::Spherical_conformal_map& map, const Mesh& input)
     : Map_mesh_builder(map, input), m_map(map), m_homogeneous(mesh().number_of_vertices())
   {
     if(map.is_disk())
@@ -26,7 +26,7 @@ public:
     for(const Halfedge_index h : mesh().halfedges())
       if(is_front(h))
         m_homogeneous[mesh().target(h).idx()] =
-          map.homogeneous_coordinates(subdivision().location(CM::Layer::C, h));
+          map.homogeneous_coordinates(subdivision().location(DCM::Layer::C, h));
   }
 
   Output_mesh build()
@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  typedef CM::Spherical_conformal_map Map;
+  typedef DCM::Spherical_conformal_map Map;
 
   void add_point(Vertex_index v)
   {
@@ -86,15 +86,15 @@ private:
 
 } // namespace
 
-Output_mesh sphere_mesh(const CM::Spherical_conformal_map& map, const Mesh& input)
+Output_mesh sphere_mesh(const DCM::Spherical_conformal_map& map, const Mesh& input)
 {
   return Sphere_mesh_builder(map, input).build();
 }
 
-std::string precise_positions(const CM::Spherical_conformal_map& map, const Mesh& input)
+std::string precise_positions(const DCM::Spherical_conformal_map& map, const Mesh& input)
 {
   std::ostringstream text;
-  text.precision(std::numeric_limits<CM::Spherical_conformal_map::Extended>::max_digits10);
+  text.precision(std::numeric_limits<DCM::Spherical_conformal_map::Extended>::max_digits10);
   for(const Mesh::Vertex_index v : input.vertices()) {
     const auto p = map.precise_position(Vertex_index(v.idx()));
     text << v.idx() << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';

@@ -12,16 +12,16 @@
 
 #include <functional>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-CM::Uniformization uniformized(Command_run& run)
+DCM::Uniformization uniformized(Command_run& run)
 {
   const Edge_length_map length = run.timed("build", [&] { return edge_lengths(run); });
   Stage_visitor visitor{run};
-  return CM::uniformize(run.input().mesh,
-                        CM::parameters::edge_length_map(length).visitor(std::ref(visitor)));
+  return DCM::uniformize(run.input().mesh,
+                         DCM::parameters::edge_length_map(length).visitor(std::ref(visitor)));
 }
 
 } // namespace
@@ -30,13 +30,13 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
 {
   const Mesh_format format = format_with_texture(options.output, options.format);
   Command_run run("uniformize", common, {options.output, options.picture});
-  const CM::Surface_type type = CM::surface_type(run.input().mesh);
-  run.statistics()["surface_type"] = CM::to_string(type);
-  if(!options.picture.empty() && type != CM::Surface_type::hyperbolic)
+  const DCM::Surface_type type = DCM::surface_type(run.input().mesh);
+  run.statistics()["surface_type"] = DCM::to_string(type);
+  if(!options.picture.empty() && type != DCM::Surface_type::hyperbolic)
     throw Program_error("--svg is for hyperbolic surfaces");
-  const bool is_flat = type == CM::Surface_type::torus || type == CM::Surface_type::annulus;
+  const bool is_flat = type == DCM::Surface_type::torus || type == DCM::Surface_type::annulus;
   run.plan({{"build"}, map_stages(is_flat)});
-  const CM::Uniformization result = uniformized(run);
+  const DCM::Uniformization result = uniformized(run);
   if(result.hyperbolic)
     finish(run, options, format, *result.hyperbolic, {});
   else if(result.spherical)

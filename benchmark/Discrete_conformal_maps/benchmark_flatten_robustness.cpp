@@ -22,8 +22,8 @@
 #include <vector>
 
 using namespace Test_surfaces;
-namespace CM = CGAL::Discrete_conformal_maps;
-using Conditions = std::vector<CM::Vertex_condition>;
+namespace DCM = CGAL::Discrete_conformal_maps;
+using Conditions = std::vector<DCM::Vertex_condition>;
 
 // What happened to one method.
 struct Score
@@ -32,7 +32,7 @@ struct Score
   std::array<std::size_t, 5> ended{}; // by status
   double milliseconds = 0;            // of all
 
-  std::size_t ended_with(CM::Map_status status) const
+  std::size_t ended_with(DCM::Map_status status) const
   {
     return ended[static_cast<std::size_t>(status)];
   }
@@ -46,12 +46,12 @@ struct Scores
 
 // Nothing if the input is refused.
 template <typename NamedParameters>
-std::optional<CM::Planar_conformal_map> flatten(const Mesh& mesh, const NamedParameters& np,
-                                                Score& score)
+std::optional<DCM::Planar_conformal_map> flatten(const Mesh& mesh, const NamedParameters& np,
+                                                 Score& score)
 {
   try {
     Samples samples;
-    auto map = samples.time([&] { return CM::flatten(mesh, np); });
+    auto map = samples.time([&] { return DCM::flatten(mesh, np); });
     score.milliseconds += samples.median();
     ++score.ended[static_cast<std::size_t>(map.status())];
     return map;
@@ -66,7 +66,7 @@ auto fixed_with(const Conditions& conditions)
 {
   const auto map =
     boost::make_function_property_map<Vertex_index>([&](Vertex_index v) { return conditions[v]; });
-  return CM::parameters::flipping(CM::Flipping::none).vertex_condition_map(map);
+  return DCM::parameters::flipping(DCM::Flipping::none).vertex_condition_map(map);
 }
 
 void run_near_degenerate(unsigned int seed, std::map<std::string, Scores>& table)
@@ -77,10 +77,10 @@ void run_near_degenerate(unsigned int seed, std::map<std::string, Scores>& table
   Conditions conditions(m.mesh.number_of_vertices());
   for(Vertex_index v : m.mesh.vertices())
     if(m.mesh.is_border(v))
-      conditions[v] = CM::Vertex_condition::log_scale(0);
+      conditions[v] = DCM::Vertex_condition::log_scale(0);
   if(const auto map = flatten(m.mesh, CGAL::parameters::default_values(), scores.with_flips))
     for(Vertex_index v : map->cones())
-      conditions[v] = CM::Vertex_condition::log_scale(0);
+      conditions[v] = DCM::Vertex_condition::log_scale(0);
   flatten(m.mesh, fixed_with(conditions), scores.fixed);
 }
 
@@ -92,16 +92,16 @@ void run_hard_cones(unsigned int seed, std::map<std::string, Scores>& table)
   ++scores.problems;
   Conditions conditions;
   for(double defect : hard_cones(mesh, seed))
-    conditions.push_back(CM::Vertex_condition::curvature(defect));
+    conditions.push_back(DCM::Vertex_condition::curvature(defect));
   const auto map =
     boost::make_function_property_map<Vertex_index>([&](Vertex_index v) { return conditions[v]; });
-  flatten(mesh, CM::parameters::vertex_condition_map(map), scores.with_flips);
+  flatten(mesh, DCM::parameters::vertex_condition_map(map), scores.with_flips);
   flatten(mesh, fixed_with(conditions), scores.fixed);
 }
 
 void print(const std::string& name, const Scores& s)
 {
-  using Status = CM::Map_status;
+  using Status = DCM::Map_status;
   std::printf("%-26s%7zu", name.c_str(), s.problems);
   for(const Score& score : {s.with_flips, s.fixed})
     std::printf("%9.1f %%%9.1f",

@@ -20,18 +20,18 @@
 #include <string>
 #include <vector>
 
-namespace CM = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 // The time of the last stage, which is the layout.
-struct Layout_clock : CM::Default_flattening_visitor
+struct Layout_clock : DCM::Default_flattening_visitor
 {
   std::clock_t since = 0;
 
-  void start(CM::Flattening_stage) { since = std::clock(); }
+  void start(DCM::Flattening_stage) { since = std::clock(); }
 };
 
-std::size_t collapsed(const CM::Planar_conformal_map& map)
+std::size_t collapsed(const DCM::Planar_conformal_map& map)
 {
   const auto& mesh = map.ideal().mesh();
   std::size_t result = 0;
@@ -53,12 +53,12 @@ void benchmark(const std::string& file)
   }
   std::printf("%-20s%9u", file.substr(file.find_last_of('/') + 1).c_str(),
               mesh.number_of_vertices());
-  for(const CM::Layout layout :
-      {CM::Layout::least_squares, CM::Layout::spectral, CM::Layout::incremental}) {
+  for(const DCM::Layout layout :
+      {DCM::Layout::least_squares, DCM::Layout::spectral, DCM::Layout::incremental}) {
     Layout_clock clock;
-    const auto map = CM::flatten(mesh, CM::parameters::layout(layout).visitor(std::ref(clock)));
+    const auto map = DCM::flatten(mesh, DCM::parameters::layout(layout).visitor(std::ref(clock)));
     std::printf("%10.3f%10.1e%8zu", double(std::clock() - clock.since) / CLOCKS_PER_SEC,
-                CM::max_cross_ratio_error(map), collapsed(map));
+                DCM::max_cross_ratio_error(map), collapsed(map));
   }
   std::printf("\n");
   std::fflush(stdout);

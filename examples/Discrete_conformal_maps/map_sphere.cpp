@@ -14,7 +14,7 @@
 #include <string>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-namespace DC = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 
 int main(int argc, char** argv)
 {
@@ -24,17 +24,17 @@ int main(int argc, char** argv)
     std::cerr << "cannot read " << file << '\n';
     return 1;
   }
-  const DC::Spherical_conformal_map map = DC::map_to_sphere(mesh);
+  const DCM::Spherical_conformal_map map = DCM::map_to_sphere(mesh);
   if(!map.certificate().is_convex()) {
     std::cerr << map.certificate().concave_edges << " edges are not convex\n";
     return 1;
   }
-  std::cout << "cross ratios are right up to " << DC::max_cross_ratio_error(map) << '\n'
+  std::cout << "cross ratios are right up to " << DCM::max_cross_ratio_error(map) << '\n'
             << map.lost_in_output() << " triangles are too small for double\n";
 
   std::size_t above = 0;
   for(const Mesh::Vertex_index v : mesh.vertices())
-    above += map.position(DC::Vertex_index(v.idx()))[2] > 0;
+    above += map.position(DCM::Vertex_index(v.idx()))[2] > 0;
   std::cout << above << " of " << mesh.number_of_vertices() << " vertices are in the upper half\n";
   return 0;
 }

@@ -12,7 +12,7 @@
 
 #include <iostream>
 
-namespace DC = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 int main(int argc, char* argv[])
@@ -22,13 +22,13 @@ int main(int argc, char* argv[])
                                   mesh))
     return 1;
 
-  const DC::Uniformization result = DC::uniformize(mesh);
-  std::cout << "the surface is of the type " << DC::to_string(result.type) << '\n';
+  const DCM::Uniformization result = DCM::uniformize(mesh);
+  std::cout << "the surface is of the type " << DCM::to_string(result.type) << '\n';
   if(result.flat)
     std::cout << "its modulus is " << result.modulus << '\n';
   if(result.hyperbolic) {
     std::cout << "its area is " << result.hyperbolic->area() << '\n';
-    for(const DC::Disk_motion<>& motion : result.hyperbolic->group(0).generators)
+    for(const DCM::Disk_motion<>& motion : result.hyperbolic->group(0).generators)
       std::cout << "z -> (" << motion.a() << " z + " << motion.b() << ") / ("
                 << std::conj(motion.b()) << " z + " << std::conj(motion.a()) << ")\n";
   }

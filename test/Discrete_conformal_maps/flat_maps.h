@@ -25,10 +25,10 @@
 // Surfaces to flatten, and whether flat surfaces are what they ought to be.
 namespace Test_surfaces {
 
-namespace DC = CGAL::Discrete_conformal_maps;
-using DC::Layer;
-using DC::Planar_conformal_map;
-using DC::Vertex_condition;
+namespace DCM = CGAL::Discrete_conformal_maps;
+using DCM::Layer;
+using DCM::Planar_conformal_map;
+using DCM::Vertex_condition;
 using Conditions = std::vector<Vertex_condition>;
 
 // ---- Surfaces ----
@@ -162,19 +162,19 @@ inline auto as_map(const Conditions& condition)
 
 inline auto length_parameter(const std::vector<double>& length)
 {
-  return DC::parameters::edge_length_map(
+  return DCM::parameters::edge_length_map(
     boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e]; }));
 }
 
 inline Planar_conformal_map flatten(const Delta_complex& mesh, const std::vector<double>& length)
 {
-  return DC::flatten(mesh, length_parameter(length));
+  return DCM::flatten(mesh, length_parameter(length));
 }
 
 inline Planar_conformal_map flatten(const Delta_complex& mesh, const std::vector<double>& length,
                                     const Conditions& condition)
 {
-  return DC::flatten(mesh, length_parameter(length).vertex_condition_map(as_map(condition)));
+  return DCM::flatten(mesh, length_parameter(length).vertex_condition_map(as_map(condition)));
 }
 
 inline Planar_conformal_map flatten(const Triangulation& t, const Conditions& condition)
@@ -186,11 +186,11 @@ inline Planar_conformal_map flatten(const Triangulation& t, const Conditions& co
 
 inline const Delta_complex& mesh_C(const Planar_conformal_map& map)
 {
-  return map.surface(DC::Layer::C).mesh();
+  return map.surface(DCM::Layer::C).mesh();
 }
-inline const Delta_complex& mesh_A(const DC::Discrete_conformal_map& map)
+inline const Delta_complex& mesh_A(const DCM::Discrete_conformal_map& map)
 {
-  return map.surface(DC::Layer::A).mesh();
+  return map.surface(DCM::Layer::A).mesh();
 }
 
 inline std::vector<double> scaled_lengths(const Planar_conformal_map& map)
@@ -285,7 +285,7 @@ inline bool has_no_seam(const Planar_conformal_map& map)
 // ---- The map ----
 
 // the place of a vertex of the subdivision in a face of T^A, a simplicial complex
-inline Location on_face(const DC::Discrete_conformal_map& map, Face_index f, const Location& p)
+inline Location on_face(const DCM::Discrete_conformal_map& map, Face_index f, const Location& p)
 {
   const Delta_complex& mesh = mesh_A(map);
   std::map<Vertex_index, double> weight;

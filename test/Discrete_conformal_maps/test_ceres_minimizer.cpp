@@ -43,9 +43,9 @@ void expect_agreement(Energy energy, const Minimization_domain& domain)
 
 Minimization_domain floating() { return {{}, std::vector<std::size_t>(grid_size, 0)}; }
 
-TEST(Ceres_minimizer, Archetypes) { archetypes::expect_minimum(Ceres_minimizer(1e-6)); }
+TEST(Ceres_minimizer, archetypes) { archetypes::expect_minimum(Ceres_minimizer(1e-6)); }
 
-TEST(Ceres_minimizer, Agrees_with_Newton)
+TEST(Ceres_minimizer, agrees_with_Newton)
 {
   const Vector minimum = random_vector(grid_size, 1, 1);
   expect_agreement(Linked<Quadratic>(grid(side), minimum), floating());
@@ -53,7 +53,7 @@ TEST(Ceres_minimizer, Agrees_with_Newton)
   expect_agreement(Log_sum_exp(triangles(side), minimum), floating());
 }
 
-TEST(Ceres_minimizer, Fixed_variables)
+TEST(Ceres_minimizer, fixed_variables)
 {
   Minimization_domain domain = floating();
   domain.is_fixed.assign(grid_size, 0);
@@ -62,7 +62,7 @@ TEST(Ceres_minimizer, Fixed_variables)
   expect_agreement(Linked<Log_cosh>(grid(side), minimum), domain);
 }
 
-TEST(Ceres_minimizer, Statuses)
+TEST(Ceres_minimizer, statuses)
 {
   const Vector minimum = random_vector(grid_size, 1, 1), start = random_vector(grid_size, 9, 2);
   Linked<Log_cosh> energy(grid(side), minimum);
@@ -82,7 +82,7 @@ struct Interrupting_visitor : Default_minimization_visitor
   void after_iteration(std::size_t, double, double) { throw std::runtime_error("enough"); }
 };
 
-TEST(Ceres_minimizer, Visitor_interrupts)
+TEST(Ceres_minimizer, visitor_interrupts)
 {
   Linked<Log_cosh> energy(grid(side), random_vector(grid_size, 1, 1));
   Vector u = random_vector(grid_size, 2, 2);

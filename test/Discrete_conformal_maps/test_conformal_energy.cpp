@@ -24,7 +24,7 @@
 namespace {
 
 using namespace Test_surfaces;
-namespace DC = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 namespace constants = boost::math::constants;
 using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
                                            boost::multiprecision::et_off>;
@@ -59,7 +59,7 @@ void check_Lobachevsky_function(const FT& theta)
   const Precise t(theta), eps(std::numeric_limits<FT>::epsilon());
   const Precise expected = true_Lobachevsky_function(t);
   const Precise slope = log(2 * sin(t) + eps);
-  const Precise error = abs(Precise(DC::Lobachevsky_function(theta)) - expected);
+  const Precise error = abs(Precise(DCM::Lobachevsky_function(theta)) - expected);
   EXPECT_LE(error, 4 * eps * abs(expected) + eps * t * abs(slope)) << theta;
 }
 
@@ -147,7 +147,7 @@ std::vector<Quad> precise_gradient(const Energy& energy, const Numbers& target)
 struct Flat
 {
   template <typename FT>
-  using Energy = DC::Conformal_energy<FT>;
+  using Energy = DCM::Conformal_energy<FT>;
 
   // between sides a and b
   static double angle(double a, double b, double c)
@@ -162,7 +162,7 @@ struct Flat
 struct Hyperbolic
 {
   template <typename FT>
-  using Energy = DC::Hyperbolic_conformal_energy<FT>;
+  using Energy = DCM::Hyperbolic_conformal_energy<FT>;
 
   static double side(double l) { return 2 * std::asinh(l); }
 
@@ -231,16 +231,16 @@ TEST(Lobachevsky_function, is_precise_in_quadruple_precision)
 TEST(Lobachevsky_function, has_its_special_values)
 {
   const double pi = constants::pi<double>(), ulp = std::numeric_limits<double>::epsilon();
-  EXPECT_EQ(DC::Lobachevsky_function(0.), 0);
-  EXPECT_NEAR(DC::Lobachevsky_function(pi / 2), 0, ulp);
-  EXPECT_NEAR(DC::Lobachevsky_function(pi), 0, ulp * 40); // the slope there is log(2 ulp)
-  EXPECT_NEAR(DC::Lobachevsky_function(pi / 4), constants::catalan<double>() / 2, ulp);
+  EXPECT_EQ(DCM::Lobachevsky_function(0.), 0);
+  EXPECT_NEAR(DCM::Lobachevsky_function(pi / 2), 0, ulp);
+  EXPECT_NEAR(DCM::Lobachevsky_function(pi), 0, ulp * 40); // the slope there is log(2 ulp)
+  EXPECT_NEAR(DCM::Lobachevsky_function(pi / 4), constants::catalan<double>() / 2, ulp);
   // the volume of the regular ideal tetrahedron
-  EXPECT_NEAR(3 * DC::Lobachevsky_function(pi / 3), 1.01494160640965362502, 3 * ulp);
+  EXPECT_NEAR(3 * DCM::Lobachevsky_function(pi / 3), 1.01494160640965362502, 3 * ulp);
   for(double theta = 0.01; theta < pi / 2; theta += 0.01)
-    EXPECT_NEAR(DC::Lobachevsky_function(2 * theta),
-                2 * DC::Lobachevsky_function(theta) + 2 * DC::Lobachevsky_function(theta + pi / 2),
-                8 * ulp)
+    EXPECT_NEAR(
+      DCM::Lobachevsky_function(2 * theta),
+      2 * DCM::Lobachevsky_function(theta) + 2 * DCM::Lobachevsky_function(theta + pi / 2), 8 * ulp)
       << theta;
 }
 
@@ -472,7 +472,7 @@ TEST(Hyperbolic_triangle, angles_are_precise_for_sides_of_any_size)
     for(int i = 0; i < 20; ++i) {
       const std::array<double, 3> l{size * random.get_double(1, 2), size * random.get_double(1, 2),
                                     size * random.get_double(1, 2)};
-      const DC::internal::Hyperbolic_triangle<double> triangle(l);
+      const DCM::internal::Hyperbolic_triangle<double> triangle(l);
       Precise sum = 0;
       for(std::size_t s = 0; s < 3; ++s) {
         const Precise angle = true_angle(l, s);
@@ -496,7 +496,7 @@ TEST(Hyperbolic_triangle, regular_triangles)
   const double pi = constants::pi<double>();
   for(int n = 7; n < 1000; n += 13) {
     const double a = 2 * pi / n, cosh = 1 / (2 * std::sin(a / 2)), l = std::sqrt(cosh * cosh - 1);
-    const DC::internal::Hyperbolic_triangle<double> triangle({l, l, l});
+    const DCM::internal::Hyperbolic_triangle<double> triangle({l, l, l});
     for(std::size_t s = 0; s < 3; ++s) {
       EXPECT_NEAR(triangle.angle(s), a, 1e-14);
       EXPECT_NEAR(triangle.circle_angle(s), (pi - a) / 2, 1e-14);
@@ -510,7 +510,7 @@ TEST(Hyperbolic_triangle, flat_triangles_have_angles)
 {
   for(const double c : {3., 3.0000000001}) {
     const double l = 1e-9;
-    const DC::internal::Hyperbolic_triangle<double> triangle({l, 2 * l, c * l});
+    const DCM::internal::Hyperbolic_triangle<double> triangle({l, 2 * l, c * l});
     EXPECT_NEAR(triangle.angle(0) + triangle.angle(1) + triangle.angle(2), constants::pi<double>(),
                 1e-8);
     EXPECT_TRUE(std::isfinite(triangle.cotangent(0)));

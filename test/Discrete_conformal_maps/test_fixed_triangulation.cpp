@@ -20,8 +20,8 @@
 namespace {
 
 using namespace Test_surfaces;
-using DC::Flipping;
-using DC::Map_status;
+using DCM::Flipping;
+using DCM::Map_status;
 typedef Eigen::VectorXd Numbers;
 typedef CGAL::Discrete_conformal_maps::internal::Flat_triangle<double> Flat_triangle;
 
@@ -30,7 +30,7 @@ typedef CGAL::Discrete_conformal_maps::internal::Flat_triangle<double> Flat_tria
 Planar_conformal_map flatten_fixed(const Triangulation& t, const Conditions& condition)
 {
   const std::vector<double> length = lengths_of(t);
-  return DC::flatten(
+  return DCM::flatten(
     t.mesh(),
     length_parameter(length).vertex_condition_map(as_map(condition)).flipping(Flipping::none));
 }
@@ -54,7 +54,7 @@ Triangulation scaled(const Triangulation& t, const std::vector<double>& u)
 }
 
 // An energy of a fixed triangulation whose lengths are so random that many faces are no triangles.
-DC::Conformal_energy<> wild_energy(const Numbers& target)
+DCM::Conformal_energy<> wild_energy(const Numbers& target)
 {
   const Triangulation t(random_sphere(30, 3));
   return {t.mesh(), t.length_map(), target, Flipping::none};
@@ -128,7 +128,7 @@ TEST(Flat_triangle, derivative_of_an_angle)
 TEST(Fixed_energy, gradient_is_the_derivative_of_the_value)
 {
   const Numbers target = random_numbers(30, 1, 2);
-  DC::Conformal_energy<> energy = wild_energy(target);
+  DCM::Conformal_energy<> energy = wild_energy(target);
   std::size_t flat = 0;
   for(unsigned int seed = 0; seed < 5; ++seed) {
     const Numbers u = random_numbers(30, 2, seed), d = random_numbers(30, 1, seed + 100);
@@ -149,7 +149,7 @@ TEST(Fixed_energy, Hessian_is_the_derivative_of_the_gradient)
 {
   const Numbers target = random_numbers(30, 1, 2), u = random_numbers(30, 2, 7),
                 d = random_numbers(30, 1, 8);
-  DC::Conformal_energy<> energy = wild_energy(target);
+  DCM::Conformal_energy<> energy = wild_energy(target);
   const double step = 1e-6;
   energy.evaluate(u + step * d);
   const std::size_t flat = energy.number_of_flat_faces();
@@ -163,7 +163,7 @@ TEST(Fixed_energy, Hessian_is_the_derivative_of_the_gradient)
 
 TEST(Fixed_energy, is_convex_where_faces_become_flat)
 {
-  DC::Conformal_energy<> energy = wild_energy(random_numbers(30, 1, 2));
+  DCM::Conformal_energy<> energy = wild_energy(random_numbers(30, 1, 2));
   const Numbers d = random_numbers(30, 1, 9);
   std::set<std::size_t> flat;
   double last = -1e300;
@@ -189,7 +189,7 @@ TEST(Fixed_triangulation, takes_scaling_back)
     for(std::size_t v = 0; v < u.size(); ++v)
       EXPECT_NEAR(log_scale(map, v) + u[v], log_scale(map, 0) + u[0], 1e-9) << v;
     check_layout(map);
-    EXPECT_LT(DC::max_cross_ratio_error(map), 1e-9);
+    EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-9);
     EXPECT_EQ(map.number_of_flips(Layer::B) + map.number_of_flips(Layer::C), 0u);
     for(Edge_index e : mesh_A(map).edges())
       EXPECT_EQ(mesh_C(map).vertex(e, 0), mesh_A(map).vertex(e, 0));
@@ -258,7 +258,7 @@ TEST(Fixed_triangulation, fails_where_flips_succeed)
   for(unsigned int seed = 0; seed < 12; ++seed) {
     const Named_mesh m = near_degenerate_mesh(seed);
     SCOPED_TRACE(m.name + " " + std::to_string(seed));
-    const Planar_conformal_map free = DC::flatten(m.mesh);
+    const Planar_conformal_map free = DCM::flatten(m.mesh);
     ASSERT_EQ(free.status(), Map_status::success);
     const Triangulation t(m.mesh);
     Conditions condition = default_conditions(t.mesh());
@@ -303,13 +303,13 @@ TEST(Map_status, every_value_has_a_name_and_a_message)
 {
   std::set<std::string> names, messages;
   for(int i = 0; i <= int(Map_status::not_glued); ++i) {
-    names.insert(DC::to_string(Map_status(i)));
-    messages.insert(DC::message(Map_status(i)));
+    names.insert(DCM::to_string(Map_status(i)));
+    messages.insert(DCM::message(Map_status(i)));
   }
   EXPECT_EQ(
     names, (std::set<std::string>{"success", "not_converged", "triangle_inequality", "no_minimum",
                                   "layout_collapsed", "not_convex", "not_conformal", "not_glued"}));
   EXPECT_EQ(messages.size(), names.size());
   EXPECT_EQ(messages.count("unknown"), 0u);
-  EXPECT_EQ(DC::to_string(Map_status(int(Map_status::not_glued) + 1)), std::string("unknown"));
+  EXPECT_EQ(DCM::to_string(Map_status(int(Map_status::not_glued) + 1)), std::string("unknown"));
 }

@@ -70,7 +70,7 @@ std::vector<double> random_numbers(std::size_t n, double bound, unsigned int see
 Metric scaled(Triangulation t, const std::vector<double>& u)
 {
   IT::make_Delaunay(t);
-  DC::Penner_surface<> surface(t.mesh(), t.length_map());
+  DCM::Penner_surface<> surface(t.mesh(), t.length_map());
   surface.scale(u);
   Metric result{surface.mesh(), {}};
   for(Edge_index e : surface.mesh().edges())
@@ -139,7 +139,7 @@ TEST(Flatten, flat_torus_stays)
     const Flat_surface torus = flat_torus(4, 3, seed);
     const Planar_conformal_map map = flatten(torus.mesh, torus.lengths());
     EXPECT_TRUE(map.cones().empty());
-    EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
+    EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
     expect_scales(map, std::vector<double>(torus.mesh.number_of_vertices(), 0), 1e-12);
   }
 }
@@ -307,7 +307,7 @@ TEST(Flatten, places_cones_where_they_are_needed)
       const Delta_complex& mesh = s.triangulation.mesh();
       const std::vector<double> length = lengths_of(s.triangulation);
       const Planar_conformal_map map =
-        DC::flatten(mesh, length_parameter(length).maximum_log_scale(bound));
+        DCM::flatten(mesh, length_parameter(length).maximum_log_scale(bound));
       Conditions condition(mesh.number_of_vertices());
       for(Vertex_index v : map.cones())
         condition[v] = Vertex_condition::log_scale(0);
@@ -320,7 +320,7 @@ TEST(Flatten, places_cones_where_they_are_needed)
 TEST(Flatten, flattens_every_component)
 {
   const Mesh mesh = five_components();
-  const Planar_conformal_map map = DC::flatten(mesh);
+  const Planar_conformal_map map = DCM::flatten(mesh);
   const Triangulation t(mesh);
   Conditions condition = default_conditions(t.mesh());
   for(Vertex_index v : map.cones())
@@ -447,11 +447,11 @@ TEST(Flatten, refuses_vertices_without_an_angle)
 
 // ---- Parameters ----
 
-struct Recording_visitor : DC::Default_flattening_visitor
+struct Recording_visitor : DCM::Default_flattening_visitor
 {
-  std::vector<DC::Flattening_stage> stages;
+  std::vector<DCM::Flattening_stage> stages;
   std::size_t steps = 0;
-  void start(DC::Flattening_stage stage) { stages.push_back(stage); }
+  void start(DCM::Flattening_stage stage) { stages.push_back(stage); }
   void after_iteration(std::size_t iteration, double norm, double)
   {
     EXPECT_GT(iteration, 0u);
@@ -462,21 +462,21 @@ struct Recording_visitor : DC::Default_flattening_visitor
 
 TEST(Flatten, visitor_sees_all_stages_and_steps)
 {
-  using Stage = DC::Flattening_stage;
+  using Stage = DCM::Flattening_stage;
   Recording_visitor visitor;
   const Planar_conformal_map map =
-    DC::flatten(random_sphere(40, 1), CGAL::parameters::visitor(std::ref(visitor)));
+    DCM::flatten(random_sphere(40, 1), CGAL::parameters::visitor(std::ref(visitor)));
   EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
                                                 Stage::subdivide, Stage::layout}));
   EXPECT_EQ(visitor.steps, map.minimization().iterations);
   EXPECT_GT(visitor.steps, 0u);
 }
 
-struct Stopping_visitor : DC::Default_flattening_visitor
+struct Stopping_visitor : DCM::Default_flattening_visitor
 {
-  DC::Flattening_stage last;
+  DCM::Flattening_stage last;
   bool stops_at_step;
-  void start(DC::Flattening_stage stage)
+  void start(DCM::Flattening_stage stage)
   {
     if(stage == last && !stops_at_step)
       throw std::runtime_error("stopped");
@@ -490,11 +490,11 @@ struct Stopping_visitor : DC::Default_flattening_visitor
 
 TEST(Flatten, exceptions_of_visitors_leave)
 {
-  using Stage = DC::Flattening_stage;
+  using Stage = DCM::Flattening_stage;
   const Mesh mesh = random_sphere(40, 1);
   const auto stop = [&](Stage stage, bool at_step) {
     Stopping_visitor visitor{{}, stage, at_step};
-    EXPECT_THROW(DC::flatten(mesh, CGAL::parameters::visitor(std::ref(visitor))),
+    EXPECT_THROW(DCM::flatten(mesh, CGAL::parameters::visitor(std::ref(visitor))),
                  std::runtime_error);
   };
   for(const Stage stage :
@@ -507,10 +507,11 @@ TEST(Flatten, exceptions_of_visitors_leave)
 struct Gradient_descent
 {
   template <typename Energy, typename Visitor>
-  DC::Minimization_result operator()(Energy& energy, Eigen::VectorXd& x,
-                                     const DC::Minimization_domain& domain, Visitor&& visitor) const
+  DCM::Minimization_result operator()(Energy& energy, Eigen::VectorXd& x,
+                                      const DCM::Minimization_domain& domain,
+                                      Visitor&& visitor) const
   {
-    DC::Minimization_result result;
+    DCM::Minimization_result result;
     for(;;) {
       energy.evaluate(x);
       Eigen::VectorXd gradient = energy.gradient();
@@ -522,7 +523,7 @@ struct Gradient_descent
       x -= 0.1 * gradient;
       visitor.after_iteration(++result.iterations, result.gradient_norm, 0.1);
     }
-    result.status = DC::Minimization_status::converged;
+    result.status = DCM::Minimization_status::converged;
     return result;
   }
 };
@@ -534,22 +535,22 @@ TEST(Flatten, takes_another_minimizer)
   condition[0] = condition[4] = condition[8] = Vertex_condition::log_scale(0.1);
   const std::vector<double> length = lengths_of(t);
   const auto with = [&](const auto& minimizer) {
-    return DC::flatten(
+    return DCM::flatten(
       t.mesh(),
       length_parameter(length).vertex_condition_map(as_map(condition)).minimizer(minimizer));
   };
-  const Planar_conformal_map one = with(Gradient_descent()), two = with(DC::Newton_minimizer());
+  const Planar_conformal_map one = with(Gradient_descent()), two = with(DCM::Newton_minimizer());
   for(std::size_t v = 0; v < 12; ++v)
     EXPECT_NEAR(log_scale(one, v), log_scale(two, v), 1e-10) << v;
   EXPECT_GT(one.minimization().iterations, two.minimization().iterations);
-  EXPECT_EQ(with(DC::Newton_minimizer(1e-13, 1)).minimization().status,
-            DC::Minimization_status::iteration_limit);
+  EXPECT_EQ(with(DCM::Newton_minimizer(1e-13, 1)).minimization().status,
+            DCM::Minimization_status::iteration_limit);
 }
 
 TEST(Flatten, gives_the_same_bits_twice)
 {
   const Mesh mesh = plate_with_holes(2);
-  const Planar_conformal_map one = DC::flatten(mesh), two = DC::flatten(mesh);
+  const Planar_conformal_map one = DCM::flatten(mesh), two = DCM::flatten(mesh);
   for(Vertex_index v : mesh_C(one).vertices())
     EXPECT_EQ(one.log_scale(v), two.log_scale(v));
   for(Halfedge_index h : mesh_C(one).halfedges())
@@ -558,15 +559,15 @@ TEST(Flatten, gives_the_same_bits_twice)
 
 TEST(Flatten, layers_are_surfaces)
 {
-  const Planar_conformal_map map = DC::flatten(plate_with_holes(2));
-  const auto area = [&](DC::Layer layer) { return IT::mass_matrix(map.surface(layer)).sum(); };
-  EXPECT_NEAR(area(DC::Layer::A), area(DC::Layer::B), 1e-12 * area(DC::Layer::A));
-  EXPECT_EQ(&map.surface(DC::Layer::A).mesh(), &map.Delaunay().input_mesh());
-  EXPECT_EQ(&map.surface(DC::Layer::B).mesh(), &map.Delaunay().mesh());
-  EXPECT_EQ(&map.surface(DC::Layer::C).mesh(), &map.ideal().mesh());
+  const Planar_conformal_map map = DCM::flatten(plate_with_holes(2));
+  const auto area = [&](DCM::Layer layer) { return IT::mass_matrix(map.surface(layer)).sum(); };
+  EXPECT_NEAR(area(DCM::Layer::A), area(DCM::Layer::B), 1e-12 * area(DCM::Layer::A));
+  EXPECT_EQ(&map.surface(DCM::Layer::A).mesh(), &map.Delaunay().input_mesh());
+  EXPECT_EQ(&map.surface(DCM::Layer::B).mesh(), &map.Delaunay().mesh());
+  EXPECT_EQ(&map.surface(DCM::Layer::C).mesh(), &map.ideal().mesh());
 }
 
 TEST(Flatten, empty_mesh_gives_an_empty_map)
 {
-  EXPECT_EQ(mesh_C(DC::flatten(Mesh())).number_of_faces(), 0u);
+  EXPECT_EQ(mesh_C(DCM::flatten(Mesh())).number_of_faces(), 0u);
 }

@@ -123,7 +123,7 @@ TEST_P(Flattened_data_mesh, is_flat_and_conformal)
   ASSERT_EQ(mesh.is_empty(), !refusal_of_data_mesh(GetParam()).empty());
   if(mesh.is_empty())
     GTEST_SKIP() << refusal_of_data_mesh(GetParam());
-  const Planar_conformal_map map = DC::flatten(mesh);
+  const Planar_conformal_map map = DCM::flatten(mesh);
   EXPECT_LT(map.max_curvature_error(), 1e-10);
   const Delta_complex input = Triangulation(mesh).mesh();
   check_conditions(map, input, conditions_with_cones(input, map.cones()), 1e-9);
@@ -147,7 +147,7 @@ TEST(Flattened_data_meshes, extended_precision_takes_over)
   const Planar_conformal_map map = flatten(t, condition);
   EXPECT_LT(map.max_curvature_error(), 1e-11);
   EXPECT_LT(map.minimization().gradient_error, 1e-15); // less than double can have
-  EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
+  EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
   // an angle changes by up to 1e11 times the rounding error of the scale factors
   check_conditions(map, t.mesh(), condition, 1e-3);
 }

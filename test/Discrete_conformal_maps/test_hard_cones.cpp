@@ -35,7 +35,7 @@ TEST_P(Hard_cones, are_reached)
     SCOPED_TRACE(seed);
     const Conditions condition = as_curvatures(hard_cones(mesh, seed));
     const Planar_conformal_map map = flatten(t, condition);
-    EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
+    EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
     EXPECT_LT(map.max_curvature_error(), 1e-10);
     EXPECT_LT(map.minimization().gradient_error, 1e-10);
   }
@@ -52,8 +52,8 @@ TEST(Near_degenerate_meshes, are_flattened_or_refused)
     const Named_mesh input = near_degenerate_mesh(seed);
     SCOPED_TRACE(input.name + ' ' + std::to_string(seed));
     try {
-      const Planar_conformal_map map = DC::flatten(input.mesh);
-      EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
+      const Planar_conformal_map map = DCM::flatten(input.mesh);
+      EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
       EXPECT_LT(map.max_curvature_error(), 1e-10);
     } catch(const IT::Numerical_error&) {
       ++refused;

@@ -42,8 +42,8 @@ double hyperbolic_area(const std::vector<Complex>& corner)
 TEST(Hyperbolic_tiling, has_the_area_of_the_surface)
 {
   for(const int genus : {2, 3}) {
-    const auto map = DC::uniformize_hyperbolic(plate_with_holes(genus));
-    const DC::Hyperbolic_tiling tiling(map, 0);
+    const auto map = DCM::uniformize_hyperbolic(plate_with_holes(genus));
+    const DCM::Hyperbolic_tiling tiling(map, 0);
     EXPECT_NEAR(hyperbolic_area(tiling.corners()), 4 * pi * (genus - 1), 1e-8);
     EXPECT_GE(tiling.side_motions().size(), std::size_t(4 * genus));
   }
@@ -53,8 +53,8 @@ TEST(Hyperbolic_tiling, has_the_area_of_the_surface)
 // of the domain: the ends of the side at least.
 TEST(Hyperbolic_tiling, images_lie_across_sides)
 {
-  const auto map = DC::uniformize_hyperbolic(plate_with_holes(2));
-  const DC::Hyperbolic_tiling tiling(map, 0);
+  const auto map = DCM::uniformize_hyperbolic(plate_with_holes(2));
+  const DCM::Hyperbolic_tiling tiling(map, 0);
   const auto& motions = tiling.side_motions();
   const auto& corners = tiling.corners();
   const auto is_near = [](const Complex& z, const Complex& w) { return std::abs(z - w) < 1e-7; };
@@ -83,7 +83,7 @@ TEST(Geodesic_center, is_that_of_an_orthogonal_circle)
   for(int i = 0; i < 100; ++i) {
     const Complex z = std::polar(0.9 * random.get_double(), 7 * random.get_double()),
                   w = std::polar(0.9 * random.get_double(), 7 * random.get_double());
-    const Complex c = DC::geodesic_center(z, w);
+    const Complex c = DCM::geodesic_center(z, w);
     EXPECT_NEAR(std::norm(z - c) / (std::norm(c) - 1), 1, 1e-6);
     EXPECT_NEAR(std::norm(w - c) / (std::norm(c) - 1), 1, 1e-6);
   }

@@ -57,15 +57,15 @@ std::vector<Named_map> maps()
   std::vector<Named_map> result;
   for(const auto& list : {meshes(), disks(), closed_meshes()})
     for(const Named_mesh& m : list)
-      result.push_back({m.name, m.mesh, DC::flatten(m.mesh)});
-  result.push_back({"five components", five_components(), DC::flatten(five_components())});
+      result.push_back({m.name, m.mesh, DCM::flatten(m.mesh)});
+  result.push_back({"five components", five_components(), DCM::flatten(five_components())});
   return result;
 }
 
 Planar_conformal_map flat_disk(const Mesh& mesh) // without cones
 {
-  return DC::flatten(mesh,
-                     DC::parameters::maximum_log_scale(std::numeric_limits<double>::infinity()));
+  return DCM::flatten(mesh,
+                      DCM::parameters::maximum_log_scale(std::numeric_limits<double>::infinity()));
 }
 
 // ---- Seams ----
@@ -261,7 +261,7 @@ TEST(Layout, seams_cut_a_closed_surface_to_a_disk)
     for(const double bound : {0.5, 5.}) {
       SCOPED_TRACE(m.name + ' ' + std::to_string(bound));
       const Planar_conformal_map map =
-        DC::flatten(m.mesh, DC::parameters::maximum_log_scale(bound));
+        DCM::flatten(m.mesh, DCM::parameters::maximum_log_scale(bound));
       const Seams seams(map);
       EXPECT_EQ(seams.vertices - seams.edges, Euler_characteristic(mesh_C(map)) - 1);
       EXPECT_EQ(seams.pieces, 1);
@@ -452,10 +452,10 @@ TEST(Planar_conformal_map, takes_other_graphs)
                                                      : Vertex_condition::curvature(0.01);
     });
   };
-  const Planar_conformal_map one = DC::flatten(
-                               mesh, DC::parameters::vertex_condition_map(condition(mesh))),
-                             two = DC::flatten(polyhedron, DC::parameters::vertex_condition_map(
-                                                             condition(polyhedron)));
+  const Planar_conformal_map one = DCM::flatten(
+                               mesh, DCM::parameters::vertex_condition_map(condition(mesh))),
+                             two = DCM::flatten(polyhedron, DCM::parameters::vertex_condition_map(
+                                                              condition(polyhedron)));
   auto v = mesh.vertices().begin();
   std::size_t number = 0;
   for(const auto w : vertices(polyhedron)) {

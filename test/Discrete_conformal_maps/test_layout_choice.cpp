@@ -20,7 +20,7 @@
 namespace {
 
 using namespace Test_surfaces;
-using DC::Layout;
+using DCM::Layout;
 
 constexpr Layout layouts[] = {Layout::least_squares, Layout::spectral, Layout::incremental};
 
@@ -41,10 +41,10 @@ struct Problem
 
   Planar_conformal_map map(Layout layout) const
   {
-    return DC::flatten(mesh, length_parameter(length)
-                               .vertex_condition_map(as_map(condition))
-                               .maximum_log_scale(bound)
-                               .layout(layout));
+    return DCM::flatten(mesh, length_parameter(length)
+                                .vertex_condition_map(as_map(condition))
+                                .maximum_log_scale(bound)
+                                .layout(layout));
   }
 };
 
@@ -188,11 +188,11 @@ void check_seams(const Planar_conformal_map& one, const Planar_conformal_map& tw
 void check_layouts_agree(const Problem& problem)
 {
   const Planar_conformal_map reference = problem.map(Layout::least_squares);
-  ASSERT_EQ(reference.status(), DC::Map_status::success);
+  ASSERT_EQ(reference.status(), DCM::Map_status::success);
   for(const Layout layout : layouts) {
     SCOPED_TRACE(problem.name + ", layout " + std::to_string(int(layout)));
     const Planar_conformal_map map = problem.map(layout);
-    EXPECT_EQ(map.status(), DC::Map_status::success);
+    EXPECT_EQ(map.status(), DCM::Map_status::success);
     check_layout(map);
     check_seams(reference, map, 1e-9);
     for(const auto& chart : charts(map))
@@ -310,11 +310,11 @@ TEST(Layout_choice, large_ranges_of_scale)
     for(const Layout layout : layouts) {
       SCOPED_TRACE(problem.name + ", layout " + std::to_string(int(layout)));
       const Planar_conformal_map map = problem.map(layout);
-      EXPECT_EQ(map.status(), DC::Map_status::success);
+      EXPECT_EQ(map.status(), DCM::Map_status::success);
       const double range = log_scale(map, 0) - log_scale(map, std::size_t(4 * rings));
       EXPECT_GT(range, rings);
       // a dozen roundings on each of the ways through 4 faces per ring
-      EXPECT_LT(DC::max_cross_ratio_error(map),
+      EXPECT_LT(DCM::max_cross_ratio_error(map),
                 48 * rings * std::exp(range) * std::numeric_limits<double>::epsilon());
     }
   }
@@ -325,17 +325,17 @@ TEST(Layout_choice, faces_smaller_than_rounding_are_reported)
   for(const Layout layout : layouts) {
     const Planar_conformal_map map = tube(60).map(layout);
     EXPECT_GT(log_scale(map, 0) - log_scale(map, 240), std::log(1e20));
-    EXPECT_EQ(map.status(), DC::Map_status::layout_collapsed);
+    EXPECT_EQ(map.status(), DCM::Map_status::layout_collapsed);
   }
 }
 
 TEST(Layout_choice, spectral_layout_is_an_eigenvector)
 {
   const Dome dome;
-  DC::internal::Spectral_layout<double> layout;
+  DCM::internal::Spectral_layout<double> layout;
   for(const auto& f : dome.faces) {
     const std::array<Complex, 3> z = Dome::flat(f);
-    std::array<DC::internal::Plane_vector<double>, 3> sides;
+    std::array<DCM::internal::Plane_vector<double>, 3> sides;
     for(std::size_t s = 0; s < 3; ++s) {
       const Complex side = z[(s + 1) % 3] - z[s];
       sides[s] = {side.real(), side.imag()};
@@ -344,7 +344,7 @@ TEST(Layout_choice, spectral_layout_is_an_eigenvector)
   }
   for(const auto& [i, j] : dome.boundary)
     layout.add_boundary_edge(i, j, Dome::distance(i, j));
-  std::vector<DC::internal::Plane_vector<double>> z;
+  std::vector<DCM::internal::Plane_vector<double>> z;
   for(std::size_t i = 0; i < Dome::size; ++i)
     z.push_back({Dome::place(i).x(), Dome::place(i).y()});
   layout.improve(z);

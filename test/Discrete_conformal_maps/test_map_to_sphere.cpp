@@ -24,9 +24,9 @@
 namespace {
 
 using namespace Test_surfaces;
-namespace DC = CGAL::Discrete_conformal_maps;
-using DC::Layer;
-using DC::Spherical_conformal_map;
+namespace DCM = CGAL::Discrete_conformal_maps;
+using DCM::Layer;
+using DCM::Spherical_conformal_map;
 using Extended = Spherical_conformal_map::Extended;
 typedef std::array<double, 3> Position;
 
@@ -61,11 +61,11 @@ double cross_ratio(const std::array<unsigned, 4>& v, const Distance& distance)
 void check_map(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.ideal().mesh();
-  EXPECT_EQ(map.status(), DC::Map_status::success);
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
   EXPECT_TRUE(map.certificate().is_convex());
   EXPECT_EQ(map.bound_violations(), 0u);
-  EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
-  EXPECT_LT(DC::max_cross_ratio_error(map), 1e-9);
+  EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
+  EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-9);
   EXPECT_LE(map.max_inscribed_error(), 4e-16);
   for(Edge_index e : mesh.edges()) {
     const Vertex_index v = mesh.vertex(e, 0), w = mesh.vertex(e, 1);
@@ -157,13 +157,13 @@ Mesh without_a_face(const Mesh& mesh) { return punctured(mesh, {0}); }
 
 // Vertices on the sphere, in convex position, are their own image, whatever is done to the
 // intrinsic geometry by scaling and flips.
-TEST(map_to_sphere, brings_inscribed_polyhedra_back)
+TEST(Map_to_sphere, brings_inscribed_polyhedra_back)
 {
   for(unsigned int seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
     const Mesh polyhedron = random_sphere(4 + 12 * seed, seed);
     const Triangulation t(polyhedron);
-    DC::Penner_surface<double> surface(t.mesh(), t.length_map());
+    DCM::Penner_surface<double> surface(t.mesh(), t.length_map());
     CGAL::Random random(seed + 100);
     std::vector<double> u;
     for(std::size_t v = 0; v < polyhedron.number_of_vertices(); ++v)
@@ -174,7 +174,7 @@ TEST(map_to_sphere, brings_inscribed_polyhedra_back)
       [&](Edge_index e) { return surface.scaled_length(e); });
     const Triangulation input(surface.mesh(), IT::parameters::edge_length_map(length));
     const Spherical_conformal_map map =
-      DC::map_to_sphere(surface.mesh(), IT::parameters::edge_length_map(length));
+      DCM::map_to_sphere(surface.mesh(), IT::parameters::edge_length_map(length));
     check_map(map);
     EXPECT_TRUE(is_hull(map));
     EXPECT_LT(distance_from_center(map), 1e-12);
@@ -196,10 +196,10 @@ TEST(map_to_sphere, brings_inscribed_polyhedra_back)
   }
 }
 
-TEST(map_to_sphere, platonic_solids_stay)
+TEST(Map_to_sphere, platonic_solids_stay)
 {
   for(const Mesh& m : {tetrahedron(), octahedron(), cube()}) {
-    const Spherical_conformal_map map = DC::map_to_sphere(m);
+    const Spherical_conformal_map map = DCM::map_to_sphere(m);
     check_map(map);
     EXPECT_LT(distance_from_center(map), 1e-13);
     // equal masses, so it is centered already; only the scale is not one
@@ -216,11 +216,11 @@ TEST(map_to_sphere, platonic_solids_stay)
   }
 }
 
-TEST(map_to_sphere, rough_surfaces)
+TEST(Map_to_sphere, rough_surfaces)
 {
   for(const Mesh& m : {perturbed(random_sphere(200, 1), 0.2, 2), perturbed(bipyramid(7, 0), 0.2, 2),
                        bipyramid(30, 0.5), bipyramid(20, 20), tube(8, 30, 0.4)}) {
-    const Spherical_conformal_map map = DC::map_to_sphere(m);
+    const Spherical_conformal_map map = DCM::map_to_sphere(m);
     check_map(map);
     EXPECT_LT(distance_from_center(map), 1e-12);
     EXPECT_EQ(map.lost_in_output() == 0, is_hull(map));
@@ -228,17 +228,17 @@ TEST(map_to_sphere, rough_surfaces)
 }
 
 // The image is unique: the distances of vertices do not depend on the one at infinity.
-TEST(map_to_sphere, does_not_depend_on_the_vertex_at_infinity)
+TEST(Map_to_sphere, does_not_depend_on_the_vertex_at_infinity)
 {
   const Mesh m = perturbed(random_sphere(60, 3), 0.2, 4);
   const Triangulation input(m);
-  DC::internal::Doubled_problem problem(input, std::vector<DC::Vertex_condition>(60),
-                                        DC::Flipping::to_Delaunay);
+  DCM::internal::Doubled_problem problem(input, std::vector<DCM::Vertex_condition>(60),
+                                         DCM::Flipping::to_Delaunay);
   const std::vector<double> mass(60, 1.);
-  DC::Default_flattening_visitor visitor;
+  DCM::Default_flattening_visitor visitor;
   std::vector<std::vector<double>> distances;
   for(unsigned at_infinity : {0u, 17u, 44u}) {
-    const DC::internal::Unfolded_sphere sphere(problem, mass, Vertex_index(at_infinity), visitor);
+    const DCM::internal::Unfolded_sphere sphere(problem, mass, Vertex_index(at_infinity), visitor);
     EXPECT_TRUE(sphere.is_good());
     std::vector<Position> p;
     for(unsigned v = 0; v < 60; ++v) {
@@ -259,9 +259,9 @@ TEST(map_to_sphere, does_not_depend_on_the_vertex_at_infinity)
 }
 
 // Rings shrink by exp(-0.8 / 1) each: fifty of them, from the middle, by a factor of 1e17 and more.
-TEST(map_to_sphere, long_limbs_need_more_digits)
+TEST(Map_to_sphere, long_limbs_need_more_digits)
 {
-  const Spherical_conformal_map map = DC::map_to_sphere(perturbed(tube(10, 101, 0.8), 0.1, 1));
+  const Spherical_conformal_map map = DCM::map_to_sphere(perturbed(tube(10, 101, 0.8), 0.1, 1));
   check_map(map);
   EXPECT_TRUE(map.is_extended());
   EXPECT_GT(map.lost_in_output(), 0u);
@@ -273,12 +273,12 @@ TEST(map_to_sphere, long_limbs_need_more_digits)
   EXPECT_GT(greatest - least, std::log(1e12));
 }
 
-TEST(map_to_sphere, disks_become_hemispheres)
+TEST(Map_to_sphere, disks_become_hemispheres)
 {
   for(const Mesh& m : {without_a_face(random_sphere(60, 5)), without_a_face(bipyramid(9, 1)),
                        grid(7, 5, [](double x, double y) { return Point(x, y, x * y / 9); }),
                        planar_mesh(random_points(40, 1000, 5)), without_a_face(tube(8, 12, 0.4))}) {
-    const Spherical_conformal_map map = DC::map_to_sphere(m);
+    const Spherical_conformal_map map = DCM::map_to_sphere(m);
     EXPECT_TRUE(map.is_disk());
     check_map(map);
     EXPECT_LT(distance_from_center(map), 1e-12);
@@ -303,22 +303,22 @@ TEST(map_to_sphere, disks_become_hemispheres)
 }
 
 // All vertices are on the boundary: the polyhedron is a polygon, seen from both sides.
-TEST(map_to_sphere, flat_polygons)
+TEST(Map_to_sphere, flat_polygons)
 {
   const Mesh triangle = make_mesh({Point(0, 0, 0), Point(3, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}});
-  const Spherical_conformal_map map = DC::map_to_sphere(triangle);
+  const Spherical_conformal_map map = DCM::map_to_sphere(triangle);
   check_map(map);
   for(unsigned v = 0; v < 3; ++v)
     EXPECT_NEAR(distance(map.position(Vertex_index(v)), map.position(Vertex_index((v + 1) % 3))),
                 std::sqrt(3.), 1e-14);
   check_map(
-    DC::map_to_sphere(grid(2, 5, [](double x, double y) { return Point(x, y + x * x, 0); })));
+    DCM::map_to_sphere(grid(2, 5, [](double x, double y) { return Point(x, y + x * x, 0); })));
 }
 
-TEST(map_to_sphere, is_continuous_on_the_subdivision)
+TEST(Map_to_sphere, is_continuous_on_the_subdivision)
 {
   const Mesh m = perturbed(random_sphere(60, 8), 0.25, 9);
-  const Spherical_conformal_map map = DC::map_to_sphere(m);
+  const Spherical_conformal_map map = DCM::map_to_sphere(m);
   const auto& subdivision = map.subdivision();
   std::vector<Position> image(subdivision.mesh().number_of_vertices(), Position{0, 0, 0});
   std::vector<char> is_set(image.size(), 0);
@@ -349,17 +349,17 @@ TEST(map_to_sphere, is_continuous_on_the_subdivision)
   }
 }
 
-TEST(map_to_sphere, other_surfaces_are_refused)
+TEST(Map_to_sphere, other_surfaces_are_refused)
 {
-  EXPECT_THROW(DC::map_to_sphere(embedded_torus(5, 4)), IT::Invalid_input);
-  EXPECT_THROW(DC::map_to_sphere(punctured(random_sphere(40, 6), {0, 20})), IT::Invalid_input);
+  EXPECT_THROW(DCM::map_to_sphere(embedded_torus(5, 4)), IT::Invalid_input);
+  EXPECT_THROW(DCM::map_to_sphere(punctured(random_sphere(40, 6), {0, 20})), IT::Invalid_input);
   Mesh two = tetrahedron();
   two += octahedron();
-  EXPECT_THROW(DC::map_to_sphere(two), IT::Invalid_input);
+  EXPECT_THROW(DCM::map_to_sphere(two), IT::Invalid_input);
 }
 
 // Vertices without faces come between the others, and change nothing but numbers.
-TEST(map_to_sphere, isolated_vertices_are_carried_along)
+TEST(Map_to_sphere, isolated_vertices_are_carried_along)
 {
   for(const Mesh& m : {perturbed(random_sphere(50, 8), 0.25, 9),
                        without_a_face(random_sphere(50, 5)), octahedron()}) {
@@ -377,8 +377,8 @@ TEST(map_to_sphere, isolated_vertices_are_carried_along)
       triangles.push_back({number[m.source(h)], number[m.target(h)], number[m.target(m.next(h))]});
     }
     const Mesh with_more = make_mesh(points, triangles);
-    const Spherical_conformal_map map = DC::map_to_sphere(with_more),
-                                  expected = DC::map_to_sphere(m);
+    const Spherical_conformal_map map = DCM::map_to_sphere(with_more),
+                                  expected = DCM::map_to_sphere(m);
     check_map(map);
     EXPECT_LT(distance_from_center(map), 1e-12);
     EXPECT_EQ(map.is_disk(), expected.is_disk());
@@ -397,10 +397,10 @@ TEST(map_to_sphere, isolated_vertices_are_carried_along)
   }
 }
 
-TEST(map_to_sphere, same_input_gives_same_bits)
+TEST(Map_to_sphere, same_input_gives_same_bits)
 {
   const Mesh m = perturbed(random_sphere(60, 8), 0.25, 9);
-  const Spherical_conformal_map one = DC::map_to_sphere(m), other = DC::map_to_sphere(m);
+  const Spherical_conformal_map one = DCM::map_to_sphere(m), other = DCM::map_to_sphere(m);
   for(Vertex_index v : one.ideal().mesh().vertices()) {
     EXPECT_EQ(one.position(v), other.position(v));
     EXPECT_EQ(one.log_scale(v), other.log_scale(v));
@@ -422,7 +422,7 @@ TEST(Conformal_barycenter, is_in_balance)
                           Extended(scale * random.get_double(-1, 1))});
       mass.push_back(i < 30 ? 0.01 : random.get_double(1, 2));
     }
-    const DC::internal::Conformal_barycenter<Extended> center(position, mass, 7);
+    const DCM::internal::Conformal_barycenter<Extended> center(position, mass, 7);
     Position sum{0, 0, -mass[7]};
     double total = mass[7];
     for(std::size_t i = 0; i < 60; ++i) {
@@ -441,8 +441,8 @@ TEST(Conformal_barycenter, is_in_balance)
 TEST(Plane_predicates, are_exact)
 {
   typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
-  const DC::internal::Plane_predicates<double> predicates;
-  const DC::internal::Plane_predicates<Extended> extended;
+  const DCM::internal::Plane_predicates<double> predicates;
+  const DCM::internal::Plane_predicates<Extended> extended;
   CGAL::Random random(1);
   for(int i = 0; i < 20000; ++i) {
     // a grid of few points a few roundings wide: most are degenerate

@@ -71,7 +71,7 @@ Minimization_result expect_minimum(Energy energy, Vector u, bool floats)
   return result;
 }
 
-TEST(Newton_minimizer, Quadratic_function_in_one_step)
+TEST(Newton_minimizer, quadratic_function_in_one_step)
 {
   const Vector minimum = random_vector(grid_size, 1, 1), start = random_vector(grid_size, 1, 2);
   const auto result = expect_minimum(Linked<Quadratic>(grid(side), minimum), start, true);
@@ -83,7 +83,7 @@ TEST(Newton_minimizer, Quadratic_function_in_one_step)
             1u);
 }
 
-TEST(Newton_minimizer, Starts_at_minimum)
+TEST(Newton_minimizer, starts_at_minimum)
 {
   const Vector minimum = random_vector(grid_size, 1, 1);
   const auto result = expect_minimum(Linked<Log_cosh>(grid(side), minimum), minimum, true);
@@ -94,7 +94,7 @@ TEST(Newton_minimizer, Starts_at_minimum)
 class Start : public testing::TestWithParam<double>
 {};
 
-TEST_P(Start, Separable_function)
+TEST_P(Start, separable_function)
 {
   const Vector minimum = random_vector(50, 1, 1), start = random_vector(50, GetParam(), 2);
   expect_minimum(Linked<Log_cosh>(singles(50), minimum), start, false);
@@ -102,7 +102,7 @@ TEST_P(Start, Separable_function)
   expect_minimum(Linked<Cubic_ramp>(singles(50), minimum.array() + 1.5), start, false);
 }
 
-TEST_P(Start, Coupled_function)
+TEST_P(Start, coupled_function)
 {
   const Vector minimum = random_vector(grid_size, 1, 1);
   const Vector start = random_vector(grid_size, GetParam(), 2);
@@ -112,7 +112,7 @@ TEST_P(Start, Coupled_function)
 }
 
 // Curvatures are 1e-6 of those nearby: the minimum lies where the function is almost linear.
-TEST_P(Start, Far_minimum)
+TEST_P(Start, far_minimum)
 {
   const Vector minimum = random_vector(grid_size, 7, 1);
   expect_minimum(Log_sum_exp(triangles(side), minimum), random_vector(grid_size, GetParam(), 2),
@@ -122,7 +122,7 @@ TEST_P(Start, Far_minimum)
 INSTANTIATE_TEST_SUITE_P(Near_and_far, Start, testing::Values(0., 1., 30., 1000.));
 
 // The more of the function is linear at the start, the fewer links are in the Hessian.
-TEST(Newton_minimizer, Pattern_changes)
+TEST(Newton_minimizer, pattern_changes)
 {
   const Vector minimum = random_vector(grid_size, 1, 1);
   const auto result =
@@ -131,7 +131,7 @@ TEST(Newton_minimizer, Pattern_changes)
   EXPECT_GT(result.orderings, 1u);
 }
 
-TEST(Newton_minimizer, Pattern_stays)
+TEST(Newton_minimizer, pattern_stays)
 {
   const Vector minimum = random_vector(grid_size, 1, 1);
   const auto result =
@@ -142,7 +142,7 @@ TEST(Newton_minimizer, Pattern_stays)
 }
 
 // Between fixed ends a chain of equal springs is stretched evenly.
-TEST(Newton_minimizer, Fixed_variables)
+TEST(Newton_minimizer, fixed_variables)
 {
   std::vector<Link> chain;
   for(Eigen::Index i = 0; i < 10; ++i)
@@ -163,7 +163,7 @@ TEST(Newton_minimizer, Fixed_variables)
                 1e-12); // the curvature is 0.79: 50 times 1e-13 is more than needed
 }
 
-TEST(Newton_minimizer, All_variables_fixed)
+TEST(Newton_minimizer, all_variables_fixed)
 {
   Linked<Log_cosh> energy(grid(3), Vector::Zero(9));
   Vector u = random_vector(9, 1, 1);
@@ -173,7 +173,7 @@ TEST(Newton_minimizer, All_variables_fixed)
   EXPECT_EQ(u, before);
 }
 
-TEST(Newton_minimizer, No_variables)
+TEST(Newton_minimizer, no_variables)
 {
   Linked<Log_cosh> energy({}, Vector());
   Vector u;
@@ -181,7 +181,7 @@ TEST(Newton_minimizer, No_variables)
 }
 
 // Two grids and a lonely variable; one grid has a fixed variable.
-TEST(Newton_minimizer, Components)
+TEST(Newton_minimizer, components)
 {
   std::vector<Link> links = grid(4);
   for(Link link : grid(4))
@@ -209,7 +209,7 @@ TEST(Newton_minimizer, Components)
 }
 
 // Curvatures from 1e-12 to 1e12 with gradients of order one, minima at the size of each.
-TEST(Newton_minimizer, Badly_scaled_variables)
+TEST(Newton_minimizer, badly_scaled_variables)
 {
   std::vector<Link> links = singles(25);
   Vector minimum = random_vector(25, 1, 1);
@@ -230,7 +230,7 @@ TEST(Newton_minimizer, Badly_scaled_variables)
 
 // Curvatures from 1e-12 to 1e12 that are coupled. Positions are rounded by more than the gradient
 // allows.
-TEST(Newton_minimizer, Badly_scaled_links)
+TEST(Newton_minimizer, badly_scaled_links)
 {
   for(unsigned seed = 1; seed <= 10; ++seed) {
     const Vector minimum = random_vector(grid_size, 1, seed);
@@ -248,7 +248,7 @@ TEST(Newton_minimizer, Badly_scaled_links)
 }
 
 // Linear functions of many slopes with sharp bends between them.
-TEST(Newton_minimizer, Sharp_bends_far_from_start)
+TEST(Newton_minimizer, sharp_bends_far_from_start)
 {
   for(unsigned seed = 1; seed <= 10; ++seed) {
     std::vector<Link> links = grid(side, 3, seed);
@@ -294,7 +294,7 @@ Minimization_result minimize(One_variable energy, double& x)
 }
 
 // The slope is steep and its zero lies between two neighbouring numbers.
-TEST(Newton_minimizer, Rounding_limit)
+TEST(Newton_minimizer, rounding_limit)
 {
   double x = 1;
   const auto result = minimize({[](double y) { return std::tanh(1e12 * (y - 1 / 3.)) + 0.3; },
@@ -308,7 +308,7 @@ TEST(Newton_minimizer, Rounding_limit)
   EXPECT_LT(result.gradient_error, 1e-4); // 1e12 times the distance of numbers at 1/3
 }
 
-TEST(Newton_minimizer, Linear_function_has_no_minimum)
+TEST(Newton_minimizer, linear_function_has_no_minimum)
 {
   double x = 1;
   const auto result = minimize({[](double) { return 1.; }, [](double) { return 0.; }}, x);
@@ -317,7 +317,7 @@ TEST(Newton_minimizer, Linear_function_has_no_minimum)
   EXPECT_LT(x, 1);
 }
 
-TEST(Newton_minimizer, Component_that_is_not_balanced)
+TEST(Newton_minimizer, component_that_is_not_balanced)
 {
   One_variable energy{[](double) { return 1e-3; }, [](double) { return 0.; }};
   Vector u = Vector::Constant(1, 7);
@@ -325,7 +325,7 @@ TEST(Newton_minimizer, Component_that_is_not_balanced)
   EXPECT_EQ(u[0], 7);
 }
 
-TEST(Newton_minimizer, Not_a_number_at_start)
+TEST(Newton_minimizer, not_a_number_at_start)
 {
   double x = 1;
   EXPECT_EQ(minimize({[](double) { return nan; }, [](double) { return 1.; }}, x).status,
@@ -336,7 +336,7 @@ TEST(Newton_minimizer, Not_a_number_at_start)
   EXPECT_EQ(x, 1);
 }
 
-TEST(Newton_minimizer, Not_a_number_elsewhere)
+TEST(Newton_minimizer, not_a_number_elsewhere)
 {
   double x = 1;
   EXPECT_EQ(
@@ -346,7 +346,7 @@ TEST(Newton_minimizer, Not_a_number_elsewhere)
 }
 
 // -log(1 - x^2) + x, which is not defined beyond 1.
-TEST(Newton_minimizer, Barrier)
+TEST(Newton_minimizer, barrier)
 {
   for(double start : {-0.9999999, 0., 0.5, 0.9999999}) {
     double x = start;
@@ -359,7 +359,7 @@ TEST(Newton_minimizer, Barrier)
   }
 }
 
-TEST(Newton_minimizer, Concave_function)
+TEST(Newton_minimizer, concave_function)
 {
   double x = 1;
   EXPECT_EQ(minimize({[](double y) { return -y; }, [](double) { return -1.; }}, x).status,
@@ -368,7 +368,7 @@ TEST(Newton_minimizer, Concave_function)
 }
 
 // The slope changes its sign at once, and the second derivative knows nothing of it.
-TEST(Newton_minimizer, Derivatives_that_disagree)
+TEST(Newton_minimizer, derivatives_that_disagree)
 {
   double x = 0;
   const auto result =
@@ -378,7 +378,7 @@ TEST(Newton_minimizer, Derivatives_that_disagree)
   EXPECT_EQ(x, 0);
 }
 
-TEST(Newton_minimizer, Iteration_limit)
+TEST(Newton_minimizer, iteration_limit)
 {
   const Vector minimum = random_vector(grid_size, 1, 1);
   Linked<Log_cosh> energy(grid(side), minimum);
@@ -388,7 +388,7 @@ TEST(Newton_minimizer, Iteration_limit)
   EXPECT_EQ(result.iterations, 3u);
 }
 
-TEST(Newton_minimizer, Tolerance)
+TEST(Newton_minimizer, tolerance)
 {
   const Vector minimum = random_vector(grid_size, 1, 1);
   Linked<Log_cosh> energy(grid(side), minimum);
@@ -408,7 +408,7 @@ struct Interrupting_visitor : Default_minimization_visitor
   }
 };
 
-TEST(Newton_minimizer, Visitor_interrupts)
+TEST(Newton_minimizer, visitor_interrupts)
 {
   Linked<Log_cosh> energy(grid(side), random_vector(grid_size, 1, 1));
   Vector u = random_vector(grid_size, 2, 2);
@@ -431,7 +431,7 @@ struct Recording_visitor
   std::vector<double> gradient_norms;
 };
 
-TEST(Newton_minimizer, Same_bits_again)
+TEST(Newton_minimizer, same_bits_again)
 {
   Recording_visitor records[2];
   Vector points[2];
@@ -444,7 +444,7 @@ TEST(Newton_minimizer, Same_bits_again)
   EXPECT_EQ(points[0], points[1]);
 }
 
-TEST(Minimization_status, Names)
+TEST(Minimization_status, names)
 {
   EXPECT_EQ(to_string(Status::converged), std::string("converged"));
   EXPECT_EQ(to_string(Status::rounding_limit), std::string("rounding_limit"));

@@ -12,12 +12,12 @@
 namespace {
 
 using namespace Test_surfaces;
-namespace np = DC::parameters;
+namespace np = DCM::parameters;
 
-struct Stage_recorder : DC::Default_flattening_visitor
+struct Stage_recorder : DCM::Default_flattening_visitor
 {
-  std::vector<DC::Flattening_stage> stages;
-  void start(DC::Flattening_stage stage) { stages.push_back(stage); }
+  std::vector<DCM::Flattening_stage> stages;
+  void start(DCM::Flattening_stage stage) { stages.push_back(stage); }
 };
 
 TEST(Named_parameters, of_all_packages_chain_in_any_order)
@@ -30,14 +30,14 @@ TEST(Named_parameters, of_all_packages_chain_in_any_order)
   const auto lengths =
     boost::make_function_property_map<Edge_index>([&](Edge_index e) { return 3 * length[e]; });
   Stage_recorder one, other;
-  const Planar_conformal_map first = DC::flatten(t.mesh(), np::visitor(std::ref(one))
-                                                             .vertex_condition_map(map)
-                                                             .edge_length_map(lengths)),
-                             second = DC::flatten(t.mesh(), np::edge_length_map(lengths)
-                                                              .maximum_log_scale(1)
+  const Planar_conformal_map first = DCM::flatten(t.mesh(), np::visitor(std::ref(one))
                                                               .vertex_condition_map(map)
-                                                              .visitor(std::ref(other))
-                                                              .maximum_log_scale(100));
+                                                              .edge_length_map(lengths)),
+                             second = DCM::flatten(t.mesh(), np::edge_length_map(lengths)
+                                                               .maximum_log_scale(1)
+                                                               .vertex_condition_map(map)
+                                                               .visitor(std::ref(other))
+                                                               .maximum_log_scale(100));
   EXPECT_EQ(one.stages, other.stages);
   EXPECT_FALSE(one.stages.empty());
   for(Vertex_index v : t.mesh().vertices())

@@ -27,7 +27,7 @@ namespace {
 
 using namespace Test_surfaces;
 namespace SMP = CGAL::Surface_mesh_parameterization;
-using DC::Flipping;
+using DCM::Flipping;
 using Complex = std::complex<double>;
 typedef Kernel::Point_2 Point_2;
 typedef CGAL::Seam_mesh<Mesh, Mesh::Property_map<Edge_index, bool>,
@@ -84,7 +84,7 @@ Parameterization<Graph> parameterize(Graph& g, Flipping flipping = Flipping::to_
 {
   Parameterization<Graph> result;
   boost::associative_property_map<decltype(result.uv)> map(result.uv);
-  DC::Discrete_conformal_parameterizer_3<Graph> parameterizer(flipping);
+  DCM::Discrete_conformal_parameterizer_3<Graph> parameterizer(flipping);
   result.code = SMP::parameterize(g, parameterizer, border_of(g), map);
   if(result.code == SMP::OK)
     result.is_one_to_one = parameterizer.is_one_to_one_mapping(g, border_of(g), map);
@@ -140,7 +140,7 @@ TEST(Parameterizer, is_isometric_to_flatten)
   const Parameterization<Mesh> p = parameterize(mesh);
   ASSERT_EQ(p.code, SMP::OK);
   EXPECT_TRUE(p.is_one_to_one);
-  check_isometric(p, mesh, DC::flatten(mesh));
+  check_isometric(p, mesh, DCM::flatten(mesh));
   check_conformal(p, mesh);
 }
 
@@ -161,7 +161,7 @@ TEST(Parameterizer, takes_other_graphs)
   CGAL::copy_face_graph(bent_triangles(4), polyhedron);
   std::map<boost::graph_traits<Polyhedron>::vertex_descriptor, Point_2> uv;
   boost::associative_property_map<decltype(uv)> map(uv);
-  EXPECT_EQ(SMP::parameterize(polyhedron, DC::Discrete_conformal_parameterizer_3<Polyhedron>(),
+  EXPECT_EQ(SMP::parameterize(polyhedron, DCM::Discrete_conformal_parameterizer_3<Polyhedron>(),
                               border_of(polyhedron), map),
             SMP::OK);
   EXPECT_EQ(uv.size(), polyhedron.size_of_vertices());
@@ -184,7 +184,7 @@ TEST(Parameterizer, unfolds_a_tetrahedron)
     cut.add_seam(v[0], v[i]);
   const auto bhd = CGAL::opposite(Seam_mesh::halfedge_descriptor(mesh.halfedge(v[0], v[1])), cut);
   Parameterization<Seam_mesh> p;
-  p.code = SMP::parameterize(cut, DC::Discrete_conformal_parameterizer_3<Seam_mesh>(), bhd,
+  p.code = SMP::parameterize(cut, DCM::Discrete_conformal_parameterizer_3<Seam_mesh>(), bhd,
                              boost::associative_property_map<decltype(p.uv)>(p.uv));
   ASSERT_EQ(p.code, SMP::OK);
   ASSERT_EQ(p.uv.size(), 6u);
@@ -214,7 +214,7 @@ TEST(Parameterizer, opens_a_seam_mesh)
   Parameterization<Seam_mesh> p;
   const boost::associative_property_map<decltype(p.uv)> map(p.uv);
   const auto code_with = [&](Flipping flipping) {
-    return SMP::parameterize(cut, DC::Discrete_conformal_parameterizer_3<Seam_mesh>(flipping), bhd,
+    return SMP::parameterize(cut, DCM::Discrete_conformal_parameterizer_3<Seam_mesh>(flipping), bhd,
                              map);
   };
   EXPECT_EQ(code_with(Flipping::to_Delaunay), SMP::ERROR_NO_1_TO_1_MAPPING);
@@ -234,7 +234,7 @@ TEST(Parameterizer, says_when_an_edge_has_to_be_flipped)
   Mesh steep = perturbed(
     grid(8, 8, [](double x, double y) { return Point(x, y, 3 * std::sin(x) * std::sin(y)); }), 0.1,
     2);
-  const Planar_conformal_map map = DC::flatten(steep);
+  const Planar_conformal_map map = DCM::flatten(steep);
   EXPECT_GT(map.number_of_flips(Layer::C), 0u);
   EXPECT_EQ(parameterize(steep).code, SMP::ERROR_NO_1_TO_1_MAPPING);
 }
@@ -271,12 +271,12 @@ TEST(Parameterizer, says_what_is_wrong)
 TEST(Texture_coordinates, are_images_of_corners)
 {
   const Mesh mesh = bent_triangles(5);
-  const Planar_conformal_map map = DC::flatten(mesh);
-  ASSERT_TRUE(DC::has_whole_faces(map));
+  const Planar_conformal_map map = DCM::flatten(mesh);
+  ASSERT_TRUE(DCM::has_whole_faces(map));
   std::map<Halfedge_index, Complex> uv;
   std::map<Halfedge_index, std::array<double, 3>> uvw;
-  DC::texture_coordinates(map, mesh, boost::make_assoc_property_map(uv));
-  DC::homogeneous_texture_coordinates(map, mesh, boost::make_assoc_property_map(uvw));
+  DCM::texture_coordinates(map, mesh, boost::make_assoc_property_map(uv));
+  DCM::homogeneous_texture_coordinates(map, mesh, boost::make_assoc_property_map(uvw));
   EXPECT_EQ(uv.size(), 3 * mesh.number_of_faces());
   CGAL::Random random(5);
   for(Face_index f : mesh.faces()) {
@@ -303,9 +303,9 @@ TEST(Texture_coordinates, of_a_surface_with_seams)
     Triangulation t(torus.mesh, length_parameter(torus.lengths()));
     IT::make_Delaunay(t);
     const Planar_conformal_map map = flatten(t.mesh(), lengths_of(t));
-    ASSERT_TRUE(DC::has_whole_faces(map));
+    ASSERT_TRUE(DCM::has_whole_faces(map));
     std::vector<Point_2> uv(t.mesh().number_of_halfedges());
-    DC::texture_coordinates(
+    DCM::texture_coordinates(
       map, t.mesh(),
       boost::make_iterator_property_map(uv.begin(), get(boost::halfedge_index, t.mesh())));
     for(Halfedge_index h : t.mesh().halfedges())
@@ -318,20 +318,20 @@ TEST(Texture_coordinates, are_refused_where_they_say_too_little)
 {
   const auto write = [](const Planar_conformal_map& map, const auto& g) {
     std::map<Halfedge_index, Complex> uv;
-    EXPECT_THROW(DC::texture_coordinates(map, g, boost::make_assoc_property_map(uv)),
-                 DC::No_texture_coordinates);
+    EXPECT_THROW(DCM::texture_coordinates(map, g, boost::make_assoc_property_map(uv)),
+                 DCM::No_texture_coordinates);
     EXPECT_TRUE(uv.empty());
   };
   const Mesh bad = with_bad_edge(bent_triangles(6));
-  const Planar_conformal_map cut = DC::flatten(bad);
-  EXPECT_FALSE(DC::has_whole_faces(cut));
+  const Planar_conformal_map cut = DCM::flatten(bad);
+  EXPECT_FALSE(DCM::has_whole_faces(cut));
   write(cut, bad);
 
   const Mesh simplex = tetrahedron();
   Conditions condition = as_log_scales({0, 0, 0, 0});
   condition[0] = Vertex_condition::curvature(-1.5 * pi);
-  const Planar_conformal_map flat = DC::flatten(
-    simplex, DC::parameters::flipping(Flipping::none).vertex_condition_map(as_map(condition)));
+  const Planar_conformal_map flat = DCM::flatten(
+    simplex, DCM::parameters::flipping(Flipping::none).vertex_condition_map(as_map(condition)));
   EXPECT_FALSE(flat.is_laid_out());
   write(flat, simplex);
 }

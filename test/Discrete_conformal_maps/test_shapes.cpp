@@ -22,7 +22,7 @@
 namespace {
 
 using namespace Test_surfaces;
-namespace np = DC::parameters;
+namespace np = DCM::parameters;
 
 // ---- Disks, and what their boundaries are in the plane ----
 
@@ -174,7 +174,7 @@ TEST(Circle_angles, are_those_of_inscribed_polygons)
       for(std::size_t i = 0; i < n; ++i)
         length.push_back(std::abs(point[(i + 1) % n] - point[i]));
       const std::vector<double> expected = turning_angles(point),
-                                angle = DC::internal::circle_angles(length);
+                                angle = DCM::internal::circle_angles(length);
       for(std::size_t i = 0; i < n; ++i)
         EXPECT_NEAR(angle[i], expected[i], 1e-9) << arc << ' ' << n;
     }
@@ -187,7 +187,7 @@ TEST(Rectangle_corners, are_those_of_rectangles)
 {
   for(const double width : {1., 3., 0.2}) {
     const Mesh mesh = flat_grid_mesh(7, 4, width);
-    const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh);
+    const std::vector<Vertex_index> corners = DCM::rectangle_corners(mesh);
     ASSERT_EQ(corners.size(), 4u);
     double doubled_area = 0; // counterclockwise
     for(std::size_t i = 0; i < 4; ++i) {
@@ -201,7 +201,7 @@ TEST(Rectangle_corners, are_those_of_rectangles)
 TEST(Flatten_to_rectangle, leaves_rectangles_as_they_are)
 {
   const Mesh mesh = flat_grid_mesh(5, 8, 4);
-  const Planar_conformal_map map = DC::flatten_to_rectangle(mesh, DC::rectangle_corners(mesh));
+  const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, DCM::rectangle_corners(mesh));
   for(Vertex_index v : mesh.vertices())
     EXPECT_NEAR(map.log_scale(v), 0, 1e-12);
 }
@@ -210,15 +210,15 @@ TEST(Flatten_to_rectangle, has_right_angles_and_straight_sides)
 {
   for(unsigned int seed = 1; seed <= 8; ++seed) {
     const Mesh mesh = random_disk(seed);
-    const std::vector<Vertex_index> chosen = DC::rectangle_corners(mesh);
+    const std::vector<Vertex_index> chosen = DCM::rectangle_corners(mesh);
     // any others will do too
     std::vector<Vertex_index> others;
     for(Vertex_index v : mesh.vertices())
       if(mesh.is_border(v) && v.idx() % 3 == seed % 3 && others.size() < 4)
         others.push_back(v);
     for(const std::vector<Vertex_index>& corners : {chosen, others}) {
-      const Planar_conformal_map map = DC::flatten_to_rectangle(mesh, corners);
-      EXPECT_EQ(map.status(), DC::Map_status::success);
+      const Planar_conformal_map map = DCM::flatten_to_rectangle(mesh, corners);
+      EXPECT_EQ(map.status(), DCM::Map_status::success);
       const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
       ASSERT_EQ(boundaries.size(), 1u);
       expect_rectangle(boundaries[0], corners);
@@ -235,11 +235,11 @@ TEST(Flatten_to_rectangle, takes_components_and_lengths)
   std::vector<double> length = lengths_of(t);
   for(double& x : length)
     x *= 3;
-  const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh, length_parameter(length));
+  const std::vector<Vertex_index> corners = DCM::rectangle_corners(mesh, length_parameter(length));
   ASSERT_EQ(corners.size(), 8u);
-  EXPECT_EQ(corners, DC::rectangle_corners(mesh));
+  EXPECT_EQ(corners, DCM::rectangle_corners(mesh));
   const std::vector<Flat_boundary> boundaries =
-    flat_boundaries(DC::flatten_to_rectangle(mesh, corners, length_parameter(length)));
+    flat_boundaries(DCM::flatten_to_rectangle(mesh, corners, length_parameter(length)));
   ASSERT_EQ(boundaries.size(), 2u);
   for(const Flat_boundary& b : boundaries)
     expect_rectangle(b, corners);
@@ -258,10 +258,10 @@ TEST(Flatten_to_rectangle, keeps_conditions_inside)
       cone = v;
     }
   condition[cone] = Vertex_condition::curvature(-4 * pi);
-  const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh);
+  const std::vector<Vertex_index> corners = DCM::rectangle_corners(mesh);
   const Planar_conformal_map map =
-    DC::flatten_to_rectangle(mesh, corners, np::vertex_condition_map(as_map(condition)));
-  EXPECT_EQ(map.status(), DC::Map_status::success);
+    DCM::flatten_to_rectangle(mesh, corners, np::vertex_condition_map(as_map(condition)));
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
   EXPECT_LT(map.max_curvature_error(), 1e-10);
   for(Vertex_index v : mesh.vertices())
     if(mesh.is_border(v))
@@ -269,20 +269,20 @@ TEST(Flatten_to_rectangle, keeps_conditions_inside)
         std::count(corners.begin(), corners.end(), v) != 0 ? pi / 2 : 0);
   const Triangulation input(mesh);
   check_conditions(map, input.mesh(), condition, 1e-9);
-  expect_refused([&] { DC::flatten_to_rectangle(mesh, corners); }, "Euler characteristic");
+  expect_refused([&] { DCM::flatten_to_rectangle(mesh, corners); }, "Euler characteristic");
 }
 
 TEST(Flatten_to_rectangle, names_what_is_wrong)
 {
   const Mesh mesh = random_disk(3);
-  const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh);
+  const std::vector<Vertex_index> corners = DCM::rectangle_corners(mesh);
   const std::vector<Vertex_index> three(corners.begin(), corners.begin() + 3);
-  expect_refused([&] { DC::flatten_to_rectangle(mesh, three); }, "a boundary has 3");
-  expect_refused([&] { DC::rectangle_corners(tetrahedron()); }, "no boundary");
-  expect_refused([&] { DC::rectangle_corners(punctured(octahedron(), {0})); }, "too few vertices");
+  expect_refused([&] { DCM::flatten_to_rectangle(mesh, three); }, "a boundary has 3");
+  expect_refused([&] { DCM::rectangle_corners(tetrahedron()); }, "no boundary");
+  expect_refused([&] { DCM::rectangle_corners(punctured(octahedron(), {0})); }, "too few vertices");
   expect_refused(
     [&] {
-      DC::rectangle_corners(punctured(random_sphere(40, 6), {0, 20}));
+      DCM::rectangle_corners(punctured(random_sphere(40, 6), {0, 20}));
     },
     "several boundary loops");
 }
@@ -293,8 +293,8 @@ TEST(Flatten_to_disk, puts_the_boundary_on_a_circle)
 {
   for(unsigned int seed = 1; seed <= 8; ++seed)
     for(const Mesh& mesh : {random_disk(seed), punctured(random_sphere(40, seed), {0})}) {
-      const Planar_conformal_map map = DC::flatten_to_disk(mesh);
-      EXPECT_EQ(map.status(), DC::Map_status::success);
+      const Planar_conformal_map map = DCM::flatten_to_disk(mesh);
+      EXPECT_EQ(map.status(), DCM::Map_status::success);
       EXPECT_LT(map.max_curvature_error(), 1e-10);
       const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
       ASSERT_EQ(boundaries.size(), 1u);
@@ -314,7 +314,7 @@ TEST(Flatten_to_disk, leaves_regular_polygons_as_they_are)
     points.emplace_back(z.real(), z.imag(), 0);
     triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
   }
-  const Planar_conformal_map map = DC::flatten_to_disk(make_mesh(points, triangles));
+  const Planar_conformal_map map = DCM::flatten_to_disk(make_mesh(points, triangles));
   for(std::size_t v = 0; v <= n; ++v)
     EXPECT_NEAR(log_scale(map, v), 0, 1e-9);
 }
@@ -327,9 +327,9 @@ TEST(Flatten_to_disk, is_the_hemisphere_in_the_plane)
   for(unsigned int seed = 1; seed <= 12; ++seed) {
     const Mesh mesh =
       perturbed(grid(5, 5, [](double x, double y) { return Point(x, y, 0); }), 0.1, seed);
-    const Planar_conformal_map disk = DC::flatten_to_disk(mesh);
-    const DC::Spherical_conformal_map sphere = DC::map_to_sphere(mesh);
-    const auto is_crossed = [&](const DC::Discrete_conformal_map& map) {
+    const Planar_conformal_map disk = DCM::flatten_to_disk(mesh);
+    const DCM::Spherical_conformal_map sphere = DCM::map_to_sphere(mesh);
+    const auto is_crossed = [&](const DCM::Discrete_conformal_map& map) {
       const auto& s = map.subdivision().mesh();
       std::size_t boundary = 0;
       for(Edge_index e : s.edges())
@@ -344,7 +344,7 @@ TEST(Flatten_to_disk, is_the_hemisphere_in_the_plane)
     std::vector<Complex> z, w;
     for(Vertex_index v : mesh.vertices()) {
       z.push_back(disk(corner(mesh_A(disk), v)));
-      w.push_back(DC::Spherical_conformal_map::to_plane(sphere.position(v)));
+      w.push_back(DCM::Spherical_conformal_map::to_plane(sphere.position(v)));
     }
     const auto cross_ratio = [](const std::vector<Complex>& p, std::size_t i) {
       return (p[i] - p[0]) * (p[5] - p[35]) / ((p[i] - p[35]) * (p[5] - p[0]));
@@ -360,13 +360,13 @@ TEST(Flatten_to_disk, takes_components)
   Mesh mesh = random_disk(1);
   mesh.add_vertex(Point(9, 9, 9));
   mesh += random_disk(2);
-  const Planar_conformal_map map = DC::flatten_to_disk(mesh);
-  EXPECT_EQ(map.status(), DC::Map_status::success);
+  const Planar_conformal_map map = DCM::flatten_to_disk(mesh);
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
   const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
   ASSERT_EQ(boundaries.size(), 2u);
   for(const Flat_boundary& b : boundaries)
     expect_circle(b);
-  expect_refused([] { DC::flatten_to_disk(punctured(embedded_torus(6, 5), {0})); },
+  expect_refused([] { DCM::flatten_to_disk(punctured(embedded_torus(6, 5), {0})); },
                  "Euler characteristic");
 }
 
@@ -374,19 +374,19 @@ TEST(Flatten_to_disk, says_how_it_failed)
 {
   const Mesh mesh = random_disk(1);
   try {
-    DC::flatten_to_disk(mesh, CGAL::parameters::number_of_iterations(1));
+    DCM::flatten_to_disk(mesh, CGAL::parameters::number_of_iterations(1));
     ADD_FAILURE() << "a circle in one round";
   } catch(const IT::Numerical_error& e) {
     EXPECT_NE(std::string(e.what()).find("after 1 rounds"), std::string::npos) << e.what();
   }
   // a minimization that fails ends the rounds
   const Planar_conformal_map map =
-    DC::flatten_to_disk(mesh, np::minimizer(DC::Newton_minimizer(1e-13, 1)));
-  EXPECT_EQ(map.status(), DC::Map_status::not_converged);
-  expect_refused([&] { DC::flatten_to_disk(tetrahedron()); }, "no boundary");
+    DCM::flatten_to_disk(mesh, np::minimizer(DCM::Newton_minimizer(1e-13, 1)));
+  EXPECT_EQ(map.status(), DCM::Map_status::not_converged);
+  expect_refused([&] { DCM::flatten_to_disk(tetrahedron()); }, "no boundary");
   expect_refused(
     [&] {
-      DC::flatten_to_disk(punctured(random_sphere(40, 6), {0, 20}));
+      DCM::flatten_to_disk(punctured(random_sphere(40, 6), {0, 20}));
     },
     "several boundary loops");
 }

@@ -26,12 +26,12 @@
 namespace {
 
 using namespace Test_surfaces;
-namespace DC = CGAL::Discrete_conformal_maps;
+namespace DCM = CGAL::Discrete_conformal_maps;
 using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
                                            boost::multiprecision::et_off>;
 using Numbers = Eigen::VectorXd;
-using Energy = DC::internal::Spherical_energy<Quad>;
-using Peacock = DC::internal::Peacock_triangulation<double>;
+using Energy = DCM::internal::Spherical_energy<Quad>;
+using Peacock = DCM::internal::Peacock_triangulation<double>;
 
 // intrinsic Delaunay
 std::vector<Triangulation> spheres()
@@ -220,7 +220,7 @@ TEST(Spherical_energy, is_convex_and_continuous_along_segments)
 {
   std::size_t flips = 0;
   for(const Triangulation& t : spheres()) {
-    DC::internal::Spherical_energy<double> energy(t.mesh(), t.length_map(), Vertex_index(0));
+    DCM::internal::Spherical_energy<double> energy(t.mesh(), t.length_map(), Vertex_index(0));
     const Numbers from = random_numbers(energy.size(), 3, 23),
                   way = random_numbers(energy.size(), 3, 29) - from;
     double slope = -std::numeric_limits<double>::infinity(), integral = 0;
@@ -259,7 +259,7 @@ TEST(Ptolemy_surface, flips_can_be_replayed)
 {
   for(const Triangulation& t : spheres()) {
     const auto surface = flipped_at_random<Quad>(t);
-    DC::internal::Ptolemy_surface<Quad> other(t.mesh(), t.length_map());
+    DCM::internal::Ptolemy_surface<Quad> other(t.mesh(), t.length_map());
     other.replay(surface.flips());
     EXPECT_EQ(other.flips(), surface.flips());
     for(Edge_index e : t.mesh().edges())
@@ -297,7 +297,7 @@ TEST(Spherical_energy, triangulation_is_the_limit_of_those_with_a_horocycle)
     [](const Triangulation& t, const Energy& energy, Vertex_index v, const Numbers& u) {
       std::vector<Quad> far(energy.scale_factors());
       far[v] = 60;
-      DC::Penner_surface<Quad> surface(t.mesh(), t.length_map());
+      DCM::Penner_surface<Quad> surface(t.mesh(), t.length_map());
       surface.scale(far);
       std::vector<double> remaining, expected;
       for(Edge_index e : surface.mesh().edges())

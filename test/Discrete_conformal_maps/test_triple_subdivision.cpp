@@ -28,9 +28,9 @@
 namespace {
 
 using namespace Test_surfaces;
-namespace DC = CGAL::Discrete_conformal_maps;
-using DC::Layer;
-using Subdivision = DC::Triple_subdivision<>;
+namespace DCM = CGAL::Discrete_conformal_maps;
+using DCM::Layer;
+using Subdivision = DCM::Triple_subdivision<>;
 using Barycentric = std::array<double, 3>;
 
 constexpr std::array<Layer, 3> layers{Layer::A, Layer::B, Layer::C};
@@ -395,7 +395,7 @@ std::size_t check_ideal(const Subdivision& s, const Triangulation& ab,
 TEST(Chord_crossings, as_by_brute_force)
 {
   CGAL::Random random(1);
-  DC::internal::Chord_crossings crossings;
+  DCM::internal::Chord_crossings crossings;
   for(int round = 0; round < 2000; ++round) {
     // families of chords as two sequences of brackets, shuffled
     std::array<std::vector<int>, 2> open;
@@ -659,7 +659,7 @@ TEST(Triple_subdivision, positions_in_space)
       flip_at_random(ab, 10 * m.mesh.number_of_edges(), seed);
       Three three(ab);
       flip_at_random(three.bc, 10 * m.mesh.number_of_edges(), seed + 9);
-      DC::Triple_subdivision<double, Point> s{Correspondence(three.ab), Correspondence(three.bc)};
+      DCM::Triple_subdivision<double, Point> s{Correspondence(three.ab), Correspondence(three.bc)};
       const auto points = boost::make_function_property_map<Vertex_index>(
         [&](Vertex_index v) { return m.mesh.point(v); });
       IT::interpolate(Layer::A, s, points, s.mesh().points());

@@ -16,7 +16,7 @@
 namespace {
 
 using namespace Test_surfaces;
-using DC::Surface_type;
+using DCM::Surface_type;
 
 // in the standard fundamental domain of the modular group
 Complex reduced(Complex tau)
@@ -35,27 +35,27 @@ Complex modulus(const Flat_surface& s)
   return reduced(b / a);
 }
 
-DC::Uniformization uniformize(const Delta_complex& mesh, const std::vector<double>& length)
+DCM::Uniformization uniformize(const Delta_complex& mesh, const std::vector<double>& length)
 {
-  return DC::uniformize(mesh, length_parameter(length));
+  return DCM::uniformize(mesh, length_parameter(length));
 }
 
 } // namespace
 
 TEST(Surface_type, is_that_of_known_surfaces)
 {
-  EXPECT_EQ(DC::surface_type(tetrahedron()), Surface_type::sphere);
-  EXPECT_EQ(DC::surface_type(punctured(cube(), {0})), Surface_type::disk);
-  EXPECT_EQ(DC::surface_type(punctured(random_sphere(40, 1), {0, 30})), Surface_type::annulus);
-  EXPECT_EQ(DC::surface_type(embedded_torus(5, 4)), Surface_type::torus);
-  EXPECT_EQ(DC::surface_type(punctured(embedded_torus(5, 4), {0})), Surface_type::hyperbolic);
-  EXPECT_EQ(DC::surface_type(plate_with_holes(2)), Surface_type::hyperbolic);
+  EXPECT_EQ(DCM::surface_type(tetrahedron()), Surface_type::sphere);
+  EXPECT_EQ(DCM::surface_type(punctured(cube(), {0})), Surface_type::disk);
+  EXPECT_EQ(DCM::surface_type(punctured(random_sphere(40, 1), {0, 30})), Surface_type::annulus);
+  EXPECT_EQ(DCM::surface_type(embedded_torus(5, 4)), Surface_type::torus);
+  EXPECT_EQ(DCM::surface_type(punctured(embedded_torus(5, 4), {0})), Surface_type::hyperbolic);
+  EXPECT_EQ(DCM::surface_type(plate_with_holes(2)), Surface_type::hyperbolic);
   Mesh two = tetrahedron();
   two.add_vertex(Point(0, 0, 0));
-  EXPECT_EQ(DC::surface_type(two), Surface_type::sphere);
+  EXPECT_EQ(DCM::surface_type(two), Surface_type::sphere);
   two += tetrahedron();
-  EXPECT_THROW(DC::surface_type(two), IT::Invalid_input);
-  EXPECT_THROW(DC::surface_type(Mesh()), IT::Invalid_input);
+  EXPECT_THROW(DCM::surface_type(two), IT::Invalid_input);
+  EXPECT_THROW(DCM::surface_type(Mesh()), IT::Invalid_input);
 }
 
 // Other decorations of the same ideal polyhedron.
@@ -67,16 +67,16 @@ TEST(Uniformize, flat_tori_have_their_modulus)
     IT::make_Delaunay(t);
     for(const double bound : {0., 1.}) {
       CGAL::Random random(7);
-      DC::Penner_surface<double> surface(t.mesh(), t.length_map());
+      DCM::Penner_surface<double> surface(t.mesh(), t.length_map());
       std::vector<double> u(t.mesh().number_of_vertices()), length;
       for(double& x : u)
         x = bound * random.get_double(-1, 1);
       surface.scale(u);
       for(Edge_index e : surface.mesh().edges())
         length.push_back(surface.scaled_length(e));
-      const DC::Uniformization result = uniformize(surface.mesh(), length);
+      const DCM::Uniformization result = uniformize(surface.mesh(), length);
       EXPECT_EQ(result.type, Surface_type::torus);
-      EXPECT_EQ(result.status(), DC::Map_status::success);
+      EXPECT_EQ(result.status(), DCM::Map_status::success);
       EXPECT_FALSE(result.hyperbolic);
       EXPECT_LT(std::abs(result.modulus - modulus(torus)), 1e-10) << m << ' ' << n << ' ' << bound;
     }
@@ -97,7 +97,7 @@ TEST(Uniformize, cylinders_have_their_modulus)
     for(Edge_index e : t.mesh().edges())
       length.push_back(t.length(e) *
                        std::exp((u[t.mesh().vertex(e, 0)] + u[t.mesh().vertex(e, 1)]) / 2));
-    const DC::Uniformization result = uniformize(t.mesh(), length);
+    const DCM::Uniformization result = uniformize(t.mesh(), length);
     EXPECT_EQ(result.type, Surface_type::annulus);
     EXPECT_EQ(result.modulus.real(), 0);
     EXPECT_NEAR(result.modulus.imag(), height / (1000. * n), 1e-10);
@@ -108,31 +108,31 @@ TEST(Uniformize, cylinders_have_their_modulus)
 // sides sqrt(3^2 - 1); squares of a mesh of it that is coarse are only nearly so.
 TEST(Uniformize, tori_of_revolution_have_almost_their_modulus)
 {
-  const DC::Uniformization result = DC::uniformize(embedded_torus(120, 60));
+  const DCM::Uniformization result = DCM::uniformize(embedded_torus(120, 60));
   EXPECT_NEAR(result.modulus.imag(), std::sqrt(8.), 0.01);
   EXPECT_NEAR(result.modulus.real(), 0, 1e-9);
 }
 
 TEST(Uniformize, others_become_hyperbolic)
 {
-  const DC::Uniformization result = DC::uniformize(plate_with_holes(2));
+  const DCM::Uniformization result = DCM::uniformize(plate_with_holes(2));
   EXPECT_EQ(result.type, Surface_type::hyperbolic);
   EXPECT_FALSE(result.flat);
   ASSERT_TRUE(result.hyperbolic);
   EXPECT_EQ(result.hyperbolic->group(0).genus, 2u);
-  EXPECT_EQ(result.status(), DC::Map_status::success);
-  EXPECT_TRUE(DC::uniformize(punctured(embedded_torus(5, 4), {0})).hyperbolic);
-  EXPECT_EQ(DC::uniformize(straight_plate_with_holes(120)).status(), DC::Map_status::not_glued);
+  EXPECT_EQ(result.status(), DCM::Map_status::success);
+  EXPECT_TRUE(DCM::uniformize(punctured(embedded_torus(5, 4), {0})).hyperbolic);
+  EXPECT_EQ(DCM::uniformize(straight_plate_with_holes(120)).status(), DCM::Map_status::not_glued);
 }
 
 TEST(Uniformize, simply_connected_surfaces_become_round)
 {
-  const DC::Uniformization sphere = DC::uniformize(tetrahedron());
+  const DCM::Uniformization sphere = DCM::uniformize(tetrahedron());
   EXPECT_EQ(sphere.type, Surface_type::sphere);
   ASSERT_TRUE(sphere.spherical);
-  EXPECT_EQ(sphere.status(), DC::Map_status::success);
+  EXPECT_EQ(sphere.status(), DCM::Map_status::success);
   EXPECT_TRUE(sphere.spherical->certificate().is_convex());
-  const DC::Uniformization disk = DC::uniformize(punctured(cube(), {0}));
+  const DCM::Uniformization disk = DCM::uniformize(punctured(cube(), {0}));
   EXPECT_EQ(disk.type, Surface_type::disk);
   ASSERT_TRUE(disk.spherical);
   EXPECT_TRUE(disk.spherical->is_disk());

@@ -20,8 +20,8 @@
 namespace {
 
 using namespace Test_surfaces;
-using DC::Disk_motion;
-using DC::Hyperbolic_conformal_map;
+using DCM::Disk_motion;
+using DCM::Hyperbolic_conformal_map;
 
 // ---- Surfaces that are hyperbolic ----
 
@@ -118,8 +118,8 @@ Hyperbolic_surface regular_surface(int g, unsigned int seed)
 // The ideal polyhedron of a surface with another decoration, in its Delaunay triangulation.
 Hyperbolic_surface scaled(const Hyperbolic_surface& s, const std::vector<double>& u)
 {
-  DC::Penner_surface<double> surface(s.mesh, boost::make_function_property_map<Edge_index>(
-                                               [&](Edge_index e) { return s.length[e]; }));
+  DCM::Penner_surface<double> surface(s.mesh, boost::make_function_property_map<Edge_index>(
+                                                [&](Edge_index e) { return s.length[e]; }));
   surface.scale(u);
   Hyperbolic_surface result{surface.mesh(), {}};
   for(Edge_index e : result.mesh.edges())
@@ -129,13 +129,13 @@ Hyperbolic_surface scaled(const Hyperbolic_surface& s, const std::vector<double>
 
 Hyperbolic_conformal_map uniformize(const Hyperbolic_surface& s)
 {
-  return DC::uniformize_hyperbolic(s.mesh, length_parameter(s.length));
+  return DCM::uniformize_hyperbolic(s.mesh, length_parameter(s.length));
 }
 
 Hyperbolic_conformal_map uniformize(const Delta_complex& mesh, const std::vector<double>& length,
                                     const Conditions& condition)
 {
-  return DC::uniformize_hyperbolic(
+  return DCM::uniformize_hyperbolic(
     mesh, length_parameter(length).vertex_condition_map(as_map(condition)));
 }
 
@@ -197,7 +197,7 @@ void check_layout(const Hyperbolic_conformal_map& map)
   }
 }
 
-void check_group(const DC::Fuchsian_group& group, std::size_t genus)
+void check_group(const DCM::Fuchsian_group& group, std::size_t genus)
 {
   EXPECT_EQ(group.genus, genus);
   EXPECT_NEAR(group.area, 4 * pi * (double(genus) - 1), 1e-9);
@@ -212,7 +212,7 @@ void check_group(const DC::Fuchsian_group& group, std::size_t genus)
 }
 
 // The product of motions that have been rounded.
-double rounded_relation_error(const DC::Fuchsian_group& group)
+double rounded_relation_error(const DCM::Fuchsian_group& group)
 {
   Disk_motion<> product;
   for(const auto& letter : group.relation) {
@@ -224,8 +224,8 @@ double rounded_relation_error(const DC::Fuchsian_group& group)
 
 void check_map(const Hyperbolic_conformal_map& map, std::size_t genus)
 {
-  EXPECT_EQ(map.status(), DC::Map_status::success);
-  EXPECT_EQ(map.minimization().status, DC::Minimization_status::converged);
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
+  EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
   EXPECT_LT(map.max_curvature_error(), 1e-10);
   EXPECT_LE(map.max_gluing_error(), 1e-9);
   check_curvatures(map);
@@ -243,10 +243,10 @@ void check_subdivision(const Hyperbolic_conformal_map& map)
   const double tolerance = 1e-13 * std::exp(map.radius());
   const auto image = [&](Halfedge_index h) {
     return Hyperbolic_conformal_map::to_disk(
-      map.homogeneous_coordinates(subdivision.location(DC::Layer::C, h)));
+      map.homogeneous_coordinates(subdivision.location(DCM::Layer::C, h)));
   };
   for(Edge_index e : mesh.edges()) {
-    const Edge_index c = subdivision.parent_edge(DC::Layer::C, e);
+    const Edge_index c = subdivision.parent_edge(DCM::Layer::C, e);
     if(c.is_valid() && map.is_seam(c))
       continue;
     const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
@@ -382,7 +382,7 @@ TEST(Uniformize_hyperbolic, plates_with_holes)
 {
   for(int g = 2; g <= 8; ++g) {
     SCOPED_TRACE(g);
-    const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(plate_with_holes(g));
+    const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(plate_with_holes(g));
     check_map(map, std::size_t(g));
     check_subdivision(map);
   }
@@ -393,7 +393,7 @@ TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
 {
   for(int g = 2; g <= 4; ++g) {
     const Mesh mesh = straight_plate_with_holes(g);
-    const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(mesh);
+    const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(mesh);
     std::map<std::array<double, 3>, double> scale;
     const std::array<double, 3> size{2. * g + 1, 3, 1};
     for(Vertex_index v : mesh.vertices()) {
@@ -414,15 +414,15 @@ TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
 // not enough for a hundred of them.
 TEST(Uniformize_hyperbolic, the_status_says_what_has_failed)
 {
-  EXPECT_EQ(DC::uniformize_hyperbolic(plate_with_holes(20)).status(), DC::Map_status::success);
-  const Hyperbolic_conformal_map large = DC::uniformize_hyperbolic(straight_plate_with_holes(120));
-  EXPECT_EQ(large.minimization().status, DC::Minimization_status::converged);
+  EXPECT_EQ(DCM::uniformize_hyperbolic(plate_with_holes(20)).status(), DCM::Map_status::success);
+  const Hyperbolic_conformal_map large = DCM::uniformize_hyperbolic(straight_plate_with_holes(120));
+  EXPECT_EQ(large.minimization().status, DCM::Minimization_status::converged);
   EXPECT_GT(large.max_gluing_error(), 1e-9);
-  EXPECT_EQ(large.status(), DC::Map_status::not_glued);
-  const Hyperbolic_conformal_map stopped = DC::uniformize_hyperbolic(
-    plate_with_holes(2), DC::parameters::minimizer(DC::Newton_minimizer(1e-13, 1)));
-  EXPECT_EQ(stopped.minimization().status, DC::Minimization_status::iteration_limit);
-  EXPECT_EQ(stopped.status(), DC::Map_status::not_converged);
+  EXPECT_EQ(large.status(), DCM::Map_status::not_glued);
+  const Hyperbolic_conformal_map stopped = DCM::uniformize_hyperbolic(
+    plate_with_holes(2), DCM::parameters::minimizer(DCM::Newton_minimizer(1e-13, 1)));
+  EXPECT_EQ(stopped.minimization().status, DCM::Minimization_status::iteration_limit);
+  EXPECT_EQ(stopped.status(), DCM::Map_status::not_converged);
 }
 
 // Any triangulation of the same surface with the same vertices, from few flips to a thorough mix.
@@ -486,7 +486,7 @@ TEST(Uniformize_hyperbolic, components_of_their_own)
   Mesh mesh = plate_with_holes(2);
   mesh.add_vertex(Point(9, 9, 9));
   mesh += plate_with_holes(3);
-  const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(mesh);
+  const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(mesh);
   ASSERT_EQ(map.number_of_components(), 2u);
   check_group(map.group(0), 2);
   check_group(map.group(1), 3);
@@ -497,7 +497,7 @@ TEST(Uniformize_hyperbolic, components_of_their_own)
 TEST(Uniformize_hyperbolic, boundaries_are_geodesics)
 {
   const Mesh mesh = punctured(plate_with_holes(2), {3, 40});
-  const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(mesh);
+  const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(mesh);
   check_map(map, 5);
   for(Vertex_index v : map.ideal().mesh().vertices())
     EXPECT_NEAR(map.log_scale(v), map.log_scale(map.input_vertex(v)), 1e-10);
@@ -510,16 +510,16 @@ TEST(Uniformize_hyperbolic, boundaries_are_geodesics)
 TEST(Uniformize_hyperbolic, maps_points_as_the_subdivision_does)
 {
   const Mesh input = plate_with_holes(2);
-  const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(input);
+  const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(input);
   const auto& subdivision = map.subdivision();
   for(Face_index f : subdivision.mesh().faces()) {
-    Location middle{subdivision.parent_face(DC::Layer::A, f), {0, 0, 0}};
+    Location middle{subdivision.parent_face(DCM::Layer::A, f), {0, 0, 0}};
     std::array<double, 3> sum{0, 0, 0};
     Halfedge_index h = subdivision.mesh().halfedge(f);
     for(int i = 0; i < 3; ++i, h = subdivision.mesh().next(h)) {
       const Location p = on_face(
-        map, middle.first, subdivision.place(DC::Layer::A, subdivision.mesh().target(h)).location);
-      const auto z = map.homogeneous_coordinates(subdivision.location(DC::Layer::C, h));
+        map, middle.first, subdivision.place(DCM::Layer::A, subdivision.mesh().target(h)).location);
+      const auto z = map.homogeneous_coordinates(subdivision.location(DCM::Layer::C, h));
       for(std::size_t k = 0; k < 3; ++k) {
         middle.second[k] += p.second[k] / 3;
         sum[k] += z[k];
@@ -533,8 +533,8 @@ TEST(Uniformize_hyperbolic, maps_points_as_the_subdivision_does)
 
 TEST(Uniformize_hyperbolic, refuses_what_cannot_be)
 {
-  EXPECT_THROW(DC::uniformize_hyperbolic(tetrahedron()), IT::Invalid_input);
-  EXPECT_THROW(DC::uniformize_hyperbolic(embedded_torus(5, 4)), IT::Invalid_input);
+  EXPECT_THROW(DCM::uniformize_hyperbolic(tetrahedron()), IT::Invalid_input);
+  EXPECT_THROW(DCM::uniformize_hyperbolic(embedded_torus(5, 4)), IT::Invalid_input);
   const Triangulation t(tetrahedron());
   EXPECT_THROW(uniformize(t.mesh(), lengths_of(t), Conditions(4, Vertex_condition::curvature(pi))),
                IT::Invalid_input);
@@ -546,15 +546,15 @@ TEST(Uniformize_hyperbolic, refuses_what_cannot_be)
 TEST(Uniformize_hyperbolic, gives_the_same_bits_twice)
 {
   const Mesh mesh = plate_with_holes(3);
-  const Hyperbolic_conformal_map one = DC::uniformize_hyperbolic(mesh),
-                                 other = DC::uniformize_hyperbolic(mesh);
+  const Hyperbolic_conformal_map one = DCM::uniformize_hyperbolic(mesh),
+                                 other = DCM::uniformize_hyperbolic(mesh);
   for(Halfedge_index h : one.ideal().mesh().halfedges())
     EXPECT_EQ(one.hyperboloid_position(h), other.hyperboloid_position(h));
 }
 
 TEST(Uniformize_hyperbolic, empty_mesh_gives_an_empty_map)
 {
-  const Hyperbolic_conformal_map map = DC::uniformize_hyperbolic(Mesh());
+  const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(Mesh());
   EXPECT_EQ(map.number_of_components(), 0u);
   EXPECT_EQ(map.area(), 0);
 }

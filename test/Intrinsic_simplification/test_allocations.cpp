@@ -26,7 +26,7 @@ struct Counting_visitor : IS::Default_simplification_visitor
   }
 };
 
-TEST(Allocations, ARemovalAllocatesNothing)
+TEST(Allocations, a_removal_allocates_nothing)
 {
   Evolving_surface s(random_sphere(3000, 1));
   Counting_visitor visitor;

@@ -35,7 +35,7 @@ void expect_corner(const IS::Face_corner& c, Halfedge_index h, const Delta_compl
   EXPECT_EQ(IT::sides(c.face(), mesh)[c.index()], h);
 }
 
-TEST(Surface_history, KeepsTheFacesOfEachOperation)
+TEST(Surface_history, keeps_the_faces_of_each_operation)
 {
   const Mesh closed = octahedron();
   const Evolving_surface s(closed);
@@ -78,7 +78,7 @@ TEST(Surface_history, KeepsTheFacesOfEachOperation)
   EXPECT_EQ(border_removal.weight, 0.375);
 }
 
-TEST(Surface_history, CanBeTruncated)
+TEST(Surface_history, can_be_truncated)
 {
   const Evolving_surface s(octahedron());
   IS::Surface_history history;
@@ -94,7 +94,7 @@ TEST(Surface_history, CanBeTruncated)
     EXPECT_EQ(s.mesh().source(IT::sides(c.face(), s.mesh())[c.index()]), Vertex_index(2));
 }
 
-TEST(Surface_history, RefusesFacesBeyondItsCodes)
+TEST(Surface_history, refuses_faces_beyond_its_codes)
 {
   EXPECT_NO_THROW(IS::Face_corner(Face_index((1U << 30U) - 1), 2));
   EXPECT_THROW(IS::Face_corner(Face_index(1U << 30U), 0), IT::Overflow_error);

@@ -56,7 +56,7 @@ void expect_equal(const Surface_level& a, const Surface_level& b)
   }
 }
 
-TEST(Surface_hierarchy, IsReadAsItWasWritten)
+TEST(Surface_hierarchy, is_read_as_it_was_written)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     const std::string text = saved(s.surface, {&s.fine, &s.coarse});
@@ -74,7 +74,7 @@ TEST(Surface_hierarchy, IsReadAsItWasWritten)
   });
 }
 
-TEST(Surface_hierarchy, OfManyLevels)
+TEST(Surface_hierarchy, of_many_levels)
 {
   Evolving_surface surface(random_sphere(200, 7));
   std::vector<Surface_level> levels{Surface_level(surface)};
@@ -94,7 +94,7 @@ TEST(Surface_hierarchy, OfManyLevels)
 
 // A triangulation with inserted vertices, and what has been simplified from it, in one stream:
 // points of the input go to the coarse surface and back.
-TEST(Surface_hierarchy, FollowsARefinement)
+TEST(Surface_hierarchy, follows_a_refinement)
 {
   const Mesh mesh = punctured(random_sphere(60, 9), {3});
   IT::Intrinsic_triangulation<> refined(mesh);
@@ -120,7 +120,7 @@ TEST(Surface_hierarchy, FollowsARefinement)
 }
 
 // Every line that is left out, and numbers that are spoilt, are found, or make another valid file.
-TEST(Surface_hierarchy, OfSpoiltFiles)
+TEST(Surface_hierarchy, of_spoilt_files)
 {
   const Simplified s(Evolving_surface(punctured(random_sphere(20, 6), {0})), 6);
   const std::string text = saved(s.surface, {&s.fine, &s.coarse});

@@ -107,7 +107,7 @@ void expect_solution(const Multigrid_result& result, const Vector& exact, const 
   EXPECT_LE(energy(result.solution - exact, a), 3e-10 * energy(exact, a));
 }
 
-TEST(Multigrid, AgreesWithADirectSolution)
+TEST(Multigrid, agrees_with_a_direct_solution)
 {
   for(const Mesh& mesh : {random_sphere(800, 1), torus(20), hills(30)})
     for(const double alpha : {1e-3, 1., 1000.}) {
@@ -120,7 +120,7 @@ TEST(Multigrid, AgreesWithADirectSolution)
 }
 
 // Pure Neumann problems: the solution with mean zero, for the right-hand side without its mean.
-TEST(Multigrid, ConstantsAreTakenOut)
+TEST(Multigrid, constants_are_taken_out)
 {
   for(const Mesh& mesh : {random_sphere(800, 1), torus(20), hills(30)}) {
     const System system(mesh);
@@ -136,7 +136,7 @@ TEST(Multigrid, ConstantsAreTakenOut)
 }
 
 // Three components, one of them a single vertex.
-TEST(Multigrid, EachComponentHasItsOwnConstants)
+TEST(Multigrid, each_component_has_its_own_constants)
 {
   Mesh mesh = random_sphere(300, 1);
   mesh += random_sphere(400, 2);
@@ -156,7 +156,7 @@ TEST(Multigrid, EachComponentHasItsOwnConstants)
 }
 
 // Iterations do not grow with the number of unknowns.
-TEST(Multigrid, IterationsAreBounded)
+TEST(Multigrid, iterations_are_bounded)
 {
   for(const std::size_t n : {20u, 40u, 80u, 128u}) {
     const System system(torus(n), 500);
@@ -168,7 +168,7 @@ TEST(Multigrid, IterationsAreBounded)
 }
 
 // The cycle is symmetric and positive definite, as the method of conjugate gradients needs it.
-TEST(Multigrid, CycleIsSymmetric)
+TEST(Multigrid, cycle_is_symmetric)
 {
   const System system(hills(20), 20);
   const Matrix a = system.screened(1);
@@ -187,7 +187,7 @@ TEST(Multigrid, CycleIsSymmetric)
   EXPECT_LE(eigenvalues.maxCoeff(), 1 + 1e-10);
 }
 
-TEST(Multigrid, WithoutLevelsItIsDirect)
+TEST(Multigrid, without_levels_it_is_direct)
 {
   const System system(random_sphere(40, 1), 50);
   EXPECT_TRUE(system.prolongations.empty());
@@ -196,7 +196,7 @@ TEST(Multigrid, WithoutLevelsItIsDirect)
   EXPECT_EQ(result.iterations, 1u);
 }
 
-TEST(Multigrid, FailureHasAName)
+TEST(Multigrid, failure_has_a_name)
 {
   const System system(torus(20));
   const Multigrid_solver solver = system.solver(0);
@@ -216,7 +216,7 @@ TEST(Multigrid, FailureHasAName)
 }
 
 // Rows sum up to one, and the vertices of a level keep their values.
-TEST(Multigrid, HierarchyOfProlongations)
+TEST(Multigrid, hierarchy_of_prolongations)
 {
   const System system(torus(40), 100);
   Eigen::Index size = system.laplacian.cols();

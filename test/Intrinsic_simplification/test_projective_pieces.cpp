@@ -131,7 +131,7 @@ std::size_t expect_mapped(const Pieces& pieces, const Surface_map& map, double t
   return found;
 }
 
-TEST(Projective_pieces, OfAllSurfaces)
+TEST(Projective_pieces, of_all_surfaces)
 {
   std::size_t found = 0;
   for_each_surface([&](const Simplified&, const Surface_map& map) {
@@ -144,7 +144,7 @@ TEST(Projective_pieces, OfAllSurfaces)
   EXPECT_GT(found, 1000u);
 }
 
-TEST(Projective_pieces, OfOneFace)
+TEST(Projective_pieces, of_one_face)
 {
   const Simplified s(Evolving_surface(random_sphere(60, 3)), 10);
   const Surface_map map(s.surface, s.fine, s.coarse);
@@ -159,7 +159,7 @@ TEST(Projective_pieces, OfOneFace)
   }
 }
 
-TEST(Projective_pieces, OfLevelsOfAHierarchy)
+TEST(Projective_pieces, of_levels_of_a_hierarchy)
 {
   const Simplified s = simplified_twice();
   const Surface_map map(s.surface, s.fine, s.coarse);
@@ -169,7 +169,7 @@ TEST(Projective_pieces, OfLevelsOfAHierarchy)
 }
 
 // A level and itself: the faces, mapped by the identity.
-TEST(Projective_pieces, OfOneLevel)
+TEST(Projective_pieces, of_one_level)
 {
   const Evolving_surface surface(embedded_torus(5, 4));
   const Surface_level level(surface), same(surface);
@@ -183,7 +183,7 @@ TEST(Projective_pieces, OfOneLevel)
 
 // Projective maps are determined by the circumcircle, where the sum of l_ij^2 b_i b_j is zero, and
 // the corners: squared lengths at the tip become a third, so its coordinate is multiplied by three.
-TEST(Projective_pieces, OfATip)
+TEST(Projective_pieces, of_a_tip)
 {
   const Simplified s = without_tip();
   const Pieces pieces = all_pieces(Surface_map(s.surface, s.fine, s.coarse));
@@ -266,7 +266,7 @@ void expect_linear(const Pieces& pieces)
       EXPECT_NEAR(p.matrix[0][c] + p.matrix[1][c] + p.matrix[2][c], 1, 1e-9);
 }
 
-TEST(Projective_pieces, AfterFlipsAreTheCommonSubdivision)
+TEST(Projective_pieces, after_flips_are_the_common_subdivision)
 {
   for(const Named_complex& c : complexes())
     for(unsigned int seed = 0; seed < 5; ++seed) {
@@ -282,7 +282,7 @@ TEST(Projective_pieces, AfterFlipsAreTheCommonSubdivision)
 }
 
 // Some vertices are flat but for rounding: then there are changes of scale.
-TEST(Projective_pieces, OfFlatPolygonsAreTheCommonSubdivision)
+TEST(Projective_pieces, of_flat_polygons_are_the_common_subdivision)
 {
   int isometric = 0;
   for(unsigned int seed = 0; seed < 20; ++seed) {
@@ -299,7 +299,7 @@ TEST(Projective_pieces, OfFlatPolygonsAreTheCommonSubdivision)
 }
 
 // Edges coincide, and run through vertices.
-TEST(Projective_pieces, OfACubeAreTheCommonSubdivision)
+TEST(Projective_pieces, of_a_cube_are_the_common_subdivision)
 {
   for(const unsigned int n : {100u, 30u, 8u}) {
     const Simplified s = simplified_by_curvature(Evolving_surface(subdivided(cube(), 3)), n);
@@ -308,7 +308,7 @@ TEST(Projective_pieces, OfACubeAreTheCommonSubdivision)
 }
 
 // The scale is changed first, while all edges are those of the fine level.
-TEST(Projective_pieces, AfterOneRemovalAreTheCommonSubdivision)
+TEST(Projective_pieces, after_one_removal_are_the_common_subdivision)
 {
   std::size_t operations = 0;
   for(unsigned int seed = 0; seed < 10; ++seed) {
@@ -340,7 +340,7 @@ double distance(const Projective_piece& p, const Projective_piece& q)
 
 // No two pieces could be one: on surfaces in general position maps are different that are not the
 // same. Each polygon of the common subdivision is made of pieces.
-TEST(Projective_pieces, AreAsFewAsPossible)
+TEST(Projective_pieces, are_as_few_as_possible)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -359,7 +359,7 @@ TEST(Projective_pieces, AreAsFewAsPossible)
 
 // ---- Rounding ----
 
-TEST(Projective_pieces, OfNearlyDegenerateMeshes)
+TEST(Projective_pieces, of_nearly_degenerate_meshes)
 {
   for(const double noise : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-15, 1e-16, 1e-20})
     for(const double stretch : {1., 1e3}) {
@@ -378,7 +378,7 @@ TEST(Projective_pieces, OfNearlyDegenerateMeshes)
 }
 
 // Lines pass each other at the distance of rounding: the pieces tile the faces all the same.
-TEST(Projective_pieces, WithVerticesAsNearAsRounding)
+TEST(Projective_pieces, with_vertices_as_near_as_rounding)
 {
   CGAL::Random random(2);
   for(const double distance : {1e-10, 1e-12, 1e-13, 1e-14, 1e-15})
@@ -393,7 +393,7 @@ TEST(Projective_pieces, WithVerticesAsNearAsRounding)
     }
 }
 
-TEST(Projective_pieces, OfDataMeshes)
+TEST(Projective_pieces, of_data_meshes)
 {
   for_each_data_mesh(100000, [](const Mesh& mesh) {
     const Simplified s(Evolving_surface(mesh), mesh.number_of_vertices() / 20);

@@ -63,7 +63,7 @@ double distance(Vertex_index v, Vertex_index w, const Mesh& mesh)
 
 // Nothing is distorted in the plane. Distances change by no more than a point is moved, and
 // interpolation takes values from corners of the same face.
-TEST(Prolonged_distances, OnASquare)
+TEST(Prolonged_distances, on_a_square)
 {
   const Mesh mesh = square(4);
   const Coarsened c(mesh, 60);
@@ -86,7 +86,7 @@ TEST(Prolonged_distances, OnASquare)
 }
 
 // The three ways to ask are the same.
-TEST(Prolonged_distances, AreTheProductOfMatrices)
+TEST(Prolonged_distances, are_the_product_of_matrices)
 {
   const Mesh mesh = random_sphere(150, 1);
   const Coarsened c(mesh, 30);
@@ -104,7 +104,7 @@ TEST(Prolonged_distances, AreTheProductOfMatrices)
 }
 
 // Between the vertices of a cube: an edge, the diagonal of a side, and across two sides.
-TEST(Prolonged_distances, CornersOfACube)
+TEST(Prolonged_distances, corners_of_a_cube)
 {
   Mesh mesh = subdivided(cube(), 2);
   const double side = distance(Vertex_index(0), Vertex_index(1), cube());
@@ -125,7 +125,7 @@ TEST(Prolonged_distances, CornersOfACube)
     }
 }
 
-TEST(Prolonged_distances, OtherComponentsAreOutOfReach)
+TEST(Prolonged_distances, other_components_are_out_of_reach)
 {
   Mesh mesh = random_sphere(60, 1);
   mesh += random_sphere(60, 2);

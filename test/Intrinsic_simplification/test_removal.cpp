@@ -37,7 +37,7 @@ void for_each_flattened_star(const Check& check)
     }
 }
 
-TEST(Flattening, TheCenterBecomesFlat)
+TEST(Flattening, the_center_becomes_flat)
 {
   for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto length) {
     const double flat = is_on_border(star.center(), s.mesh()) ? pi : 2 * pi;
@@ -55,7 +55,7 @@ TEST(Flattening, TheCenterBecomesFlat)
   });
 }
 
-TEST(Flattening, AngleChangesAreThoseOfTheNeighbors)
+TEST(Flattening, angle_changes_are_those_of_the_neighbors)
 {
   for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto length) {
     std::vector<double> change = angle_sums(s.mesh(), length);
@@ -74,14 +74,14 @@ TEST(Flattening, AngleChangesAreThoseOfTheNeighbors)
 }
 
 // to half of the digits of the scale factor, and of a sine near the angle pi
-TEST(Flattening, AreaChange)
+TEST(Flattening, area_change)
 {
   for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto length) {
     EXPECT_NEAR(star.area_change(), area_of(s.mesh(), length) - area_of(s), 1e-6);
   });
 }
 
-TEST(Flattening, SpokesAreInOrder)
+TEST(Flattening, spokes_are_in_order)
 {
   for_each_flattened_star([](const Evolving_surface& s, const Flattened_star& star, auto) {
     for(std::size_t n = 0; n < star.number_of_corners(); ++n)
@@ -108,7 +108,7 @@ Vertex_index inner_vertex(const Delta_complex& mesh)
 }
 
 // With equal spokes the center would have to be that of the circumcircle of the other three edges.
-TEST(Flattening, AStarAroundAnObtuseTriangleCannotBecomeFlat)
+TEST(Flattening, a_star_around_an_obtuse_triangle_cannot_become_flat)
 {
   const Delta_complex mesh = tripod();
   const Vertex_index v = inner_vertex(mesh);
@@ -119,7 +119,7 @@ TEST(Flattening, AStarAroundAnObtuseTriangleCannotBecomeFlat)
   EXPECT_EQ(status(1.42), Removal_status::not_flattenable);
 }
 
-TEST(Flattening, ScaleOfTheTipOfARegularTetrahedron)
+TEST(Flattening, scale_of_the_tip_of_a_regular_tetrahedron)
 {
   // the center of the unit triangle is at a distance of 1 / sqrt(3)
   const Evolving_surface s(tetrahedron());
@@ -133,7 +133,7 @@ TEST(Flattening, ScaleOfTheTipOfARegularTetrahedron)
   }
 }
 
-TEST(Flattening, WhatCannotBeFlattened)
+TEST(Flattening, what_cannot_be_flattened)
 {
   const Delta_complex tip = cone(false);
   for(Vertex_index v : tip.vertices())
@@ -150,7 +150,7 @@ TEST(Flattening, WhatCannotBeFlattened)
   EXPECT_EQ(status_of(s, Vertex_index(1)), Removal_status::possible);
 }
 
-TEST(Flattening, EveryStatusHasItsText)
+TEST(Flattening, every_status_has_its_text)
 {
   std::vector<std::string> texts;
   for(int n = 0; n < IS::number_of_removal_statuses; ++n)
@@ -186,7 +186,7 @@ std::size_t remove_all(Evolving_surface& s)
   return removed;
 }
 
-TEST(Removal, KeepsTheSurfaceValid)
+TEST(Removal, keeps_the_surface_valid)
 {
   std::size_t removed = 0;
   for(const Named_complex& c : complexes())
@@ -200,7 +200,7 @@ TEST(Removal, KeepsTheSurfaceValid)
 }
 
 // There are no fewer; some spheres end with a few more that cannot be flattened.
-TEST(Removal, MostSpheresEndWithThreeVertices)
+TEST(Removal, most_spheres_end_with_three_vertices)
 {
   int least = 0;
   for(unsigned int seed = 0; seed < 20; ++seed) {
@@ -213,7 +213,7 @@ TEST(Removal, MostSpheresEndWithThreeVertices)
 }
 
 // Loops have to be flipped away.
-TEST(Removal, TheLastVertexOfATorusIsOne)
+TEST(Removal, the_last_vertex_of_a_torus_is_one)
 {
   for(unsigned int seed = 0; seed < 20; ++seed) {
     Evolving_surface s(triangulation(flat_torus(3, 2, seed)));
@@ -224,7 +224,7 @@ TEST(Removal, TheLastVertexOfATorusIsOne)
   }
 }
 
-TEST(Removal, InAFlatPolygonNothingMoves)
+TEST(Removal, in_a_flat_polygon_nothing_moves)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -247,7 +247,7 @@ TEST(Removal, InAFlatPolygonNothingMoves)
 }
 
 // A vertex in the middle of a square: its last flip has it on the new edge.
-TEST(Removal, AVertexOnADiagonal)
+TEST(Removal, a_vertex_on_a_diagonal)
 {
   Evolving_surface s(grid(2, 2, [](double x, double y) { return Point(x, y, 0); }));
   Flattened_star star;
@@ -263,7 +263,7 @@ TEST(Removal, AVertexOnADiagonal)
   EXPECT_NEAR(area_of(s), 4, 1e-12);
 }
 
-TEST(Removal, ConstrainedEdgesStay)
+TEST(Removal, constrained_edges_stay)
 {
   const Mesh mesh = random_sphere(60, 3);
   const auto is_chosen = [&](Edge_index e) { return e.idx() % 17 == 0; };

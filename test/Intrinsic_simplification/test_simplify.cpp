@@ -59,7 +59,7 @@ void expect_only_corners_left(const Mesh& mesh, std::size_t corners, double roun
   EXPECT_NEAR(area_of(s) / area, 1, 1e-10);
 }
 
-TEST(Simplification, PolyhedraToTheirCorners)
+TEST(Simplification, polyhedra_to_their_corners)
 {
   for(int times = 1; times <= 3; ++times) {
     expect_only_corners_left(subdivided(cube(), times), 8, 1e-12);
@@ -69,7 +69,7 @@ TEST(Simplification, PolyhedraToTheirCorners)
 }
 
 // positions are rounded, and with them the curvatures
-TEST(Simplification, RotatedPolyhedraToTheirCorners)
+TEST(Simplification, rotated_polyhedra_to_their_corners)
 {
   Mesh mesh = subdivided(cube(), 3);
   for(Vertex_index v : mesh.vertices()) {
@@ -80,7 +80,7 @@ TEST(Simplification, RotatedPolyhedraToTheirCorners)
   expect_only_corners_left(mesh, 8, 1e-10);
 }
 
-TEST(Simplification, SquareToItsCorners)
+TEST(Simplification, square_to_its_corners)
 {
   expect_only_corners_left(
     subdivided(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}), 4),
@@ -88,7 +88,7 @@ TEST(Simplification, SquareToItsCorners)
 }
 
 // The walls of a box without lid and bottom: an annulus whose boundary is straight everywhere.
-TEST(Simplification, TubeToItsEnds)
+TEST(Simplification, tube_to_its_ends)
 {
   Evolving_surface s(subdivided(punctured(cube(), {0, 1, 2, 3}), 3));
   simplify_for_free(s, 1e-12);
@@ -98,7 +98,7 @@ TEST(Simplification, TubeToItsEnds)
 }
 
 // A piece of a cone: of a regular pyramid, the sides.
-TEST(Simplification, PyramidToItsCorners)
+TEST(Simplification, pyramid_to_its_corners)
 {
   std::vector<Point> points{{0, 0, 1}};
   Triangles triangles;
@@ -112,7 +112,7 @@ TEST(Simplification, PyramidToItsCorners)
 
 // ---- Stopping ----
 
-TEST(Simplification, StopsAtTheNumberOfVertices)
+TEST(Simplification, stops_at_the_number_of_vertices)
 {
   for(const std::size_t n : {200u, 150u, 40u, 10u}) {
     Evolving_surface s(random_sphere(200, 1));
@@ -123,7 +123,7 @@ TEST(Simplification, StopsAtTheNumberOfVertices)
   }
 }
 
-TEST(Simplification, GoesOn)
+TEST(Simplification, goes_on)
 {
   Evolving_surface s(random_sphere(200, 1));
   Transport_cost cost(s);
@@ -139,7 +139,7 @@ TEST(Simplification, GoesOn)
 }
 
 // of the vertices that are left none can be removed, each for a reason
-TEST(Simplification, EndsWhereNothingCanBeRemoved)
+TEST(Simplification, ends_where_nothing_can_be_removed)
 {
   for(const Named_complex& c : complexes())
     for(unsigned int seed = 0; seed < 5; ++seed) {
@@ -161,7 +161,7 @@ TEST(Simplification, EndsWhereNothingCanBeRemoved)
     }
 }
 
-TEST(Simplification, ProtectedVerticesStay)
+TEST(Simplification, protected_vertices_stay)
 {
   Evolving_surface s(random_sphere(100, 2));
   for(unsigned int v = 0; v < 100; v += 10)
@@ -195,7 +195,7 @@ struct Checking_visitor
   }
 };
 
-TEST(Simplification, KeepsTheSurfaceValid)
+TEST(Simplification, keeps_the_surface_valid)
 {
   Evolving_surface s(random_sphere(150, 4));
   Checking_visitor visitor{s};
@@ -203,7 +203,7 @@ TEST(Simplification, KeepsTheSurfaceValid)
   EXPECT_EQ(visitor.order.size(), 145u);
 }
 
-TEST(Simplification, TakesParametersInAnyOrder)
+TEST(Simplification, takes_parameters_in_any_order)
 {
   const Mesh mesh = random_sphere(60, 4);
   const auto length = boost::make_function_property_map<Mesh::Edge_index>([](auto) { return 1.; });
@@ -224,7 +224,7 @@ struct Last_number_first
   void after_removal(const Flattened_star&) {}
 };
 
-TEST(Simplification, TakesTheCheapestFirst)
+TEST(Simplification, takes_the_cheapest_first)
 {
   Evolving_surface s(subdivided(octahedron(), 2));
   Last_number_first cost;
@@ -233,7 +233,7 @@ TEST(Simplification, TakesTheCheapestFirst)
   EXPECT_TRUE(std::is_sorted(visitor.order.rbegin(), visitor.order.rend()));
 }
 
-TEST(Simplification, IsReproducible)
+TEST(Simplification, is_reproducible)
 {
   const Mesh mesh = random_sphere(300, 5);
   const auto state = [&] {
@@ -254,7 +254,7 @@ struct Impatient_visitor : IS::Default_simplification_visitor
   }
 };
 
-TEST(Simplification, CanBeStoppedByAnException)
+TEST(Simplification, can_be_stopped_by_an_exception)
 {
   Evolving_surface s(random_sphere(100, 6));
   Impatient_visitor visitor;
@@ -266,7 +266,7 @@ TEST(Simplification, CanBeStoppedByAnException)
 }
 
 // A vertex of high degree
-TEST(Simplification, Bipyramid)
+TEST(Simplification, bipyramid)
 {
   Evolving_surface s(bipyramid(2000, 0.5));
   simplify(s);
@@ -276,7 +276,7 @@ TEST(Simplification, Bipyramid)
 
 // ---- Real meshes ----
 
-TEST(Simplification, OfDataMeshesToTheLastVertex)
+TEST(Simplification, of_data_meshes_to_the_last_vertex)
 {
   for_each_data_mesh(1000000, [](const Mesh& mesh) {
     Evolving_surface s(mesh);

@@ -141,7 +141,7 @@ void expect_subdivision(const Simplified& s, const Surface_map& map, Bends bends
   expect_mapped(subdivision, map);
 }
 
-TEST(Subdivision, OfAllSurfaces)
+TEST(Subdivision, of_all_surfaces)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     expect_subdivision(s, map, Bends::of_coarse_edges);
@@ -150,7 +150,7 @@ TEST(Subdivision, OfAllSurfaces)
 }
 
 // No edge passes through a vertex.
-TEST(Subdivision, HasPositivePolygons)
+TEST(Subdivision, has_positive_polygons)
 {
   std::size_t faces = 0;
   for_each_random_surface([&](const Simplified& s, const Surface_map& map) {
@@ -165,7 +165,7 @@ TEST(Subdivision, HasPositivePolygons)
 }
 
 // Triangles have no negative area on the fine surface, however bent the polygons are.
-TEST(Subdivision, Triangulates)
+TEST(Subdivision, triangulates)
 {
   std::size_t cut = 0;
   for_each_random_surface([&](const Simplified& s, const Surface_map& map) {
@@ -186,7 +186,7 @@ TEST(Subdivision, Triangulates)
 }
 
 // Values at vertices agree with those at all corners of faces.
-TEST(Subdivision, InterpolatesFromBothLevels)
+TEST(Subdivision, interpolates_from_both_levels)
 {
   for_each_random_surface([&](const Simplified&, const Surface_map& map) {
     const Subdivision subdivision(map, Bends::of_all_edges);
@@ -211,7 +211,7 @@ TEST(Subdivision, InterpolatesFromBothLevels)
   });
 }
 
-TEST(Subdivision, OfLevelsOfAHierarchy)
+TEST(Subdivision, of_levels_of_a_hierarchy)
 {
   const Simplified s = simplified_twice();
   const Surface_map map(s.surface, s.fine, s.coarse);
@@ -223,7 +223,7 @@ TEST(Subdivision, OfLevelsOfAHierarchy)
 }
 
 // A level and itself: nothing but the mesh.
-TEST(Subdivision, OfOneLevel)
+TEST(Subdivision, of_one_level)
 {
   const Evolving_surface surface(embedded_torus(5, 4));
   const Surface_level level(surface), same(surface);
@@ -237,7 +237,7 @@ TEST(Subdivision, OfOneLevel)
 
 // In the plane every vertex is at the same place on both levels, and brute force counts the
 // crossings.
-TEST(Subdivision, OfAFlatPolygon)
+TEST(Subdivision, of_a_flat_polygon)
 {
   for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {
     const Subdivision subdivision(map);
@@ -261,7 +261,7 @@ TEST(Subdivision, OfAFlatPolygon)
 }
 
 // Coarse edges run through vertices and along edges, but for rounding.
-TEST(Subdivision, OfACube)
+TEST(Subdivision, of_a_cube)
 {
   for(const unsigned int n : {100u, 30u, 8u}) {
     const Simplified s = simplified_by_curvature(Evolving_surface(subdivided(cube(), 3)), n);
@@ -282,7 +282,7 @@ TEST(Subdivision, OfACube)
 }
 
 // Edges pass by vertices at the distance of rounding, several beside each other.
-TEST(Subdivision, WithVerticesAsNearAsRounding)
+TEST(Subdivision, with_vertices_as_near_as_rounding)
 {
   std::size_t checked = 0;
   CGAL::Random random(1);
@@ -304,7 +304,7 @@ TEST(Subdivision, WithVerticesAsNearAsRounding)
   EXPECT_GT(checked, 50u);
 }
 
-TEST(Subdivision, KeepsIsolatedVertices)
+TEST(Subdivision, keeps_isolated_vertices)
 {
   Mesh mesh = random_sphere(50, 8);
   const Vertex_index alone = mesh.add_vertex({3, 3, 3});
@@ -331,7 +331,7 @@ void expect_no_negative_areas(const Subdivision& subdivision, Level side)
   EXPECT_NEAR(sum, total, 1e-8 * total);
 }
 
-TEST(Subdivision, OfDataMeshes)
+TEST(Subdivision, of_data_meshes)
 {
   for_each_data_mesh(100000, [](const Mesh& mesh) {
     for(const unsigned int n : {mesh.number_of_vertices() / 5, 0u}) {

@@ -39,7 +39,7 @@ void expect_inside(const Location& p)
   EXPECT_NEAR(p.second[0] + p.second[1] + p.second[2], 1, 1e-15);
 }
 
-TEST(Surface_map, ThereAndBack)
+TEST(Surface_map, there_and_back)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     CGAL::Random random(1);
@@ -55,7 +55,7 @@ TEST(Surface_map, ThereAndBack)
 }
 
 // Vertices that are left stay where they are; a coordinate of zero stays exactly zero.
-TEST(Surface_map, OfVertices)
+TEST(Surface_map, of_vertices)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     for(Halfedge_index h : s.fine.mesh().halfedges()) {
@@ -72,7 +72,7 @@ TEST(Surface_map, OfVertices)
   });
 }
 
-TEST(Surface_map, IsContinuousAcrossEdges)
+TEST(Surface_map, is_continuous_across_edges)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     for(Edge_index e : s.fine.mesh().edges()) {
@@ -86,7 +86,7 @@ TEST(Surface_map, IsContinuousAcrossEdges)
   });
 }
 
-TEST(Surface_map, KeepsTheBoundary)
+TEST(Surface_map, keeps_the_boundary)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     for(Halfedge_index h : s.fine.mesh().halfedges())
@@ -109,7 +109,7 @@ double signed_area(const Coordinates& a, const Coordinates& b, const Coordinates
 }
 
 // The images of small triangles are small triangles of the same orientation.
-TEST(Surface_map, KeepsTheOrientation)
+TEST(Surface_map, keeps_the_orientation)
 {
   int checked = 0;
   for_each_surface([&](const Simplified& s, const Surface_map& map) {
@@ -130,7 +130,7 @@ TEST(Surface_map, KeepsTheOrientation)
   EXPECT_GT(checked, 5000);
 }
 
-TEST(Surface_map, OfAFlatPolygonIsTheIdentity)
+TEST(Surface_map, of_a_flat_polygon_is_the_identity)
 {
   for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {
     CGAL::Random random(3);
@@ -143,7 +143,7 @@ TEST(Surface_map, OfAFlatPolygonIsTheIdentity)
 }
 
 // A map over two levels is the two maps one after the other.
-TEST(Surface_map, LevelsOfAHierarchy)
+TEST(Surface_map, levels_of_a_hierarchy)
 {
   Evolving_surface surface(random_sphere(300, 7));
   const Surface_level fine(surface);
@@ -170,7 +170,7 @@ TEST(Surface_map, LevelsOfAHierarchy)
 
 // The squared lengths at the tip become a third, so its coordinate is multiplied by three:
 // circumcircles, where the sum of l_ij^2 b_i b_j is zero, become circumcircles.
-TEST(Surface_map, ChangesOfScaleKeepCircumcircles)
+TEST(Surface_map, changes_of_scale_keep_circumcircles)
 {
   const Simplified s = without_tip();
   const Surface_map map(s.surface, s.fine, s.coarse);
@@ -189,7 +189,7 @@ TEST(Surface_map, ChangesOfScaleKeepCircumcircles)
 
 // ---- Matrices ----
 
-TEST(Prolongation, RowsAreBarycentricCoordinates)
+TEST(Prolongation, rows_are_barycentric_coordinates)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     const Eigen::SparseMatrix<double, Eigen::RowMajor> p = IS::prolongation_matrix(map);
@@ -207,7 +207,7 @@ TEST(Prolongation, RowsAreBarycentricCoordinates)
   });
 }
 
-TEST(Prolongation, OfLinearFunctionsOnAFlatPolygonIsExact)
+TEST(Prolongation, of_linear_functions_on_a_flat_polygon_is_exact)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {
     const Mesh mesh = flat_mesh(seed);
@@ -225,7 +225,7 @@ TEST(Prolongation, OfLinearFunctionsOnAFlatPolygonIsExact)
   }
 }
 
-TEST(Prolongation, RestrictionIsAMeanThatKeepsIntegrals)
+TEST(Prolongation, restriction_is_a_mean_that_keeps_integrals)
 {
   const Simplified s(Evolving_surface(random_sphere(200, 3)), 20);
   const Surface_map map(s.surface, s.fine, s.coarse);
@@ -239,7 +239,7 @@ TEST(Prolongation, RestrictionIsAMeanThatKeepsIntegrals)
   EXPECT_NEAR(coarse_mass.dot(r * x), fine_mass.dot(x), 1e-12);
 }
 
-TEST(Prolongation, IsolatedVerticesKeepTheirValues)
+TEST(Prolongation, isolated_vertices_keep_their_values)
 {
   Mesh mesh = random_sphere(50, 8);
   const Vertex_index alone = mesh.add_vertex({3, 3, 3});

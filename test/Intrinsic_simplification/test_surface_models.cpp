@@ -13,7 +13,7 @@ namespace {
 
 using namespace Test_surfaces;
 
-TEST(Surface_models, OfOneSurface)
+TEST(Surface_models, of_one_surface)
 {
   for_each_surface([](const Simplified& s, const Surface_map&) {
     const IS::Evolving_surface surface(s.fine.triangulation());
@@ -27,7 +27,7 @@ TEST(Surface_models, OfOneSurface)
 }
 
 // The row of a removed vertex is empty.
-TEST(Surface_models, WithGaps)
+TEST(Surface_models, with_gaps)
 {
   for_each_surface([](const Simplified& s, const Surface_map&) {
     const Eigen::MatrixXd of_surface = IT::mass_matrix(s.surface);

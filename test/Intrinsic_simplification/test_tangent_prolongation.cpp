@@ -25,7 +25,7 @@ Matrix tangent_prolongation(const Surface_map& map)
 }
 
 // Vectors from two corners at the same vertex may cancel.
-TEST(Tangent_prolongation, HasTheAbsoluteValuesOfThatOfFunctions)
+TEST(Tangent_prolongation, has_the_absolute_values_of_that_of_functions)
 {
   std::size_t rows = 0;
   for_each_surface([&](const Simplified&, const Surface_map& map) {
@@ -41,7 +41,7 @@ TEST(Tangent_prolongation, HasTheAbsoluteValuesOfThatOfFunctions)
   EXPECT_GT(rows, 100u);
 }
 
-TEST(Tangent_prolongation, OfOneLevelIsTheIdentity)
+TEST(Tangent_prolongation, of_one_level_is_the_identity)
 {
   for(const Named_complex& c : complexes()) {
     SCOPED_TRACE(c.name);
@@ -69,7 +69,7 @@ Complex direction(Halfedge_index h, const Surface_map& map, const Flat_surface& 
 }
 
 // A parallel field on a flat torus, where all vertices but one can be removed at no cost.
-TEST(Tangent_prolongation, OfAConstantFieldOnAFlatTorusIsExact)
+TEST(Tangent_prolongation, of_a_constant_field_on_a_flat_torus_is_exact)
 {
   for(unsigned int seed = 0; seed < 5; ++seed) {
     const Flat_surface flat = flat_torus(9, 8, seed);
@@ -93,7 +93,7 @@ TEST(Tangent_prolongation, OfAConstantFieldOnAFlatTorusIsExact)
 
 // On a sphere, fields that rotate it are smooth: what comes out is close to the field of the same
 // rotation.
-TEST(Tangent_prolongation, OfARotationFieldOnASphere)
+TEST(Tangent_prolongation, of_a_rotation_field_on_a_sphere)
 {
   const Mesh mesh = subdivided(octahedron(), 4);
   std::vector<Point> points;

@@ -102,7 +102,7 @@ bool is_on_edge(const Location& p, Halfedge_index h, double low, double high,
   return false;
 }
 
-TEST(Trace, CoarseEdgesLieOnTheFineSurface)
+TEST(Trace, coarse_edges_lie_on_the_fine_surface)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     const Delta_complex &fine = s.fine.mesh(), &coarse = s.coarse.mesh();
@@ -124,7 +124,7 @@ TEST(Trace, CoarseEdgesLieOnTheFineSurface)
   });
 }
 
-TEST(Trace, FineEdgesLieOnTheCoarseSurface)
+TEST(Trace, fine_edges_lie_on_the_coarse_surface)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     const Delta_complex &fine = s.fine.mesh(), &coarse = s.coarse.mesh();
@@ -153,7 +153,7 @@ std::array<std::size_t, 3> counts(const Trace& trace)
 }
 
 // Each crossing of a coarse and a fine edge is found by the traces of both.
-TEST(Trace, CoarseAndFineEdgesCrossEachOther)
+TEST(Trace, coarse_and_fine_edges_cross_each_other)
 {
   for_each_surface([](const Simplified& s, const Surface_map& map) {
     std::size_t of_coarse = 0, of_fine = 0, through_vertices = 0;
@@ -169,7 +169,7 @@ TEST(Trace, CoarseAndFineEdgesCrossEachOther)
 }
 
 // Lengths are random: no edge passes through a vertex but for rounding.
-TEST(Trace, TheOtherWayRoundIsTheSame)
+TEST(Trace, the_other_way_round_is_the_same)
 {
   for_each_random_surface([](const Simplified& s, const Surface_map& map) {
     for(Edge_index e : s.coarse.mesh().edges()) {
@@ -191,7 +191,7 @@ TEST(Trace, TheOtherWayRoundIsTheSame)
 
 typedef std::tuple<Vertex_index, Vertex_index, std::vector<Edge_index>> Crossed;
 
-TEST(Trace, AfterFlipsAgreesWithIntegerCoordinates)
+TEST(Trace, after_flips_agrees_with_integer_coordinates)
 {
   for(const Named_complex& c : complexes())
     for(unsigned int seed = 0; seed < 5; ++seed) {
@@ -235,7 +235,7 @@ double length(const Trace& trace, const Surface_level& level, const Mesh& mesh)
 }
 
 // No three of the points are on a line, but for those on the boundary.
-TEST(Trace, OfAFlatPolygonIsStraight)
+TEST(Trace, of_a_flat_polygon_is_straight)
 {
   for_each_flat_polygon([](const Mesh& mesh, const Simplified& s, const Surface_map& map) {
     for(Edge_index e : s.coarse.mesh().edges()) {
@@ -260,7 +260,7 @@ TEST(Trace, OfAFlatPolygonIsStraight)
 }
 
 // A subdivided cube loses all but its corners at no cost.
-TEST(Trace, OfACubeIsStraight)
+TEST(Trace, of_a_cube_is_straight)
 {
   const Mesh mesh = subdivided(cube(), 3);
   const Simplified s = simplified_by_curvature(Evolving_surface(mesh), 8);

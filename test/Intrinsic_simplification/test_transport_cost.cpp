@@ -71,7 +71,7 @@ bool has_repeated_neighbors(const Flattened_star& star)
   return false;
 }
 
-TEST(Transport_cost, FirstRemovalIsATransportOfCurvature)
+TEST(Transport_cost, first_removal_is_a_transport_of_curvature)
 {
   int checked = 0;
   for(const Named_mesh& m : meshes()) {
@@ -105,7 +105,7 @@ TEST(Transport_cost, FirstRemovalIsATransportOfCurvature)
   EXPECT_GT(checked, 100);
 }
 
-TEST(Transport_cost, WeightsAndUnits)
+TEST(Transport_cost, weights_and_units)
 {
   const Evolving_surface s(random_sphere(40, 1));
   std::vector<double> value(40);
@@ -160,7 +160,7 @@ std::vector<double> flux_by_gradients(const Mesh& mesh, const std::vector<double
   return result;
 }
 
-TEST(Transport_cost, MassesOfAFunctionAreItsLaplacian)
+TEST(Transport_cost, masses_of_a_function_are_its_laplacian)
 {
   for(unsigned int seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -183,7 +183,7 @@ TEST(Transport_cost, MassesOfAFunctionAreItsLaplacian)
   }
 }
 
-TEST(Transport_cost, AConstantFunctionHasNoMass)
+TEST(Transport_cost, a_constant_function_has_no_mass)
 {
   const Evolving_surface s(random_sphere(40, 1));
   Transport_cost cost(s);
@@ -192,7 +192,7 @@ TEST(Transport_cost, AConstantFunctionHasNoMass)
 }
 
 // On a square of four by four cells a linear function flows in on one side and out on the other.
-TEST(Transport_cost, ALinearFunctionHasMassAtTheBoundaryOnly)
+TEST(Transport_cost, a_linear_function_has_mass_at_the_boundary_only)
 {
   std::vector<Point> points;
   Triangles triangles;
@@ -218,7 +218,7 @@ TEST(Transport_cost, ALinearFunctionHasMassAtTheBoundaryOnly)
   }
 }
 
-TEST(Transport_cost, MassIsKept)
+TEST(Transport_cost, mass_is_kept)
 {
   Evolving_surface s(perturbed(embedded_torus(6, 5), 0.4, 3));
   s.make_Delaunay();
@@ -240,7 +240,7 @@ TEST(Transport_cost, MassIsKept)
   EXPECT_NEAR(area, 1, 1e-12);
 }
 
-TEST(Transport_cost, ChangeOfArea)
+TEST(Transport_cost, change_of_area)
 {
   for(const Named_mesh& m : meshes()) {
     SCOPED_TRACE(m.name);
@@ -261,7 +261,7 @@ TEST(Transport_cost, ChangeOfArea)
   }
 }
 
-TEST(Transport_cost, OfAFlatSurfaceWithoutDataIsZero)
+TEST(Transport_cost, of_a_flat_surface_without_data_is_zero)
 {
   const Evolving_surface s(triangulation(flat_torus(4, 5, 1)));
   Transport_cost cost(s);
@@ -360,7 +360,7 @@ std::vector<double> random_masses(std::size_t n, unsigned int seed)
   return mass;
 }
 
-TEST(Transport_cost, OnAFlatTorusVectorsLeadToCentersOfMass)
+TEST(Transport_cost, on_a_flat_torus_vectors_lead_to_centers_of_mass)
 {
   for(unsigned int seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

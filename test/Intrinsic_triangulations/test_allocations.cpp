@@ -61,7 +61,7 @@ Mesh wavy_torus(unsigned n)
   return mesh;
 }
 
-TEST(Allocations, AFlipAllocatesNothing)
+TEST(Allocations, a_flip_allocates_nothing)
 {
   IT::Intrinsic_triangulation<> tri(wavy_square(10));
   std::size_t flips = 0;
@@ -78,7 +78,7 @@ TEST(Allocations, AFlipAllocatesNothing)
 }
 
 // Only the stack allocates: the marks of its edges once, and the edges as often as it doubles.
-TEST(Allocations, MakeDelaunayAllocatesItsStackOnly)
+TEST(Allocations, make_Delaunay_allocates_its_stack_only)
 {
   IT::Intrinsic_triangulation<> tri(wavy_square(60));
   const std::size_t before = number_of_allocations();
@@ -96,7 +96,7 @@ double bytes_per_edge(std::size_t edges, const Make& make)
   return static_cast<double>(bytes_in_use() - before) / static_cast<double>(edges);
 }
 
-TEST(Allocations, BytesOnAClosedSurface)
+TEST(Allocations, bytes_on_a_closed_surface)
 {
   const Mesh mesh = wavy_torus(100);
   const std::size_t edges = mesh.number_of_edges();

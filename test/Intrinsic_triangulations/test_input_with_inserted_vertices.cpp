@@ -102,7 +102,7 @@ void expect_same_Delaunay_triangulation(const Triangulation& r)
     EXPECT_NEAR(found[i], expected[i], 1e-9);
 }
 
-TEST(Input_with_inserted_vertices, OfAllSurfaces)
+TEST(Input_with_inserted_vertices, of_all_surfaces)
 {
   std::size_t inserted = 0;
   for(const Named_complex& c : complexes()) {
@@ -115,7 +115,7 @@ TEST(Input_with_inserted_vertices, OfAllSurfaces)
   EXPECT_GT(inserted, 300u);
 }
 
-TEST(Input_with_inserted_vertices, IsTheInputWithoutAny)
+TEST(Input_with_inserted_vertices, is_the_input_without_any)
 {
   for(const Named_mesh& m : meshes()) {
     SCOPED_TRACE(m.name);
@@ -136,7 +136,7 @@ Point place(Vertex_index v, const Triangulation& t, const Mesh& mesh)
                           mesh.point(mesh.target(mesh.next(h))), b[2]);
 }
 
-TEST(Input_with_inserted_vertices, IsStraightInSpace)
+TEST(Input_with_inserted_vertices, is_straight_in_space)
 {
   for(const Named_mesh& m : meshes()) {
     SCOPED_TRACE(m.name);
@@ -154,7 +154,7 @@ TEST(Input_with_inserted_vertices, IsStraightInSpace)
   }
 }
 
-TEST(Input_with_inserted_vertices, RefusesVerticesThatRoundingHasMoved)
+TEST(Input_with_inserted_vertices, refuses_vertices_that_rounding_has_moved)
 {
   Triangulation t(tetrahedron());
   IT::Vertex_inserter<> inserter(t);
@@ -167,7 +167,7 @@ TEST(Input_with_inserted_vertices, RefusesVerticesThatRoundingHasMoved)
   EXPECT_THROW(IT::input_with_inserted_vertices(t), IT::Numerical_error);
 }
 
-TEST(Input_with_inserted_vertices, OfDataMeshes)
+TEST(Input_with_inserted_vertices, of_data_meshes)
 {
   for_each_data_mesh(100000, [](const Mesh& mesh) {
     const Triangulation r = refined(Triangulation(mesh), IT::parameters::minimum_angle(25));

@@ -172,7 +172,7 @@ void for_each_replacement(const std::string& text, const Check& check)
 
 } // namespace
 
-TEST(Io, round_trip)
+TEST(IO, round_trip)
 {
   for(const Named_triangulation& t : triangulations()) {
     SCOPED_TRACE(t.name);
@@ -183,7 +183,7 @@ TEST(Io, round_trip)
   check_round_trip(Triangulation());
 }
 
-TEST(Io, round_trip_with_constraints)
+TEST(IO, round_trip_with_constraints)
 {
   for(const Named_mesh& m : meshes()) {
     SCOPED_TRACE(m.name);
@@ -195,7 +195,7 @@ TEST(Io, round_trip_with_constraints)
   }
 }
 
-TEST(Io, lengths_of_all_magnitudes_are_exact)
+TEST(IO, lengths_of_all_magnitudes_are_exact)
 {
   for(double scale : {1e-36, 3e-20, 1 / 3., 1e20, 1e36}) {
     std::vector<double> lengths = random_lengths(double_torus(), 1);
@@ -205,7 +205,7 @@ TEST(Io, lengths_of_all_magnitudes_are_exact)
   }
 }
 
-TEST(Io, header)
+TEST(IO, header)
 {
   const std::string text = text_of(Triangulation(tetrahedron()));
   EXPECT_EQ(lines_of(text)[0], "intrinsic_triangulation 2");
@@ -218,7 +218,7 @@ TEST(Io, header)
   EXPECT_EQ(refused_line(""), 1u);
 }
 
-TEST(Io, missing_lines)
+TEST(IO, missing_lines)
 {
   for(const Triangulation& t : small_triangulations()) {
     const Lines lines = lines_of(text_of(t));
@@ -230,7 +230,7 @@ TEST(Io, missing_lines)
   }
 }
 
-TEST(Io, repeated_and_exchanged_lines)
+TEST(IO, repeated_and_exchanged_lines)
 {
   for(const Triangulation& t : small_triangulations()) {
     const Lines lines = lines_of(text_of(t));
@@ -247,7 +247,7 @@ TEST(Io, repeated_and_exchanged_lines)
   }
 }
 
-TEST(Io, truncated_at_every_byte)
+TEST(IO, truncated_at_every_byte)
 {
   for(const Triangulation& t : small_triangulations()) {
     const std::string text = text_of(t);
@@ -259,7 +259,7 @@ TEST(Io, truncated_at_every_byte)
   }
 }
 
-TEST(Io, extra_text_in_every_line)
+TEST(IO, extra_text_in_every_line)
 {
   const Lines lines = lines_of(text_of(Triangulation(tetrahedron())));
   for(std::size_t l = 0; l < lines.size(); ++l)
@@ -270,7 +270,7 @@ TEST(Io, extra_text_in_every_line)
     }
 }
 
-TEST(Io, other_numbers)
+TEST(IO, other_numbers)
 {
   std::size_t valid = 0, bad_format = 0, bad_triangulation = 0;
   for(const Triangulation& t : small_triangulations())
@@ -283,7 +283,7 @@ TEST(Io, other_numbers)
   EXPECT_GT(bad_triangulation, 500u);
 }
 
-TEST(Io, other_numbers_of_elements)
+TEST(IO, other_numbers_of_elements)
 {
   const Lines lines = lines_of(text_of(Triangulation(tetrahedron())));
   for(std::size_t l : {std::size_t(1), lines.size() / 2}) {
@@ -298,7 +298,7 @@ TEST(Io, other_numbers_of_elements)
   }
 }
 
-TEST(Io, lengths_that_make_no_triangle)
+TEST(IO, lengths_that_make_no_triangle)
 {
   for(const Triangulation& t :
       {Triangulation(tetrahedron()), Triangulation(embedded_torus(5, 4))}) {
@@ -314,7 +314,7 @@ TEST(Io, lengths_that_make_no_triangle)
 }
 
 // The same in the second triangulation alone, at an edge that is not shared.
-TEST(Io, intrinsic_lengths_that_make_no_triangle)
+TEST(IO, intrinsic_lengths_that_make_no_triangle)
 {
   Triangulation t(embedded_torus(5, 4));
   EXPECT_GT(IT::make_Delaunay(t), 0u);
@@ -333,7 +333,7 @@ TEST(Io, intrinsic_lengths_that_make_no_triangle)
 
 #ifdef __linux__
 // A short file that promises much must not take the memory for it.
-TEST(Io, promises_take_no_memory)
+TEST(IO, promises_take_no_memory)
 {
   const auto peak = [] { // in kilobytes
     rusage usage{};
@@ -357,7 +357,7 @@ struct Strange_numbers : std::numpunct<char>
   std::string do_grouping() const override { return "\1"; }
 };
 
-TEST(Io, locale_does_not_matter)
+TEST(IO, locale_does_not_matter)
 {
   Triangulation t(embedded_torus(6, 5));
   IT::make_Delaunay(t);
@@ -372,7 +372,7 @@ TEST(Io, locale_does_not_matter)
   expect_equal(IT::read_intrinsic_triangulation(is), t);
 }
 
-TEST(Io, flags_of_the_stream_do_not_matter)
+TEST(IO, flags_of_the_stream_do_not_matter)
 {
   const Triangulation t(embedded_torus(6, 5));
   std::ostringstream os;
@@ -381,7 +381,7 @@ TEST(Io, flags_of_the_stream_do_not_matter)
   EXPECT_TRUE(os.str() == text_of(t));
 }
 
-TEST(Io, stream_that_fails)
+TEST(IO, stream_that_fails)
 {
   std::ostringstream os;
   os.setstate(std::ios::failbit);
@@ -389,7 +389,7 @@ TEST(Io, stream_that_fails)
 }
 
 // Two in one stream.
-TEST(Io, reads_no_further_than_the_end)
+TEST(IO, reads_no_further_than_the_end)
 {
   Triangulation a(embedded_torus(5, 4)), b(tetrahedron());
   IT::make_Delaunay(a);

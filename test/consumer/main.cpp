@@ -34,8 +34,8 @@ Mesh thin_quadrilateral()
 #ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
 bool is_flattened(const Mesh& mesh)
 {
-  namespace CM = CGAL::Discrete_conformal_maps;
-  return CM::flatten(mesh).status() == CM::Map_status::success;
+  namespace DCM = CGAL::Discrete_conformal_maps;
+  return DCM::flatten(mesh).status() == DCM::Map_status::success;
 }
 #else
 bool is_flattened(const Mesh&)
