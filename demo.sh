@@ -19,7 +19,8 @@ sphere_mesh=build/cgal_data/meshes/bull.off
 hyperbolic_mesh=build/cgal_data/meshes/eight.off
 fine_mesh=build/cgal_data/meshes/camel.off
 
-# print_values NAME FORMAT: the name and values of its statistics s, as a Python f-string formats them.
+# print_values NAME FORMAT: the name and values of its statistics s, as a Python f-string formats
+# them.
 print_values()
 {
   python3 test/demo/files.py "s = json('results/$1.json')" "print(f'''{\"$1\":16}$2''')"

@@ -29,7 +29,7 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
   read(command);
 }
 
-// Has no progress bar: repairs and notes are told meanwhile.
+// Has no progress bar: repairs and notes are printed meanwhile.
 void Command_run::read(const std::string& command)
 {
   {

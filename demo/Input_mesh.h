@@ -27,7 +27,7 @@ struct Input_tolerance
   bool are_zero_lengths_allowed = false;
 };
 
-// Reads a mesh; repairs, and notes unless `is_quiet`, are told on standard error.
+// Reads a mesh; repairs, and notes unless `is_quiet`, are printed on standard error.
 // Throws Program_error if the file cannot be read or if the mesh, repaired if wanted, has a fatal
 // defect.
 Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance, bool is_quiet);

@@ -10,7 +10,7 @@
 #include <streambuf>
 #include <string>
 
-// Hands a stream on line by line, so that whoever reads it can be told how far it came.
+// Hands a stream on line by line, so that whoever reads it can report how far it came.
 class Line_counting_buffer : public std::streambuf
 {
 public:

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-// One line on the terminal that tells which of several stages is running; nothing elsewhere.
+// One line on the terminal that shows which of several stages is running; nothing elsewhere.
 class Progress_bar
 {
 public:

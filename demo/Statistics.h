@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <string>
 
-// What a command tells about its work, in the order in which it was told.
+// What a command reports about its work, in the order in which it was reported.
 // Numbers that are not finite become null.
 using Statistics = nlohmann::ordered_json;
 

@@ -54,7 +54,7 @@ void add_common_options(CLI::App& command, Common_options& options)
              "relative to the mean edge length",
              CLI::Range(1e-16, 1.));
   command.add_flag("--repair", options.is_repair_wanted,
-                   "Mend what can be mended in the mesh and tell it; indices may change");
+                   "Mend what can be mended in the mesh and report it; indices may change");
 }
 
 void add_save(CLI::App& command, Common_options& options)

@@ -24,7 +24,8 @@ struct Options
   Simplify_options simplify;
 };
 
-// Tells `app` what can stand on the command line; parsing sets `options`, which must live as long.
+// Declares to `app` what can stand on the command line; parsing sets `options`, which must live as
+// long.
 void define_command_line(CLI::App& app, Options& options);
 
 #endif // INTRINSIC_COMMAND_LINE_H

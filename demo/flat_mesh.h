@@ -30,8 +30,8 @@ Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map&
                       const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);
 
-// The same for a map to the hyperbolic plane: homogeneous coordinates are those of Klein's disk,
-// positions those in the Poincare disk.
+// As `flat_mesh()`, for a map to the hyperbolic plane: homogeneous coordinates are those of Klein's
+// disk, positions those in the Poincare disk.
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
                       const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);

@@ -93,7 +93,7 @@ interpolation.
   .ply  a list "texcoord" (or "homogeneous_texcoord") of each face, with all numbers of its
         corners
   .vtp  a property with that name of points, which are repeated along seams
-.ply and .vtp tell of each vertex the input vertex (-1 if it is none), whether it is a cone and
+.ply and .vtp have for each vertex the input vertex (-1 if it is none), whether it is a cone and
 its logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat
 face or edge they are a part. Edges with is_seam 1 are cut open.
 
@@ -127,7 +127,7 @@ The output is as that of `intrinsic flatten`, with positions in the Poincare dis
 Statistics: the area, which is 4 pi (genus - 1); for each component its genus and the motions z ->
 (a z + b) / (conj(b) z + conj(a)) that glue the sides of its domain, as real and imaginary parts
 of a and b; a relation, the order in which their product is the identity (from 1, negative for
-inverse ones), and its error. max_gluing_error tells the same of the corners of the domain, radius
+inverse ones), and its error. max_gluing_error is that of the corners of the domain, radius
 how far from its middle it reaches: in double precision, positions at a distance d are good for
 1e-16 exp(d).
 
@@ -155,7 +155,7 @@ areas of the mesh) in the center; or one half of such a polyhedron, with the bou
 equator. Convexity is decided exactly.
 
 The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
-polyhedron, projected to the sphere. .ply and .vtp tell of each vertex the input vertex (-1 if it
+polyhedron, projected to the sphere. .ply and .vtp have for each vertex the input vertex (-1 if it
 is none) and its logarithmic scale factor, its place in the mesh (input_x, input_y, input_z) and
 homogeneous coordinates on the polyhedron (homogeneous_x, _y, _z, _w), which are linear on faces;
 of faces (and in .ply of edges) of which input, intrinsic and sphere face or edge they are a part.

@@ -39,7 +39,7 @@ Triangulation make_delaunay_triangulation(Command_run& run, double constrained_a
 void refine_triangulation(Command_run& run, Triangulation& triangulation,
                           const Refinement_bounds& bounds);
 
-// The same with a bound on the angle alone, in degrees; nothing if it is zero.
+// Refines with a bound on the angle alone, in degrees; nothing if it is zero.
 void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle);
 
 // Adds what the triangulation is to the statistics.

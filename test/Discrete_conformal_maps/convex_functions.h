@@ -272,7 +272,7 @@ inline std::vector<Link> grid(Eigen::Index side, double range = 0, unsigned seed
   return result;
 }
 
-// The same grid in triangles.
+// That grid in triangles.
 inline std::vector<Log_sum_exp::Triple> triangles(Eigen::Index side)
 {
   std::vector<Log_sum_exp::Triple> result;

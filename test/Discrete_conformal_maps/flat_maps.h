@@ -135,7 +135,7 @@ inline Mesh straight_plate_with_holes(int genus)
   return make_mesh(points, triangles);
 }
 
-// The same, a little out of shape.
+// That mesh a little out of shape.
 inline Mesh plate_with_holes(int genus)
 {
   return perturbed(straight_plate_with_holes(genus), 0.1, 12);

@@ -52,7 +52,7 @@ Precise true_Lobachevsky_function(const Precise& theta)
 }
 
 // Some units in the last place of the value, and what an argument that is off by that much changes;
-// near pi, which is no number of type FT, the distance to it counts.
+// near pi, which is NaN of type FT, the distance to it counts.
 template <typename FT>
 void check_Lobachevsky_function(const FT& theta)
 {
@@ -380,7 +380,7 @@ TYPED_TEST(Conformal_energy, is_convex_and_continuous_along_segments)
   EXPECT_GT(flips, 1000u);
 }
 
-// The same ideal polyhedron, and so the same functions, after any flips by Ptolemy's relation.
+// One ideal polyhedron, and so the same functions, after any flips by Ptolemy's relation.
 TYPED_TEST(Conformal_energy, does_not_depend_on_the_triangulation)
 {
   typedef typename TypeParam::template Energy<Quad> Energy;

@@ -44,7 +44,7 @@ std::vector<double> random_scales(std::size_t n, double bound, unsigned int seed
   return result;
 }
 
-// the same triangulation with scaled lengths
+// a triangulation with scaled lengths
 Triangulation scaled(const Triangulation& t, const std::vector<double>& u)
 {
   std::vector<double> length = lengths_of(t);

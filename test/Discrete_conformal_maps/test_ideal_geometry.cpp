@@ -243,7 +243,8 @@ TEST(Ideal_geometry, rounded_strip_keeps_its_digits)
 
 // ---- Circles ----
 
-// |sin(alpha - beta)|, a chord of a circle of diameter 1, from the tangents of the halves of both angles
+// |sin(alpha - beta)|, a chord of a circle of diameter 1, from the tangents of the halves of both
+// angles
 Rational chord(const Rational& a, const Rational& b)
 {
   const Rational sine = (2 * a * (1 - b * b) - 2 * b * (1 - a * a)) / ((1 + a * a) * (1 + b * b));
@@ -492,7 +493,7 @@ TEST(Ideal_geometry, wild_lengths_become_delaunay)
         IT::make_Delaunay(t);
         EXPECT_TRUE(IT::is_Delaunay(t));
         EXPECT_TRUE(t.is_valid(true));
-        if(is_closed(mesh)) { // strict but for rounding
+        if(is_closed(mesh)) { // strict up to rounding
           EXPECT_LT(triangle_defect(t), 1e-13);
         }
       }
@@ -790,7 +791,7 @@ TEST(Ideal_geometry, scaled_meshes_become_delaunay)
     }
 }
 
-// The same with exact numbers is the truth.
+// Exact numbers give the truth.
 TEST(Ideal_geometry, rounded_crossings_keep_their_digits)
 {
   // every edge comes from a few flips, each with three roundings, and every strip is a few

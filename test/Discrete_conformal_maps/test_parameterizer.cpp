@@ -49,7 +49,7 @@ Mesh bent_triangles(std::size_t n)
   return mesh;
 }
 
-// the same with two triangles that are not Delaunay
+// that mesh with two triangles that are not Delaunay
 Mesh with_bad_edge(Mesh mesh)
 {
   for(Edge_index e : mesh.edges())

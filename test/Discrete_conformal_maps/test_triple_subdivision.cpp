@@ -292,7 +292,7 @@ Ideal_triangulation ideally_flipped(const Triangulation& b, double range, unsign
   return result;
 }
 
-// The same point in another face with the corners, or those that have weight, in some order.
+// A point as one of another face with the corners, or those that have weight, in some order.
 Barycentric in_face(Face_index f, const Location& p, const Delta_complex& mesh)
 {
   const auto from = IT::sides(p.first, mesh), to = IT::sides(f, mesh);
@@ -589,7 +589,7 @@ TEST(Triple_subdivision, is_that_of_two_if_two_are_equal)
 }
 
 // All flips are undone: edges of A and C that are not in B are the same, and have their marks at
-// the same places, up to rounding.
+// equal places, up to rounding.
 TEST(Triple_subdivision, of_coinciding_edges)
 {
   for(const Named_surface& surface : flat_surfaces())

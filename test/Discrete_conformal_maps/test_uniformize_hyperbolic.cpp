@@ -388,7 +388,7 @@ TEST(Uniformize_hyperbolic, plates_with_holes)
   }
 }
 
-// The same scale at vertices that are mirror images, whatever the diagonals of the squares.
+// Equal scales at vertices that are mirror images, whatever the diagonals of the squares.
 TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
 {
   for(int g = 2; g <= 4; ++g) {

@@ -281,7 +281,7 @@ TEST(Projective_pieces, after_flips_are_the_common_subdivision)
     }
 }
 
-// Some vertices are flat but for rounding: then there are changes of scale.
+// Some vertices are flat up to rounding: then there are changes of scale.
 TEST(Projective_pieces, of_flat_polygons_are_the_common_subdivision)
 {
   int isometric = 0;

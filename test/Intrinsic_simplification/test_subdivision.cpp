@@ -260,7 +260,7 @@ TEST(Subdivision, of_a_flat_polygon)
   });
 }
 
-// Coarse edges run through vertices and along edges, but for rounding.
+// Coarse edges run through vertices and along edges, up to rounding.
 TEST(Subdivision, of_a_cube)
 {
   for(const unsigned int n : {100u, 30u, 8u}) {

@@ -168,7 +168,7 @@ TEST(Trace, coarse_and_fine_edges_cross_each_other)
   });
 }
 
-// Lengths are random: no edge passes through a vertex but for rounding.
+// Lengths are random: no edge passes through a vertex up to rounding.
 TEST(Trace, the_other_way_round_is_the_same)
 {
   for_each_random_surface([](const Simplified& s, const Surface_map& map) {

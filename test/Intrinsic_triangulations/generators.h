@@ -451,7 +451,7 @@ inline Flat_surface flat_polygon(const std::vector<Vector>& points)
                       {beyond, 0}, {0, beyond});
 }
 
-// The same in space, where it keeps the order of the points.
+// In space, where it keeps the order of the points.
 inline Mesh planar_mesh(const std::vector<Vector>& points)
 {
   std::vector<Point> placed;

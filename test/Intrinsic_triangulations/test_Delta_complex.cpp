@@ -39,7 +39,7 @@ void expect_valid(const Delta_complex& mesh, const Counts& expected)
   EXPECT_TRUE(counts(mesh) == expected);
 }
 
-// The same halfedges with the same ends and neighbours.
+// Halfedges are equal, with equal ends and neighbours.
 bool same_links(const Delta_complex& a, const Delta_complex& b)
 {
   for(Halfedge_index h : a.halfedges())

@@ -197,7 +197,7 @@ void check_all(void (&check)(Side, const Triangulation&))
 
 // ---- The two triangulations of one surface ----
 
-// The same geodesics on either side, from vertices.
+// Geodesics are equal on either side, from vertices.
 void check_independence(const Triangulation& t, int count, double tolerance)
 {
   const Correspondence c(t);

@@ -397,7 +397,7 @@ TEST(Insertion_exact, places_without_room_change_nothing)
   EXPECT_TRUE(t.is_valid(true));
 }
 
-// Parts of an edge can be halved until there is no number between their ends.
+// Parts of an edge can be halved until there is NaN between their ends.
 TEST(Insertion_exact, halves_of_halves)
 {
   Triangulation t(tetrahedron());

@@ -342,7 +342,7 @@ std::vector<Integer> numbers(const Delta_complex& mesh, const Integer_coordinate
   return result;
 }
 
-// The same for coordinates alone, which go on where lengths of type double cannot.
+// Coordinates alone, which go on where lengths of type double cannot.
 template <typename Integer>
 int flips_before_overflow_without_lengths()
 {

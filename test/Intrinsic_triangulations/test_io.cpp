@@ -313,7 +313,7 @@ TEST(IO, lengths_that_make_no_triangle)
   }
 }
 
-// The same in the second triangulation alone, at an edge that is not shared.
+// As above, in the second triangulation alone, at an edge that is not shared.
 TEST(IO, intrinsic_lengths_that_make_no_triangle)
 {
   Triangulation t(embedded_torus(5, 4));

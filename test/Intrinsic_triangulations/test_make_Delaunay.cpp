@@ -68,8 +68,8 @@ struct Corner
   long double angle() const { return std::acos(cosine()); }
 
   // Lengths with a relative error u spoil the cosine by at most 4 u (a^2 + b^2 + c^2) / 2bc, and
-  // |acos(x) - acos(y)| <= pi sqrt(|x - y| / 2), with equality only between flat angles. make_Delaunay
-  // decides for lengths to within u = 16 epsilon.
+  // |acos(x) - acos(y)| <= pi sqrt(|x - y| / 2), with equality only between flat angles.
+  // make_Delaunay decides for lengths to within u = 16 epsilon.
   long double angle_error() const
   {
     const long double u = 16 * std::numeric_limits<double>::epsilon();

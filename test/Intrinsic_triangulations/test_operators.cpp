@@ -46,7 +46,7 @@ Values values(const Mesh& mesh, const std::function<double(const Point&)>& f)
   return result;
 }
 
-// the same lengths in another unit
+// lengths in another unit
 Triangulation scaled(const Delta_complex& mesh, std::vector<double> lengths, double factor)
 {
   for(double& length : lengths)

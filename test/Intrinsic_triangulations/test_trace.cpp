@@ -193,7 +193,7 @@ std::vector<Crossing> exact_crossings(const Flat_triangulation& flat)
   return result;
 }
 
-// The same crossings at the same places; and shared edges have the same vector on both sides.
+// Crossings are at equal places; and shared edges have the same vector on both sides.
 void expect_exact(const Flat_triangulation& flat, double tolerance)
 {
   const Correspondence c(*flat);

@@ -99,7 +99,8 @@ awk 'NR == 1 { print "COFF"; next } NR > 2 && NF == 3 { c = $1 > 0.5 ? 255 * (in
     NR > 2 && NF == 4' plain.mesh.off
 } >striped.mesh.ply
 
-# sides FILE CLAIMS...: about how many coarse vertices in a PLY file are on the left and on the right.
+# sides FILE CLAIMS...: about how many coarse vertices in a PLY file are on the left and on the
+# right.
 sides()
 {
   claim "m = ply('$1')" "x = [p[0] for p, c in zip(m.points, m.vertex['coarse_vertex']) if c >= 0]" \

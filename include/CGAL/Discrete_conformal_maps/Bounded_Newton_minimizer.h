@@ -32,7 +32,7 @@ namespace Discrete_conformal_maps {
 /// quadratic convergence once the active set stays. All points are within the bounds; a variable
 /// whose bound is active at the minimum is at the bound, to the bit.
 ///
-/// The same input gives the same result, bit by bit.
+/// Results are bitwise reproducible.
 class Bounded_Newton_minimizer
 {
 public:

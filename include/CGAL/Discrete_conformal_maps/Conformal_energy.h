@@ -61,7 +61,7 @@ public:
   /// a number for each vertex.
   typedef Eigen::VectorXd Vector;
 
-  /// the energy of a surface.
+  /// returns the energy of a surface.
   /// \param complex the connectivity, without boundary; intrinsic Delaunay, unless it is fixed
   /// \param length a readable property map from the edges to positive lengths
   /// \param target_defect the angle defects \f$\Omega^*\f$ of the minimum, in radians, by the

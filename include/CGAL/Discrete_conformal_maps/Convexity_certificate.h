@@ -25,7 +25,7 @@ struct Convexity_certificate
   std::size_t flipped_triangles = 0; ///< triangles in the plane that are flipped or have no area
   bool is_simple = true; ///< whether the triangles that are not flipped cover the plane only once
 
-  /// whether the polyhedron is convex, and its faces cover the sphere once, without folds.
+  /// returns whether the polyhedron is convex, and its faces cover the sphere once, without folds.
   bool is_convex() const { return concave_edges == 0 && flipped_triangles == 0 && is_simple; }
 };
 

@@ -62,16 +62,16 @@ public:
            : layer == Layer::B ? m_data->ab.intrinsic()
                                : m_data->bc.intrinsic();
   }
-  /// the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
+  /// returns the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
-  /// whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
+  /// returns whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
   bool is_front(Face_index f) const { return f.idx() < m_data->number_of_front_faces; }
 
-  /// the vertex of the input that `v` is, or of which it is the second copy.
+  /// returns the vertex of the input that `v` is, or of which it is the second copy.
   Vertex_index input_vertex(Vertex_index v) const { return m_data->input_vertex[v.idx()]; }
 
-  /// the logarithmic scale factor at `v`.
+  /// returns the logarithmic scale factor at `v`.
   double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
 
   /// returns whether the map has what is prescribed, and if not, why.
@@ -80,18 +80,17 @@ public:
   /// returns how the minimization of the energy has ended.
   const Minimization_result& minimization() const { return m_data->minimization; }
 
-  /// the greatest difference of a curvature from what was prescribed, in radians.
+  /// returns the greatest difference of a curvature from what was prescribed, in radians.
   double max_curvature_error() const { return m_data->max_curvature_error; }
 
-  /// the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of \f$T^A\f$,
-  /// or
-  /// \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
+  /// returns the number of flips that made `layer` of the triangulation before it: \f$T^B\f$ of
+  /// \f$T^A\f$, or \f$T^C\f$ of \f$T^B\f$. Zero for \f$T^A\f$.
   std::size_t number_of_flips(Layer layer) const
   {
     return m_data->number_of_flips[static_cast<std::size_t>(layer)];
   }
 
-  /// the place of a point of the input on \f$T^C\f$: a face and weights of its corners, as
+  /// returns the place of a point of the input on \f$T^C\f$: a face and weights of its corners, as
   /// `Triple_subdivision::location()` gives them (Section 4.2.3).
   /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
   Face_location place_on_C(const Face_location& p) const

@@ -81,7 +81,7 @@ private:
 /// (`Flipping::to_Delaunay`), the map is that of the surface and does not depend on its
 /// triangulation; then `mesh` must be its intrinsic Delaunay triangulation and stay Delaunay with
 /// the scale factors, and no angle opposite to the boundary may be obtuse. Otherwise the error
-/// tells to use `flatten()`, whose result has a common subdivision. With `Flipping::none`, the map
+/// says to use `flatten()`, whose result has a common subdivision. With `Flipping::none`, the map
 /// belongs to the given triangulation and exists for meshes with triangles that are not too bad.
 ///
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with points, such as `Surface_mesh` or
@@ -111,8 +111,8 @@ public:
     : m_flipping(flipping)
   {}
 
-  /// whether the faces of the component of `bhd` have images with the same orientation that do not
-  /// overlap.
+  /// returns whether the faces of the component of `bhd` have images with the same orientation that
+  /// do not overlap.
   template <typename VertexUVMap>
   bool is_one_to_one_mapping(const Triangle_mesh& mesh, halfedge_descriptor bhd,
                              const VertexUVMap uvmap) const

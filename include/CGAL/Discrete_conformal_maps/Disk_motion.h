@@ -32,31 +32,30 @@ public:
   /// the number type.
   typedef FT_ FT;
 
-  /// the identity.
+  /// returns the identity.
   Disk_motion() : m_entry{FT(1), FT(0), FT(0), FT(0)} {}
 
-  /// a motion with given entries.
-  /// \pre \f$|a|^2 - |b|^2 = 1\f$, but for rounding
+  /// returns a motion with given entries.
+  /// \pre \f$|a|^2 - |b|^2 = 1\f$, up to rounding
   Disk_motion(const FT& real_a, const FT& imaginary_a, const FT& real_b, const FT& imaginary_b)
     : m_entry{real_a, imaginary_a, real_b, imaginary_b}
   {}
 
-  /// the translation along the real axis that takes the origin to the distance \f$x\f$, to the
-  /// right if
-  /// \f$x > 0\f$. \param sinh the hyperbolic sine of \f$x/2\f$
+  /// returns the translation along the real axis that takes the origin to the distance \f$x\f$, to
+  /// the right if \f$x > 0\f$. \param sinh the hyperbolic sine of \f$x/2\f$
   static Disk_motion translation(const FT& sinh)
   {
     using std::sqrt;
     return {sqrt(1 + sinh * sinh), FT(0), sinh, FT(0)};
   }
 
-  /// the rotation around the origin by an angle, given the cosine and the sine of its half.
+  /// returns the rotation around the origin by an angle, given the cosine and the sine of its half.
   static Disk_motion rotation(const FT& cosine, const FT& sine)
   {
     return {cosine, sine, FT(0), FT(0)};
   }
 
-  /// the translation that takes the origin to a point \f$(x, y, t)\f$ of the hyperboloid.
+  /// returns the translation that takes the origin to a point \f$(x, y, t)\f$ of the hyperboloid.
   static Disk_motion translation_to(const FT& x, const FT& y, const FT& t)
   {
     using std::sqrt;
@@ -64,7 +63,7 @@ public:
     return {a, FT(0), x / (2 * a), y / (2 * a)};
   }
 
-  /// the entries: real and imaginary part of \f$a\f$, real and imaginary part of \f$b\f$.
+  /// returns the entries: real and imaginary part of \f$a\f$, real and imaginary part of \f$b\f$.
   const std::array<FT, 4>& entries() const { return m_entry; }
 
   /// \f$a\f$, in double precision.
@@ -72,7 +71,7 @@ public:
   /// \f$b\f$, in double precision.
   std::complex<double> b() const { return to_complex(m_entry[2], m_entry[3]); }
 
-  /// the motion that is made after `g`.
+  /// returns the motion that is made after `g`.
   Disk_motion operator*(const Disk_motion& g) const
   {
     const auto& [p, q, r, s] = m_entry;
@@ -81,30 +80,31 @@ public:
             p * v - q * w + r * t + s * u, p * w + q * v + s * t - r * u};
   }
 
-  /// the motion back.
+  /// returns the motion back.
   Disk_motion inverse() const { return {m_entry[0], -m_entry[1], -m_entry[2], -m_entry[3]}; }
 
-  /// the image of a point of the disk.
+  /// returns the image of a point of the disk.
   std::complex<double> operator()(const std::complex<double>& z) const
   {
     return (a() * z + b()) / (std::conj(b()) * z + std::conj(a()));
   }
 
-  /// the image of the origin on the hyperboloid \f$x^2 + y^2 - t^2 = -1\f$, as \f$(x, y, t)\f$.
+  /// returns the image of the origin on the hyperboloid \f$x^2 + y^2 - t^2 = -1\f$, as
+  /// \f$(x, y, t)\f$.
   std::array<FT, 3> image_of_origin() const
   {
     const auto& [p, q, r, s] = m_entry;
     return {2 * (p * r - q * s), 2 * (p * s + q * r), p * p + q * q + r * r + s * s};
   }
 
-  /// the greatest entry of the difference from the identity, as a matrix or its opposite.
+  /// returns the greatest entry of the difference from the identity, as a matrix or its opposite.
   double distance_to_identity() const
   {
     using std::abs;
     double result = static_cast<double>(abs(FT(abs(m_entry[0]) - 1)));
     for(std::size_t i = 1; i < 4; ++i) {
       const auto entry = static_cast<double>(abs(m_entry[i]));
-      result = entry <= result ? result : entry; // keeps what is no number
+      result = entry <= result ? result : entry; // keeps NaN
     }
     return result;
   }

@@ -66,16 +66,16 @@ struct Fuchsian_group
 class Hyperbolic_conformal_map : public Discrete_conformal_map
 {
 public:
-  /// the number of components, except for isolated vertices.
+  /// returns the number of components, except for isolated vertices.
   std::size_t number_of_components() const { return m_groups.size(); }
 
-  /// the component of the face `f` of \f$T^C\f$.
+  /// returns the component of the face `f` of \f$T^C\f$.
   std::size_t component(Face_index f) const { return m_component[f.idx()]; }
 
-  /// the group of component `c`.
+  /// returns the group of component `c`.
   const Fuchsian_group& group(std::size_t c) const { return m_groups[c]; }
 
-  /// the area of all components.
+  /// returns the area of all components.
   double area() const
   {
     double result = 0;
@@ -84,7 +84,7 @@ public:
     return result;
   }
 
-  /// the hyperbolic length of the edge `e` of \f$T^C\f$.
+  /// returns the hyperbolic length of the edge `e` of \f$T^C\f$.
   double length(Edge_index e) const
   {
     const double u =
@@ -92,22 +92,21 @@ public:
     return 2 * std::asinh(internal::scaled_length(ideal().length(e), internal::length_factor(u)));
   }
 
-  /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the
-  /// hyperboloid
-  /// \f$x^2 + y^2 - t^2 = -1\f$, as \f$(x, y, t)\f$.
+  /// returns the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`, on the
+  /// hyperboloid \f$x^2 + y^2 - t^2 = -1\f$, as \f$(x, y, t)\f$.
   const std::array<double, 3>& hyperboloid_position(Halfedge_index h) const
   {
     return m_position[h.idx()];
   }
 
-  /// the same in the Poincare disk.
+  /// returns the image in the Poincare disk.
   std::complex<double> position(Halfedge_index h) const { return to_disk(m_position[h.idx()]); }
 
-  /// whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other.
+  /// returns whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other.
   bool is_seam(Edge_index e) const { return m_seam[e.idx()] != no_seam; }
 
-  /// the motion that takes the face beyond the halfedge `h` of \f$T^C\f$ to its place beside the
-  /// face of `h`; the identity where there is no seam.
+  /// returns the motion that takes the face beyond the halfedge `h` of \f$T^C\f$ to its place
+  /// beside the face of `h`; the identity where there is no seam.
   Disk_motion<> gluing(Halfedge_index h) const
   {
     if(!is_seam(Edge_index(h)))
@@ -116,11 +115,11 @@ public:
     return Intrinsic_triangulations::is_first_halfedge(h) ? motion : motion.inverse();
   }
 
-  /// how far faces are from closing up around vertices without cones, seen from the origin: the
-  /// greatest distance of a product of gluing motions from the identity.
+  /// returns how far faces are from closing up around vertices without cones, seen from the origin:
+  /// the greatest distance of a product of gluing motions from the identity.
   double max_gluing_error() const { return m_max_gluing_error; }
 
-  /// the greatest distance of a vertex from the origin.
+  /// returns the greatest distance of a vertex from the origin.
   double radius() const
   {
     double greatest = 1;
@@ -129,9 +128,9 @@ public:
     return std::acosh(greatest);
   }
 
-  /// the homogeneous coordinates of a point, as a vector \f$(x, y, t)\f$ in the cone over the
-  /// hyperboloid. They are linear on the faces of the common subdivision, \f$(x/t, y/t)\f$ is the
-  /// point in Klein's disk.
+  /// returns the homogeneous coordinates of a point, as a vector \f$(x, y, t)\f$ in the cone over
+  /// the hyperboloid. They are linear on the faces of the common subdivision, \f$(x/t, y/t)\f$ is
+  /// the point in Klein's disk.
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
   ///        `Triple_subdivision::location()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
@@ -147,16 +146,17 @@ public:
     return result;
   }
 
-  /// the point of the Poincare disk that belongs to a vector in the cone over the hyperboloid.
+  /// returns the point of the Poincare disk that belongs to a vector in the cone over the
+  /// hyperboloid.
   static std::complex<double> to_disk(const std::array<double, 3>& p)
   {
     const double square = p[2] * p[2] - p[0] * p[0] - p[1] * p[1];
     return std::complex<double>(p[0], p[1]) / (p[2] + std::sqrt((std::max)(square, 0.)));
   }
 
-  /// the image of a point of the input in the Poincare disk, by piecewise projective interpolation:
-  /// on every face, the coordinates in Klein's disk are a projective map. This is the map of
-  /// Section 4.2.3 for a hyperbolic target. Complexity: that of `place_on_C()`.
+  /// returns the image of a point of the input in the Poincare disk, by piecewise projective
+  /// interpolation: on every face, the coordinates in Klein's disk are a projective map. This is
+  /// the map of Section 4.2.3 for a hyperbolic target. Complexity: that of `place_on_C()`.
   std::complex<double> operator()(const Face_location& p) const
   {
     return to_disk(homogeneous_coordinates(place_on_C(p)));

@@ -11,15 +11,18 @@ namespace CGAL {
 namespace Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// how flat faces, cut open, are laid out in the plane. But for rounding, all give the same up to
+/// how flat faces, cut open, are laid out in the plane. Up to rounding, all give the same up to
 /// motions.
 enum class Layout
 {
-  least_squares, ///< face by face; then points are shifted such that the sum of squared relative errors of
-                 ///< the sides of all faces is least
-  spectral, ///< the non-constant function with the least conformal energy relative to its mean square on the
-            ///< boundary (Mullen et al. 2008), by inverse iteration from faces laid out one by one
-  incremental ///< face by face: errors add up on the way
+  /// face by face; then points are shifted such that the sum of squared relative errors of the sides
+  /// of all faces is least
+  least_squares,
+  /// the non-constant function with the least conformal energy relative to its mean square on the
+  /// boundary (Mullen et al. 2008), by inverse iteration from faces laid out one by one
+  spectral,
+  /// face by face: errors add up on the way
+  incremental
 };
 
 } // namespace Discrete_conformal_maps

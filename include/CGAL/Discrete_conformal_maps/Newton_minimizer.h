@@ -35,7 +35,7 @@ using Newton_steps = Newton_iteration<Energy, Visitor>;
 /// Some ten iterations are usual. An energy whose slopes change sharply in many places, far below
 /// the distance between start and minimum, is almost a linear program: it can take hundreds.
 ///
-/// The same input gives the same result, bit by bit.
+/// Results are bitwise reproducible.
 ///
 /// Complexity of an iteration: a sparse Cholesky factorization (two where the Hessian has to be
 /// damped) and an evaluation of the energy, rarely more, at most 40.

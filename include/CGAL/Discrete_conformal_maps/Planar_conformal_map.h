@@ -35,27 +35,27 @@ class Flattening;
 class Planar_conformal_map : public Discrete_conformal_map
 {
 public:
-  /// the vertices of the input at which cones were placed.
+  /// returns the vertices of the input at which cones were placed.
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
-  /// whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not if
-  /// scaled lengths violate the triangle inequality.
+  /// returns whether the faces of \f$T^C\f$ are in the plane. In a fixed triangulation they are not
+  /// if scaled lengths violate the triangle inequality.
   bool is_laid_out() const { return m_has_layout; }
 
-  /// whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it belongs
-  /// to the input.
+  /// returns whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it
+  /// belongs to the input.
   bool is_laid_out(Face_index f) const { return m_is_laid_out[f.idx()] != 0; }
 
-  /// the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
+  /// returns the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
   /// \pre The face is laid out.
   std::complex<double> position(Halfedge_index h) const { return m_position[h.idx()]; }
 
-  /// whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the plane;
-  /// also where a face is not laid out, since it is no part of the input.
+  /// returns whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the
+  /// plane; also where a face is not laid out, since it is no part of the input.
   bool is_seam(Edge_index e) const { return m_is_seam[e.idx()] != 0; }
 
-  /// the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear on the
-  /// faces of the common subdivision.
+  /// returns the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear
+  /// on the faces of the common subdivision.
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
   ///        `Triple_subdivision::location()` gives
   std::array<double, 3> homogeneous_coordinates(const Face_location& on_C) const
@@ -73,8 +73,9 @@ public:
     return result;
   }
 
-  /// the image of a point of the input, by piecewise projective interpolation (Section 4.2.3).
-  /// Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence, twice.
+  /// returns the image of a point of the input, by piecewise projective interpolation (Section
+  /// 4.2.3). Complexity: that of `Intrinsic_triangulations::point_across()` with a correspondence,
+  /// twice.
   /// \pre `is_laid_out()`
   std::complex<double> operator()(const Face_location& p) const
   {

@@ -33,9 +33,8 @@ class Sphere_mapping;
 ///
 /// \f$T^A\f$ is the input. A disk is doubled: the faces of its second copy follow those of the
 /// input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay
-/// triangulation of
-/// \f$T^A\f$. \f$T^C\f$ has the same ideal polyhedron as \f$T^B\f$, and its faces are those of a
-/// convex polyhedron with vertices on the unit sphere, whose lengths are
+/// triangulation of \f$T^A\f$. \f$T^C\f$ has the same ideal polyhedron as \f$T^B\f$, and its faces
+/// are those of a convex polyhedron with vertices on the unit sphere, whose lengths are
 /// \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This polyhedron is unique up to Moebius transformations. It is
 /// the one in which the vertices, each with a third of the area of its faces in the input as mass,
 /// have their center of mass in the center of the sphere; so it is unique up to rotations. The
@@ -59,16 +58,16 @@ public:
   /// a floating point number of 113 binary digits.
   typedef internal::Extended Extended;
 
-  /// whether the input is a disk.
+  /// returns whether the input is a disk.
   bool is_disk() const { return !is_front(Face_index(Delaunay().input_mesh().num_faces() - 1)); }
 
-  /// the vertex from which the sphere was unfolded into the plane.
+  /// returns the vertex from which the sphere was unfolded into the plane.
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
 
-  /// the position of `v` on the unit sphere, the nearest that `double` has.
+  /// returns the position of `v` on the unit sphere, the nearest that `double` has.
   const Point& position(Vertex_index v) const { return m_position[v.idx()]; }
 
-  /// the position of `v` on the unit sphere, in more digits.
+  /// returns the position of `v` on the unit sphere, in more digits.
   std::array<Extended, 3> precise_position(Vertex_index v) const
   {
     if(v == m_at_infinity)
@@ -78,8 +77,8 @@ public:
     return turned({2 * x * scale, 2 * y * scale, (1 - square) * scale});
   }
 
-  /// the position of `v` in the plane: the stereographic projection, from the vertex at infinity,
-  /// of its position on the sphere. That of the vertex at infinity has no meaning.
+  /// returns the position of `v` in the plane: the stereographic projection, from the vertex at
+  /// infinity, of its position on the sphere. That of the vertex at infinity has no meaning.
   const std::array<Extended, 2>& stereographic_position(Vertex_index v) const
   {
     return m_in_plane[v.idx()];
@@ -88,25 +87,25 @@ public:
   /// what exact predicates say about the polyhedron, with positions in the plane as above.
   const Convexity_certificate& certificate() const { return m_certificate; }
 
-  /// the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped as seen
-  /// from the center, if they have their vertices at `position()`: exact for these numbers, whose
-  /// rounding is to blame. Edges between faces that are parts of one flat face can have any side,
-  /// and count.
+  /// returns the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped
+  /// as seen from the center, if they have their vertices at `position()`: exact for these numbers,
+  /// whose rounding is to blame. Edges between faces that are parts of one flat face can have any
+  /// side, and count.
   std::size_t lost_in_output() const { return m_lost_in_output; }
 
-  /// the greatest distance of a `position()` from the sphere.
+  /// returns the greatest distance of a `position()` from the sphere.
   double max_inscribed_error() const;
 
-  /// the number of vertices that break a bound of Section 4.4.3: their scale factors are too small,
-  /// or they are neighbors of the vertex at infinity and their scale factors are greater than they
-  /// may be.
+  /// returns the number of vertices that break a bound of Section 4.4.3: their scale factors are
+  /// too small, or they are neighbors of the vertex at infinity and their scale factors are greater
+  /// than they may be.
   std::size_t bound_violations() const { return m_bound_violations; }
 
-  /// whether more digits than those of `double` were needed.
+  /// returns whether more digits than those of `double` were needed.
   bool is_extended() const { return m_is_extended; }
 
-  /// the homogeneous coordinates of a point of the polyhedron, as a vector `(x w, y w, z w, w)`.
-  /// They are linear on the faces of the common subdivision (Section 4.4.6).
+  /// returns the homogeneous coordinates of a point of the polyhedron, as a vector
+  /// `(x w, y w, z w, w)`. They are linear on the faces of the common subdivision (Section 4.4.6).
   /// \param on_C a face of \f$T^C\f$ and weights of its corners, such as
   ///        `Triple_subdivision::location()` gives
   std::array<double, 4> homogeneous_coordinates(const Face_location& on_C) const
@@ -124,22 +123,23 @@ public:
     return result;
   }
 
-  /// the image of a point of the polyhedron on the sphere, along the ray from the center.
+  /// returns the image of a point of the polyhedron on the sphere, along the ray from the center.
   static Point project(const std::array<double, 4>& homogeneous)
   {
     const double norm = std::hypot(homogeneous[0], homogeneous[1], homogeneous[2]);
     return {homogeneous[0] / norm, homogeneous[1] / norm, homogeneous[2] / norm};
   }
 
-  /// the image of a point of the sphere in the plane, by stereographic projection from (0, 0, -1):
-  /// the image of a disk is the unit disk. \pre the third coordinate of `p` is greater than -1
+  /// returns the image of a point of the sphere in the plane, by stereographic projection from (0,
+  /// 0, -1): the image of a disk is the unit disk. \pre the third coordinate of `p` is greater than
+  /// -1
   static std::complex<double> to_plane(const Point& p)
   {
     return std::complex<double>(p[0], p[1]) / (1 + p[2]);
   }
 
-  /// the image on the sphere of a point of the input, by piecewise projective interpolation.
-  /// Complexity: that of `place_on_C()`.
+  /// returns the image on the sphere of a point of the input, by piecewise projective
+  /// interpolation. Complexity: that of `place_on_C()`.
   Point operator()(const Face_location& p) const
   {
     return project(homogeneous_coordinates(place_on_C(p)));

@@ -41,7 +41,7 @@ inline double max_cross_ratio_error(const Planar_conformal_map& map)
     const double error = std::abs(internal::length_cross_ratio(h, mesh, in_plane) /
                                     internal::length_cross_ratio(h, mesh, ideal) -
                                   1);
-    result = error <= result ? result : error; // keeps what is no number
+    result = error <= result ? result : error; // keeps NaN
   }
   return result;
 }

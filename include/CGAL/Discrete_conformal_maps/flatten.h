@@ -309,7 +309,7 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
 ///     \cgalParamDescription{whether triangulations follow the scale factors. In a fixed
 ///                           triangulation, the scale factors are those of Springborn,
 ///                           Schr&ouml;der and Pinkall (2008): they exist only sometimes, which
-///                           `Planar_conformal_map::status()` tells, and depend on how the surface
+///                           `Planar_conformal_map::status()` says, and depend on how the surface
 ///                           is triangulated}
 ///     \cgalParamType{`Flipping`}
 ///     \cgalParamDefault{`Flipping::to_Delaunay`}
@@ -320,7 +320,8 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
 ///     \cgalParamDefault{`Layout::least_squares`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
+///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the
+///       work}
 ///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
 ///       state}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
@@ -328,8 +329,7 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
 /// \cgalNamedParamsEnd
 ///
 /// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
-/// that
-/// \f$O(n \log n)\f$ in the vertices and crossings.
+/// that \f$O(n \log n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or what is prescribed
 ///         cannot be: the error says where, and for curvatures the excess
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error

@@ -95,10 +95,10 @@ private:
 /// The exterior angles of a polygon in a circle depend on the lengths of its edges, and these on
 /// the angles. So the surface is flattened several times, each time with the angles for the lengths
 /// before, until they change by at most \f$10^{-10}\f$; Anderson's method accelerates this. The
-/// `minimization()` of the result is the last one. Where no edge of
-/// \f$T^B\f$ and \f$T^C\f$ crosses the boundary, the image of a disk without cones is, up to a Moebius
-/// transformation, that of `map_to_sphere()` in the plane, which takes one minimization. This
-/// function also allows several components, and handles if there are cones.
+/// `minimization()` of the result is the last one. Where no edge of \f$T^B\f$ and \f$T^C\f$ crosses
+/// the boundary, the image of a disk without cones is, up to a Moebius transformation, that of
+/// `map_to_sphere()` in the plane, which takes one minimization. This function also allows several
+/// components, and handles if there are cones.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -151,8 +151,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
     boundary.apply_to(conditions);
     Planar_conformal_map map = internal::flattened(input, conditions, log_scale,
                                                    std::numeric_limits<double>::infinity(), np);
-    if(map.status() != Map_status::success &&
-       map.status() != Map_status::layout_collapsed)
+    if(map.status() != Map_status::success && map.status() != Map_status::layout_collapsed)
       return map;
     change = boundary.update(map);
     if(change <= tolerance)

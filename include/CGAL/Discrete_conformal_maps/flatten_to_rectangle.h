@@ -100,8 +100,8 @@ rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::
 ///   vertices are allowed
 /// \param corners four vertices on the boundary of each component, in any order, such as those that
 ///   `rectangle_corners()` returns
-/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to vertices inside, and
-///   `maximum_log_scale` is infinity if it is not given: cones may lie on the boundary
+/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to vertices inside,
+///   and `maximum_log_scale` is infinity if it is not given: cones may lie on the boundary
 ///
 /// Complexity and status: those of `flatten()`.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, if `corners` are not

@@ -203,7 +203,8 @@ private:
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
+///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the
+///       work}
 ///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
 ///       state}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
@@ -211,8 +212,7 @@ private:
 /// \cgalNamedParamsEnd
 ///
 /// Complexity: for each step of the minimization, that of a few sparse Cholesky factorizations;
-/// beyond that
-/// \f$O(n \log n)\f$ in the vertices, flips and crossings.
+/// beyond that \f$O(n \log n)\f$ in the vertices, flips and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or neither a sphere
 ///   nor a disk
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error

@@ -92,9 +92,9 @@ private:
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
-/// whether no face of the input is cut by edges of \f$T^B\f$ or \f$T^C\f$. Then the map is
-/// projective on each of them, and corners of the input suffice to tell it. Only the subdivision
-/// tells it otherwise. Complexity: linear in the faces of the subdivision.
+/// returns whether no face of the input is cut by edges of \f$T^B\f$ or \f$T^C\f$. Then the map is
+/// projective on each of them, and corners of the input determine the map. Only the subdivision
+/// determines it otherwise. Complexity: linear in the faces of the subdivision.
 inline bool has_whole_faces(const Planar_conformal_map& map)
 {
   std::vector<char> is_met(map.Delaunay().input_mesh().num_faces(), 0);

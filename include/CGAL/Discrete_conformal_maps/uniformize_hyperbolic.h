@@ -131,13 +131,13 @@ private:
     double error = m_map.m_max_gluing_error = gluing_error(layout, cut);
     for(std::size_t c = 0; c < m_map.m_groups.size(); ++c) {
       set_group(layout, cut, c);
-      if(!(m_map.m_groups[c].relation_error <= error)) // keeps what is no number
+      if(!(m_map.m_groups[c].relation_error <= error)) // keeps NaN
         error = m_map.m_groups[c].relation_error;
     }
     return error;
   }
 
-  // Corners between which there is no seam are one point, but for rounding.
+  // Corners between which there is no seam are one point, up to rounding.
   template <typename FT>
   void set_positions(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut)
   {
@@ -200,7 +200,7 @@ private:
     for(Vertex_index v : mesh().vertices())
       if(is_open[v.idx()] && !m_is_cone[v.idx()]) {
         const double error = layout.gluing_error(v);
-        result = error <= result ? result : error; // keeps what is no number
+        result = error <= result ? result : error; // keeps NaN
       }
     return result;
   }
@@ -284,7 +284,8 @@ private:
 ///     \cgalParamDefault{`Newton_minimizer`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told the progress; an exception that it throws stops the work}
+///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the
+///       work}
 ///     \cgalParamType{a model of `FlatteningVisitor`; use `std::ref()` to pass an object with a
 ///       state}
 ///     \cgalParamDefault{`Default_flattening_visitor`}
@@ -292,8 +293,7 @@ private:
 /// \cgalNamedParamsEnd
 ///
 /// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
-/// that
-/// \f$O(n \log n)\f$ in the vertices and crossings.
+/// that \f$O(n \log n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or a component cannot
 ///         be hyperbolic with what is prescribed
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error

@@ -135,11 +135,11 @@ inline Surface_map::Location moved_into(Face_index f, const Surface_map::Locatio
 ///
 /// The connectivity is that of a subdivision of both levels, always: in which order edges of the
 /// coarse level cross an edge of the fine level is determined by how these curves separate on their
-/// ways, not by the places of the crossings. Those are rounded, and in order along every edge. An edge of
-/// the coarse level that comes to a vertex within rounding runs through it, and along an edge of
-/// the fine level if it comes to both ends. Where edges nearly coincide otherwise, polygons can
-/// have an area as small as rounding, of either sign (see `signed_area()`), and may have two sides
-/// only.
+/// ways, not by the places of the crossings. Those are rounded, and in order along every edge. An
+/// edge of the coarse level that comes to a vertex within rounding runs through it, and along an
+/// edge of the fine level if it comes to both ends. Where edges nearly coincide otherwise, polygons
+/// can have an area as small as rounding, of either sign (see `signed_area()`), and may have two
+/// sides only.
 ///
 /// The object refers to the levels of the map and is valid as long as they are.
 ///

@@ -83,8 +83,7 @@ public:
   const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
 
   /// returns the parallel transport \f$R_{ij}\f$ along the halfedge `h` of \f$T_2\f$ between the
-  /// frames of
-  /// \f$T_1\f$ (see `Tangent_frames::transport()`).
+  /// frames of \f$T_1\f$ (see `Tangent_frames::transport()`).
   std::complex<FT> transport(Halfedge_index h) const
   {
     return -std::polar(FT(1), angle(m_tri.mesh().opposite(h)) - angle(h));

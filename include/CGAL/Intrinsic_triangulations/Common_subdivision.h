@@ -27,8 +27,8 @@ namespace Intrinsic_triangulations {
 /// \f$T_1\f$; vertex \f$|V| + c\f$ is crossing \f$c\f$ of the correspondence. The connectivity is
 /// exact; the places of crossings are rounded, and in order along every edge.
 ///
-/// The sides are those of the correspondence: `Side::input` for \f$T_1\f$, and `Side::intrinsic` for
-/// \f$T_2\f$. The object refers to the triangulation and is valid until that changes.
+/// The sides are those of the correspondence: `Side::input` for \f$T_1\f$, and `Side::intrinsic`
+/// for \f$T_2\f$. The object refers to the triangulation and is valid until that changes.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 /// \tparam Point the point type of the mesh

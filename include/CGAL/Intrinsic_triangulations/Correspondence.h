@@ -98,20 +98,20 @@ public:
 
   Correspondence(Triangulation&&) = delete; // it would refer to what is gone
 
-  /// the triangulation.
+  /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
-  /// the connectivity of one side.
+  /// returns the connectivity of one side.
   const Delta_complex& mesh(Side side) const
   {
     return side == Side::input ? m_tri.input_mesh() : m_tri.mesh();
   }
 
-  /// the number of all crossings.
+  /// returns the number of all crossings.
   size_type number_of_crossings() const { return static_cast<size_type>(m_records.size()); }
 
-  /// whether the edge `e` of `side` is in the other triangulation too, or for \f$T_2\f$, a part of
-  /// one.
+  /// returns whether the edge `e` of `side` is in the other triangulation too, or for \f$T_2\f$, a
+  /// part of one.
   bool is_shared(Side side, Edge_index e) const
   {
     if(side == Side::intrinsic)
@@ -119,7 +119,7 @@ public:
     return number_of_parts(e) == 1 && part(e, 0).is_shared;
   }
 
-  /// the number of parts of the edge `e` of \f$T_1\f$.
+  /// returns the number of parts of the edge `e` of \f$T_1\f$.
   size_type number_of_parts(Edge_index e) const { return m_part_numbers.size(e); }
 
   /// part `i` of the edge `e` of \f$T_1\f$, counted from the source of its first halfedge.
@@ -128,14 +128,14 @@ public:
     return m_parts[m_part_numbers.before(e) + i];
   }
 
-  /// the number of pieces into which crossings cut the parts that are not shared.
+  /// returns the number of pieces into which crossings cut the parts that are not shared.
   size_type number_of_input_pieces() const
   {
     return m_parts.empty() ? 0 : end_of_pieces(m_parts.back());
   }
 
-  /// returns the piece that ends at crossing `id` in the direction of `h`, a halfedge of the edge of
-  /// \f$T_1\f$ there, as a halfedge of a mesh in which these pieces are the first edges.
+  /// returns the piece that ends at crossing `id` in the direction of `h`, a halfedge of the edge
+  /// of \f$T_1\f$ there, as a halfedge of a mesh in which these pieces are the first edges.
   /// Complexity: logarithmic in the number of parts of the edge.
   Halfedge_index piece_to(size_type id, Halfedge_index h) const
   {
@@ -143,7 +143,7 @@ public:
     return directed_as(h, first_halfedge(Edge_index(is_first_halfedge(h) ? before : before + 1)));
   }
 
-  /// the number of crossings on the edge `e` of `side`.
+  /// returns the number of crossings on the edge `e` of `side`.
   size_type number_of_crossings(Side side, Edge_index e) const
   {
     if(side == Side::intrinsic)
@@ -162,7 +162,7 @@ public:
     return seen_from_input(h, m_order_on_input[part(e, 0).first + along_first_halfedge(h, p, n)]);
   }
 
-  /// the crossing with number `id`: its places on the first halfedges of its two edges.
+  /// returns the crossing with number `id`: its places on the first halfedges of its two edges.
   Trace_point<FT> crossing(size_type id) const
   {
     const Record& record = m_records[id];
@@ -170,8 +170,9 @@ public:
             {first_halfedge(record.intrinsic), record.t}};
   }
 
-  /// the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$ that its
-  /// place there stands for is so many times that of \f$T_2\f$. It is 1 in Euclidean geometry.
+  /// returns the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$
+  /// that its place there stands for is so many times that of \f$T_2\f$. It is 1 in Euclidean
+  /// geometry.
   FT scale([[maybe_unused]] size_type id) const
   {
     if constexpr(internal::Has_scale<Traits>::value)
@@ -183,15 +184,16 @@ public:
   /// returns the numbers of the crossings on the edges of \f$T_2\f$.
   const Edge_marks& crossings_on_intrinsic() const { return m_on_intrinsic; }
 
-  /// whether the face `f` of \f$T_1\f$ contains inserted vertices, inside it or inside its edges.
+  /// returns whether the face `f` of \f$T_1\f$ contains inserted vertices, inside it or inside its
+  /// edges.
   bool contains_inserted(Face_index f) const
   {
     return !m_contains_inserted.empty() && m_contains_inserted[f.idx()];
   }
 
-  /// the halfedge of the other side that is the last spoke at or clockwise from the halfedge `h` of
-  /// `side` around its source: `h` itself if its edge is shared, otherwise it starts in the same
-  /// corner. Null if the source lies inside a face of the other side.
+  /// returns the halfedge of the other side that is the last spoke at or clockwise from the
+  /// halfedge `h` of `side` around its source: `h` itself if its edge is shared, otherwise it
+  /// starts in the same corner. Null if the source lies inside a face of the other side.
   Halfedge_index spoke_before(Side side, Halfedge_index h) const
   {
     if(side == Side::input)
@@ -214,8 +216,8 @@ private:
     return {id, edge_point(h, r.t), edge_point(directed_as(h, r.input), r.s)};
   }
 
-  // the number of the piece that ends at crossing `id` in the direction of the first halfedge of its
-  // edge of T1; the next one starts there
+  // the number of the piece that ends at crossing `id` in the direction of the first halfedge of
+  // its edge of T1; the next one starts there
   size_type piece_before(size_type id) const
   {
     const Record& r = m_records[id];
@@ -465,8 +467,8 @@ void add_inserted_vertices(Halfedge_index h, const Correspondence<Traits>& corre
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// the trace of the halfedge `h` of `side` over the other triangulation, as `trace_input_edge()`
-/// and `trace_intrinsic_edge()` give it. Complexity: linear in its crossings.
+/// returns the trace of the halfedge `h` of `side` over the other triangulation, as
+/// `trace_input_edge()` and `trace_intrinsic_edge()` give it. Complexity: linear in its crossings.
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
 trace_edge(Side side, Halfedge_index h, const Correspondence<Traits>& correspondence)

@@ -43,7 +43,7 @@ FT place_on_first_halfedge(const Edge_point<FT>& p)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns the same point seen from the other side of its edge.
+/// returns a point as it is seen from the other side of its edge.
 template <typename FT>
 Edge_point<FT> reversed(const Edge_point<FT>& p, const Delta_complex& mesh)
 {
@@ -52,7 +52,7 @@ Edge_point<FT> reversed(const Edge_point<FT>& p, const Delta_complex& mesh)
 
 namespace internal {
 
-// the same for a point that may lie on no edge: its halfedge is null then
+// like reversed(), for a point that may lie on no edge: its halfedge is null then
 template <typename FT>
 Edge_point<FT> reversed_if_valid(const Edge_point<FT>& p, const Delta_complex& mesh)
 {

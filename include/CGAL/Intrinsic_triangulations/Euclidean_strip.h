@@ -59,8 +59,7 @@ class Euclidean_strip
 public:
   /// a crossing of the line with an inner edge: `along_line` is the barycentric coordinate on the
   /// line from \f$a\f$ to \f$b\f$, `along_edge` that on \f$\overrightarrow{ij}\f$ (Equation 3.6).
-  /// Both are in
-  /// \f$[0,1]\f$.
+  /// Both are in \f$[0,1]\f$.
   struct Crossing
   {
     FT along_line, ///< the place on the line
@@ -78,7 +77,7 @@ public:
     m_way_to_target = ja;
   }
 
-  /// the same for a line that starts in this triangle at the point with barycentric coordinates
+  /// starts with a line from a point of this triangle: at the point with barycentric coordinates
   /// `p`, which belong to \f$a\f$, \f$i\f$, \f$j\f$. The point may be as close to
   /// \f$\overrightarrow{ij}\f$ as it likes.
   void start(const FT& ai, const FT& ij, const FT& ja, const std::array<FT, 3>& p)
@@ -115,7 +114,7 @@ public:
   /// \f$\overrightarrow{ij}\f$.
   void finish(const FT& ij, const FT& jl, const FT& li) { set_end(apex(ij, jl, li)); }
 
-  /// the same for a line that ends in this triangle at the point with barycentric coordinates `q`,
+  /// ends with a line to a point of this triangle: the point with barycentric coordinates `q`,
   /// which belong to \f$l\f$, \f$j\f$, \f$i\f$.
   void finish(const FT& ij, const FT& jl, const FT& li, const std::array<FT, 3>& q)
   {
@@ -126,23 +125,23 @@ public:
       set_end(edge.target - q[2] * ij * m_direction - q[0] * jl * direction_to_target(ij, jl, li));
   }
 
-  /// the number of inner edges.
+  /// returns the number of inner edges.
   std::size_t size() const { return m_edges.size(); }
 
-  /// the length of the line. \pre `finish()` has been called
+  /// returns the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
 
-  /// the angle at the start of the line from the direction to the first \f$i\f$ counterclockwise to
-  /// the line; `FT` is a floating point type. \pre `finish()` has been called
+  /// returns the angle at the start of the line from the direction to the first \f$i\f$
+  /// counterclockwise to the line; `FT` is a floating point type. \pre `finish()` has been called
   FT angle() const
   {
     const Vector& i = m_edges.front().source;
     return std::atan2(cross(i, m_end), dot(i, m_end));
   }
 
-  /// the crossing of the line with inner edge `m`, not before `least` on the line. Where both run
-  /// along each other, any point that they share will do, but not a point that only one of them
-  /// has.
+  /// returns the crossing of the line with inner edge `m`, not before `least` on the line. Where
+  /// both run along each other, any point that they share will do, but not a point that only one of
+  /// them has.
   /// \pre `finish()` has been called
   Crossing crossing(std::size_t m, const FT& least = FT(0)) const
   {

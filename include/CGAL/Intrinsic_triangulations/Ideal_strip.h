@@ -85,13 +85,13 @@ public:
       set_from_b(m_edges[m], m_edges[m + 1]);
   }
 
-  /// the number of inner edges.
+  /// returns the number of inner edges.
   std::size_t size() const { return m_edges.size(); }
 
-  /// the Penner length of the geodesic. \pre `finish()` has been called
+  /// returns the Penner length of the geodesic. \pre `finish()` has been called
   const FT& length() const { return m_length; }
 
-  /// the crossing of the geodesic with inner edge `m`. \pre `finish()` has been called
+  /// returns the crossing of the geodesic with inner edge `m`. \pre `finish()` has been called
   Crossing crossing(std::size_t m) const
   {
     const Inner_edge& edge = m_edges[m];

@@ -137,8 +137,8 @@ public:
   }
 
   /// returns the number of spokes of \f$T_1\f$ at or counterclockwise from `h` and before the next
-  /// spoke of
-  /// \f$T_2\f$: those that start in the corner at the source of `h`, and the one along `h`.
+  /// spoke of \f$T_2\f$: those that start in the corner at the source of `h`, and the one along
+  /// `h`.
   Integer spokes_from(Halfedge_index h, const Delta_complex& mesh) const
   {
     const int along = Intrinsic_triangulations::is_shared(m_n[edge_of(h)]);

@@ -179,16 +179,16 @@ public:
   /// \name Flipping
   /// @{
 
-  /// whether the edge of `h` is not constrained, lies in two faces, and their union is strictly
-  /// convex, so that `flip()` gives a triangulation of the surface again.
+  /// returns whether the edge of `h` is not constrained, lies in two faces, and their union is
+  /// strictly convex, so that `flip()` gives a triangulation of the surface again.
   bool is_flippable(Halfedge_index h) const
   {
     return can_be_turned(h) && m_traits.is_convex_object()(diamond(m_length, h, m_mesh));
   }
 
-  /// whether the edge `e` of \f$T_2\f$ satisfies the local Delaunay condition (Equation 2.6), or is
-  /// constrained, or has not two faces. Decision: exact for exact traits, filtered for floating
-  /// point.
+  /// returns whether the edge `e` of \f$T_2\f$ satisfies the local Delaunay condition (Equation
+  /// 2.6), or is constrained, or has not two faces. Decision: exact for exact traits, filtered for
+  /// floating point.
   bool is_Delaunay(Edge_index e) const
   {
     const Halfedge_index h = m_mesh.halfedge(e);
@@ -197,8 +197,7 @@ public:
 
   /// turns the edge of `h` counterclockwise into the other diagonal of its two faces (see
   /// `flip_edge()`) and updates its length and integer coordinates. The coordinates are exact, and
-  /// an edge that is in
-  /// \f$T_1\f$ too has its length there, to the bit. Complexity: constant; no
+  /// an edge that is in \f$T_1\f$ too has its length there, to the bit. Complexity: constant; no
   /// memory is allocated.
   /// \throws Numerical_error if the new length is not positive and finite
   /// \throws Overflow_error if the new normal coordinate is out of range
@@ -336,7 +335,7 @@ public:
     return m;
   }
 
-  /// the first part of an edge that has been split, of which `h` is the second part.
+  /// returns the first part of an edge that has been split, of which `h` is the second part.
   Halfedge_index first_part(Halfedge_index h) const
   {
     return m_mesh.prev(m_mesh.is_border(h) ? h : m_mesh.opposite(m_mesh.prev(h)));

@@ -18,8 +18,7 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// holds five values on the edges of a diamond: the edge \f$ij\f$ and the four other sides of its
-/// faces
-/// \f$ijk\f$ and \f$jil\f$.
+/// faces \f$ijk\f$ and \f$jil\f$.
 template <typename T>
 struct Diamond
 {

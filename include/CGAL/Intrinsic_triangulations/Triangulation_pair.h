@@ -52,8 +52,8 @@ class Intrinsic_triangulation;
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// two triangulations \f$T_1\f$ and \f$T_2\f$ of one surface: connectivity and edge lengths of
 /// both, the integer coordinates (normal coordinates and roundabouts) that determine how the edges
-/// of \f$T_1\f$ run over \f$T_2\f$, and the places on \f$T_1\f$ of the vertices that only
-/// \f$T_2\f$ has. The operations that change \f$T_2\f$ are those of `Intrinsic_triangulation`.
+/// of \f$T_1\f$ run over \f$T_2\f$, and the places on \f$T_1\f$ of the vertices that only \f$T_2\f$
+/// has. The operations that change \f$T_2\f$ are those of `Intrinsic_triangulation`.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
 template <typename Traits_>
@@ -141,7 +141,7 @@ public:
 
   /// returns the place on \f$T_1\f$ of the point at `t` on the halfedge `h` of \f$T_2\f$.
   /// \pre the edge of `h` is shared and \f$0 < t < 1\f$
-  /// \throws Numerical_error if there is no number between the places of its ends
+  /// \throws Numerical_error if there is NaN between the places of its ends
   Inserted_vertex<FT> place_on_shared(Halfedge_index h, const FT& t) const
   {
     const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));

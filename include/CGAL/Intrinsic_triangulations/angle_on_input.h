@@ -29,8 +29,7 @@ namespace Intrinsic_triangulations {
 ///
 /// The corner of \f$T_1\f$ follows from the integer coordinates and is exact. The place in the
 /// corner comes from the strip of triangles of \f$T_1\f$ that `h` passes, so that the flips that
-/// led to
-/// \f$T_2\f$ leave no trace in it. A shared edge has the angle of its twin, to the bit.
+/// led to \f$T_2\f$ leave no trace in it. A shared edge has the angle of its twin, to the bit.
 /// Complexity: that of `trace_intrinsic_edge()`, and linear in the degree of the source in
 /// \f$T_1\f$. For many halfedges use `Angular_coordinates`.
 /// \throws Numerical_error if the angles at the source have no positive finite sum, or if the

@@ -20,8 +20,8 @@ namespace Intrinsic_triangulations {
 using boost::math::constants::pi;
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the angle at the corner opposite to side `a` of the triangle with sides `a`, `b`, `c`; 0 or
-/// \f$\pi\f$ in a flat triangle.
+/// returns the angle at the corner opposite to side `a` of the triangle with sides `a`, `b`, `c`; 0
+/// or \f$\pi\f$ in a flat triangle.
 /// \tparam FT a floating point type
 template <typename FT>
 FT corner_angle(const FT& a, const FT& b, const FT& c)
@@ -30,8 +30,8 @@ FT corner_angle(const FT& a, const FT& b, const FT& c)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
-/// the cotangent of the angle at the corner opposite to side `a` of the triangle with sides `a`,
-/// `b`, `c`.
+/// returns the cotangent of the angle at the corner opposite to side `a` of the triangle with sides
+/// `a`, `b`, `c`.
 /// \pre the triangle is not flat
 template <typename FT>
 FT corner_cotangent(const FT& a, const FT& b, const FT& c)

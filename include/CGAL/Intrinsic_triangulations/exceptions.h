@@ -66,7 +66,7 @@ public:
     : Error("line " + std::to_string(line) + ": " + message), m_line(line)
   {}
 
-  /// the number of the offending line, starting from 1.
+  /// returns the number of the offending line, starting from 1.
   std::size_t line() const { return m_line; }
 };
 

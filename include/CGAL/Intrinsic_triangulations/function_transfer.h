@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
-/// the matrix that takes the values of a function that is linear on the faces of `side`, at the
-/// vertices of that triangulation, to its values at the vertices of the subdivision. Rows sum up to
-/// one and have at most three entries, which are not negative. Complexity: linear.
+/// returns the matrix that takes the values of a function that is linear on the faces of `side`, at
+/// the vertices of that triangulation, to its values at the vertices of the subdivision. Rows sum
+/// up to one and have at most three entries, which are not negative. Complexity: linear.
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision
 /// \tparam Subdivision a class derived from `Subdivision_base`
@@ -101,10 +101,10 @@ void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_ind
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
-/// the integrals \f$\int \varphi_i \psi_j\f$ of products of hat functions \f$\varphi_i\f$ of
-/// \f$T_2\f$ (rows) and \f$\psi_j\f$ of \f$T_1\f$ (columns). They are exact but for rounding, since
-/// the products are integrated over the regions of the common subdivision. Complexity: linear in
-/// the faces and crossings.
+/// returns the integrals \f$\int \varphi_i \psi_j\f$ of products of hat functions \f$\varphi_i\f$
+/// of \f$T_2\f$ (rows) and \f$\psi_j\f$ of \f$T_1\f$ (columns). They are exact up to rounding,
+/// since the products are integrated over the regions of the common subdivision. Complexity: linear
+/// in the faces and crossings.
 template <typename Traits>
 Eigen::SparseMatrix<typename Traits::FT>
 mixed_mass_matrix(const Correspondence<Traits>& correspondence)
@@ -129,8 +129,8 @@ mixed_mass_matrix(const Correspondence<Traits>& correspondence)
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// finds the function that is linear on the faces of the other triangulation and closest, in the
 /// \f$L^2\f$ norm, to one that is linear on the faces of `from`. It has the same integral, and is
-/// the same function where that is possible. An isolated vertex keeps its value. Complexity: linear
-/// in the faces and crossings, and a sparse Cholesky factorization.
+/// the function itself where that is possible. An isolated vertex keeps its value. Complexity:
+/// linear in the faces and crossings, and a sparse Cholesky factorization.
 /// \param correspondence the crossings of both
 /// \param from the triangulation on whose faces `values` is linear
 /// \param values the values at the vertices

@@ -291,7 +291,8 @@ private:
 ///
 /// Vertices keep their numbers and places, and so do edges and faces if nothing has been inserted.
 /// No edge is constrained. Complexity: linear, and \f$O(n \log n)\f$ in the vertices in a face.
-/// \throws Numerical_error if an inserted vertex cannot be told from another vertex or from an edge
+/// \throws Numerical_error if an inserted vertex cannot be distinguished from another vertex or
+///   from an edge
 /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
 /// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type

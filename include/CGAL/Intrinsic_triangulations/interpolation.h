@@ -17,9 +17,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// pulls a function that is linear on the faces of one triangulation onto a subdivision, on which it
-/// is piecewise linear too. Vertices of that triangulation keep their values, bitwise. Complexity:
-/// linear.
+/// pulls a function that is linear on the faces of one triangulation onto a subdivision, on which
+/// it is piecewise linear too. Vertices of that triangulation keep their values, bitwise.
+/// Complexity: linear.
 ///
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision

@@ -31,9 +31,8 @@ namespace Intrinsic_triangulations {
 ///
 /// Values can be prescribed at vertices (Dirichlet). On the rest of the boundary the normal
 /// derivative is zero. On a component where nothing is prescribed there is a solution only if the
-/// integral of
-/// \f$f\f$ vanishes, and it can be shifted: there \f$f\f$ is replaced by \f$f\f$ less its mean, and
-/// the solution has mean zero.
+/// integral of \f$f\f$ vanishes, and it can be shifted: there \f$f\f$ is replaced by \f$f\f$ less
+/// its mean, and the solution has mean zero.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
 ///

@@ -53,12 +53,11 @@ public:
         set_frame(v, surface);
   }
 
-  /// the normalized angle \f$\varphi\f$ of the direction in which `h` leaves its source: between 0
-  /// and
-  /// \f$2\pi\f$, and exactly \f$\pi\f$ for a border halfedge.
+  /// returns the normalized angle \f$\varphi\f$ of the direction in which `h` leaves its source:
+  /// between 0 and \f$2\pi\f$, and exactly \f$\pi\f$ for a border halfedge.
   const FT& angle(Halfedge_index h) const { return m_angle[h.idx()]; }
 
-  /// the sum \f$\Theta\f$ of the angles of the surface at `v`; zero if `v` is isolated.
+  /// returns the sum \f$\Theta\f$ of the angles of the surface at `v`; zero if `v` is isolated.
   const FT& angle_sum(Vertex_index v) const { return m_angle_sum[v.idx()]; }
 
   /// what the angle sum lacks of \f$2\pi\f$, or of \f$\pi\f$ on the boundary: the Gaussian
@@ -66,12 +65,13 @@ public:
   /// without isolated vertices is \f$2\pi\f$ times its Euler characteristic.
   FT angle_defect(Vertex_index v) const { return normalized_sum(v) - angle_sum(v); }
 
-  /// the factor that makes angles of the surface at `v` normalized angles: \f$2\pi/\Theta\f$, or
-  /// \f$\pi/\Theta\f$ on the boundary. \pre `v` is not isolated
+  /// returns the factor that makes angles of the surface at `v` normalized angles:
+  /// \f$2\pi/\Theta\f$, or \f$\pi/\Theta\f$ on the boundary. \pre `v` is not isolated
   FT scale(Vertex_index v) const { return normalized_sum(v) / angle_sum(v); }
 
-  /// the parallel transport \f$R_{ij} = e^{\mathbf{i}((\varphi_{ji} + \pi) - \varphi_{ij})}\f$ from
-  /// the source of `h` to its target: a tangent vector is multiplied with it.
+  /// returns the parallel transport
+  /// \f$R_{ij} = e^{\mathbf{i}((\varphi_{ji} + \pi) - \varphi_{ij})}\f$ from the source of `h` to
+  /// its target: a tangent vector is multiplied with it.
   std::complex<FT> transport(Halfedge_index h) const
   {
     const Halfedge_index o = opposite(h);

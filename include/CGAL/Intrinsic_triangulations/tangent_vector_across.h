@@ -55,7 +55,7 @@ tangent_vector_across(const Intrinsic_triangulation<Traits>& tri, Side side, Ver
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// takes a tangent vector from one frame to the other as above, for many vectors.
+/// takes a tangent vector from one frame to the other, for many vectors.
 /// Complexity: constant.
 template <typename Traits>
 std::complex<typename Traits::FT>

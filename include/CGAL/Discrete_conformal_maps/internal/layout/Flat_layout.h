@@ -67,7 +67,7 @@ public:
   // the position of the source of `h` in the face of `h`
   std::complex<double> position(Halfedge_index h) const { return to_complex(united(h)); }
 
-  // the same in all digits
+  // in all digits
   std::array<FT, 2> exact_position(Halfedge_index h) const { return {united(h).x, united(h).y}; }
 
 private:

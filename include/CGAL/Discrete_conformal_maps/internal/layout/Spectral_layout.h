@@ -62,7 +62,7 @@ public:
     m_boundary.push_back({i, j, length});
   }
 
-  // Improves a layout of the chart as long as corrections get smaller and, but for rounding, the
+  // Improves a layout of the chart as long as corrections get smaller and, up to rounding, the
   // energy does not rise. The area of the result is that of the faces. A chart with a face without
   // area stays as it is.
   // \throws Numerical_error if L has no factorization

@@ -137,7 +137,7 @@ public:
 
   // whether the faces of `e` are not joined
   bool is_open(Edge_index e) const { return m_is_open[e.idx()] != 0; }
-  // the same, when open edges are closed again from the ends of their graph
+  // after open edges have been closed again from the ends of their graph
   bool is_seam(Edge_index e) const { return m_is_seam[e.idx()] != 0; }
 
   // the open edges of a component that are not in the tree, those with the shortest loops first

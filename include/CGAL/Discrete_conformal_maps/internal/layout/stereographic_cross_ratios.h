@@ -52,7 +52,7 @@ double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Leng
     const auto ideal = [&](Halfedge_index x) { return length(Edge_index(x)); };
     const double error =
       std::abs(length_cross_ratio(h, mesh, in_plane) / length_cross_ratio(h, mesh, ideal) - 1);
-    result = error <= result ? result : error; // keeps what is no number
+    result = error <= result ? result : error; // keeps NaN
   }
   return result;
 }

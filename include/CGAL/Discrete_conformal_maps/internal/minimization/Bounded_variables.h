@@ -43,7 +43,7 @@ public:
   double remove_means(Vector&) const { return 0; }
 
   // Variables some roundings from their bounds, or below them, are put there: functions may not
-  // tell them apart.
+  // distinguish them.
   Vector feasible(const Vector& point) const
   {
     Vector result = point;
@@ -63,7 +63,7 @@ public:
     for(const Eigen::Index i : indices()) {
       const double g = gradient[i];
       if(!(point[i] == m_lower_bound[i] && g > 0))
-        result = std::abs(g) <= result ? result : std::abs(g); // keeps what is no number
+        result = std::abs(g) <= result ? result : std::abs(g); // keeps NaN
     }
     return result;
   }

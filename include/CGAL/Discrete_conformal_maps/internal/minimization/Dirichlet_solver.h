@@ -21,7 +21,7 @@ namespace Discrete_conformal_maps {
 namespace internal {
 
 // Solves systems with a symmetric positive semidefinite matrix from which the rows and columns of
-// some variables are left out; what is left is positive definite, but for rounding. Solutions are
+// some variables are left out; what is left is positive definite, up to rounding. Solutions are
 // as good as estimates and corrections need to be.
 class Dirichlet_solver
 {

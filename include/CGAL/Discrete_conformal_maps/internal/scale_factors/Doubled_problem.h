@@ -127,7 +127,7 @@ public:
     const double value = !is_scale && is_on_boundary(v) ? 2 * condition.value : condition.value;
     if(!std::isfinite(value))
       throw Intrinsic_triangulations::Invalid_input("what is prescribed at vertex " +
-                                                    std::to_string(v.idx()) + " is no number");
+                                                    std::to_string(v.idx()) + " is NaN");
     for(Vertex_index x : {v, mirrored(v)}) {
       m_is_fixed[x.idx()] = is_scale || m_half.is_isolated(v);
       m_value[Eigen::Index(x.idx())] = !is_scale && m_half.is_isolated(v) ? 0 : value;

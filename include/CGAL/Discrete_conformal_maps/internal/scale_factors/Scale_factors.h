@@ -47,7 +47,7 @@ public:
   // of the vertices where curvatures are prescribed
   double max_curvature_error() const { return m_max_curvature_error; }
   Map_status status() const { return m_status; }
-  // whether all faces have the triangle inequality, but for rounding
+  // whether all faces have the triangle inequality, up to rounding
   bool has_layout() const { return m_has_layout; }
 
   // by the vertices of the surface itself

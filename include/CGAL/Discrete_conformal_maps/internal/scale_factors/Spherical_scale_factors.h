@@ -63,7 +63,7 @@ public:
     for(std::size_t v = 0; v < m_u.size(); ++v)
       if(m_u[v] != m_bound[v]) {
         const double error = std::abs(m_energy.gradient()[Eigen::Index(v)]);
-        result = error <= result ? result : error; // keeps what is no number
+        result = error <= result ? result : error; // keeps NaN
       }
     return result;
   }
@@ -121,8 +121,7 @@ private:
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
     if(last.gradient_norm <= tolerance::gradient)
-      m_result.status =
-        Minimization_status::converged; // what is less than that is welcome, no more
+      m_result.status = Minimization_status::converged; // less than that is used, no more
   }
 
   // at the bounds to the bit

@@ -27,7 +27,7 @@ using Intrinsic_triangulations::is_first_halfedge;
 using Intrinsic_triangulations::opposite;
 
 // The order in which curves cross an edge. Curves that do not cross each other go on side by side
-// until they leave a face by different sides or corners: there they tell their order, without any
+// until they leave a face by different sides or corners: there their order is known, without any
 // numbers.
 class Crossing_order
 {

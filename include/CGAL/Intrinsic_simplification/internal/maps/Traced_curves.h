@@ -35,7 +35,8 @@ inline Curve_index checked_index(std::size_t n)
   return static_cast<Curve_index>(n);
 }
 
-// Where a point of a curve is in its face: at a corner, on a side, or inside, where the curve bends.
+// Where a point of a curve is in its face: at a corner, on a side, or inside, where the curve
+// bends.
 inline bool is_at_corner(const Face_point& p) { return is_single(p.corners); }
 inline bool is_on_side(const Face_point& p) { return is_pair(p.corners); }
 inline bool is_bend(const Face_point& p) { return !is_at_corner(p) && !is_on_side(p); }
@@ -65,8 +66,8 @@ inline Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::
   return to == (from + 1) % 3 ? side[from] : Intrinsic_triangulations::opposite(side[to]);
 }
 
-// a straight part of an edge of the coarse level in a face of the fine level, the marks at its ends,
-// and the vertex where it ends
+// a straight part of an edge of the coarse level in a face of the fine level, the marks at its
+// ends, and the vertex where it ends
 struct Coarse_piece
 {
   Curve_segment segment;
