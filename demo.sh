@@ -19,79 +19,48 @@ sphere_mesh=build/cgal_data/meshes/bull.off
 hyperbolic_mesh=build/cgal_data/meshes/eight.off
 fine_mesh=build/cgal_data/meshes/camel.off
 
-# value FILE KEY: the number under a key of a flat JSON object without spaces.
-value()
+# print_values NAME FORMAT: the name and values of its statistics s, as a Python f-string formats them.
+print_values()
 {
-  sed -n "s/.*\"$2\":\([^,}]*\).*/\1/p" <<<"$1"
+  python3 test/demo/files.py "s = json('results/$1.json')" "print(f'''{\"$1\":16}$2''')"
 }
 
-# flat FILE: the JSON file without spaces and with 0 in place of inner objects.
-flat()
+print_row()
 {
-  tr -d ' \n' <"$1" | sed 's/:{[^}]*}/:0/g'
-}
-
-# inner FILE KEY: the object under a key.
-inner()
-{
-  tr -d ' \n' <"$1" | sed "s/.*\"$2\":\({[^}]*}\).*/\1/"
+  print_values "$1" '{s.vertices:10}{s.flips:10}{s.min_angle_degrees:12.4f}'\
+'{s.crossings:12}{s.subdivision.faces:12}{sum(s.seconds.values()):10.3f}'
 }
 
 # least_angle MESH: as `intrinsic info` says it.
 least_angle()
 {
-  value "$(build/intrinsic info "$1" --json | tr -d ' \n')" min_angle_degrees
-}
-
-print_row()
-{
-  local outer subdivision seconds
-  subdivision=$(inner "results/$1.json" subdivision)
-  seconds=$(inner "results/$1.json" seconds | tr -d '{}' | tr ',' '\n' |
-    awk -F: '{ sum += $2 } END { printf "%.3f", sum }')
-  outer=$(flat "results/$1.json")
-  printf '%-16s%10s%10s%12.4f%12s%12s%10s\n' "$1" "$(value "$outer" vertices)" \
-    "$(value "$outer" flips)" "$(value "$outer" min_angle_degrees)" \
-    "$(value "$outer" crossings)" "$(value "$subdivision" faces)" "$seconds"
+  build/intrinsic info "$1" --json >results/info.json || true
+  python3 test/demo/files.py "print(json('results/info.json').min_angle_degrees)"
 }
 
 print_refined_row()
 {
-  local name json
-  name=$(basename "$1" .off)
-  json=results/$name.json
-  printf '%-16s%10s%10s%12.4f%12.4f%12s%10.3f  %s\n' "$name" "$(value "$(flat "$json")" vertices)" \
-    "$(value "$(flat "$json")" inserted_vertices)" "$(least_angle "$1")" \
-    "$(value "$(flat "$json")" min_angle_degrees)" "$(value "$(flat "$json")" faces_below_bound)" \
-    "$(value "$(inner "$json" seconds)" refine)" "$(value "$(flat "$json")" status | tr -d '"')"
+  print_values "$(basename "$1" .off)" "{s.vertices:10}{s.inserted_vertices:10}"\
+"{$(least_angle "$1"):12.4f}{s.min_angle_degrees:12.4f}{s.faces_below_bound:12}"\
+"{s.seconds.refine:10.3f}  {s.status}"
 }
 
 # print_map_row MESH KEY ...: the values under the keys, and the status.
 print_map_row()
 {
-  local name json key value row
-  name=$(basename "$1" .off)
-  json=results/$name.json
-  row=$(printf '%-16s' "$name")
+  local key format=
   for key in "${@:2}"; do
-    value=$(value "$(flat "$json")" "$key")
-    [ "$value" = true ] || value=$(printf '%.6g' "$value")
-    row+=$(printf '%14s' "$value")
+    format+="{'true' if s.$key is True else format(s.$key, '.6g'):>14}"
   done
-  echo "$row  $(value "$(flat "$json")" status | tr -d '"')"
+  print_values "$(basename "$1" .off)" "$format  {s.status}"
 }
 
 # print_coarse_row MESH
 print_coarse_row()
 {
-  local name json
-  name=$(basename "$1" .off)
-  json=results/$name.json
-  printf '%-16s%10s%10s%12s%12.4f%12.4f%12.4f%10.3f  %s\n' "$name" "$(value "$(flat "$json")" vertices)" \
-    "$(value "$(flat "$json")" coarse_vertices)" "$(value "$(flat "$json")" operations)" \
-    "$(value "$(flat "$json")" area_ratio)" "$(least_angle "$1")" \
-    "$(value "$(flat "$json")" min_angle_degrees)" "$(value "$(inner "$json" seconds)" simplify)" \
-    "$(value "$(flat "$json")" status | tr -d '"')"
+  print_values "$(basename "$1" .off)" "{s.vertices:10}{s.coarse_vertices:10}{s.operations:12}"\
+"{s.area_ratio:12.4f}{$(least_angle "$1"):12.4f}{s.min_angle_degrees:12.4f}"\
+"{s.seconds.simplify:10.3f}  {s.status}"
 }
 
 scripts/set_up.sh

@@ -5,6 +5,8 @@
 #include "Command_run.h"
 
 #include <iostream>
+#include <stdexcept>
+#include <utility>
 
 namespace {
 
@@ -19,10 +21,10 @@ std::vector<std::string> all_outputs(std::vector<std::string> outputs,
 } // namespace
 
 Command_run::Command_run(const std::string& command, const Common_options& options,
-                         std::vector<std::string> outputs, std::size_t number_of_stages)
+                         std::vector<std::string> outputs)
   : m_options(options),
     m_output(options.input, all_outputs(std::move(outputs), options)),
-    m_progress(number_of_stages, options.is_quiet)
+    m_progress(options.is_quiet)
 {
   read(command);
 }
@@ -40,8 +42,20 @@ void Command_run::read(const std::string& command)
     m_statistics["repairs"][what] = count;
 }
 
+void Command_run::plan(const std::vector<Stages>& parts)
+{
+  Stages all;
+  for(const Stages& part : parts)
+    all.insert(all.end(), part.begin(), part.end());
+  all.push_back("write");
+  m_progress.set_stages(std::move(all));
+}
+
 void Command_run::finish(const std::string& summary)
 {
+  for(const std::string& stage : m_progress.stages())
+    if(!m_seconds.contains(stage))
+      throw std::logic_error("the stage '" + stage + "' has not come");
   m_statistics["seconds"] = m_seconds;
   m_statistics["peak_memory_bytes"] = peak_memory_in_bytes();
   m_output.add(m_options.statistics, text_of(m_statistics));

@@ -16,6 +16,9 @@
 #include <string>
 #include <vector>
 
+// Names of stages, in their order.
+using Stages = std::vector<std::string>;
+
 // What the commands on intrinsic triangulations do alike: they read a mesh, go through stages, each
 // of them timed, gather statistics, and let all files appear together at the end.
 class Command_run
@@ -24,7 +27,10 @@ public:
   // Reads the input, after the paths of the command, `outputs`, and the common ones are checked.
   // Throws Program_error as `Output` and `read_input()` do.
   Command_run(const std::string& command, const Common_options& options,
-              std::vector<std::string> outputs, std::size_t number_of_stages);
+              std::vector<std::string> outputs);
+
+  // Sets the stages after the input has been read, but for the last, "write".
+  void plan(const std::vector<Stages>& parts);
 
   const Common_options& options() const { return m_options; }
   Input_mesh& input() { return m_input; }
@@ -35,21 +41,19 @@ public:
   template <class Stage>
   auto timed(const std::string& name, const Stage& stage)
   {
+    end_stage(); // before the seconds move
     m_progress.start_stage(name);
     const Timer timer(m_seconds[name]);
     return stage();
   }
 
-  // Begins a stage that lasts until the next or until `end_stage()`. The seconds of stages with the
-  // same name are added up.
+  // Begins a stage that lasts until the next. The seconds of stages with one name are added up.
   void start_stage(const std::string& name)
   {
-    end_stage(); // before the seconds move
+    end_stage();
     m_progress.start_stage(name);
     m_timer.emplace(m_seconds[name]);
   }
-
-  void end_stage() { m_timer.reset(); }
 
   // Nothing if the path is empty.
   void add_output(const std::string& path, const std::string& content)
@@ -57,7 +61,8 @@ public:
     m_output.add(path, content);
   }
 
-  // Adds the statistics to the files, makes these appear and tells the summary.
+  // Adds the statistics to the files, makes these appear and prints the summary.
+  // Throws std::logic_error if a stage that was planned has not come.
   void finish(const std::string& summary);
 
 private:
@@ -80,6 +85,8 @@ private:
   };
 
   void read(const std::string& command);
+
+  void end_stage() { m_timer.reset(); }
 
   const Common_options& m_options;
   Output m_output;

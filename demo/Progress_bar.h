@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 // One line on the terminal that tells which of several stages is running; nothing elsewhere.
@@ -14,14 +15,18 @@ class Progress_bar
 {
 public:
   // Draws nothing if `is_quiet` or if standard error is not a terminal.
-  Progress_bar(std::size_t number_of_stages, bool is_quiet);
+  explicit Progress_bar(bool is_quiet);
 
   ~Progress_bar() { clear(); }
 
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
 
-  // A stage that was there before stands where it stood.
+  // Sets the stages to come, each with its own name.
+  void set_stages(std::vector<std::string> names) { m_names = std::move(names); }
+  const std::vector<std::string>& stages() const { return m_names; }
+
+  // Stages may come in another order, and again. Throws std::logic_error if none has this name.
   void start_stage(const std::string& name);
 
   // One more step of the stage; cheap enough for inner loops.
@@ -45,9 +50,8 @@ public:
 private:
   void draw() const;
 
-  std::size_t m_number_of_stages;
-  std::vector<std::string> m_names; // of the stages, in the order in which they came
-  std::size_t m_stage = 0;          // its place there
+  std::vector<std::string> m_names;
+  std::size_t m_stage = 0; // the place of the running one
   std::size_t m_steps = 0;
   bool m_is_shown;
 };

@@ -4,195 +4,14 @@
 
 #include "command_line.h"
 
+#include "help_texts.h"
+
 #include <CGAL/version.h>
 
 #include <cmath>
 #include <cstdlib>
 
 namespace {
-
-constexpr const char* examples = R"(Examples:
-  intrinsic info bunny.obj
-  intrinsic delaunay bunny.obj -o subdivision.ply --stats bunny.json
-  intrinsic delaunay scan.stl --repair -o - --format obj | gzip > scan.obj.gz
-  intrinsic refine bunny.obj -o refined.ply --min-angle 30
-  intrinsic distance bunny.obj --source 17 -o distance.vtp
-  intrinsic operators bunny.obj --prefix bunny
-  intrinsic flatten bunny.obj -o flat.obj
-  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
-  intrinsic sphere bunny.obj -o sphere.ply
-  intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
-
-Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
-
-constexpr const char* refine_notes =
-  R"(The result is Delaunay and is written with exit code 0 however refinement has ended. The status, in
-the statistics and in the last line on standard error, says how:
-  bounds_met              every face obeys the bounds
-  bounds_met_but_excused  those that do not are at vertices too narrow for the angle
-  insertion_limit         --max-insertions was too little; some faces are left
-  no_room                 floating point numbers are too coarse for the faces that are left
-On closed meshes without narrow vertices and sharp edges to keep, refinement to at most 30 degrees is
-proven to end, in exact arithmetic; with boundary this is an open question, and 25 degrees have
-worked on all ordinary meshes tried. On nearly degenerate meshes rounding can make it insert vertices
-without end, as can greater angles: set --max-insertions, or --mollify.
-
-Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an input
-edge with an intrinsic edge, 2 inserted vertex.
-
-Example:
-  intrinsic refine scan.ply -o refined.vtp --min-angle 25 --stats refined.json)";
-
-constexpr const char* distance_notes =
-  R"(Distances are approximate: on evenly spread vertices by some two percent on average, on coarse or
-uneven ones by more. The distance of a vertex that no source can reach is -1.
-
-Example:
-  intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply)";
-
-constexpr const char* operators_notes =
-  R"(Files, with v vertices and f faces of the intrinsic triangulation:
-  PREFIX_laplacian.mtx             cotan Laplacian, positive semidefinite (v x v, symmetric)
-  PREFIX_mass.mtx                  consistent mass (v x v, symmetric)
-  PREFIX_lumped_mass.mtx           lumped mass (v x v, diagonal)
-  PREFIX_connection_laplacian.mtx  connection Laplacian (v x v, complex Hermitian)
-  PREFIX_gradient.mtx              values at vertices to vectors on faces (2f x v)
-  PREFIX_divergence.mtx            vectors on faces to integrals at vertices (v x 2f)
-Rows and columns of vertices are in the order of the input, inserted vertices after them. Those of
-faces, two for each, and the frames of tangent vectors are those of the triangulation that --save
-writes.
-
-Example:
-  intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
-
-constexpr const char* flatten_notes =
-  R"(The map is discretely conformal: angles are kept as well as a triangle mesh can. Without --boundary,
-areas on the boundary are kept too. A surface that has no boundary is cut through its cones.
-
-Boundaries, after --boundary; write MESH before it:
-  free            vertices on the boundary are not scaled (the default)
-  straight        all exterior angles are zero
-  scale FILE      logarithms of their scale factors are prescribed
-  curvature FILE  their exterior angles are prescribed
-  rectangle       of each component: four corners; those are as far apart along the boundary as they can
-                  be while being about as sharp as its four sharpest vertices
-  disk            of each component: a circle
-Rectangles and disks are for components with one boundary; they have no cones unless they are asked for.
-
-A FILE has lines "index value": an index of a vertex, from 0, and radians or a logarithm. What follows a
-# is a comment. Vertices that are not listed have curvature zero: inside they are flat, on the boundary
-straight. In the file of --cones the values are angle defects, 2 pi less the sum of angles; an empty one
-makes a torus flat. All curvatures must add up to 2 pi times the Euler characteristic, unless scale
-factors are prescribed somewhere.
-
-The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the flat
-triangulation. At the corners of its faces stand u and v, which are lengths in the plane, not limited to
-one. Charts of components stand beside each other. With --linear (the default, which every program reads)
-they are taken as linear on each face; the map itself is projective there, and exact with --homogeneous:
-three numbers u w, v w, w, linear on faces, to be divided after interpolation.
-  .obj  "vt u v", or "vt uw vw w"
-  .ply  a list "texcoord" (or "homogeneous_texcoord") of each face, with all numbers of its corners
-  .vtp  a property with that name of points, which are repeated along seams
-.ply and .vtp tell of each vertex the input vertex (-1 if it is none), whether it is a cone and its
-logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat face or edge
-they are a part. Edges with is_seam 1 are cut open.
-
-Solvers:
-  newton  Newton's method, to the last digits
-  ceres   L-BFGS of the Ceres Solver, for comparison: half of the digits, and slow
-  cetm    Newton's method in the triangulation of the mesh, without any flip, for comparison. There the
-          scale factors depend on the triangulation and often do not exist; the error says which
-          condition is violated: triangle_inequality or no_minimum.
-
-The file of --matrix has a sparse matrix with one row for each vertex of the output, in the order of .obj
-and .ply (.vtp repeats vertices along seams), and one column for each vertex of the mesh. Its product with
-values at the vertices of the mesh (positions, colours, logarithmic scale factors) is the values at the
-vertices of the output, linear on the faces of the mesh. Each row has one to three weights, sum one. Rows of
-vertices of the mesh come first, in their order, so the matrix starts with the identity.
-
-If the minimization does not converge, or there is no map, nothing is written.
-
-Examples:
-  intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
-  intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
-
-constexpr const char* hyperbolic_notes =
-  R"(Every component must have genus two or more, or boundaries, or cones enough; boundaries become geodesics, and
-what is laid out is the double of the surface, as far as it belongs to the mesh.
-
-The output is as that of `intrinsic flatten`, with positions in the Poincare disk. With --homogeneous they are
-x t, y t, t, in Klein's disk, where the map is exact.
-
-Statistics: the area, which is 4 pi (genus - 1); for each component its genus and the motions
-z -> (a z + b) / (conj(b) z + conj(a)) that glue the sides of its domain, as real and imaginary parts of a and
-b; a relation, the order in which their product is the identity (from 1, negative for inverse ones), and its
-error. max_gluing_error tells the same of the corners of the domain, radius how far from its middle it reaches:
-in double precision, positions at a distance d are good for 1e-16 exp(d).
-
-Example:
-  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg --tiles 4 --stats pretzel.json)";
-
-constexpr const char* uniformize_notes =
-  R"(The mesh must be connected. By its topology it becomes
-  a sphere      round, as with `intrinsic sphere`
-  a disk        in the plane, with a round boundary, as with `intrinsic flatten --boundary disk`
-  a torus       flat, as with `intrinsic flatten --cones none`
-  a cylinder    if it has two boundaries and no handles: flat with straight boundaries
-  hyperbolic    if it has more handles or boundaries, as with `intrinsic hyperbolic`
-Statistics are those of these commands, and "modulus": of a torus the quotient tau of the generators of its lattice
-in the fundamental domain of the modular group, as real and imaginary part; of a cylinder the height over
-the circumference, as imaginary part.
-
-Example:
-  intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
-
-constexpr const char* sphere_notes =
-  R"(The mesh must be connected and a sphere or a disk. The image is a convex polyhedron with vertices on the
-unit sphere, discretely conformal to the mesh, that has its center of mass (with areas of the mesh) in the
-center; or one half of such a polyhedron, with the boundary on the equator. Convexity is decided exactly.
-
-The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the polyhedron,
-projected to the sphere. .ply and .vtp tell of each vertex the input vertex (-1 if it is none) and its
-logarithmic scale factor, its place in the mesh (input_x, input_y, input_z) and homogeneous coordinates on
-the polyhedron (homogeneous_x, _y, _z, _w), which are linear on faces; of faces (and in .ply of edges) of
-which input, intrinsic and sphere face or edge they are a part. A disk has its image in the unit disk as
-texture coordinates.
-
-Long limbs have small images. Where the digits of the output are too few for them, triangles lose their
-convexity or are flipped: lost_in_output in the statistics says how many. --precise writes the positions of
-the input vertices with 36 digits.
-
-Vertices without faces stay, at (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates zero.
-If the image is not convex, nothing is written.
-
-Example:
-  intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
-
-constexpr const char* simplify_notes =
-  R"(Vertices are removed one after the other, the one of least cost first. Nothing moves in space: what is
-left is an intrinsic triangulation, Delaunay, of a surface close to the mesh in its distances. The cost of
-a vertex is a length: how far its curvature, area, or both times their weights, will have been moved, times the
-part of the whole that this is. With a weight of color (in .ply and .off) or any other numbers at the vertices (properties
-in .ply, by their names) their Laplacian is moved too, so that more vertices stay where their gradients change.
---error ends with the last vertex whose cost is not above. Where vertices cannot be removed any more,
-simplification ends early, with exit code 0 and the status "nothing_removable" in the statistics.
-Vertices without faces stay; --vertices and --ratio do not count them.
-
-The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp faces have the properties
-"coarse_face" and "input_face", and a color by which adjacent coarse faces differ; in .ply edges have "coarse_edge"
-and "input_edge", or -1, and .vtp has the coarse edges as poly-lines. Vertices have the properties "coarse_vertex",
-or -1, and "kind": 0 input vertex, 1 crossing of a coarse edge with an edge, 2 vertex inserted by --refine, 3 bend of a
-coarse edge inside a face. With --refine more edges lead to the inserted vertices, within the faces of the mesh.
-
-P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its rows are
-barycentric coordinates: not negative, with sum 1. With L levels there are L matrices, P_1.mtx to P_L.mtx, each from
-one level to the one before; the vertices of the levels are those of the mesh that are left, in their order. Vertices
-inserted by --refine follow those of the mesh; they can be coarse vertices, but have no rows in the first matrix.
-
---save writes all levels and the operations between them; with --refine, the mesh with the inserted vertices before.
-
-Example:
-  intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --weight area=0.5 --prolongation P.mtx)";
 
 // Ranges do not exclude it.
 std::string not_a_number(const std::string& text)
@@ -209,15 +28,31 @@ CLI::App& add_command(CLI::App& app, const char* name, const char* description, 
   return command;
 }
 
+// Adds the output of a command, and its format on standard output.
+template <class Own_options>
+void add_output(CLI::App& command, Own_options& options, const std::string& what,
+                const std::string& formats)
+{
+  command.add_option("-o,--output", options.output, what + "; - for standard output)")->required();
+  command.add_option("--format", options.format, "Format on standard output: " + formats)
+    ->capture_default_str();
+}
+
+// Adds an option with a number in a range.
+template <class Number>
+CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number,
+                        const std::string& what, const CLI::Validator& range)
+{
+  return command.add_option(name, number, what)->check(range)->check(not_a_number);
+}
+
 void add_common_options(CLI::App& command, Common_options& options)
 {
   command.add_option("--stats", options.statistics, "JSON file for statistics");
-  command
-    .add_option("--mollify", options.mollification,
-                "Lengthen all edges until every triangle inequality has this slack, "
-                "relative to the mean edge length")
-    ->check(CLI::Range(1e-16, 1.))
-    ->check(not_a_number);
+  add_number(command, "--mollify", options.mollification,
+             "Lengthen all edges until every triangle inequality has this slack, "
+             "relative to the mean edge length",
+             CLI::Range(1e-16, 1.));
   command.add_flag("--repair", options.is_repair_wanted,
                    "Mend what can be mended in the mesh and tell it; indices may change");
 }
@@ -240,30 +75,23 @@ void add_info(CLI::App& app, Options& options)
 template <class Own_options>
 void add_subdivision_options(CLI::App& command, Own_options& options, Common_options& common)
 {
-  command
-    .add_option("-o,--output", options.output,
-                "Common subdivision of the mesh and its intrinsic triangulation "
-                "(.off, .obj, .ply, .vtp; - for standard output)")
-    ->required();
-  command.add_option("--format", options.format, "Format on standard output: off, obj, ply or vtp")
-    ->capture_default_str();
+  add_output(command, options,
+             "Common subdivision of the mesh and its intrinsic triangulation "
+             "(.off, .obj, .ply, .vtp",
+             "off, obj, ply or vtp");
   add_save(command, common);
   add_common_options(command, common);
-  command
-    .add_option("--constrain-angle", options.constrained_angle,
-                "Never flip an edge at which the normals differ by this many degrees or more")
-    ->check(CLI::Range(0.001, 180.))
-    ->check(not_a_number);
+  add_number(command, "--constrain-angle", options.constrained_angle,
+             "Never flip an edge at which the normals differ by this many degrees or more",
+             CLI::Range(0.001, 180.));
 }
 
 // For the commands that refine only if it is wanted.
 void add_angle(CLI::App& command, double& minimum_angle)
 {
-  command
-    .add_option("--min-angle", minimum_angle,
-                "Insert vertices until all angles have this many degrees, see `intrinsic refine`")
-    ->check(CLI::Range(0.001, 60.))
-    ->check(not_a_number);
+  add_number(command, "--min-angle", minimum_angle,
+             "Insert vertices until all angles have this many degrees, see `intrinsic refine`",
+             CLI::Range(0.001, 60.));
 }
 
 void add_delaunay(CLI::App& app, Options& options)
@@ -277,17 +105,11 @@ void add_delaunay(CLI::App& app, Options& options)
 
 void add_bounds(CLI::App& command, Refinement_bounds& bounds)
 {
-  command
-    .add_option("--min-angle", bounds.minimum_angle,
-                "Least angle of the faces in degrees, 0 for any")
-    ->check(CLI::Range(0., 60.))
-    ->check(not_a_number)
+  add_number(command, "--min-angle", bounds.minimum_angle,
+             "Least angle of the faces in degrees, 0 for any", CLI::Range(0., 60.))
     ->capture_default_str();
-  command
-    .add_option("--max-circumradius", bounds.maximum_circumradius,
-                "Greatest circumradius of the faces; any if not given")
-    ->check(CLI::PositiveNumber)
-    ->check(not_a_number);
+  add_number(command, "--max-circumradius", bounds.maximum_circumradius,
+             "Greatest circumradius of the faces; any if not given", CLI::PositiveNumber);
   command
     .add_option("--max-insertions", bounds.maximum_number_of_insertions,
                 "How many vertices may be inserted")
@@ -301,21 +123,16 @@ void add_refine(CLI::App& app, Options& options)
     app, "refine", "Insert vertices until all faces have a good shape", options.common.input);
   add_subdivision_options(command, options.refine, options.common);
   add_bounds(command, options.refine.bounds);
-  command.footer(refine_notes);
+  command.footer(Help::refine);
 }
 
 void add_distance_outputs(CLI::App& command, Distance_options& options)
 {
-  command
-    .add_option(
-      "-o,--output", options.output,
-      "The mesh with the vertex property \"distance\" (.ply, .vtp; - for standard output)")
-    ->required();
+  add_output(command, options, "The mesh with the vertex property \"distance\" (.ply, .vtp",
+             "ply or vtp");
   command.add_option("--subdivision", options.subdivision,
                      "Common subdivision of the mesh and its intrinsic triangulation, "
                      "with the same property");
-  command.add_option("--format", options.format, "Format on standard output: ply or vtp")
-    ->capture_default_str();
 }
 
 void add_distance(CLI::App& app, Options& options)
@@ -332,14 +149,11 @@ void add_distance(CLI::App& app, Options& options)
   add_distance_outputs(command, own);
   add_save(command, options.common);
   add_common_options(command, options.common);
-  command
-    .add_option("--time-step", own.time_step_factor,
-                "Time for which heat flows, in squared mean edge lengths")
-    ->check(CLI::PositiveNumber)
-    ->check(not_a_number)
+  add_number(command, "--time-step", own.time_step_factor,
+             "Time for which heat flows, in squared mean edge lengths", CLI::PositiveNumber)
     ->capture_default_str();
   add_angle(command, own.minimum_angle);
-  command.footer(distance_notes);
+  command.footer(Help::distance);
 }
 
 void add_operators(CLI::App& app, Options& options)
@@ -354,21 +168,15 @@ void add_operators(CLI::App& app, Options& options)
   add_save(command, options.common);
   add_common_options(command, options.common);
   add_angle(command, options.operators.minimum_angle);
-  command.footer(operators_notes);
+  command.footer(Help::operators);
 }
 
 // Of the commands whose output has a texture.
-void add_texture_output(CLI::App& command, std::string& output, std::string& format,
-                        bool& is_homogeneous)
+void add_texture_output(CLI::App& command, Texture_options& options)
 {
-  command
-    .add_option("-o,--output", output,
-                "Common subdivision with texture coordinates (.obj, .ply, .vtp; - for standard "
-                "output)")
-    ->required();
-  command.add_option("--format", format, "Format on standard output: obj, ply or vtp")
-    ->capture_default_str();
-  command.add_flag("--homogeneous,!--linear", is_homogeneous,
+  add_output(command, options, "Common subdivision with texture coordinates (.obj, .ply, .vtp",
+             "obj, ply or vtp");
+  command.add_flag("--homogeneous,!--linear", options.is_homogeneous,
                    "Write homogeneous texture coordinates, or linear ones (the default)");
 }
 
@@ -377,13 +185,10 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
   command.add_option("--cones", options.cones,
                      "greedy, none, or a file of angle defects; greedy by default, but none for a "
                      "rectangle or a disk");
-  command
-    .add_option(
-      "--max-log-scale", options.maximum_log_scale,
-      "Place greedy cones until the logarithms of all scale factors are at most so great; "
-      "5 by default")
-    ->check(CLI::PositiveNumber)
-    ->check(not_a_number);
+  add_number(command, "--max-log-scale", options.maximum_log_scale,
+             "Place greedy cones until the logarithms of all scale factors are at most so great; "
+             "5 by default",
+             CLI::PositiveNumber);
   command
     .add_option("--boundary", options.boundary,
                 "free, straight, scale FILE, curvature FILE, rectangle or disk, see below")
@@ -396,7 +201,7 @@ void add_flatten(CLI::App& app, Options& options)
   CLI::App& command =
     add_command(app, "flatten", "Map a mesh to the plane, conformally", options.common.input);
   Flatten_options& own = options.flatten;
-  add_texture_output(command, own.output, own.format, own.is_homogeneous);
+  add_texture_output(command, own);
   add_flattening_targets(command, own);
   command
     .add_option("--solver", own.solver,
@@ -407,7 +212,7 @@ void add_flatten(CLI::App& app, Options& options)
     "--matrix", own.matrix,
     "Matrix Market file (.mtx) for the interpolation to the vertices of the output");
   add_common_options(command, options.common);
-  command.footer(flatten_notes);
+  command.footer(Help::flatten);
 }
 
 void add_tiling(CLI::App& command, Hyperbolic_options& options)
@@ -423,11 +228,11 @@ void add_hyperbolic(CLI::App& app, Options& options)
   CLI::App& command = add_command(
     app, "hyperbolic", "Give a mesh a conformal metric of curvature -1", options.common.input);
   Hyperbolic_options& own = options.hyperbolic;
-  add_texture_output(command, own.output, own.format, own.is_homogeneous);
+  add_texture_output(command, own);
   command.add_option("--cones", own.cones, "File of angle defects; zero everywhere if not given");
   add_tiling(command, own);
   add_common_options(command, options.common);
-  command.footer(hyperbolic_notes);
+  command.footer(Help::hyperbolic);
 }
 
 void add_uniformize(CLI::App& app, Options& options)
@@ -436,10 +241,10 @@ void add_uniformize(CLI::App& app, Options& options)
     add_command(app, "uniformize", "Give a mesh the conformal metric that suits its topology",
                 options.common.input);
   Hyperbolic_options& own = options.hyperbolic;
-  add_texture_output(command, own.output, own.format, own.is_homogeneous);
+  add_texture_output(command, own);
   add_tiling(command, own);
   add_common_options(command, options.common);
-  command.footer(uniformize_notes);
+  command.footer(Help::uniformize);
 }
 
 void add_sphere(CLI::App& app, Options& options)
@@ -447,17 +252,13 @@ void add_sphere(CLI::App& app, Options& options)
   CLI::App& command = add_command(
     app, "sphere", "Map a sphere or a disk to the unit sphere, conformally", options.common.input);
   Sphere_options& own = options.sphere;
-  command
-    .add_option("-o,--output", own.output,
-                "Common subdivision on the sphere (.off, .obj, .ply, .vtp; - for standard output)")
-    ->required();
-  command.add_option("--format", own.format, "Format on standard output: off, obj, ply or vtp")
-    ->capture_default_str();
+  add_output(command, own, "Common subdivision on the sphere (.off, .obj, .ply, .vtp",
+             "off, obj, ply or vtp");
   command.add_option(
     "--precise", own.precise,
     "Text file for the positions of the input vertices in all digits: index x y z");
   add_common_options(command, options.common);
-  command.footer(sphere_notes);
+  command.footer(Help::sphere);
 }
 
 void add_target(CLI::App& command, Simplify_options& options)
@@ -465,25 +266,19 @@ void add_target(CLI::App& command, Simplify_options& options)
   CLI::App& target = *command.add_option_group("Target", "Where to stop");
   target.add_option("--vertices", options.number_of_vertices, "Number of vertices to be left")
     ->check(CLI::PositiveNumber);
-  target.add_option("--ratio", options.ratio, "The same as a part of the vertices of the mesh")
-    ->check(CLI::Range(1e-9, 1.))
-    ->check(not_a_number);
-  target.add_option("--error", options.maximum_cost, "Greatest cost of a removal, a length")
-    ->check(CLI::NonNegativeNumber)
-    ->check(not_a_number);
+  add_number(target, "--ratio", options.ratio, "The same as a part of the vertices of the mesh",
+             CLI::Range(1e-9, 1.));
+  add_number(target, "--error", options.maximum_cost, "Greatest cost of a removal, a length",
+             CLI::NonNegativeNumber);
   target.require_option(1);
 }
 
 void add_simplify_outputs(CLI::App& command, Options& options)
 {
   Simplify_options& own = options.simplify;
-  command
-    .add_option("-o,--output", own.output,
-                "Common subdivision with the coarse triangulation (.off, .obj, .ply, .vtp; - for "
-                "standard output)")
-    ->required();
-  command.add_option("--format", own.format, "Format on standard output: off, obj, ply or vtp")
-    ->capture_default_str();
+  add_output(command, own,
+             "Common subdivision with the coarse triangulation (.off, .obj, .ply, .vtp",
+             "off, obj, ply or vtp");
   command.add_option("--prolongation", own.prolongation,
                      "Matrix Market file: from coarse vertices to those of the mesh");
   command.add_option("--save", options.common.save,
@@ -508,13 +303,11 @@ void add_simplify(CLI::App& app, Options& options)
                 "Number of levels, each smaller by the same factor; the last is the coarse one")
     ->check(CLI::Range(std::size_t(1), std::size_t(100)))
     ->capture_default_str();
-  command
-    .add_option("--refine", own.minimum_angle,
-                "Refine to this angle in degrees before, so that there are vertices to choose from")
-    ->check(CLI::Range(0., 30.))
-    ->check(not_a_number);
+  add_number(command, "--refine", own.minimum_angle,
+             "Refine to this angle in degrees before, so that there are vertices to choose from",
+             CLI::Range(0., 30.));
   add_common_options(command, options.common);
-  command.footer(simplify_notes);
+  command.footer(Help::simplify);
 }
 
 } // namespace
@@ -524,7 +317,7 @@ void define_command_line(CLI::App& app, Options& options)
   app.description("Intrinsic triangulations of surface meshes");
   app.set_version_flag("--version", version);
   app.add_flag("-q,--quiet", options.common.is_quiet, "Print errors and repairs only");
-  app.footer(examples);
+  app.footer(Help::examples);
   app.require_subcommand(1);
   app.fallthrough();
   add_info(app, options);

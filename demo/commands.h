@@ -88,29 +88,30 @@ struct Operators_options
 // Returns the exit code.
 int operators(const Common_options& common, const Operators_options& options);
 
-struct Flatten_options
+// Of the commands whose output has a texture.
+struct Texture_options
 {
   std::string output;
   std::string format = "obj"; // on standard output
-  std::string cones;          // "greedy", "none" or a file; empty for what suits the boundary
+  bool is_homogeneous = false;
+};
+
+struct Flatten_options : Texture_options
+{
+  std::string cones; // "greedy", "none" or a file; empty for what suits the boundary
   std::optional<double> maximum_log_scale;   // for greedy cones
   std::vector<std::string> boundary{"free"}; // and the file of "scale" and "curvature"
   std::string solver = "newton";             // or "ceres" or "cetm"
-  bool is_homogeneous = false;
-  std::string matrix;             // a file for the interpolation matrix
-  bool is_modulus_wanted = false; // of a torus or annulus without cones
+  std::string matrix;                        // a file for the interpolation matrix
 };
 
 // Maps the surface to the plane, discretely conformally, and writes the common subdivision of its
 // three triangulations with texture coordinates. Returns the exit code.
 int flatten(const Common_options& common, const Flatten_options& options);
 
-struct Hyperbolic_options
+struct Hyperbolic_options : Texture_options
 {
-  std::string output;
-  std::string format = "obj"; // on standard output
-  std::string cones;          // a file; empty for none
-  bool is_homogeneous = false;
+  std::string cones;   // a file; empty for none
   std::string picture; // an SVG file
   int depth = 3;       // of the tiling in the picture
 };
@@ -120,8 +121,9 @@ struct Hyperbolic_options
 // code.
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options);
 
-// Gives the surface the constant curvature of its topology: as `flatten()` or `hyperbolic()`, of
-// whose options the latter serve for both. Returns the exit code.
+// Gives the surface the constant curvature of its topology, and writes it as `sphere()`,
+// `flatten()` or `hyperbolic()` does, of whose options the last serve for all. Returns the exit
+// code.
 int uniformize(const Common_options& common, const Hyperbolic_options& options);
 
 struct Sphere_options

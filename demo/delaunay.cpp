@@ -22,7 +22,8 @@ std::string summary_of(Command_run& run)
 int delaunay(const Common_options& common, const Delaunay_options& options)
 {
   const Mesh_format format = output_format(options.output, options.format);
-  Command_run run("delaunay", common, {options.output}, 5);
+  Command_run run("delaunay", common, {options.output});
+  run.plan({delaunay_stages, subdivision_stages});
   const Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);

@@ -107,8 +107,13 @@ public:
     : m_options(options),
       m_format(format_with_attributes(options.output, options.format)),
       m_subdivision_format(subdivision_format(options)),
-      m_run("distance", common, {options.output, options.subdivision}, number_of_stages())
-  {}
+      m_run("distance", common, {options.output, options.subdivision})
+  {
+    m_run.plan({delaunay_stages,
+                refinement_stages(options.minimum_angle),
+                {"solve"},
+                m_subdivision_format ? subdivision_stages : Stages{}});
+  }
 
   void run()
   {
@@ -126,11 +131,6 @@ public:
   }
 
 private:
-  std::size_t number_of_stages() const
-  {
-    return 4 + std::size_t(m_subdivision_format ? 2 : 0) + (m_options.minimum_angle > 0 ? 1 : 0);
-  }
-
   // These come before the inserted ones.
   std::vector<double> at_input_vertices(const std::vector<double>& values)
   {

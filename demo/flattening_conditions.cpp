@@ -5,11 +5,7 @@
 #include "flattening_conditions.h"
 
 #include "Program_error.h"
-#include "boundary_shapes.h"
 #include "vertex_values.h"
-
-#include <algorithm>
-#include <cmath>
 
 using CGAL::Discrete_conformal_maps::Vertex_condition;
 
@@ -39,17 +35,6 @@ void set_from_file(Conditions& conditions, const Mesh& mesh, const std::string& 
   }
 }
 
-void set_rectangle(Conditions& conditions, const Mesh& mesh, const std::string& path)
-{
-  for(const Boundary_loop& loop : single_boundary_loops(mesh, path)) {
-    if(loop.size() < 4)
-      throw Program_error(path +
-                          ": a boundary has too few vertices for the corners of a rectangle");
-    for(const Mesh::Vertex_index v : rectangle_corners(mesh, loop))
-      conditions[v] = Vertex_condition::curvature(CGAL_PI / 2);
-  }
-}
-
 void set_unscaled(Conditions& conditions, const Mesh& mesh)
 {
   for(const Mesh::Vertex_index v : mesh.vertices())
@@ -57,20 +42,13 @@ void set_unscaled(Conditions& conditions, const Mesh& mesh)
       conditions[v] = Vertex_condition::log_scale(0);
 }
 
-void set_boundary(Conditions& conditions, const std::vector<std::string>& words, const Mesh& mesh,
-                  const std::string& path)
+// Nothing is prescribed for the shapes of `is_shape()`, nor for a straight boundary.
+void set_boundary(Conditions& conditions, const std::vector<std::string>& words, const Mesh& mesh)
 {
   const std::string& what = words.front();
-  if(what == "straight") // as all vertices that are not listed anywhere
-    return;
   if(what == "free")
     set_unscaled(conditions, mesh);
-  else if(what == "rectangle")
-    set_rectangle(conditions, mesh, path);
-  else if(what == "disk") {
-    single_boundary_loops(mesh, path);
-    set_circle(conditions, mesh, boundary_lengths(mesh));
-  } else
+  else if(what == "scale" || what == "curvature")
     set_from_file(conditions, mesh, words[1],
                   what == "scale" ? Vertex_condition::log_scale : Vertex_condition::curvature,
                   is_on_boundary, "on the boundary");
@@ -78,11 +56,13 @@ void set_boundary(Conditions& conditions, const std::vector<std::string>& words,
 
 } // namespace
 
+bool is_shape(const std::string& boundary) { return boundary == "rectangle" || boundary == "disk"; }
+
 void check_boundary(const std::vector<std::string>& words)
 {
   const std::string& what = words.front();
   const bool has_file = what == "scale" || what == "curvature";
-  if(!has_file && what != "free" && what != "straight" && what != "rectangle" && what != "disk")
+  if(!has_file && !is_shape(what) && what != "free" && what != "straight")
     throw Program_error("--boundary: '" + what +
                         "' is none of free, straight, scale, curvature, rectangle and disk");
   if(has_file && words.size() == 1)
@@ -91,14 +71,13 @@ void check_boundary(const std::vector<std::string>& words)
     throw Program_error("--boundary " + what + ": '" + words[1] + "' is one word too many");
 }
 
-Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh,
-                                 const std::string& path)
+Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh)
 {
   Conditions result(mesh.number_of_vertices());
   if(options.cones != "greedy" && options.cones != "none")
     set_from_file(result, mesh, options.cones, Vertex_condition::curvature, is_inside,
                   "inside the surface");
-  set_boundary(result, options.boundary, mesh, path);
+  set_boundary(result, options.boundary, mesh);
   return result;
 }
 
@@ -108,21 +87,4 @@ Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh)
   const auto is_used = [](Mesh::Vertex_index v, const Mesh& m) { return !m.is_isolated(v); };
   set_from_file(result, mesh, path, Vertex_condition::curvature, is_used, "part of the surface");
   return result;
-}
-
-double set_circle(Conditions& conditions, const Mesh& mesh, const std::vector<double>& length)
-{
-  double change = 0;
-  for(const Boundary_loop& loop : single_boundary_loops(mesh, "")) {
-    std::vector<double> length_of_edge;
-    for(const Mesh::Vertex_index v : loop)
-      length_of_edge.push_back(length[v]);
-    const std::vector<double> angle = circle_angles(length_of_edge);
-    for(std::size_t i = 0; i < loop.size(); ++i) {
-      Vertex_condition& condition = conditions[loop[i]];
-      change = (std::max)(change, std::abs(angle[i] - condition.value));
-      condition = Vertex_condition::curvature(angle[i]);
-    }
-  }
-  return change;
 }

@@ -10,25 +10,21 @@
 
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 
+#include <string>
 #include <vector>
 
 using Conditions = std::vector<CGAL::Discrete_conformal_maps::Vertex_condition>;
 
-// What the options prescribe at each vertex of the mesh, as far as it does not depend on the
-// result: the boundary of a disk has the exterior angles of a circle with the lengths that edges
-// have in space. Throws Program_error if the files are wrong, or the mesh is not for this boundary;
-// names `path`.
-Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh,
-                                 const std::string& path);
+// What the options prescribe at each vertex of the mesh; zero on the boundary where it is to have a
+// shape. Throws Program_error if the files are wrong.
+Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh);
 
 // Curvatures from a file, zero where it says nothing.
 // Throws Program_error if the file is wrong.
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
-// Makes the exterior angles of each component those of a polygon in a circle whose edges have these
-// lengths; each belongs to the vertex at the start of the edge. Returns the greatest change of an
-// angle. Precondition: each component has one boundary loop.
-double set_circle(Conditions& conditions, const Mesh& mesh, const std::vector<double>& length);
+// Whether a word after --boundary names a shape, which the library finds the angles for.
+bool is_shape(const std::string& boundary);
 
 // Throws Program_error if the words after --boundary make no sense.
 void check_boundary(const std::vector<std::string>& words);

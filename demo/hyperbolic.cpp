@@ -24,126 +24,106 @@ namespace CM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-class Hyperbolic_command
+std::vector<Mesh::Vertex_index> cones_of(const Conditions& conditions, const Mesh& mesh)
 {
-public:
-  Hyperbolic_command(Command_run& run, const Hyperbolic_options& options, Mesh_format format)
-    : m_options(options), m_format(format), m_run(run)
-  {}
+  std::vector<Mesh::Vertex_index> result;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(conditions[v].value != 0)
+      result.push_back(v);
+  return result;
+}
 
-  void run()
-  {
-    m_run.timed("build", [&] {
-      m_length = edge_lengths(m_run);
-      m_conditions = m_options.cones.empty() ? Conditions(mesh().number_of_vertices())
-                                             : prescribed_curvatures(m_options.cones, mesh());
-    });
-    const CM::Hyperbolic_conformal_map map = uniformized();
-    m_run.timed("write", [&] {
-      describe_map(map);
-      m_run.add_output(
-        m_options.output,
-        text_of(flat_mesh(map, mesh(), cones(), m_options.is_homogeneous), m_format));
-      if(!m_options.picture.empty())
-        m_run.add_output(m_options.picture, disk_picture(map, m_options.depth));
-    });
-    m_run.finish(summary());
+CM::Hyperbolic_conformal_map uniformized(Command_run& run, const Edge_length_map& length,
+                                         const Conditions& conditions)
+{
+  const Mesh& mesh = run.input().mesh;
+  Stage_visitor visitor{run};
+  const auto condition =
+    boost::make_iterator_property_map(conditions.begin(), get(boost::vertex_index, mesh));
+  return CM::uniformize_hyperbolic(
+    mesh, CM::parameters::vertex_condition_map(condition).edge_length_map(length).visitor(
+            std::ref(visitor)));
+}
+
+// Generators as real and imaginary parts of a and b; the relation as numbers of generators, from
+// 1, negative for inverse ones.
+Statistics description(const CM::Fuchsian_group& group)
+{
+  Statistics result{{"genus", group.genus}, {"area", group.area}};
+  if(!group.relation.empty())
+    result["relation_error"] = group.relation_error;
+  result["generators"] = Statistics::array();
+  for(const CM::Disk_motion<>& motion : group.generators)
+    result["generators"].push_back(motion.entries());
+  result["relation"] = Statistics::array();
+  for(const auto& letter : group.relation) {
+    const auto number = static_cast<std::int64_t>(letter.generator) + 1;
+    result["relation"].push_back(letter.is_inverse ? -number : number);
   }
+  return result;
+}
 
-private:
-  Mesh& mesh() { return m_run.input().mesh; }
+void describe(Command_run& run, const CM::Hyperbolic_conformal_map& map,
+              const std::vector<Mesh::Vertex_index>& cones)
+{
+  const Mesh& mesh = run.input().mesh;
+  Statistics& statistics = run.statistics();
+  statistics["cones"] = cones.size();
+  statistics["iterations"] = map.minimization().iterations;
+  statistics["status"] = CM::to_string(map.status());
+  statistics["max_curvature_error"] = map.max_curvature_error();
+  statistics["max_gluing_error"] = map.max_gluing_error();
+  statistics["area"] = map.area();
+  statistics["radius"] = map.radius();
+  // edges are straight in Klein's disk
+  const Output_mesh straight = flat_mesh(map, mesh, cones, true);
+  describe_triangles(statistics, straight);
+  describe_sizes(statistics, map, mesh, straight);
+  statistics["groups"] = Statistics::array();
+  for(std::size_t c = 0; c < map.number_of_components(); ++c)
+    statistics["groups"].push_back(description(map.group(c)));
+}
 
-  // Throws std::runtime_error if there is no such map.
-  CM::Hyperbolic_conformal_map uniformized()
-  {
-    Stage_visitor visitor{m_run};
-    const auto conditions =
-      boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
-    CM::Hyperbolic_conformal_map result =
-      CM::uniformize_hyperbolic(mesh(), CM::parameters::vertex_condition_map(conditions)
-                                          .edge_length_map(m_length)
-                                          .visitor(std::ref(visitor)));
-    m_run.end_stage();
-    check_status(result);
-    return result;
-  }
-
-  std::vector<Mesh::Vertex_index> cones()
-  {
-    std::vector<Mesh::Vertex_index> result;
-    for(const Mesh::Vertex_index v : mesh().vertices())
-      if(m_conditions[v].value != 0)
-        result.push_back(v);
-    return result;
-  }
-
-  void describe_map(const CM::Hyperbolic_conformal_map& map)
-  {
-    Statistics& statistics = m_run.statistics();
-    statistics["cones"] = cones().size();
-    statistics["iterations"] = map.minimization().iterations;
-    statistics["status"] = CM::to_string(map.status());
-    statistics["max_curvature_error"] = map.max_curvature_error();
-    statistics["max_gluing_error"] = map.max_gluing_error();
-    statistics["area"] = map.area();
-    statistics["radius"] = map.radius();
-    // edges are straight in Klein's disk
-    const Output_mesh straight = flat_mesh(map, mesh(), cones(), true);
-    describe_triangles(statistics, straight);
-    describe_sizes(statistics, map, mesh(), straight);
-    statistics["groups"] = Statistics::array();
-    for(std::size_t c = 0; c < map.number_of_components(); ++c)
-      statistics["groups"].push_back(description(map.group(c)));
-  }
-
-  // Generators as real and imaginary parts of a and b; the relation as numbers of generators, from
-  // 1, negative for inverse ones.
-  static Statistics description(const CM::Fuchsian_group& group)
-  {
-    Statistics result{{"genus", group.genus}, {"area", group.area}};
-    if(!group.relation.empty())
-      result["relation_error"] = group.relation_error;
-    result["generators"] = Statistics::array();
-    for(const CM::Disk_motion<>& motion : group.generators)
-      result["generators"].push_back(motion.entries());
-    result["relation"] = Statistics::array();
-    for(const auto& letter : group.relation) {
-      const auto number = static_cast<std::int64_t>(letter.generator) + 1;
-      result["relation"].push_back(letter.is_inverse ? -number : number);
-    }
-    return result;
-  }
-
-  std::string summary()
-  {
-    const Statistics& s = m_run.statistics();
-    std::ostringstream text;
-    text << "area " << s["area"].get<double>() << ", log scale factors "
-         << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
-         << s["flips"] << " + " << s["ptolemy_flips"] << " flips, curvature error "
-         << s["max_curvature_error"].get<double>() << ", gluing error "
-         << s["max_gluing_error"].get<double>();
-    return text.str();
-  }
-
-  Hyperbolic_options m_options;
-  Mesh_format m_format;
-  Command_run& m_run;
-  Edge_length_map m_length;
-  Conditions m_conditions;
-};
+std::string summary_of(const Statistics& s)
+{
+  std::ostringstream text;
+  text << "area " << s["area"].get<double>() << ", log scale factors "
+       << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
+       << s["flips"] << " + " << s["ptolemy_flips"] << " flips, curvature error "
+       << s["max_curvature_error"].get<double>() << ", gluing error "
+       << s["max_gluing_error"].get<double>();
+  return text.str();
+}
 
 } // namespace
 
-void hyperbolic(Command_run& run, const Hyperbolic_options& options, Mesh_format format)
+void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
+            const CM::Hyperbolic_conformal_map& map, const std::vector<Mesh::Vertex_index>& cones)
 {
-  Hyperbolic_command(run, options, format).run();
+  check_status(map);
+  run.timed("write", [&] {
+    describe(run, map, cones);
+    run.add_output(
+      options.output,
+      text_of(flat_mesh(map, run.input().mesh, cones, options.is_homogeneous), format));
+    if(!options.picture.empty())
+      run.add_output(options.picture, disk_picture(map, options.depth));
+  });
+  run.finish(summary_of(run.statistics()));
 }
 
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
 {
   const Mesh_format format = format_with_texture(options.output, options.format);
-  Command_run run("hyperbolic", common, {options.output, options.picture}, 6);
-  hyperbolic(run, options, format);
+  Command_run run("hyperbolic", common, {options.output, options.picture});
+  run.plan({{"build"}, map_stages(false)});
+  const Mesh& mesh = run.input().mesh;
+  Edge_length_map length;
+  const Conditions conditions = run.timed("build", [&] {
+    length = edge_lengths(run);
+    return options.cones.empty() ? Conditions(mesh.number_of_vertices())
+                                 : prescribed_curvatures(options.cones, mesh);
+  });
+  finish(run, options, format, uniformized(run, length, conditions), cones_of(conditions, mesh));
   return 0;
 }

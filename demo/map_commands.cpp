@@ -29,6 +29,17 @@ const char* name_of(CM::Flattening_stage stage)
 
 } // namespace
 
+Stages map_stages(bool has_cones)
+{
+  using Stage = CM::Flattening_stage;
+  Stages result;
+  for(const Stage stage :
+      {Stage::cones, Stage::optimize, Stage::trace, Stage::subdivide, Stage::layout})
+    if(has_cones || stage != Stage::cones)
+      result.emplace_back(name_of(stage));
+  return result;
+}
+
 void Stage_visitor::start(CM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
 
 Mesh_format format_with_texture(const std::string& path, const std::string& format_name)

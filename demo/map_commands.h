@@ -13,20 +13,32 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 // What commands that map surfaces have in common.
 
-// Tells and times the stages.
+// Shows and times the stages, and counts the iterations of all minimizations.
 struct Stage_visitor
 {
   Command_run& run;
+  std::size_t iterations = 0;
 
   void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
-  void after_iteration(std::size_t, double, double) { run.progress().long_step(); }
+  void after_iteration(std::size_t, double, double)
+  {
+    ++iterations;
+    run.progress().long_step();
+  }
 };
+
+// The stages of a map, in their order; `has_cones` says whether cones are placed.
+Stages map_stages(bool has_cones);
 
 // Throws Program_error if the format has no texture coordinates.
 Mesh_format format_with_texture(const std::string& path, const std::string& format_name);
@@ -40,9 +52,19 @@ void describe_sizes(Statistics& statistics,
                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
                     const Mesh& input, const Output_mesh& result);
 
-// The commands, after the input has been read; `format` is that of the output.
-void flatten(Command_run& run, const Flatten_options& options, Mesh_format format);
-void hyperbolic(Command_run& run, const Hyperbolic_options& options, Mesh_format format);
-void sphere(Command_run& run, const Sphere_options& options, Mesh_format format);
+// The ends of the commands: check the map, add it to the outputs in `format` and its properties to
+// the statistics, and finish the run. Throw std::runtime_error if the map is not as it must be.
+
+// `cones` are the vertices with a curvature that is not zero.
+void finish(Command_run& run, const Texture_options& options, Mesh_format format,
+            const CGAL::Discrete_conformal_maps::Planar_conformal_map& map, std::size_t iterations,
+            const std::vector<Mesh::Vertex_index>& cones);
+
+void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
+            const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+            const std::vector<Mesh::Vertex_index>& cones);
+
+void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
+            const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map);
 
 #endif // INTRINSIC_MAP_COMMANDS_H

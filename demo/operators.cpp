@@ -78,7 +78,8 @@ std::vector<std::string> paths_of(const std::string& prefix)
 int operators(const Common_options& common, const Operators_options& options)
 {
   const std::vector<std::string> paths = paths_of(options.prefix);
-  Command_run run("operators", common, paths, options.minimum_angle > 0 ? 4 : 3);
+  Command_run run("operators", common, paths);
+  run.plan({delaunay_stages, refinement_stages(options.minimum_angle)});
   Triangulation triangulation = make_delaunay_triangulation(run);
   refine_if_wanted(run, triangulation, options.minimum_angle);
   describe(run, triangulation);

@@ -108,8 +108,13 @@ public:
     : m_options(options),
       m_weights(options.weights),
       m_format(output_format(options.output, options.format)),
-      m_run("simplify", common, outputs_of(options), options.minimum_angle > 0 ? 6 : 4)
-  {}
+      m_run("simplify", common, outputs_of(options))
+  {
+    const bool is_refined = options.minimum_angle > 0;
+    m_run.plan({is_refined ? delaunay_stages : Stages{"build"},
+                refinement_stages(options.minimum_angle),
+                {"simplify", "map"}});
+  }
 
   void run()
   {

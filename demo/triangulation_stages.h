@@ -20,6 +20,15 @@ using Edge_length_map = Mesh::Property_map<Mesh::Edge_index, double>;
 // statistics.
 Edge_length_map edge_lengths(Command_run& run);
 
+// The names of stages, for `Command_run::plan()`.
+inline const Stages delaunay_stages{"build", "flip"};
+inline const Stages subdivision_stages{"trace", "subdivide"};
+// none if there is no bound on the angle
+inline Stages refinement_stages(double minimum_angle)
+{
+  return minimum_angle > 0 ? Stages{"refine"} : Stages{};
+}
+
 // The stages "build" and "flip": the intrinsic Delaunay triangulation of the input, mollified if
 // that is wanted. Edges at which the normals differ by `constrained_angle` degrees or more stay;
 // zero for none.

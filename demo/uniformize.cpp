@@ -6,24 +6,22 @@
 
 #include "Program_error.h"
 #include "map_commands.h"
+#include "triangulation_stages.h"
 
-#include <CGAL/Discrete_conformal_maps/surface_type.h>
+#include <CGAL/Discrete_conformal_maps/uniformize.h>
+
+#include <functional>
 
 namespace CM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
-// What makes a surface flat that can be, or a round disk.
-Flatten_options flatten_options(const Hyperbolic_options& options, CM::Surface_type type)
+CM::Uniformization uniformized(Command_run& run)
 {
-  Flatten_options result;
-  result.output = options.output;
-  result.format = options.format;
-  result.is_homogeneous = options.is_homogeneous;
-  result.cones = "none";
-  result.boundary = {type == CM::Surface_type::disk ? "disk" : "straight"};
-  result.is_modulus_wanted = type != CM::Surface_type::disk;
-  return result;
+  const Edge_length_map length = run.timed("build", [&] { return edge_lengths(run); });
+  Stage_visitor visitor{run};
+  return CM::uniformize(run.input().mesh,
+                        CM::parameters::edge_length_map(length).visitor(std::ref(visitor)));
 }
 
 } // namespace
@@ -31,18 +29,21 @@ Flatten_options flatten_options(const Hyperbolic_options& options, CM::Surface_t
 int uniformize(const Common_options& common, const Hyperbolic_options& options)
 {
   const Mesh_format format = format_with_texture(options.output, options.format);
-  Command_run run("uniformize", common, {options.output, options.picture}, 7);
+  Command_run run("uniformize", common, {options.output, options.picture});
   const CM::Surface_type type = CM::surface_type(run.input().mesh);
   run.statistics()["surface_type"] = CM::to_string(type);
-  if(type == CM::Surface_type::hyperbolic) {
-    hyperbolic(run, options, format);
-    return 0;
-  }
-  if(!options.picture.empty())
+  if(!options.picture.empty() && type != CM::Surface_type::hyperbolic)
     throw Program_error("--svg is for hyperbolic surfaces");
-  if(type == CM::Surface_type::sphere)
-    sphere(run, {options.output, options.format, ""}, format);
-  else
-    flatten(run, flatten_options(options, type), format);
+  const bool is_flat = type == CM::Surface_type::torus || type == CM::Surface_type::annulus;
+  run.plan({{"build"}, map_stages(is_flat)});
+  const CM::Uniformization result = uniformized(run);
+  if(result.hyperbolic)
+    finish(run, options, format, *result.hyperbolic, {});
+  else if(result.spherical)
+    finish(run, Sphere_options{options.output, options.format, ""}, format, *result.spherical);
+  else {
+    run.statistics()["modulus"] = {result.modulus.real(), result.modulus.imag()};
+    finish(run, options, format, *result.flat, result.flat->minimization().iterations, {});
+  }
   return 0;
 }

@@ -4,8 +4,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Builds the program and the unit tests with the sanitizers for addresses and undefined behaviour,
-# and runs the tests; arguments are passed to ctest (-R Refine). Slow. Dynamic types are not checked,
-# since CGAL's arrangements, which tests compare with, cast faces to a class that they are not of.
+# and runs the tests; arguments are passed to ctest (-R Refine). Slow. Dynamic types are not
+# checked, since CGAL's arrangements, which tests compare with, cast faces to another class.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

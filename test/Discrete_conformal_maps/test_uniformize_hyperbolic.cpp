@@ -410,8 +410,8 @@ TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
   }
 }
 
-// In a row of handles, errors grow with e to the distance from the middle: 115 digits are not enough
-// for a hundred of them.
+// In a row of handles, errors grow exponentially with the distance from the middle: 115 digits are
+// not enough for a hundred of them.
 TEST(Uniformize_hyperbolic, the_status_says_what_has_failed)
 {
   EXPECT_EQ(DC::uniformize_hyperbolic(plate_with_holes(20)).status(), DC::Map_status::success);

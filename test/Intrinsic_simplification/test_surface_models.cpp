@@ -35,8 +35,8 @@ TEST(Surface_models, WithGaps)
     EXPECT_NEAR(of_surface.sum(), of_level.sum(), 1e-12 * of_level.sum());
     for(Vertex_index v : s.coarse.mesh().vertices())
       for(Vertex_index w : s.coarse.mesh().vertices())
-        EXPECT_NEAR(of_surface(s.coarse.surface_vertex(v), s.coarse.surface_vertex(w)),
-                    of_level(v, w), 1e-12 * of_level.sum());
+        EXPECT_NEAR(of_surface.coeff(s.coarse.surface_vertex(v), s.coarse.surface_vertex(w)),
+                    of_level.coeff(v, w), 1e-12 * of_level.sum());
   });
 }
 

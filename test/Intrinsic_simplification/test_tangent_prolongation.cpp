@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using Frames = IT::Tangent_frames<double>;
 using Matrix = Eigen::SparseMatrix<Complex>;
 
-Frames frames(const Surface_level& level) { return Frames(level.mesh(), level.length_map()); }
+Frames frames(const Surface_level& level) { return Frames(level); }
 
 Matrix tangent_prolongation(const Surface_map& map)
 {

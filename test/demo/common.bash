@@ -8,7 +8,8 @@ set -euo pipefail
 
 program=$(realpath "$1")
 data=${2:+$(realpath "$2")}
-shipped=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../../demo/data/slivers.off")
+tests=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
+shipped=$(realpath "$tests/../../demo/data/slivers.off")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
@@ -82,22 +83,16 @@ with_isolated()
     NR > 2 && NF == 4 { print 3, $2 + 1, $3 + 1, $4 + 1 }' "$1.mesh.off" >"$2.mesh.off"
 }
 
-# vertices FILE: the lines of the vertices of a PLY file.
-vertices()
+# claim EXPRESSIONS...: all are true, in the names of files.py.
+claim()
 {
-  awk '/^element vertex/ { n = $3 } body && n-- > 0; /^end_header/ { body = 1 }' "$1"
+  python3 "$tests/files.py" "$@" || fail "$(head -n 1 <<<"$1") ..."
 }
 
-# number FILE KEY: the number under a key of a JSON file, the first one of that name.
-number()
+# has_keys FILE NAMES...: the names in a JSON file, in their order.
+has_keys()
 {
-  sed -n "s/^ *\"$2\": \([^,]*\),*/\1/p" "$1" | head -n 1
-}
-
-# keys FILE: the names in a JSON file, in their order.
-keys()
-{
-  sed -n 's/^ *"\([a-z_]*\)":.*/\1/p' "$1" | tr '\n' ' '
+  claim "' '.join(keys(json('$1'))) == '${*:2}'"
 }
 
 square='0 0 0,1 0 0,1 1 0,0 1 0'

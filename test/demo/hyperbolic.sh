@@ -9,19 +9,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
 pi=3.14159265358979324
 
-# pair FILE KEY: the two numbers of an array.
-pair()
-{
-  sed -n "/^ *\"$2\": \[/,/\]/p" "$1" | tr -d ' ,' | sed -n '2,3p' | tr '\n' ' '
-}
-
-# near A B TOLERANCE: whether two numbers are.
-near()
-{
-  awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { exit !(a != "" && b != "" && a - b <= t && b - a <= t) }' ||
-    fail "$1 is not $2"
-}
-
 # plate NAME HOLES: unit cubes, three rows of 2 HOLES + 1, those in the middle of the second,
 # fourth, ... column left out.
 plate()
@@ -60,17 +47,14 @@ plate()
 for holes in 2 3; do
   plate plate$holes $holes
   expect 0 hyperbolic plate$holes.mesh.off -o plate.obj --svg plate.svg --tiles 2 --stats plate.json
-  grep -q '"status": "success"' plate.json
-  grep -q '"flipped_triangles": 0,' plate.json
-  grep -q "\"genus\": $holes," plate.json
-  near "$(number plate.json max_curvature_error)" 0 1e-10
-  near "$(number plate.json max_gluing_error)" 0 1e-8
-  near "$(number plate.json relation_error)" 0 1e-8
-  near "$(number plate.json area)" "$(awk -v g=$holes -v pi=$pi 'BEGIN { printf "%.17g", 4 * pi * (g - 1) }')" 1e-9
+  claim "s = json('plate.json')" "s.status == 'success'" 's.flipped_triangles == 0' \
+    "s.groups[0].genus == $holes" 'near(s.max_curvature_error, 0, 1e-10)' \
+    'near(s.max_gluing_error, 0, 1e-8)' 'near(s.groups[0].relation_error, 0, 1e-8)' \
+    "near(s.area, 4 * pi * ($holes - 1), 1e-9)"
   # the domain and its neighbors, all in the disk
   [ "$(grep -c 'class="t0"' plate.svg)" = 1 ] || fail "no domain"
   [ "$(grep -c 'class="t1"' plate.svg)" -ge $((4 * holes)) ] || fail "too few images"
-  awk '$1 == "vt" && $2 ^ 2 + $3 ^ 2 >= 1 { exit 1 }' plate.obj || fail "a point outside the disk"
+  claim "all(hypot(*z) < 1 for z in obj('plate.obj').texture)"
 done
 expect_files plate.json plate.obj plate.svg
 cp plate.obj first.obj
@@ -87,21 +71,20 @@ cmp plate.obj first.obj
 
 # The same with homogeneous coordinates; the quotients are in Klein's disk.
 expect 0 hyperbolic plate2.mesh.off -o - --format obj --homogeneous
-awk '$1 == "vt" && ($4 <= 0 || ($2 / $4) ^ 2 + ($3 / $4) ^ 2 >= 1) { exit 1 }' out || fail "outside Klein's disk"
+claim "all(w > 0 and hypot(u / w, v / w) < 1 for u, v, w in obj('out').texture)"
 
 # A vertex without faces stays, and changes nothing else.
 with_isolated plate2 more
 expect 0 hyperbolic more.mesh.off -o plate.obj --stats plate.json
 [ "$(head -n 1 plate.obj)" = 'v 9 9 9' ] || fail 'the isolated vertex lost its place'
-near "$(number plate.json area)" "$(awk -v pi=$pi 'BEGIN { printf "%.17g", 4 * pi }')" 1e-9
-near "$(number plate.json max_curvature_error)" 0 1e-10
+claim "s = json('plate.json')" "near(s.area, 4 * pi, 1e-9)" 'near(s.max_curvature_error, 0, 1e-10)'
 
 # A regular tetrahedron with four cones of pi / 2 has the area 2 pi; without cones it cannot be
 # hyperbolic.
 off regular '1 1 1,1 -1 -1,-1 1 -1,-1 -1 1' '0 1 2,0 2 3,0 3 1,1 3 2'
 for v in 0 1 2 3; do echo "$v $(awk -v pi=$pi 'BEGIN { printf "%.17g", 1.5 * pi }')"; done >cones.mesh.txt
 expect 0 hyperbolic regular.mesh.off -o plate.obj --cones cones.mesh.txt --stats plate.json
-near "$(number plate.json area)" "$(awk -v pi=$pi 'BEGIN { printf "%.17g", 2 * pi }')" 1e-9
+claim "near(json('plate.json').area, 2 * pi, 1e-9)"
 expect 2 hyperbolic regular.mesh.off -o plate.obj
 says 'Gauss-Bonnet'
 expect 2 hyperbolic plate2.mesh.off -o plate.off
@@ -122,10 +105,8 @@ awk -v m=80 -v n=40 -v pi=$pi 'BEGIN {
     }
 }' >torus.mesh.off
 expect 0 uniformize torus.mesh.off -o plate.obj --stats plate.json
-grep -q '"surface_type": "torus"' plate.json
-read -r real imaginary <<<"$(pair plate.json modulus)"
-near "$real" 0 1e-9
-near "$imaginary" 2.8284271247 0.02
+claim "s = json('plate.json')" "s.surface_type == 'torus'" 'near(s.modulus[0], 0, 1e-9)' \
+  'near(s.modulus[1], sqrt(8), 0.02)'
 
 # A cylinder, a disk, and what is hyperbolic.
 awk -v n=12 -v pi=$pi -v OFMT=%.17g 'BEGIN {
@@ -139,18 +120,19 @@ awk -v n=12 -v pi=$pi -v OFMT=%.17g 'BEGIN {
     }
 }' >cylinder.mesh.off
 expect 0 uniformize cylinder.mesh.off -o plate.obj --stats plate.json
-grep -q '"surface_type": "annulus"' plate.json
-read -r real imaginary <<<"$(pair plate.json modulus)"
-near "$real" 0 0
-near "$imaginary" "$(awk -v pi=$pi 'BEGIN { printf "%.17g", 1 / (24 * sin(pi / 12)) }')" 1e-9
+claim "s = json('plate.json')" "s.surface_type == 'annulus'" 's.modulus[0] == 0' \
+  'near(s.modulus[1], 1 / (24 * sin(pi / 12)), 1e-9)'
 off square '0 0 0,1 0 0,1 1 0,0 1 0,0.4 0.5 0' '0 1 4,1 2 4,2 3 4,3 0 4'
 expect 0 uniformize square.mesh.off -o plate.obj --stats plate.json
-grep -q '"surface_type": "disk"' plate.json
+# A disk becomes a hemisphere, whose texture is the unit disk.
+claim "s = json('plate.json')" "s.surface_type == 'disk'" 's.disk and s.convex' \
+  "m = obj('plate.obj')" 'near([hypot(*p) for p in m.points], [1] * len(m.points), 1e-14)' \
+  'all(p[2] >= 0 for p in m.points) and all(hypot(*z) < 1 + 1e-14 for z in m.texture)' \
+  'sum(p[2] == 0 for p in m.points) >= 4'
 expect 0 uniformize plate2.mesh.off -o plate.obj --svg plate.svg --stats plate.json
-grep -q '"surface_type": "hyperbolic"' plate.json
-grep -q '"generators": \[' plate.json
+claim "s = json('plate.json')" "s.surface_type == 'hyperbolic'" 'len(s.groups[0].generators) > 0'
 expect 0 uniformize regular.mesh.off -o plate.obj --stats plate.json
-grep -q '"surface_type": "sphere"' plate.json
+claim "json('plate.json').surface_type == 'sphere'"
 expect 2 uniformize torus.mesh.off -o plate.obj --svg plate.svg
 says 'hyperbolic surfaces'
 expect_files first.obj plate.json plate.obj plate.svg

@@ -12,7 +12,7 @@ mended()
   expect 2 delaunay "$1" -o result.off
   expect 0 delaunay "$1" -o result.off --stats result.json --repair --quiet
   says "$1: repaired: $2"
-  grep -qF "\"${2%: *}\": ${2##*: }" result.json || fail "not in the statistics: $2"
+  claim "json('result.json').repairs['${2%: *}'] == ${2##*: }"
   expect 0 info result.off
   rm result.off result.json
 }

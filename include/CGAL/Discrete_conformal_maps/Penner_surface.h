@@ -113,8 +113,8 @@ public:
   }
 
   /// flips edges until `is_good(h)` holds for a halfedge of each edge that can be flipped.
-  /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Flip_limit_exceeded
-  ///         as `scale()` does
+  /// \throws Intrinsic_triangulations::Numerical_error,
+  ///         Intrinsic_triangulations::Flip_limit_exceeded as `scale()` does
   template <typename Is_good>
   void flip_until(const Is_good& is_good)
   {

@@ -9,12 +9,14 @@
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -64,25 +66,6 @@ inline double flat_area(const Planar_conformal_map& map)
   return result;
 }
 
-// of the boundary of the input, in the plane
-inline double boundary_length(const Planar_conformal_map& map)
-{
-  const auto& subdivision = map.subdivision();
-  const auto& mesh = subdivision.mesh();
-  const auto is_front = [&](Halfedge_index h) {
-    return map.is_front(subdivision.parent_face(Layer::A, mesh.face(h)));
-  };
-  const auto image = [&](Halfedge_index h) {
-    const auto z = map.homogeneous_coordinates(subdivision.location(Layer::C, h));
-    return std::complex<double>(z[0], z[1]) / z[2];
-  };
-  double result = 0;
-  for(Halfedge_index h : mesh.halfedges())
-    if(is_front(h) && !is_front(mesh.opposite(h)))
-      result += std::abs(image(h) - image(mesh.prev(h)));
-  return result;
-}
-
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -116,7 +99,8 @@ inline std::complex<double> torus_modulus(const Planar_conformal_map& map)
 /// \pre `map` is that of one annulus with curvature zero everywhere.
 inline double annulus_modulus(const Planar_conformal_map& map)
 {
-  const double circumference = internal::boundary_length(map) / 2;
+  const std::vector<double> length = internal::flat_boundary_lengths(map);
+  const double circumference = std::accumulate(length.begin(), length.end(), 0.) / 2;
   return internal::flat_area(map) / 2 / (circumference * circumference);
 }
 

@@ -237,6 +237,33 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
   return result;
 }
 
+// Does what `flatten()` documents, for conditions and scale factors to start from by vertices.
+// Cones are placed if the bound of scale factors, `default_bound` if `np` has none, is finite.
+template <typename NamedParameters>
+Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
+                               const std::vector<Vertex_condition>& conditions,
+                               const std::vector<double>& log_scale, double default_bound,
+                               const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  Default_flattening_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  Doubled_problem problem(
+    input, conditions,
+    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay));
+  Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
+    problem, input.mesh().num_faces(), visitor);
+  flattening.start_from(log_scale);
+  flattening.find_scale_factors(
+    choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
+    double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), default_bound)));
+  return flattening.finish(
+    choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares));
+}
+
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
@@ -307,32 +334,19 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
 ///         cannot be: the error says where, and for curvatures the excess
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map flatten(const Graph& g,
                              const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   constexpr bool is_free =
     CGAL::parameters::is_default_parameter<NamedParameters,
                                            internal_np::vertex_condition_map_t>::value;
-  const double bound(choose_parameter(get_parameter(np, internal_np::maximum_log_scale),
-                                      is_free ? 5. : std::numeric_limits<double>::infinity()));
-  Default_flattening_visitor silent;
-  auto&& visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  internal::Doubled_problem problem(
+  return internal::flattened(
     input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0)),
-    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay));
-  internal::Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
-    problem, input.mesh().num_faces(), visitor);
-  flattening.start_from(internal::initial_log_scales(g, np));
-  flattening.find_scale_factors(
-    choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()), bound);
-  return flattening.finish(
-    choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares));
+    internal::initial_log_scales(g, np), is_free ? 5. : std::numeric_limits<double>::infinity(),
+    np);
 }
 
 } // namespace Discrete_conformal_maps

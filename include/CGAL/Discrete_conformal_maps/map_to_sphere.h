@@ -217,6 +217,7 @@ private:
 ///   nor a disk
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Spherical_conformal_map
 map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())

@@ -49,7 +49,8 @@ struct Uniformization
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// gives a surface the discretely conformal metric of constant curvature that its topology allows:
 /// a sphere becomes round, a disk a hemisphere, a torus flat, an annulus a flat cylinder, and all
-/// surfaces with more handles or boundaries hyperbolic, the boundaries geodesics.
+/// surfaces with more handles or boundaries hyperbolic. Boundaries become geodesics. The hemisphere
+/// is the unit disk of the Riemann mapping theorem: `Spherical_conformal_map::to_plane()`.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters

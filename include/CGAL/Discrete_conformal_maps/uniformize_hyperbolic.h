@@ -298,6 +298,7 @@ private:
 ///         be hyperbolic with what is prescribed
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Hyperbolic_conformal_map
 uniformize_hyperbolic(const Graph& g,

@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "help_texts.h"
+
+namespace Help {
+
+const char* const examples =
+  R"(Examples:
+  intrinsic info bunny.obj
+  intrinsic delaunay bunny.obj -o subdivision.ply --stats bunny.json
+  intrinsic delaunay scan.stl --repair -o - --format obj | gzip > scan.obj.gz
+  intrinsic refine bunny.obj -o refined.ply --min-angle 30
+  intrinsic distance bunny.obj --source 17 -o distance.vtp
+  intrinsic operators bunny.obj --prefix bunny
+  intrinsic flatten bunny.obj -o flat.obj
+  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
+  intrinsic sphere bunny.obj -o sphere.ply
+  intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
+
+Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
+
+const char* const refine =
+  R"(The result is Delaunay and is written with exit code 0 however refinement has ended. The
+status, in the statistics and in the last line on standard error, says how:
+  bounds_met              every face obeys the bounds
+  bounds_met_but_excused  those that do not are at vertices too narrow for the angle
+  insertion_limit         --max-insertions was too little; some faces are left
+  no_room                 floating point numbers are too coarse for the faces that are left
+Refinement ends for angles of up to 25 degrees, and on closed surfaces 30. Greater ones may take
+vertices without end: set --max-insertions for them.
+
+Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an
+input edge with an intrinsic edge, 2 inserted vertex.
+
+Example:
+  intrinsic refine scan.ply -o refined.vtp --min-angle 25 --stats refined.json)";
+
+const char* const distance =
+  R"(Distances are approximate: on evenly spread vertices by some two percent on average, on
+coarse or uneven ones by more. The distance of a vertex that no source can reach is -1.
+
+Example:
+  intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply)";
+
+const char* const operators =
+  R"(Files, with v vertices and f faces of the intrinsic triangulation:
+  PREFIX_laplacian.mtx             cotan Laplacian, positive semidefinite (v x v, symmetric)
+  PREFIX_mass.mtx                  consistent mass (v x v, symmetric)
+  PREFIX_lumped_mass.mtx           lumped mass (v x v, diagonal)
+  PREFIX_connection_laplacian.mtx  connection Laplacian (v x v, complex Hermitian)
+  PREFIX_gradient.mtx              values at vertices to vectors on faces (2f x v)
+  PREFIX_divergence.mtx            vectors on faces to integrals at vertices (v x 2f)
+Rows and columns of vertices are in the order of the input, inserted vertices after them. Those of
+faces, two for each, and the frames of tangent vectors are those of the triangulation that --save
+writes.
+
+Example:
+  intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
+
+const char* const flatten =
+  R"(The map is discretely conformal: angles are kept as well as a triangle mesh can. Without
+--boundary, areas on the boundary are kept too. A surface that has no boundary is cut through its
+cones.
+
+Boundaries, after --boundary; write MESH before it:
+  free            vertices on the boundary are not scaled (the default)
+  straight        all exterior angles are zero
+  scale FILE      logarithms of their scale factors are prescribed
+  curvature FILE  their exterior angles are prescribed
+  rectangle       of each component: four corners; those are as far apart along the boundary as
+                  they can be while being about as sharp as its four sharpest vertices
+  disk            of each component: a circle
+Rectangles and disks are for components with one boundary; they have no cones unless they are
+asked for.
+
+A FILE has lines "index value": an index of a vertex, from 0, and radians or a logarithm. What
+follows a # is a comment. Vertices that are not listed have curvature zero: inside they are flat,
+on the boundary straight. In the file of --cones the values are angle defects, 2 pi less the sum
+of angles; an empty one makes a torus flat. All curvatures must add up to 2 pi times the Euler
+characteristic, unless scale factors are prescribed somewhere.
+
+The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
+flat triangulation. At the corners of its faces stand u and v, which are lengths in the plane, not
+limited to one. Charts of components stand beside each other. With --linear (the default, which
+every program reads) they are taken as linear on each face; the map itself is projective there,
+and exact with --homogeneous: three numbers u w, v w, w, linear on faces, to be divided after
+interpolation.
+  .obj  "vt u v", or "vt uw vw w"
+  .ply  a list "texcoord" (or "homogeneous_texcoord") of each face, with all numbers of its
+        corners
+  .vtp  a property with that name of points, which are repeated along seams
+.ply and .vtp tell of each vertex the input vertex (-1 if it is none), whether it is a cone and
+its logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat
+face or edge they are a part. Edges with is_seam 1 are cut open.
+
+Solvers:
+  newton  Newton's method, to the last digits
+  ceres   L-BFGS of the Ceres Solver, for comparison: half of the digits, and slow
+  cetm    Newton's method in the triangulation of the mesh, without any flip, for comparison.
+          There the scale factors depend on the triangulation and often do not exist; the error
+          says which condition is violated: triangle_inequality or no_minimum.
+
+The file of --matrix has a sparse matrix with one row for each vertex of the output, in the order
+of .obj and .ply (.vtp repeats vertices along seams), and one column for each vertex of the mesh.
+Its product with values at the vertices of the mesh (positions, colours, logarithmic scale
+factors) is the values at the vertices of the output, linear on the faces of the mesh. Each row
+has one to three weights, sum one. Rows of vertices of the mesh come first, in their order, so the
+matrix starts with the identity.
+
+If the minimization does not converge, or there is no map, nothing is written.
+
+Examples:
+  intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
+  intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
+
+const char* const hyperbolic =
+  R"(Every component must have genus two or more, or boundaries, or cones enough; boundaries become
+geodesics, and what is laid out is the double of the surface, as far as it belongs to the mesh.
+
+The output is as that of `intrinsic flatten`, with positions in the Poincare disk. With
+--homogeneous they are x t, y t, t, in Klein's disk, where the map is exact.
+
+Statistics: the area, which is 4 pi (genus - 1); for each component its genus and the motions z ->
+(a z + b) / (conj(b) z + conj(a)) that glue the sides of its domain, as real and imaginary parts
+of a and b; a relation, the order in which their product is the identity (from 1, negative for
+inverse ones), and its error. max_gluing_error tells the same of the corners of the domain, radius
+how far from its middle it reaches: in double precision, positions at a distance d are good for
+1e-16 exp(d).
+
+Example:
+  intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg --tiles 4 --stats pretzel.json)";
+
+const char* const uniformize =
+  R"(The mesh must be connected. By its topology it becomes
+  a sphere      round, as with `intrinsic sphere`
+  a disk        a hemisphere, as with `intrinsic sphere`; its texture is the image in the unit
+  disk a torus       flat, as with `intrinsic flatten --cones none` a cylinder    if it has two
+  boundaries and no handles: flat with straight boundaries hyperbolic    if it has more handles or
+  boundaries, as with `intrinsic hyperbolic`
+Statistics are those of these commands, and "modulus": of a torus the quotient tau of the
+generators of its lattice in the fundamental domain of the modular group, as real and imaginary
+part; of a cylinder the height over the circumference, as imaginary part.
+
+Example:
+  intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
+
+const char* const sphere =
+  R"(The mesh must be connected and a sphere or a disk. The image is a convex polyhedron with
+vertices on the unit sphere, discretely conformal to the mesh, that has its center of mass (with
+areas of the mesh) in the center; or one half of such a polyhedron, with the boundary on the
+equator. Convexity is decided exactly.
+
+The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
+polyhedron, projected to the sphere. .ply and .vtp tell of each vertex the input vertex (-1 if it
+is none) and its logarithmic scale factor, its place in the mesh (input_x, input_y, input_z) and
+homogeneous coordinates on the polyhedron (homogeneous_x, _y, _z, _w), which are linear on faces;
+of faces (and in .ply of edges) of which input, intrinsic and sphere face or edge they are a part.
+A disk has its image in the unit disk as texture coordinates.
+
+Long limbs have small images. Where the digits of the output are too few for them, triangles lose
+their convexity or are flipped: lost_in_output in the statistics says how many. --precise writes
+the positions of the input vertices with 36 digits.
+
+Vertices without faces stay, at (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
+zero. If the image is not convex, nothing is written.
+
+Example:
+  intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
+
+const char* const simplify =
+  R"(Vertices are removed one after the other, the one of least cost first. Nothing moves in space:
+what is left is an intrinsic triangulation, Delaunay, of a surface close to the mesh in its
+distances. The cost of a vertex is a length: how far its curvature, area, or both times their
+weights, will have been moved, times the part of the whole that this is. With a weight of color
+(in .ply and .off) or any other numbers at the vertices (properties in .ply, by their names) their
+Laplacian is moved too, so that more vertices stay where their gradients change. --error ends with
+the last vertex whose cost is not above. Where vertices cannot be removed any more, simplification
+ends early, with exit code 0 and the status "nothing_removable" in the statistics. Vertices
+without faces stay; --vertices and --ratio do not count them.
+
+The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp
+faces have the properties "coarse_face" and "input_face", and a color by which adjacent coarse
+faces differ; in .ply edges have "coarse_edge" and "input_edge", or -1, and .vtp has the coarse
+edges as poly-lines. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input
+vertex, 1 crossing of a coarse edge with an edge, 2 vertex inserted by --refine, 3 bend of a
+coarse edge inside a face. With --refine more edges lead to the inserted vertices, within the
+faces of the mesh.
+
+P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its
+rows are barycentric coordinates: not negative, with sum 1. With L levels there are L matrices,
+P_1.mtx to P_L.mtx, each from one level to the one before; the vertices of the levels are those of
+the mesh that are left, in their order. Vertices inserted by --refine follow those of the mesh;
+they can be coarse vertices, but have no rows in the first matrix.
+
+--save writes all levels and the operations between them; with --refine, the mesh with the
+inserted vertices before.
+
+Example:
+  intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --weight area=0.5)"
+  " --prolongation P.mtx";
+
+} // namespace Help

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_DISK_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_DISK_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Fixed_point_acceleration.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/circle_angles.h>
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <sstream>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+
+// The exterior angles of a boundary whose components are circles, found by repetition: those that a
+// circle has depend on the lengths in the plane.
+class Circular_boundary
+{
+  typedef Eigen::VectorXd Vector;
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<> Surface;
+
+public:
+  // The angles of circles with the lengths that the boundary has on the surface come first.
+  explicit Circular_boundary(const Surface& surface)
+    : m_mesh(surface.mesh()),
+      m_loops(single_boundary_loops(m_mesh, 3, "a circle")),
+      m_angle(Vector::Zero(Eigen::Index(m_mesh.num_vertices())))
+  {
+    m_angle = angles([&](Edge_index e) { return surface.length(e); });
+  }
+
+  void apply_to(std::vector<Vertex_condition>& conditions) const
+  {
+    for(const Boundary_loop& loop : m_loops)
+      for(Halfedge_index h : loop) {
+        const std::size_t v = mesh_index(h);
+        conditions[v] = Vertex_condition::curvature(m_angle[Eigen::Index(v)]);
+      }
+  }
+
+  // Moves the angles towards those of circles with the lengths of the image, and returns the
+  // greatest difference of both before.
+  double update(const Planar_conformal_map& map)
+  {
+    const std::vector<double> length = flat_boundary_lengths(map);
+    const Vector image = angles([&](Edge_index e) { return length[e.idx()]; });
+    const double change = (image - m_angle).lpNorm<Eigen::Infinity>();
+    const Vector next = m_acceleration.next(m_angle, image);
+    // pi and above are too great for a boundary
+    m_angle = (next.array() < boost::math::constants::pi<double>()).all() ? next : image;
+    return change;
+  }
+
+private:
+  std::size_t mesh_index(Halfedge_index h) const { return m_mesh.source(h).idx(); }
+
+  template <typename Length>
+  Vector angles(const Length& length) const
+  {
+    Vector result = m_angle;
+    for(const Boundary_loop& loop : m_loops) {
+      std::vector<double> lengths;
+      for(Halfedge_index h : loop)
+        lengths.push_back(length(m_mesh.edge(h)));
+      const std::vector<double> angle = circle_angles(lengths);
+      for(std::size_t i = 0; i < loop.size(); ++i)
+        result[Eigen::Index(mesh_index(loop[i]))] = angle[i];
+    }
+    return result;
+  }
+
+  const Delta_complex& m_mesh;
+  std::vector<Boundary_loop> m_loops;
+  Vector m_angle; // of each vertex; zero inside
+  Fixed_point_acceleration m_acceleration;
+};
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// maps every component of a surface to a disk, discretely conformally: its boundary vertices lie
+/// on a circle.
+///
+/// The exterior angles of a polygon in a circle depend on the lengths of its edges, and these on
+/// the angles. So the surface is flattened several times, each time with the angles for the lengths
+/// before, until they change by at most \f$10^{-10}\f$; Anderson's method accelerates this. The
+/// `minimization()` of the result is the last one. Where no edge of
+/// \f$T^B\f$ and \f$T^C\f$ crosses the boundary, the image of a disk without cones is, up to a Moebius
+/// transformation, that of `map_to_sphere()` in the plane, which takes one minimization. This
+/// function also allows several components, and handles if there are cones.
+///
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param g a manifold triangle mesh whose components have one boundary loop each; isolated
+///   vertices are allowed
+/// \param np the parameters of `flatten()`, and
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_condition_map}
+///     \cgalParamDescription{what is prescribed at each vertex inside; with cones there need not be
+///       a circle}
+///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
+///       value}
+///     \cgalParamDefault{curvature zero}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_log_scale}
+///     \cgalParamDescription{as for `flatten()`; cones are also placed on the boundary, which has
+///       corners there, or is no circle}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{infinity}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{how many times the surface may be flattened}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{100}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// Complexity: that of `flatten()`, as a rule about ten times.
+/// \returns a map with one of the statuses of `flatten()`; if a minimization fails, the map that it
+///   gave
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
+///   does: a component with handles has no disk unless a condition inside gives it a cone
+/// \throws Intrinsic_triangulations::Numerical_error if the boundary has not become a circle in
+///   that number of iterations, or where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Overflow_error where integers have not enough digits
+template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Planar_conformal_map flatten_to_disk(const Graph& g,
+                                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  constexpr double tolerance = 1e-10; // radians: ten times what a minimization may leave
+  const std::size_t rounds(CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations), 100));
+  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  std::vector<Vertex_condition> conditions =
+    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
+  std::vector<double> log_scale = internal::initial_log_scales(g, np);
+  internal::Circular_boundary boundary(input);
+  double change = 0;
+  for(std::size_t i = 0; i < rounds; ++i) {
+    boundary.apply_to(conditions);
+    Planar_conformal_map map = internal::flattened(input, conditions, log_scale,
+                                                   std::numeric_limits<double>::infinity(), np);
+    if(map.status() != Map_status::success &&
+       map.status() != Map_status::layout_collapsed)
+      return map;
+    change = boundary.update(map);
+    if(change <= tolerance)
+      return map;
+    for(Vertex_index v : input.mesh().vertices())
+      log_scale[v.idx()] = map.log_scale(v);
+  }
+  std::ostringstream text;
+  text << "the boundary has not become a circle: after " << rounds
+       << " rounds its angles still change by " << change << " radians";
+  throw Intrinsic_triangulations::Numerical_error(text.str());
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_DISK_H

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_RECTANGLE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_RECTANGLE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/Corner_choice.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+
+namespace internal {
+
+inline std::vector<Boundary_loop> rectangle_boundaries(const Delta_complex& mesh)
+{
+  return single_boundary_loops(mesh, 4, "the corners of a rectangle");
+}
+
+// Makes four vertices of each loop right angles, those for which `is_corner` is true, and the rest
+// straight. Throws Invalid_input if they are not four.
+inline void set_rectangles(std::vector<Vertex_condition>& conditions,
+                           const std::vector<char>& is_corner, const Delta_complex& mesh)
+{
+  constexpr double right_angle = boost::math::constants::half_pi<double>();
+  for(const Boundary_loop& loop : rectangle_boundaries(mesh)) {
+    std::size_t corners = 0;
+    for(Halfedge_index h : loop) {
+      const std::size_t v = mesh.source(h).idx();
+      conditions[v] = Vertex_condition::curvature(is_corner[v] ? right_angle : 0);
+      corners += is_corner[v] != 0;
+    }
+    if(corners != 4)
+      throw Intrinsic_triangulations::Invalid_input(
+        "a rectangle has four corners, but a boundary has " + std::to_string(corners));
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// returns four vertices on the boundary of each component that suit the corners of a rectangle:
+/// they are as far apart along the boundary as is possible while the sum of their exterior angles
+/// is at least nine tenths of that of the four sharpest vertices.
+///
+/// The corners of one component follow each other, counterclockwise along its boundary.
+///
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param g a manifold triangle mesh whose components have one boundary loop each, of four vertices
+///   or more; isolated vertices are allowed
+/// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`
+///
+/// Complexity: \f$O(n \log n)\f$.
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh
+template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+std::vector<typename boost::graph_traits<Graph>::vertex_descriptor>
+rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const Intrinsic_triangulations::Intrinsic_triangulation<> surface(g, np);
+  const Delta_complex& mesh = surface.mesh();
+  std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> vertex, result;
+  for(auto v : vertices(g))
+    vertex.push_back(v);
+  for(const internal::Boundary_loop& loop : internal::rectangle_boundaries(mesh)) {
+    std::vector<double> angle, length;
+    for(Halfedge_index h : loop) {
+      angle.push_back(internal::exterior_angle(mesh.source(h), mesh, surface.length_map()));
+      length.push_back(surface.length(mesh.edge(h)));
+    }
+    const auto corners = internal::Corner_choice(std::move(angle), length).corners();
+    for(auto i = corners.rbegin(); i != corners.rend(); ++i) // loops run clockwise
+      result.push_back(vertex[mesh.source(loop[*i]).idx()]);
+  }
+  return result;
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// maps every component of a surface to a rectangle, discretely conformally: the exterior angles on
+/// its boundary are \f$\pi/2\f$ at four corners and zero elsewhere.
+///
+/// The ratio of the sides is that of the surface: its conformal modulus for these corners.
+///
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \tparam VertexRange a range of vertices of `Graph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param g a manifold triangle mesh whose components have one boundary loop each; isolated
+///   vertices are allowed
+/// \param corners four vertices on the boundary of each component, in any order, such as those that
+///   `rectangle_corners()` returns
+/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to vertices inside, and
+///   `maximum_log_scale` is infinity if it is not given: cones may lie on the boundary
+///
+/// Complexity and status: those of `flatten()`.
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, if `corners` are not
+///   four vertices on each boundary, or as `flatten()` does: a component with handles has no
+///   rectangle unless a condition inside gives it a cone
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
+///   where numbers have not enough digits
+template <typename Graph, typename VertexRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Planar_conformal_map
+flatten_to_rectangle(const Graph& g, const VertexRange& corners,
+                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  const std::unordered_set<typename boost::graph_traits<Graph>::vertex_descriptor> given(
+    std::begin(corners), std::end(corners));
+  std::vector<char> is_corner;
+  for(auto v : vertices(g))
+    is_corner.push_back(given.count(v) != 0);
+  std::vector<Vertex_condition> conditions =
+    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
+  internal::set_rectangles(conditions, is_corner, input.mesh());
+  return internal::flattened(input, conditions, internal::initial_log_scales(g, np),
+                             std::numeric_limits<double>::infinity(), np);
+}
+
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_RECTANGLE_H

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_BOUNDARY_LOOP_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_BOUNDARY_LOOP_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <complex>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// The border halfedges of a loop, in their order; the surface is on their right.
+typedef std::vector<Halfedge_index> Boundary_loop;
+
+inline Boundary_loop loop_after(Halfedge_index border, const Delta_complex& mesh)
+{
+  Boundary_loop result;
+  for(Halfedge_index h = mesh.next(border); h != border; h = mesh.next(h))
+    result.push_back(h);
+  result.push_back(border);
+  return result;
+}
+
+// Returns the boundary of each component with faces.
+// Throws Invalid_input unless every such component has one loop of at least `least_size` edges.
+inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mesh,
+                                                        std::size_t least_size, const char* shape)
+{
+  using Intrinsic_triangulations::Invalid_input;
+  const Intrinsic_triangulations::internal::Mesh_components components(mesh);
+  std::vector<char> has_loop(components.size(), 0), is_seen(mesh.num_halfedges(), 0);
+  std::vector<Boundary_loop> result;
+  for(Halfedge_index border : mesh.halfedges()) {
+    if(!mesh.is_border(border) || is_seen[border.idx()])
+      continue;
+    char& is_known = has_loop[components[mesh.source(border).idx()]];
+    if(is_known)
+      throw Invalid_input(
+        "a component has several boundary loops, but this shape is for one boundary loop");
+    is_known = 1;
+    result.push_back(loop_after(border, mesh));
+    for(Halfedge_index h : result.back())
+      is_seen[h.idx()] = 1;
+  }
+  for(Vertex_index v : mesh.vertices())
+    if(!mesh.is_isolated(v) && !has_loop[components[v.idx()]])
+      throw Invalid_input("a component has no boundary, but this shape is for one boundary loop");
+  for(const Boundary_loop& loop : result)
+    if(loop.size() < least_size)
+      throw Invalid_input(std::string("a boundary has too few vertices for ") + shape);
+  return result;
+}
+
+// Returns pi less the sum of angles of faces at `v`.
+template <typename EdgeLengthMap>
+double exterior_angle(Vertex_index v, const Delta_complex& mesh, const EdgeLengthMap& length)
+{
+  const auto length_of = [&](Halfedge_index h) { return get(length, mesh.edge(h)); };
+  double result = boost::math::constants::pi<double>();
+  Intrinsic_triangulations::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+    if(!mesh.is_border(h))
+      result -= Intrinsic_triangulations::corner_angle(length_of(mesh.next(h)), length_of(h),
+                                                       length_of(mesh.prev(h)));
+  });
+  return result;
+}
+
+// Returns the lengths in the plane of the boundary edges of the input; zero for others.
+inline std::vector<double> flat_boundary_lengths(const Planar_conformal_map& map)
+{
+  const auto& subdivision = map.subdivision();
+  const auto& mesh = subdivision.mesh();
+  const auto is_front = [&](Halfedge_index h) {
+    return map.is_front(subdivision.parent_face(Layer::A, mesh.face(h)));
+  };
+  const auto position = [&](Halfedge_index h) {
+    const auto z = map.homogeneous_coordinates(subdivision.location(Layer::C, h));
+    return std::complex<double>(z[0], z[1]) / z[2];
+  };
+  std::vector<double> result(map.Delaunay().input_mesh().num_edges(), 0);
+  for(Halfedge_index h : mesh.halfedges())
+    if(is_front(h) && !is_front(Intrinsic_triangulations::opposite(h)))
+      result[subdivision.parent_edge(Layer::A, mesh.edge(h)).idx()] +=
+        std::abs(position(h) - position(mesh.prev(h)));
+  return result;
+}
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_BOUNDARY_LOOP_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FIXED_POINT_ACCELERATION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FIXED_POINT_ACCELERATION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+#include <cstddef>
+#include <deque>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// Finds a fixed point of a function in fewer evaluations than by repeating it: goes to the fixed
+// point of the linear function through the last evaluations (Anderson's method).
+class Fixed_point_acceleration
+{
+public:
+  typedef Eigen::VectorXd Vector;
+
+  // Returns where to evaluate the function after its value at `x` is `image`. The sum of entries is
+  // that of the images.
+  Vector next(const Vector& x, const Vector& image)
+  {
+    remember(image, image - x);
+    if(m_image_steps.empty())
+      return image;
+    const auto n = static_cast<Eigen::Index>(m_image_steps.size());
+    Eigen::MatrixXd image_steps(x.size(), n), residual_steps(x.size(), n);
+    for(Eigen::Index i = 0; i < n; ++i) {
+      image_steps.col(i) = m_image_steps[static_cast<std::size_t>(i)];
+      residual_steps.col(i) = m_residual_steps[static_cast<std::size_t>(i)];
+    }
+    return image - image_steps * residual_steps.colPivHouseholderQr().solve(m_residual);
+  }
+
+private:
+  static constexpr std::size_t memory = 5;
+
+  void remember(const Vector& image, const Vector& residual)
+  {
+    const bool is_first = m_image.size() == 0;
+    if(!is_first && residual.norm() < m_residual.norm()) {
+      m_image_steps.push_back(image - m_image);
+      m_residual_steps.push_back(residual - m_residual);
+    } else { // steps that led away are forgotten
+      m_image_steps.clear();
+      m_residual_steps.clear();
+    }
+    if(m_image_steps.size() > memory) {
+      m_image_steps.pop_front();
+      m_residual_steps.pop_front();
+    }
+    m_image = image;
+    m_residual = residual;
+  }
+
+  // differences of consecutive images and of consecutive residuals
+  std::deque<Vector> m_image_steps, m_residual_steps;
+  Vector m_image, m_residual;
+};
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FIXED_POINT_ACCELERATION_H

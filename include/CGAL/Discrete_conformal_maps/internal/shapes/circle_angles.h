@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_CIRCLE_ANGLES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_CIRCLE_ANGLES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Discrete_conformal_maps {
+namespace internal {
+
+// Returns the exterior angles of the polygon in a circle whose edges have these lengths: at the
+// start of each edge. Half the angle under which the center sees an edge of length l, in a circle
+// with the diameter 1 / x, is asin(l x); if the center is outside, this is pi less that for the
+// longest. Precondition: no length is zero, none is greater than the others together.
+inline std::vector<double> circle_angles(const std::vector<double>& length)
+{
+  constexpr double pi = boost::math::constants::pi<double>();
+  const std::size_t n = length.size();
+  const auto longest =
+    static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
+  const auto half_arcs = [&](double x, bool is_center_outside) {
+    std::vector<double> result(n);
+    std::transform(length.begin(), length.end(), result.begin(),
+                   [&](double l) { return std::asin((std::min)(l * x, 1.)); });
+    if(is_center_outside)
+      result[longest] = pi - result[longest];
+    return result;
+  };
+  const auto excess = [&](const std::vector<double>& arcs) {
+    return std::accumulate(arcs.begin(), arcs.end(), -pi);
+  };
+  double low = 0, high = 1 / length[longest];
+  const bool is_outside = excess(half_arcs(high, false)) < 0;
+  for(double x; x = (low + high) / 2, low < x && x < high;)
+    ((excess(half_arcs(x, is_outside)) > 0) != is_outside ? high : low) = x;
+  const std::vector<double> arcs = half_arcs(high, is_outside);
+  std::vector<double> result(n);
+  for(std::size_t i = 0; i < n; ++i)
+    result[i] = arcs[i] + arcs[(i + n - 1) % n];
+  return result;
+}
+
+} // namespace internal
+} // namespace Discrete_conformal_maps
+} // namespace CGAL
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_CIRCLE_ANGLES_H

@@ -1,0 +1,392 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "flat_maps.h"
+
+#include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
+#include <CGAL/Discrete_conformal_maps/flatten_to_rectangle.h>
+#include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+namespace np = DC::parameters;
+
+// ---- Disks, and what their boundaries are in the plane ----
+
+Mesh flat_grid_mesh(std::size_t m, std::size_t n, double width)
+{
+  return grid(m, n,
+              [&](double x, double y) { return Point(width * x / double(m), y / double(n), 0); });
+}
+
+// curved, with an uneven boundary
+Mesh random_disk(unsigned int seed)
+{
+  return perturbed(
+    grid(6, 5, [](double x, double y) { return Point(x, y, 0.05 * x * x - 0.1 * x * y); }), 0.3,
+    seed);
+}
+
+// The path of a boundary in the plane: positions of all its vertices in the subdivision, in their
+// order, and which vertices of the input are among them.
+struct Flat_boundary
+{
+  std::vector<Complex> points;
+  std::vector<Vertex_index> vertices; // invalid at crossings
+};
+
+std::vector<Flat_boundary> flat_boundaries(const Planar_conformal_map& map)
+{
+  const auto& s = map.subdivision();
+  const auto& mesh = s.mesh();
+  const auto is_front = [&](Halfedge_index h) {
+    return map.is_front(s.parent_face(Layer::A, mesh.face(h)));
+  };
+  const auto is_boundary = [&](Halfedge_index h) {
+    return is_front(h) && !is_front(mesh.opposite(h));
+  };
+  std::set<Halfedge_index> seen;
+  std::vector<Flat_boundary> result;
+  for(Halfedge_index start : mesh.halfedges()) {
+    if(!is_boundary(start) || seen.count(start) != 0)
+      continue;
+    result.emplace_back();
+    for(Halfedge_index h = start; seen.insert(h).second;) {
+      const auto z = map.homogeneous_coordinates(s.place_on_C(h));
+      result.back().points.push_back(Complex(z[0], z[1]) / z[2]);
+      const Vertex_index v = mesh.target(h);
+      result.back().vertices.push_back(v.idx() < mesh_A(map).number_of_vertices() ? v
+                                                                                  : Vertex_index());
+      for(h = mesh.next(h); !is_boundary(h);)
+        h = mesh.next(mesh.opposite(h));
+    }
+  }
+  return result;
+}
+
+// positive if it is to the left
+std::vector<double> turning_angles(const std::vector<Complex>& p)
+{
+  std::vector<double> result;
+  const std::size_t n = p.size();
+  for(std::size_t i = 0; i < n; ++i)
+    result.push_back(std::arg((p[(i + 1) % n] - p[i]) / (p[i] - p[(i + n - 1) % n])));
+  return result;
+}
+
+double area(const std::vector<Complex>& p)
+{
+  double result = 0;
+  for(std::size_t i = 0; i < p.size(); ++i)
+    result += (std::conj(p[i]) * p[(i + 1) % p.size()]).imag() / 2;
+  return result;
+}
+
+// ---- Claims ----
+
+// A closed path that turns around once (Gauss-Bonnet), by pi / 2 at the corners and nowhere else.
+void expect_rectangle(const Flat_boundary& boundary, const std::vector<Vertex_index>& corners)
+{
+  const std::vector<double> angle = turning_angles(boundary.points);
+  EXPECT_NEAR(std::accumulate(angle.begin(), angle.end(), 0.), 2 * pi, 1e-9);
+  std::vector<Complex> corner;
+  for(std::size_t i = 0; i < angle.size(); ++i) {
+    const bool is_corner =
+      boundary.vertices[i].is_valid() &&
+      std::find(corners.begin(), corners.end(), boundary.vertices[i]) != corners.end();
+    EXPECT_NEAR(angle[i], is_corner ? pi / 2 : 0, 1e-8);
+    if(is_corner)
+      corner.push_back(boundary.points[i]);
+  }
+  ASSERT_EQ(corner.size(), 4u);
+  // straight sides, opposite ones equally long
+  const double a = std::abs(corner[1] - corner[0]), b = std::abs(corner[2] - corner[1]);
+  EXPECT_NEAR(std::abs(corner[3] - corner[2]), a, 1e-9 * a);
+  EXPECT_NEAR(std::abs(corner[0] - corner[3]), b, 1e-9 * b);
+  EXPECT_NEAR(area(boundary.points), a * b, 1e-9 * a * b);
+}
+
+// the center of the circle through three points
+Complex circumcenter(const Complex& a, const Complex& b, const Complex& c)
+{
+  const Complex p = b - a, q = c - a;
+  return a + p * q * (std::conj(p) - std::conj(q)) / (std::conj(p) * q - p * std::conj(q));
+}
+
+// The path turns around once, and vertices of the input lie on one circle.
+void expect_circle(const Flat_boundary& boundary)
+{
+  const std::vector<double> angle = turning_angles(boundary.points);
+  EXPECT_NEAR(std::accumulate(angle.begin(), angle.end(), 0.), 2 * pi, 1e-9);
+  std::vector<Complex> points;
+  for(std::size_t i = 0; i < angle.size(); ++i)
+    if(boundary.vertices[i].is_valid())
+      points.push_back(boundary.points[i]);
+  ASSERT_GE(points.size(), 3u);
+  const std::size_t n = points.size();
+  const Complex center = circumcenter(points[0], points[n / 3], points[2 * n / 3]);
+  const double radius = std::abs(points[0] - center);
+  for(const Complex& z : points)
+    EXPECT_NEAR(std::abs(z - center), radius, 1e-8 * radius);
+}
+
+template <typename Function>
+void expect_refused(const Function& function, const std::string& message)
+{
+  try {
+    function();
+    ADD_FAILURE() << "accepted, not: " << message;
+  } catch(const IT::Invalid_input& e) {
+    EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
+  }
+}
+
+} // namespace
+
+// ---- Angles of polygons in circles ----
+
+// Points on a circle, around the center or all on one side of it.
+TEST(Circle_angles, are_those_of_inscribed_polygons)
+{
+  CGAL::Random random(5);
+  for(const double arc : {2 * pi, 1., 0.01})
+    for(const std::size_t n : {3u, 4u, 20u}) {
+      std::vector<double> place;
+      for(std::size_t i = 0; i < n; ++i)
+        place.push_back(arc * (double(i) + 0.8 * random.get_double()) / double(n));
+      std::vector<Complex> point;
+      for(double t : place)
+        point.push_back(std::polar(2.5, t));
+      std::vector<double> length;
+      for(std::size_t i = 0; i < n; ++i)
+        length.push_back(std::abs(point[(i + 1) % n] - point[i]));
+      const std::vector<double> expected = turning_angles(point),
+                                angle = DC::internal::circle_angles(length);
+      for(std::size_t i = 0; i < n; ++i)
+        EXPECT_NEAR(angle[i], expected[i], 1e-9) << arc << ' ' << n;
+    }
+}
+
+// ---- Rectangles ----
+
+// Longer on one side, turned and with other numbers of cells.
+TEST(Rectangle_corners, are_those_of_rectangles)
+{
+  for(const double width : {1., 3., 0.2}) {
+    const Mesh mesh = flat_grid_mesh(7, 4, width);
+    const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh);
+    ASSERT_EQ(corners.size(), 4u);
+    double doubled_area = 0; // counterclockwise
+    for(std::size_t i = 0; i < 4; ++i) {
+      const Point &p = mesh.point(corners[i]), &q = mesh.point(corners[(i + 1) % 4]);
+      doubled_area += p.x() * q.y() - q.x() * p.y();
+    }
+    EXPECT_NEAR(doubled_area, 2 * width, 1e-12);
+  }
+}
+
+TEST(Flatten_to_rectangle, leaves_rectangles_as_they_are)
+{
+  const Mesh mesh = flat_grid_mesh(5, 8, 4);
+  const Planar_conformal_map map = DC::flatten_to_rectangle(mesh, DC::rectangle_corners(mesh));
+  for(Vertex_index v : mesh.vertices())
+    EXPECT_NEAR(map.log_scale(v), 0, 1e-12);
+}
+
+TEST(Flatten_to_rectangle, has_right_angles_and_straight_sides)
+{
+  for(unsigned int seed = 1; seed <= 8; ++seed) {
+    const Mesh mesh = random_disk(seed);
+    const std::vector<Vertex_index> chosen = DC::rectangle_corners(mesh);
+    // any others will do too
+    std::vector<Vertex_index> others;
+    for(Vertex_index v : mesh.vertices())
+      if(mesh.is_border(v) && v.idx() % 3 == seed % 3 && others.size() < 4)
+        others.push_back(v);
+    for(const std::vector<Vertex_index>& corners : {chosen, others}) {
+      const Planar_conformal_map map = DC::flatten_to_rectangle(mesh, corners);
+      EXPECT_EQ(map.status(), DC::Flattening_status::success);
+      const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
+      ASSERT_EQ(boundaries.size(), 1u);
+      expect_rectangle(boundaries[0], corners);
+    }
+  }
+}
+
+TEST(Flatten_to_rectangle, takes_components_and_lengths)
+{
+  Mesh mesh = random_disk(1);
+  mesh.add_vertex(Point(9, 9, 9));
+  mesh += random_disk(2);
+  const Triangulation t(mesh);
+  std::vector<double> length = lengths_of(t);
+  for(double& x : length)
+    x *= 3;
+  const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh, length_parameter(length));
+  ASSERT_EQ(corners.size(), 8u);
+  EXPECT_EQ(corners, DC::rectangle_corners(mesh));
+  const std::vector<Flat_boundary> boundaries =
+    flat_boundaries(DC::flatten_to_rectangle(mesh, corners, length_parameter(length)));
+  ASSERT_EQ(boundaries.size(), 2u);
+  for(const Flat_boundary& b : boundaries)
+    expect_rectangle(b, corners);
+}
+
+// Gauss-Bonnet: a handle needs a cone with the curvature -4 pi.
+TEST(Flatten_to_rectangle, keeps_conditions_inside)
+{
+  const Mesh mesh = punctured(embedded_torus(6, 5), {0, 1, 2, 3});
+  Conditions condition(mesh.number_of_vertices(),
+                       Vertex_condition::log_scale(7)); // on the boundary
+  Vertex_index cone;
+  for(Vertex_index v : mesh.vertices())
+    if(!mesh.is_border(v)) {
+      condition[v] = Vertex_condition();
+      cone = v;
+    }
+  condition[cone] = Vertex_condition::curvature(-4 * pi);
+  const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh);
+  const Planar_conformal_map map =
+    DC::flatten_to_rectangle(mesh, corners, np::vertex_condition_map(as_map(condition)));
+  EXPECT_EQ(map.status(), DC::Flattening_status::success);
+  EXPECT_LT(map.max_curvature_error(), 1e-10);
+  for(Vertex_index v : mesh.vertices())
+    if(mesh.is_border(v))
+      condition[v] = Vertex_condition::curvature(
+        std::count(corners.begin(), corners.end(), v) != 0 ? pi / 2 : 0);
+  const Triangulation input(mesh);
+  check_conditions(map, input.mesh(), condition, 1e-9);
+  expect_refused([&] { DC::flatten_to_rectangle(mesh, corners); }, "Euler characteristic");
+}
+
+TEST(Flatten_to_rectangle, names_what_is_wrong)
+{
+  const Mesh mesh = random_disk(3);
+  const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh);
+  const std::vector<Vertex_index> three(corners.begin(), corners.begin() + 3);
+  expect_refused([&] { DC::flatten_to_rectangle(mesh, three); }, "a boundary has 3");
+  expect_refused([&] { DC::rectangle_corners(tetrahedron()); }, "no boundary");
+  expect_refused([&] { DC::rectangle_corners(punctured(octahedron(), {0})); }, "too few vertices");
+  expect_refused(
+    [&] {
+      DC::rectangle_corners(punctured(random_sphere(40, 6), {0, 20}));
+    },
+    "several boundary loops");
+}
+
+// ---- Disks ----
+
+TEST(Flatten_to_disk, puts_the_boundary_on_a_circle)
+{
+  for(unsigned int seed = 1; seed <= 8; ++seed)
+    for(const Mesh& mesh : {random_disk(seed), punctured(random_sphere(40, seed), {0})}) {
+      const Planar_conformal_map map = DC::flatten_to_disk(mesh);
+      EXPECT_EQ(map.status(), DC::Flattening_status::success);
+      EXPECT_LT(map.max_curvature_error(), 1e-10);
+      const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
+      ASSERT_EQ(boundaries.size(), 1u);
+      expect_circle(boundaries[0]);
+      check_layout(map);
+    }
+}
+
+// A regular polygon keeps its shape.
+TEST(Flatten_to_disk, leaves_regular_polygons_as_they_are)
+{
+  const std::size_t n = 9;
+  std::vector<Point> points{Point(0, 0, 0)};
+  Triangles triangles;
+  for(std::size_t i = 0; i < n; ++i) {
+    const Complex z = std::polar(1., 2 * pi * double(i) / double(n));
+    points.emplace_back(z.real(), z.imag(), 0);
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  const Planar_conformal_map map = DC::flatten_to_disk(make_mesh(points, triangles));
+  for(std::size_t v = 0; v <= n; ++v)
+    EXPECT_NEAR(log_scale(map, v), 0, 1e-9);
+}
+
+// Where no edge crosses the boundary of the double, the disk and the hemisphere are one map up to a
+// Moebius transformation: cross ratios of vertices in the plane agree.
+TEST(Flatten_to_disk, is_the_hemisphere_in_the_plane)
+{
+  std::size_t compared = 0;
+  for(unsigned int seed = 1; seed <= 12; ++seed) {
+    const Mesh mesh =
+      perturbed(grid(5, 5, [](double x, double y) { return Point(x, y, 0); }), 0.1, seed);
+    const Planar_conformal_map disk = DC::flatten_to_disk(mesh);
+    const DC::Spherical_conformal_map sphere = DC::map_to_sphere(mesh);
+    const auto is_crossed = [&](const DC::Discrete_conformal_map& map) {
+      const auto& s = map.subdivision().mesh();
+      std::size_t boundary = 0;
+      for(Edge_index e : s.edges())
+        if(const Edge_index a = map.subdivision().parent_edge(Layer::A, e); a.is_valid())
+          boundary += map.is_front(mesh_A(map).face(mesh_A(map).halfedge(a))) !=
+                      map.is_front(mesh_A(map).face(mesh_A(map).opposite(mesh_A(map).halfedge(a))));
+      return boundary != 20;
+    };
+    if(is_crossed(disk) || is_crossed(sphere))
+      continue;
+    ++compared;
+    std::vector<Complex> z, w;
+    for(Vertex_index v : mesh.vertices()) {
+      z.push_back(disk(corner(mesh_A(disk), v)));
+      w.push_back(DC::Spherical_conformal_map::to_plane(sphere.position(v)));
+    }
+    const auto cross_ratio = [](const std::vector<Complex>& p, std::size_t i) {
+      return (p[i] - p[0]) * (p[5] - p[35]) / ((p[i] - p[35]) * (p[5] - p[0]));
+    };
+    for(std::size_t i = 1; i < 35; ++i)
+      EXPECT_LT(std::abs(cross_ratio(z, i) - cross_ratio(w, i)), 1e-8) << seed << ' ' << i;
+  }
+  EXPECT_GE(compared, 3u);
+}
+
+TEST(Flatten_to_disk, takes_components)
+{
+  Mesh mesh = random_disk(1);
+  mesh.add_vertex(Point(9, 9, 9));
+  mesh += random_disk(2);
+  const Planar_conformal_map map = DC::flatten_to_disk(mesh);
+  EXPECT_EQ(map.status(), DC::Flattening_status::success);
+  const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
+  ASSERT_EQ(boundaries.size(), 2u);
+  for(const Flat_boundary& b : boundaries)
+    expect_circle(b);
+  expect_refused([] { DC::flatten_to_disk(punctured(embedded_torus(6, 5), {0})); },
+                 "Euler characteristic");
+}
+
+TEST(Flatten_to_disk, says_how_it_failed)
+{
+  const Mesh mesh = random_disk(1);
+  try {
+    DC::flatten_to_disk(mesh, CGAL::parameters::number_of_iterations(1));
+    ADD_FAILURE() << "a circle in one round";
+  } catch(const IT::Numerical_error& e) {
+    EXPECT_NE(std::string(e.what()).find("after 1 rounds"), std::string::npos) << e.what();
+  }
+  // a minimization that fails ends the rounds
+  const Planar_conformal_map map =
+    DC::flatten_to_disk(mesh, np::minimizer(DC::Newton_minimizer(1e-13, 1)));
+  EXPECT_EQ(map.status(), DC::Flattening_status::not_converged);
+  expect_refused([&] { DC::flatten_to_disk(tetrahedron()); }, "no boundary");
+  expect_refused(
+    [&] {
+      DC::flatten_to_disk(punctured(random_sphere(40, 6), {0, 20}));
+    },
+    "several boundary loops");
+}

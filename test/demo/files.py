@@ -1,0 +1,279 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Reads the files that the program writes: files.py CLAIM... fails unless every CLAIM, a Python
+expression in the names below, is true; "NAME = EXPRESSION" gives a value a name,
+"print(EXPRESSION)" prints it. Vertices, faces and edges are numbered from 0."""
+
+import json as json_format
+import re
+import sys
+from collections import Counter, defaultdict
+from math import atan2, degrees, dist, fsum, hypot, log, pi, sin, sqrt
+
+
+class Named(dict):
+    """A JSON object whose keys are attributes."""
+
+    __getattr__ = dict.__getitem__
+
+
+def json(path):
+    with open(path) as file:
+        return json_format.load(file, object_hook=Named)
+
+
+def keys(value):
+    """All keys of a JSON object and of those inside, in their order."""
+    if isinstance(value, list):
+        return [k for x in value for k in keys(x)]
+    return [k for key in value for k in [key] + keys(value[key])] if isinstance(value, dict) else []
+
+
+def lines_of(path):
+    with open(path) as file:
+        return file.read().split("\n")
+
+
+def number(word):
+    return float(word) if re.search("[.enai]", word) else int(word)
+
+
+class Mesh:
+    """Points, faces and edges; `vertex`, `face` and `edge` hold lists of values by name."""
+
+    def __init__(self):
+        self.points, self.faces, self.edges = [], [], []
+        self.texture, self.texture_faces = [], []
+        self.vertex, self.face, self.edge = (defaultdict(list) for _ in range(3))
+
+def ply(path):
+    lines = iter(lines_of(path))
+    elements, mesh = [], Mesh()
+    for line in lines:
+        words = line.split()
+        if words[0] == "element":
+            elements.append((words[1], int(words[2]), []))
+        elif words[0] == "property":
+            elements[-1][2].append((words[-1], words[1] == "list"))
+        elif words[0] == "end_header":
+            break
+    for element, count, properties in elements:
+        values = getattr(mesh, element)
+        for _ in range(count):
+            words = iter(next(lines).split())
+            for name, is_list in properties:
+                value = number(next(words))
+                values[name].append([number(next(words)) for _ in range(value)] if is_list else value)
+    mesh.points = list(zip(*(mesh.vertex[x] for x in "xyz")))
+    mesh.faces = mesh.face.get("vertex_indices", [])
+    mesh.edges = list(zip(mesh.edge["vertex1"], mesh.edge["vertex2"]))
+    return mesh
+
+
+def obj(path):
+    mesh = Mesh()
+    for words in map(str.split, lines_of(path)):
+        if words[:1] == ["v"]:
+            mesh.points.append(tuple(map(float, words[1:4])))
+        elif words[:1] == ["vt"]:
+            mesh.texture.append(tuple(map(float, words[1:])))
+        elif words[:1] == ["f"]:
+            corners = [[int(i) - 1 for i in w.split("/") if i] for w in words[1:]]
+            mesh.faces.append([c[0] for c in corners])
+            mesh.texture_faces.append([c[1] for c in corners if len(c) > 1])
+    return mesh
+
+
+def off(path):
+    words = iter(" ".join(lines_of(path)).split())
+    mesh = Mesh()
+    assert next(words) == "OFF"
+    vertices, faces, _ = (int(next(words)) for _ in range(3))
+    mesh.points = [tuple(float(next(words)) for _ in range(3)) for _ in range(vertices)]
+    mesh.faces = [[int(next(words)) for _ in range(int(next(words)))] for _ in range(faces)]
+    return mesh
+
+
+class Matrix:
+    """A Matrix Market file: entries {(row, column): value}, both triangles of a symmetric one."""
+
+    def __init__(self, path):
+        lines = [line for line in lines_of(path) if line]
+        self.header, self.comments = lines[0], [l for l in lines[1:] if l[0] == "%"]
+        lines = [l.split() for l in lines if l[0] != "%"]
+        self.rows, self.columns, self.size = map(int, lines[0])
+        self.stored = {(int(l[0]) - 1, int(l[1]) - 1): complex(*map(float, l[2:])) for l in lines[1:]}
+        self.has_right_size = len(lines) - 1 == self.size == len(self.stored)
+        self.entries = dict(self.stored)
+        if not self.header.endswith("general"):
+            self.entries.update({(j, i): z.conjugate() for (i, j), z in self.stored.items()})
+
+    def __matmul__(self, values):
+        sums = [[] for _ in range(self.rows)]
+        for (i, j), z in self.entries.items():
+            sums[i].append(z.real * values[j])
+        return [fsum(s) for s in sums]
+
+
+mtx = Matrix
+
+
+def vtp(path):
+    """The arrays of a VTP file as {(section, name): lists of numbers, one for each line}."""
+    result, section, name = {}, None, None
+    for line in lines_of(path):
+        if m := re.match(r"<(PointData|CellData|Points|Lines|Polys)\b", line.strip()):
+            section = m.group(1)
+        elif m := re.search(r'<DataArray.*Name="(\w+)"', line):
+            name = m.group(1)
+            result[section, name] = []
+        elif "</DataArray" in line:
+            name = None
+        elif name:
+            result[section, name].append([number(w) for w in line.split()])
+    return result
+
+
+# ---- Measures ----
+
+
+def near(a, b, tolerance):
+    """Whether two numbers, or those of two lists, differ by no more than the tolerance."""
+    if isinstance(a, (int, float)):
+        return abs(a - b) <= tolerance
+    a, b = list(a), list(b)
+    return len(a) == len(b) and all(abs(x - y) <= tolerance for x, y in zip(a, b))
+
+
+def minus(p, q):
+    return [a - b for a, b in zip(p, q)]
+
+
+def cross(p, q):
+    return (p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+
+
+def area(mesh):
+    """In space; faces are flat."""
+    result = 0
+    for face in mesh.faces:
+        p = [mesh.points[v] for v in face]
+        parts = [cross(minus(p[i - 1], p[0]), minus(p[i], p[0])) for i in range(2, len(p))]
+        result += hypot(*map(sum, zip(*parts))) / 2
+    return result
+
+
+def signed_area(points, face):
+    """In the plane."""
+    p = [points[v] for v in face]
+    return fsum(p[i - 1][0] * p[i][1] - p[i - 1][1] * p[i][0] for i in range(len(p))) / 2
+
+
+def flat_area(mesh):
+    return fsum(signed_area(mesh.texture, f) for f in mesh.texture_faces)
+
+
+def sums(keys, values):
+    """The sums of the values with equal keys, but for the key -1, by key."""
+    result = defaultdict(float)
+    for key, value in zip(keys, values):
+        if key != -1:
+            result[key] += value
+    return dict(sorted(result.items()))
+
+
+def box(points):
+    """Width and height of points in the plane; the least coordinates must be zero."""
+    assert hypot(min(p[0] for p in points), min(p[1] for p in points)) < 1e-10
+    return max(p[0] for p in points), max(p[1] for p in points)
+
+
+def length(mesh, edge):
+    return dist(*(mesh.points[v] for v in edge))
+
+
+def shape(mesh):
+    """The least angle in degrees and the greatest circumradius of the intrinsic faces, in space. The
+    length of an intrinsic edge is that of its parts in the common subdivision; its sides are among
+    those of the parts of the face."""
+    parent, sides = {}, defaultdict(dict)
+    whole = sums(mesh.edge["intrinsic_edge"], (length(mesh, e) for e in mesh.edges))
+    for (v, w), e in zip(mesh.edges, mesh.edge["intrinsic_edge"]):
+        parent[v, w] = parent[w, v] = e
+    for face, triangle in zip(mesh.faces, mesh.face["intrinsic_face"]):
+        for corner in zip(face, face[1:] + face[:1]):
+            if (e := parent[corner]) >= 0:
+                sides[triangle][e] = whole[e]
+    angles, radii = [], []
+    for a, b, c in (side.values() for side in sides.values()):
+        s = sqrt((a + b + c) * (b + c - a) * (a + b - c) * (a + c - b))
+        radii.append(a * b * c / s)
+        angles += [degrees(atan2(s, y * y + z * z - x * x)) for x, y, z in
+                   ((a, b, c), (b, c, a), (c, a, b))]
+    return min(angles), max(radii)
+
+
+def ends_parts_of_input_edges(mesh):
+    """An inserted vertex on an input edge ends two parts of it, and no part of another one."""
+    edge = {v: e for v, (k, e) in enumerate(zip(mesh.vertex["kind"], mesh.vertex["input_edge"])) if k == 2}
+    parts = Counter((v, e) for ends, e in zip(mesh.edges, mesh.edge["input_edge"]) if e >= 0
+                    for v in ends if v in edge)
+    return parts == {(v, e): 2 for v, e in edge.items() if e >= 0}
+
+
+def coarse_areas(mesh):
+    """Of each coarse face in a plane, by its number."""
+    return sums(mesh.face["coarse_face"], (signed_area(mesh.points, f) for f in mesh.faces))
+
+
+def coarse_edges(mesh):
+    """The number of coarse edges, and their length together."""
+    lengths = sums(mesh.edge["coarse_edge"], (length(mesh, e) for e in mesh.edges))
+    return len(lengths), fsum(lengths.values())
+
+
+def lines(path):
+    """The number of poly-lines in a VTP file, and their length together."""
+    arrays = vtp(path)
+    points = arrays["Points", "Points"]
+    paths = arrays["Lines", "connectivity"]
+    return len(paths), fsum(dist(points[v], points[w]) for p in paths for v, w in zip(p, p[1:]))
+
+
+def is_colored(mesh):
+    """The faces have one color for each coarse face, and another on the other side of its edges."""
+    color, coarse = {}, {}
+    for face, c, *rgb in zip(mesh.faces, *(mesh.face[x] for x in ("coarse_face", "red", "green", "blue"))):
+        if color.setdefault(c, rgb) != rgb:
+            return False
+        coarse.update({corner: c for corner in zip(face, face[1:] + face[:1])})
+    return all(c == d or color[c] != color[d]
+               for (v, w), c in coarse.items() if (d := coarse.get((w, v))) is not None)
+
+
+def is_prolongation(matrix, rows, columns):
+    """Of this size, no entry is negative, and each row has the sum 1."""
+    return ((matrix.rows, matrix.columns) == (rows, columns)
+            and all(z.real >= 0 for z in matrix.entries.values())
+            and near(matrix @ ([1] * columns), [1] * rows, 1e-12))
+
+
+def errors(distances, points, *sources):
+    """What is missed to the distances to the nearest of some places, and these distances."""
+    truth = [min(dist(p[:2], s[:2]) for s in sources) for p in points]
+    return [abs(a - b) for a, b in zip(distances, truth)], truth
+
+
+def is_harmless(*paths):
+    """No coordinate or entry is infinite or NaN."""
+    return not any(re.search("nan|inf", line, re.I) for path in paths for line in lines_of(path))
+
+
+if __name__ == "__main__":
+    for claim in sys.argv[1:]:
+        if re.match(r"[\w, ]+ = |print\(", claim):
+            exec(claim)
+        elif not eval(claim):
+            sys.exit("not so: " + claim)
