@@ -28,8 +28,10 @@ status, in the statistics and in the last line on standard error, says how:
   bounds_met_but_excused  those that do not are at vertices too narrow for the angle
   insertion_limit         --max-insertions was too little; some faces are left
   no_room                 floating point numbers are too coarse for the faces that are left
-Refinement ends for angles of up to 25 degrees, and on closed surfaces 30. Greater ones may take
-vertices without end: set --max-insertions for them.
+On closed meshes without narrow vertices and sharp edges to keep, refinement to at most 30 degrees
+is proven to end, in exact arithmetic; with boundary this is an open question, and 25 degrees have
+worked on all ordinary meshes tried. On nearly degenerate meshes rounding can make it insert
+vertices without end, as can greater angles: set --max-insertions, or --mollify.
 
 Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an
 input edge with an intrinsic edge, 2 inserted vertex.
