@@ -65,7 +65,7 @@ std::vector<Flat_boundary> flat_boundaries(const Planar_conformal_map& map)
       continue;
     result.emplace_back();
     for(Halfedge_index h = start; seen.insert(h).second;) {
-      const auto z = map.homogeneous_coordinates(s.place_on_C(h));
+      const auto z = map.homogeneous_coordinates(s.location(Layer::C, h));
       result.back().points.push_back(Complex(z[0], z[1]) / z[2]);
       const Vertex_index v = mesh.target(h);
       result.back().vertices.push_back(v.idx() < mesh_A(map).number_of_vertices() ? v
@@ -218,7 +218,7 @@ TEST(Flatten_to_rectangle, has_right_angles_and_straight_sides)
         others.push_back(v);
     for(const std::vector<Vertex_index>& corners : {chosen, others}) {
       const Planar_conformal_map map = DC::flatten_to_rectangle(mesh, corners);
-      EXPECT_EQ(map.status(), DC::Flattening_status::success);
+      EXPECT_EQ(map.status(), DC::Map_status::success);
       const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
       ASSERT_EQ(boundaries.size(), 1u);
       expect_rectangle(boundaries[0], corners);
@@ -261,7 +261,7 @@ TEST(Flatten_to_rectangle, keeps_conditions_inside)
   const std::vector<Vertex_index> corners = DC::rectangle_corners(mesh);
   const Planar_conformal_map map =
     DC::flatten_to_rectangle(mesh, corners, np::vertex_condition_map(as_map(condition)));
-  EXPECT_EQ(map.status(), DC::Flattening_status::success);
+  EXPECT_EQ(map.status(), DC::Map_status::success);
   EXPECT_LT(map.max_curvature_error(), 1e-10);
   for(Vertex_index v : mesh.vertices())
     if(mesh.is_border(v))
@@ -294,7 +294,7 @@ TEST(Flatten_to_disk, puts_the_boundary_on_a_circle)
   for(unsigned int seed = 1; seed <= 8; ++seed)
     for(const Mesh& mesh : {random_disk(seed), punctured(random_sphere(40, seed), {0})}) {
       const Planar_conformal_map map = DC::flatten_to_disk(mesh);
-      EXPECT_EQ(map.status(), DC::Flattening_status::success);
+      EXPECT_EQ(map.status(), DC::Map_status::success);
       EXPECT_LT(map.max_curvature_error(), 1e-10);
       const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
       ASSERT_EQ(boundaries.size(), 1u);
@@ -361,7 +361,7 @@ TEST(Flatten_to_disk, takes_components)
   mesh.add_vertex(Point(9, 9, 9));
   mesh += random_disk(2);
   const Planar_conformal_map map = DC::flatten_to_disk(mesh);
-  EXPECT_EQ(map.status(), DC::Flattening_status::success);
+  EXPECT_EQ(map.status(), DC::Map_status::success);
   const std::vector<Flat_boundary> boundaries = flat_boundaries(map);
   ASSERT_EQ(boundaries.size(), 2u);
   for(const Flat_boundary& b : boundaries)
@@ -382,7 +382,7 @@ TEST(Flatten_to_disk, says_how_it_failed)
   // a minimization that fails ends the rounds
   const Planar_conformal_map map =
     DC::flatten_to_disk(mesh, np::minimizer(DC::Newton_minimizer(1e-13, 1)));
-  EXPECT_EQ(map.status(), DC::Flattening_status::not_converged);
+  EXPECT_EQ(map.status(), DC::Map_status::not_converged);
   expect_refused([&] { DC::flatten_to_disk(tetrahedron()); }, "no boundary");
   expect_refused(
     [&] {
