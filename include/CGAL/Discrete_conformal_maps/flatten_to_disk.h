@@ -151,8 +151,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
     boundary.apply_to(conditions);
     Planar_conformal_map map = internal::flattened(input, conditions, log_scale,
                                                    std::numeric_limits<double>::infinity(), np);
-    if(map.status() != Map_status::success &&
-       map.status() != Map_status::layout_collapsed)
+    if(map.status() != Map_status::success && map.status() != Map_status::layout_collapsed)
       return map;
     change = boundary.update(map);
     if(change <= tolerance)
