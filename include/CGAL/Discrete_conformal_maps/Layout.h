@@ -15,8 +15,8 @@ namespace Discrete_conformal_maps {
 /// motions.
 enum class Layout
 {
-  /// face by face; then points are shifted such that the sum of squared relative errors of the sides
-  /// of all faces is least
+  /// face by face; then points are shifted such that the sum of squared relative errors of the
+  /// sides of all faces is least
   least_squares,
   /// the non-constant function with the least conformal energy relative to its mean square on the
   /// boundary (Mullen et al. 2008), by inverse iteration from faces laid out one by one
