@@ -105,19 +105,23 @@ class Surface_operation
 public:
   /// \name Construction
   /// @{
+  /// makes a scaling.
   Surface_operation(const Scaling& s)
     : m_code(s.code), m_id{s.vertex, s.first_corner, s.number_of_corners}, m_x{s.factor, 0}
   {}
+  /// makes a flip.
   Surface_operation(const Flip& f)
     : m_code(f.code),
       m_id{f.halfedge, f.corners[0].m_code, f.corners[1].m_code},
       m_x{f.crossing_before, f.crossing_after}
   {}
+  /// makes a removal.
   Surface_operation(const Removal& r)
     : m_code(r.code),
       m_id{r.corners[0].m_code, r.corners[1].m_code, r.corners[2].m_code},
       m_x(r.weight)
   {}
+  /// makes a removal at the boundary.
   Surface_operation(const Border_removal& r)
     : m_code(r.code), m_id{r.corners[0].m_code, r.corners[1].m_code, 0}, m_x{r.weight, 0}
   {}
