@@ -103,8 +103,6 @@ struct Border_removal
 class Surface_operation
 {
 public:
-  /// \name Construction
-  /// @{
   /// makes a scaling.
   Surface_operation(const Scaling& s)
     : m_code(s.code), m_id{s.vertex, s.first_corner, s.number_of_corners}, m_x{s.factor, 0}
@@ -125,7 +123,6 @@ public:
   Surface_operation(const Border_removal& r)
     : m_code(r.code), m_id{r.corners[0].m_code, r.corners[1].m_code, 0}, m_x{r.weight, 0}
   {}
-  /// @}
 
   /// calls `visitor` with the operation as what it is, and returns what that returns.
   template <typename Visitor>
