@@ -139,7 +139,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
                                      const NamedParameters& np = CGAL::parameters::default_values())
 {
   constexpr double tolerance = 1e-10; // radians: ten times what a minimization may leave
-  const std::size_t rounds(CGAL::parameters::choose_parameter(
+  const auto rounds = static_cast<std::size_t>(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations), 100));
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   std::vector<Vertex_condition> conditions =

@@ -247,11 +247,11 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                                          std::numeric_limits<FT>::infinity()));
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
-  const std::size_t insertions = choose_parameter(
-    get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(10000000));
-  const std::size_t flips =
+  const auto insertions = static_cast<std::size_t>(choose_parameter(
+    get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(10000000)));
+  const auto flips = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                     internal::default_flip_limit(tri.mesh().number_of_edges()));
+                     internal::default_flip_limit(tri.mesh().number_of_edges())));
   Default_refinement_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
