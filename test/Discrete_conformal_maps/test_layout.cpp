@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -275,7 +276,7 @@ TEST(Layout, seams_cut_a_closed_surface_to_a_disk)
 TEST(Layout, seams_join_prescribed_cones_only)
 {
   const Mesh sphere = random_sphere(200, 2);
-  for(const std::size_t k : {3, 4, 10}) {
+  for(const std::size_t k : std::array<std::size_t, 3>{3, 4, 10}) {
     Conditions condition(200);
     for(std::size_t i = 0; i < k; ++i)
       condition[17 * i] = Vertex_condition::curvature(4 * pi / double(k));

@@ -90,9 +90,7 @@ class Faces_beside_narrow_vertices
 {
 public:
   explicit Faces_beside_narrow_vertices(const Triangulation& t)
-    : m_t(t),
-      m_narrow(Test_surfaces::narrow_vertices(t)),
-      m_candidates(t.mesh().num_faces(), m_narrow)
+    : m_narrow(Test_surfaces::narrow_vertices(t)), m_candidates(t.mesh().num_faces(), m_narrow)
   {
     const Correspondence correspondence(t);
     const IT::Common_subdivision<> s(correspondence);
@@ -120,7 +118,6 @@ private:
       v = vertices.count(*v) ? std::next(v) : kept.erase(v);
   }
 
-  const Triangulation& m_t;
   std::set<Vertex_index> m_narrow;
   std::vector<std::set<Vertex_index>> m_candidates;
 };
