@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Fixed_point_acceleration.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/circle_angles.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
 
@@ -138,7 +139,6 @@ template <typename Graph, typename NamedParameters = CGAL::parameters::Default_n
 Planar_conformal_map flatten_to_disk(const Graph& g,
                                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  constexpr double tolerance = 1e-10; // radians: ten times what a minimization may leave
   const auto rounds = static_cast<std::size_t>(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations), 100));
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
@@ -154,7 +154,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
     if(map.status() != Map_status::success && map.status() != Map_status::layout_collapsed)
       return map;
     change = boundary.update(map);
-    if(change <= tolerance)
+    if(change <= internal::tolerance::circle_angle)
       return map;
     for(Vertex_index v : input.mesh().vertices())
       log_scale[v.idx()] = map.log_scale(v);

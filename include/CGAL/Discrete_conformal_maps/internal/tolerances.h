@@ -73,6 +73,10 @@ constexpr double damping = 1e-10;
 constexpr double greatest_lift = 1, greatest_Laplacian_lift = 1e-3;
 inline double next_lift(double lift) { return lift == 0 ? 1e-14 : 100 * lift; }
 
+// The change of the exterior angles of a circle, in radians, below which its repetition has
+// converged: ten times what a minimization may leave.
+constexpr double circle_angle = 1e-10;
+
 } // namespace tolerance
 } // namespace internal
 } // namespace Discrete_conformal_maps
