@@ -20,8 +20,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy under lower bounds of its variables (Section 4.4.4).
@@ -90,7 +89,6 @@ private:
   internal::Minimization_limits m_limits;
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_BOUNDED_NEWTON_MINIMIZER_H

@@ -13,13 +13,12 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 template <typename Energy, typename Visitor>
 using Ceres_steps = Ceres_iteration<Energy, Visitor>;
-}
+} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by the L-BFGS method of the Ceres Solver, which needs no Hessian.
@@ -51,7 +50,6 @@ public:
   {}
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_CERES_MINIMIZER_H

@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
 /// the convex energy whose minimum are the scale factors that give a surface prescribed angle
@@ -166,7 +165,6 @@ FT Conformal_energy<FT, Triangle>::value() const
   return sum;
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_CONFORMAL_ENERGY_H

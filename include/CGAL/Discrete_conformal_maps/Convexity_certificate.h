@@ -9,8 +9,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsSphere
 /// what exact predicates have found about an inscribed polyhedron.
@@ -29,7 +28,6 @@ struct Convexity_certificate
   bool is_convex() const { return concave_edges == 0 && flipped_triangles == 0 && is_simple; }
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_CONVEXITY_CERTIFICATE_H

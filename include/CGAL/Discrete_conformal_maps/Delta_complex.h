@@ -10,8 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 // connectivity has one type and its names in all packages
 using Intrinsic_triangulations::Delta_complex;
@@ -21,7 +20,6 @@ using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::opposite;
 using Intrinsic_triangulations::Vertex_index;
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_DELTA_COMPLEX_H

@@ -20,12 +20,11 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 class Map_builder;
-}
+} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsMaps
 /// what all discrete conformal maps have: three triangulations with the correspondence of each to
@@ -123,7 +122,6 @@ private:
   std::unique_ptr<Data> m_data = std::make_unique<Data>();
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_DISCRETE_CONFORMAL_MAP_H

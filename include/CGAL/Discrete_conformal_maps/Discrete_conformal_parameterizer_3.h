@@ -23,8 +23,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
@@ -192,7 +191,6 @@ private:
   Flipping m_flipping;
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_DISCRETE_CONFORMAL_PARAMETERIZER_3_H

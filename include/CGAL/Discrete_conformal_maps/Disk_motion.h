@@ -12,8 +12,7 @@
 #include <complex>
 #include <cstddef>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// a motion of the hyperbolic plane in the Poincare disk, the Moebius transformation
@@ -118,7 +117,6 @@ private:
   std::array<FT, 4> m_entry;
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_DISK_MOTION_H

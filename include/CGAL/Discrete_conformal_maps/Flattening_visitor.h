@@ -9,8 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// a part of the work of `flatten()`, `uniformize_hyperbolic()` or `map_to_sphere()`.
@@ -33,7 +32,6 @@ struct Default_flattening_visitor : Default_minimization_visitor
   void start(Flattening_stage /* stage */) {}
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTENING_VISITOR_H

@@ -18,13 +18,12 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 template <typename Visitor>
 class Hyperbolic_uniformization;
-}
+} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// the group of motions of the hyperbolic plane that belongs to one component of a closed
@@ -176,7 +175,6 @@ private:
   double m_max_gluing_error = 0;
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_HYPERBOLIC_CONFORMAL_MAP_H

@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// the domain in which a component of a hyperbolic map is laid out, and its images, which tile the
@@ -114,7 +113,6 @@ inline std::complex<double> geodesic_center(const std::complex<double>& z,
   return std::complex<double>(a * w.imag() - b * z.imag(), b * z.real() - a * w.real()) / (2 * det);
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_HYPERBOLIC_TILING_H

@@ -7,8 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// how flat faces, cut open, are laid out in the plane. Up to rounding, all give the same up to
@@ -25,7 +24,6 @@ enum class Layout
   incremental
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_LAYOUT_H

@@ -15,8 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
@@ -76,7 +75,6 @@ FT Lobachevsky_function(const FT& theta)
          2;
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_LOBACHEVSKY_FUNCTION_H

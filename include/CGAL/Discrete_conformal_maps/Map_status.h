@@ -7,8 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMaps
 /// how the computation of a discrete conformal map has ended. `triangle_inequality` and
@@ -71,7 +70,6 @@ inline const char* to_string(Map_status status) { return internal::text_of(statu
 /// returns what `status` means, as part of a sentence for users.
 inline const char* message(Map_status status) { return internal::text_of(status).message; }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_MAP_STATUS_H

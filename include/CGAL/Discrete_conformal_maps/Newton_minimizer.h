@@ -13,13 +13,12 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 template <typename Energy, typename Visitor>
 using Newton_steps = Newton_iteration<Energy, Visitor>;
-}
+} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// minimizes a convex energy by Newton's method with a sparse Cholesky factorization.
@@ -56,7 +55,6 @@ public:
   {}
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_NEWTON_MINIMIZER_H

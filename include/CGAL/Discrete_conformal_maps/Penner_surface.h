@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsEnergy
 /// whether a triangulation follows the scale factors.
@@ -153,7 +152,6 @@ private:
   Intrinsic_triangulations::internal::Edge_stack m_stack;
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_PENNER_SURFACE_H

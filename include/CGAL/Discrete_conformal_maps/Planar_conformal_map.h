@@ -14,13 +14,12 @@
 #include <complex>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 template <typename Visitor>
 class Flattening;
-}
+} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// a discrete conformal map of a surface to the plane: three triangulations with the correspondence
@@ -94,7 +93,6 @@ private:
   std::vector<char> m_is_seam;                  // for each edge of T^C
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_PLANAR_CONFORMAL_MAP_H

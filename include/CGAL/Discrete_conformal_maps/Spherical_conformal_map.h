@@ -18,13 +18,12 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 template <typename Visitor>
 class Sphere_mapping;
-}
+} // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsSphere
 /// a discrete conformal map of a sphere, or of a disk to a hemisphere: three triangulations with
@@ -171,7 +170,6 @@ inline double Spherical_conformal_map::max_inscribed_error() const
   return result;
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_SPHERICAL_CONFORMAL_MAP_H

@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 using Intrinsic_triangulations::Correspondence;
 using Intrinsic_triangulations::Delta_complex;
@@ -443,7 +442,6 @@ private:
   typename Base::Mesh& m_mesh;
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_TRIPLE_SUBDIVISION_H

@@ -7,8 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// what is prescribed at a vertex of a flat surface: its curvature, or how much it is scaled.
@@ -32,7 +31,6 @@ struct Vertex_condition
   static Vertex_condition log_scale(double value) { return {Quantity::log_scale, value}; }
 };
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_VERTEX_CONDITION_H

@@ -16,8 +16,7 @@
 #include <complex>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// returns how far a map is from being discretely conformal: the greatest relative error of a
@@ -60,7 +59,6 @@ inline double max_cross_ratio_error(const Spherical_conformal_map& map)
     mesh, [&](Edge_index e) { return map.ideal().length(e); }, position, map.vertex_at_infinity());
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_CROSS_RATIOS_H

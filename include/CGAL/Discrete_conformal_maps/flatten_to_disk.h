@@ -19,8 +19,7 @@
 #include <sstream>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
@@ -165,7 +164,6 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
   throw Intrinsic_triangulations::Numerical_error(text.str());
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_DISK_H

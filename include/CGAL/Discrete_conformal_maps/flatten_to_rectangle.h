@@ -19,8 +19,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
@@ -128,7 +127,6 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
                              std::numeric_limits<double>::infinity(), np);
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_FLATTEN_TO_RECTANGLE_H

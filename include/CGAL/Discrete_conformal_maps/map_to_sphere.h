@@ -24,8 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
@@ -235,7 +234,6 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
   return mapping.run();
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_MAP_TO_SPHERE_H

@@ -21,8 +21,7 @@
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                                     \
   CGAL_DISCRETE_CONFORMAL_MAPS_OWN_PARAMETERS(DO)
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 #ifndef DOXYGEN_RUNNING
 
@@ -72,7 +71,6 @@ auto layout(const Layout& value);
 
 #endif // DOXYGEN_RUNNING
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_NAMED_PARAMETERS_H

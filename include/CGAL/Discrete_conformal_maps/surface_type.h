@@ -18,8 +18,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// the topology of a connected surface, as far as it decides which constant curvature it can have.
@@ -112,7 +111,6 @@ Surface_type surface_type(const Graph& g)
   return characteristic == 0 && loops == 0 ? Surface_type::torus : Surface_type::hyperbolic;
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_SURFACE_TYPE_H

@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// the faces of an input have no texture coordinates: a map is not projective on them, or is not
@@ -172,7 +171,6 @@ void texture_coordinates(const Planar_conformal_map& map, const Graph& g, Halfed
   });
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_TEXTURE_COORDINATES_H

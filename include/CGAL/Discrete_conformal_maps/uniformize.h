@@ -20,8 +20,7 @@
 #include <complex>
 #include <optional>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// the metric of constant curvature of a surface, and the map that belongs to it.
@@ -85,7 +84,6 @@ Uniformization uniformize(const Graph& g,
   return result;
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_H

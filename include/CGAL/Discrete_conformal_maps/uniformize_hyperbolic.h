@@ -25,8 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
+namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
 
@@ -322,7 +321,6 @@ uniformize_hyperbolic(const Graph& g,
   return uniformization.finish();
 }
 
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_UNIFORMIZE_HYPERBOLIC_H

@@ -23,8 +23,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a surface from which vertices are removed, with the history that maps points of the surface as
@@ -232,7 +231,6 @@ private:
   std::vector<Edge_index> m_waiting; // edges that may not be Delaunay
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_EVOLVING_SURFACE_H

@@ -21,8 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// an edge that leaves the center of a star. What is said of lengths and directions holds before
@@ -335,7 +334,6 @@ private:
   internal::First_spokes m_neighbors;
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_FLATTENED_STAR_H

@@ -22,8 +22,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 using Intrinsic_triangulations::Delta_complex;
 using Intrinsic_triangulations::Edge_index;
@@ -191,7 +190,6 @@ private:
   std::vector<char> m_is_constrained;            // of each edge; empty if none is
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTRINSIC_SURFACE_H

@@ -22,8 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// says how an iteration has ended.
@@ -208,7 +207,6 @@ private:
   internal::Multigrid_cycle m_cycle;
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_MULTIGRID_SOLVER_H

@@ -17,8 +17,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 
@@ -119,7 +118,6 @@ private:
   Eigen::MatrixXd m_coarse;
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_PROLONGED_DISTANCES_H

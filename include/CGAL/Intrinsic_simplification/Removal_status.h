@@ -7,8 +7,7 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// determines whether a vertex can be removed, and if not, why.
@@ -45,7 +44,6 @@ inline const char* to_string(Removal_status status)
   return "unknown";
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_REMOVAL_STATUS_H

@@ -19,8 +19,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the operations that have changed a surface, in their order (Section 5.2).
@@ -130,7 +129,6 @@ private:
   std::vector<Face_corner> m_corners; // of all scalings
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_HISTORY_H

@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a copy of an evolving surface as it is at one time, with indices of elements without gaps, in
@@ -108,7 +107,6 @@ private:
   std::vector<Face_index> m_surface_face;     // ascending
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_LEVEL_H

@@ -16,8 +16,7 @@
 
 #include <CGAL/assertions.h>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 class Curve_tracer;
@@ -106,7 +105,6 @@ inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& 
     Intrinsic_triangulations::Edge_point<double>{first_spoke(v, mesh), 0}, mesh));
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_MAP_H

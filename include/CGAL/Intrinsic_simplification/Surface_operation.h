@@ -16,8 +16,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a corner of a face, in four bytes.
@@ -144,7 +143,6 @@ private:
   std::array<double, 2> m_x;
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_OPERATION_H

@@ -24,8 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// names one of the two levels of a map.
@@ -456,7 +455,6 @@ private:
   typename Base::Mesh& m_mesh;
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_SUBDIVISION_H

@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the cost of removing a vertex: how far curvature, area, or other data on the vertices would have
@@ -295,7 +294,6 @@ private:
   std::vector<Complex> m_moment; // of the spokes of the star at hand
 };
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_TRANSPORT_COST_H

@@ -28,8 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// levels of an evolving surface, and what has been done between them: all that maps need.
@@ -253,7 +252,6 @@ inline Surface_hierarchy read_surface_hierarchy(std::istream& is)
   return internal::Hierarchy_reader(is).read();
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_IO_H

@@ -15,8 +15,7 @@
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                                     \
   CGAL_INTRINSIC_SIMPLIFICATION_OWN_PARAMETERS(DO)
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 #ifndef DOXYGEN_RUNNING
 
@@ -45,7 +44,6 @@ auto maximum_cost(const Number& value);
 
 #endif // DOXYGEN_RUNNING
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_NAMED_PARAMETERS_H

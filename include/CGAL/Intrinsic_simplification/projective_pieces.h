@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a convex polygon inside one face of both levels on which the map between them is one projective
@@ -158,7 +157,6 @@ OutputIterator projective_pieces(const Surface_map& map, OutputIterator out)
   return out;
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_PROJECTIVE_PIECES_H

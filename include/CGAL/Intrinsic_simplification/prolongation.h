@@ -16,8 +16,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// returns the matrix \f$P\f$ that takes values of a function at the vertices of the coarse level
@@ -73,7 +72,6 @@ restriction_matrix(const Eigen::SparseMatrix<double>& prolongation, const Surfac
   return result;
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_PROLONGATION_H

@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// simplifies a surface step by step, each time to a fourth of the vertices, and returns the
@@ -53,7 +52,6 @@ prolongation_hierarchy(Evolving_surface& surface, std::size_t number_of_vertices
   return result;
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_PROLONGATION_HIERARCHY_H

@@ -23,8 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
@@ -220,7 +219,6 @@ Simplification_result simplify(Evolving_surface& surface,
   return simplify(surface, cost, np);
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFY_H

@@ -25,8 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 namespace internal {
 
@@ -196,7 +195,6 @@ tangent_prolongation_matrix(const Surface_map& map,
   return internal::Tangent_map(map, fine_frames, coarse_frames).matrix();
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_TANGENT_PROLONGATION_H

@@ -15,8 +15,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
+namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// says where a point of a traced edge is on the other surface.
@@ -107,7 +106,6 @@ inline std::vector<Trace_piece> trace_fine_edge(Halfedge_index h, const Surface_
                                 map.coarse());
 }
 
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_TRACE_H

@@ -25,8 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// stores the directions of all halfedges of \f$T_2\f$ in frames that do not change when edges are
@@ -241,7 +240,6 @@ private:
   Euclidean_strip<FT> m_strip;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_ANGULAR_COORDINATES_H

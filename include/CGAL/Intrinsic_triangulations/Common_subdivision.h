@@ -15,8 +15,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// the polygon mesh into which the edges of \f$T_1\f$ and \f$T_2\f$ together cut the surface
@@ -254,7 +253,6 @@ private:
   size_type m_number_of_faces = 0;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_COMMON_SUBDIVISION_H

@@ -21,8 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// all crossings of edges of \f$T_1\f$ with edges of \f$T_2\f$, in order along both, with their
@@ -493,7 +492,6 @@ trace_edge(Side side, Halfedge_index h, const Correspondence<Traits>& correspond
   return trace;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_H

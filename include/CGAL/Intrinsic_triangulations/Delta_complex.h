@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// the point of a vertex that has no position.
@@ -452,7 +451,6 @@ bool is_valid_Delta_complex(const Surface_mesh<P>& mesh, bool verbose = false)
   return defect.empty();
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns the number of a mark on the first halfedge of the edge of `h`, if it is mark `p` of `n`
@@ -105,7 +104,6 @@ private:
   std::vector<size_type> m_first; // of each edge, and the number of all
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_MARKS_H

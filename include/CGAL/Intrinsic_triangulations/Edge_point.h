@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// a point on an edge of a triangulation: \f$(1-t)\f$ times the source plus \f$t\f$ times the
@@ -168,7 +167,6 @@ std::array<FT, 3> coordinates_from(Halfedge_index h, const Face_location<FT>& p,
   return {p.second[s], p.second[(s + 1) % 3], p.second[(s + 2) % 3]};
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_POINT_H

@@ -19,8 +19,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 /// defines the geometry of triangles that are flat and Euclidean.
@@ -240,7 +239,6 @@ public:
   Is_triangle is_triangle_object() const { return {}; }
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EUCLIDEAN_GEOMETRY_TRAITS_H

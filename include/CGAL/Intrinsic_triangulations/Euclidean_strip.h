@@ -15,8 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 /// lays out a strip of Euclidean triangles in the plane and intersects its inner edges with the
@@ -220,7 +219,6 @@ private:
   FT m_squared_length{};
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EUCLIDEAN_STRIP_H

@@ -11,8 +11,7 @@
 
 #include <complex>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// says what a geodesic does where it meets the boundary.
@@ -57,7 +56,6 @@ struct Geodesic
   FT length;                  ///< its length
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_H

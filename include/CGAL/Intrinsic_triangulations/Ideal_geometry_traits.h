@@ -14,8 +14,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 /// defines the geometry of ideal hyperbolic triangles whose corners are decorated with horocycles.
@@ -128,7 +127,6 @@ public:
   Is_triangle is_triangle_object() const { return {}; }
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IDEAL_GEOMETRY_TRAITS_H

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 /// intersects the inner edges of a strip of decorated ideal triangles with the geodesic between its
@@ -139,7 +138,6 @@ private:
   FT m_length{};
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IDEAL_STRIP_H

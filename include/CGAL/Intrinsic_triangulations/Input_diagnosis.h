@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
 /// lists what can be wrong with, or worth noting about, an input mesh.
@@ -236,7 +235,6 @@ private:
   Statistics m_statistics;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_DIAGNOSIS_H

@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// holds four values on the edges at a vertex \f$m\f$ that splits the edge \f$ij\f$ of a diamond.
@@ -419,7 +418,6 @@ diamond(const EdgeMap& map, Halfedge_index h, const Delta_complex& mesh)
           map[mesh.edge(mesh.next(o))], map[mesh.edge(mesh.prev(o))]};
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTEGER_COORDINATES_H

@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// holds five values on the edges of a diamond: the edge \f$ij\f$ and the four other sides of its
@@ -138,7 +137,6 @@ void check_range(const Integer& n)
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_NORMAL_COORDINATES_H

@@ -12,8 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// states how a refinement has ended.
@@ -82,7 +81,6 @@ struct Refinement_result
   std::vector<Remaining_face> remaining; ///< the faces that violate the bounds
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_REFINEMENT_RESULT_H

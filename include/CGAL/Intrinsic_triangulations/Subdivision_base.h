@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// a point of a triangulation as a convex combination of one vertex, of the ends of an edge, or of
@@ -257,7 +256,6 @@ private:
   std::array<std::vector<Halfedge_index>, number_of_sides> m_parent_halfedge; // of first halfedges
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SUBDIVISION_BASE_H

@@ -14,8 +14,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsSurfaces
 /// the type of the map of edge lengths of a model of `IntrinsicSurface`.
@@ -70,7 +69,6 @@ Length_of<Surface> edge_length(Halfedge_index h, const Surface& surface)
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_VIEW_H

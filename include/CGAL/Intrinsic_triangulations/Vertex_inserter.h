@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// inserts vertices into a triangulation \f$T_2\f$, and removes them (Section 3.5).
@@ -416,7 +415,6 @@ Face_index Vertex_inserter<Traits>::remove(Vertex_index v, const After_flip& aft
   return f;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_VERTEX_INSERTER_H

@@ -15,8 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex \f$T_1\f$, numbered
@@ -142,7 +141,6 @@ inline Halfedge_index first_inserted_spoke(Halfedge_index along, bool is_border,
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_VERTEX_SPOKES_H

@@ -15,8 +15,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// computes the normalized angle in which the halfedge `h` of \f$T_2\f$ leaves its source, in the
@@ -47,7 +46,6 @@ typename Traits::FT angle_on_input(const Intrinsic_triangulation<Traits>& tri, H
   return internal::Vertex_angles<FT>(tri.input_spoke_before(h), tri.input()).normalized(angle);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_ANGLE_ON_INPUT_H

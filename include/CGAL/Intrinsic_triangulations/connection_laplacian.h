@@ -18,8 +18,7 @@
 #include <complex>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -59,7 +58,6 @@ auto connection_laplacian(const Surface& surface, const Tangent_frames<Length_of
   return internal::connection_laplacian(surface.mesh(), internal::cotan_weights(surface), frames);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTION_LAPLACIAN_H

@@ -13,8 +13,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// the number \f$\pi\f$: `pi<FT>()`.
 using boost::math::constants::pi;
@@ -39,7 +38,6 @@ FT corner_cotangent(const FT& a, const FT& b, const FT& c)
   return doubled_corner_product(a, b, c) / quadrupled_area(a, b, c);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORNER_FORMULAS_H

@@ -21,8 +21,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 template <class Points>
@@ -143,7 +142,6 @@ Input_diagnosis diagnose(const Graph& g,
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DIAGNOSE_H

@@ -16,8 +16,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -57,7 +56,6 @@ void compute_edge_lengths(const Graph& g, LengthMap length,
     put(length, e, internal::distance<FT>(get(point, source(e, g)), get(point, target(e, g))));
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTHS_H

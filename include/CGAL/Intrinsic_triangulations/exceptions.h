@@ -11,8 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
 /// base of all exceptions of the package; `what()` says what is wrong and where.
@@ -70,7 +69,6 @@ public:
   std::size_t line() const { return m_line; }
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXCEPTIONS_H

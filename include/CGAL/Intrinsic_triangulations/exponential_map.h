@@ -18,8 +18,7 @@
 
 #include <complex>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// follows the geodesic that starts at `source` with the tangent vector `vector`, for the length of
@@ -105,7 +104,6 @@ trace_geodesic(const Intrinsic_triangulation<Traits>& tri, Side side, Vertex_ind
   return trace_geodesic(tri.surface(side), v, vector, at_boundary, path);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXPONENTIAL_MAP_H

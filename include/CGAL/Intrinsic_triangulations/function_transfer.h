@@ -22,8 +22,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// returns the matrix that takes the values of a function that is linear on the faces of `side`, at
@@ -162,7 +161,6 @@ transfer_function(const Correspondence<Traits>& correspondence, Side from,
   return factorization.solve(moments);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION_TRANSFER_H

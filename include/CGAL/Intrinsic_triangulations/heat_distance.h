@@ -30,8 +30,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes geodesic distances on a triangulated surface by the heat method \cgalCite{CWW17}, for
@@ -165,7 +164,6 @@ auto heat_distance(const Surface& surface, const Sources& sources,
   return Heat_distance<Length_of<Surface>>(surface, np).distances(sources);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_HEAT_DISTANCE_H

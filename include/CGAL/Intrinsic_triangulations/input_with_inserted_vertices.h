@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -304,7 +303,6 @@ input_with_inserted_vertices(const Intrinsic_triangulation<Traits>& tri)
   return internal::Input_splitter<Traits>(tri).split();
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_WITH_INSERTED_VERTICES_H

@@ -13,8 +13,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// pulls a function that is linear on the faces of one triangulation onto a subdivision, on which
@@ -41,7 +40,6 @@ void interpolate(typename Subdivision::Side side, const Subdivision& subdivision
   }
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERPOLATION_H

@@ -21,8 +21,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
 /// says what a shortest path is like.
@@ -168,7 +167,6 @@ std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surfac
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_LOGARITHMIC_MAP_H

@@ -13,8 +13,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
@@ -151,7 +150,6 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   return internal::make_Delaunay(tri, limit, visitor);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELAUNAY_H

@@ -15,8 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// adds one small number to all edge lengths, so that in every face each triangle inequality holds
@@ -53,7 +52,6 @@ mollify(const Graph& g, LengthMap length,
   return added;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MOLLIFY_H

@@ -28,8 +28,7 @@
   DO(visitor)                                                                                      \
   CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(DO)
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 #ifndef DOXYGEN_RUNNING
 
@@ -82,7 +81,6 @@ auto maximum_number_of_insertions(const Number& value);
 
 #endif // DOXYGEN_RUNNING
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_NAMED_PARAMETERS_H

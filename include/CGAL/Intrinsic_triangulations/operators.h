@@ -19,8 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -159,7 +158,6 @@ auto divergence_matrix(const Surface& surface)
   return assembly.matrix(mesh.num_vertices(), std::size_t(2) * mesh.num_faces());
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_OPERATORS_H

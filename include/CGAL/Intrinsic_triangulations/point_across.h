@@ -17,8 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -125,7 +124,6 @@ Face_location<typename Traits::FT> point_across(const Intrinsic_triangulation<Tr
   return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_POINT_ACROSS_H

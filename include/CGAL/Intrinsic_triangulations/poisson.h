@@ -22,8 +22,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// solves \f$-\Delta u = f\f$ on a triangulated surface for one right-hand side after the other;
@@ -188,7 +187,6 @@ solve_poisson(const Surface& surface, const Eigen::Matrix<FT, Eigen::Dynamic, 1>
   return Poisson_solver<FT>(surface, is_fixed).solve(mass_matrix(surface) * density, values);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_POISSON_H

@@ -21,8 +21,7 @@
 #include <functional>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
@@ -260,7 +259,6 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
     {insertions, flips}, visitor);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_REFINE_H

@@ -18,8 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// a frame of the tangent space at every vertex of a triangulated surface (Section 2.3.2).
@@ -123,7 +122,6 @@ private:
   std::vector<FT> m_angle; // of each halfedge, at its source
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TANGENT_FRAMES_H

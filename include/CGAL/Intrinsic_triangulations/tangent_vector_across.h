@@ -17,8 +17,7 @@
 
 #include <complex>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -67,7 +66,6 @@ tangent_vector_across(const Angular_coordinates<Traits>& angles, Side side, Vert
   return internal::turned_across(side, vector, angles.angle(first_spoke(v, mesh)));
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TANGENT_VECTOR_ACROSS_H

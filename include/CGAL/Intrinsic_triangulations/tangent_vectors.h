@@ -19,8 +19,7 @@
 #include <complex>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -102,7 +101,6 @@ std::complex<Length_of<Surface>> logarithm(const Surface& surface,
   return face.between(p.second, q.second);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TANGENT_VECTORS_H

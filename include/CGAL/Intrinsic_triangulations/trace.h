@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -221,7 +220,6 @@ trace_intrinsic_edge(const Intrinsic_triangulation<Traits>& tri, Halfedge_index 
   return internal::scaled_intrinsic_trace(h, tri).points;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TRACE_H

@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -88,7 +87,6 @@ FT doubled_corner_product(const FT& a, const FT& b, const FT& c)
   return shorter * shorter + scaled_foot(a, (std::max)(b, c));
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGLE_FORMULAS_H

@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// transports tangent vectors from some vertices to all others by the vector heat method
@@ -140,7 +139,6 @@ private:
   internal::Factorization<std::complex<FT>> m_vector_flow;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_H

@@ -9,9 +9,7 @@
 
 #include <limits>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // All tolerances of the package. None depends on the unit of length: they are angles, logarithms
 // of ratios of lengths, or relative to what is compared. Bounds of rounding errors, which are
@@ -78,8 +76,6 @@ inline double next_lift(double lift) { return lift == 0 ? 1e-14 : 100 * lift; }
 constexpr double circle_angle = 1e-10;
 
 } // namespace tolerance
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_TOLERANCES_H

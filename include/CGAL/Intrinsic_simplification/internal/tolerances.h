@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // Every tolerance of the package, with its reason. They are relative, or angles: none depends on
 // the unit of length.
@@ -57,8 +55,6 @@ constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
 // the true one: it has gone through some hundred updates.
 constexpr double residual_rounding = 1000 * std::numeric_limits<double>::epsilon();
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOLERANCES_H

@@ -19,9 +19,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Motions of the plane that put charts beside each other: each lies in the smallest rectangle that
 // holds it, the longer side below, and these stand on shelves, the highest first, with gaps of a
@@ -133,8 +131,6 @@ private:
   std::vector<Complex> m_size; // of the rectangles
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CHART_PACKING_H

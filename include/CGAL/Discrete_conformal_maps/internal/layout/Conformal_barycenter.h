@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The point of hyperbolic space from which masses at infinity are seen in balance: where the
 // weighted sum of directions vanishes (Baden et al. 2018). One mass is at infinity of the upper
@@ -179,8 +177,6 @@ private:
   double m_norm = 1; // of the sum of directions
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CONFORMAL_BARYCENTER_H

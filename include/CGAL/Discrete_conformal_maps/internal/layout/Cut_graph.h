@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The edges of a short tree that joins all terminals of each component: the shortest paths that a
 // minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at walls are joined
@@ -204,8 +202,6 @@ private:
   const std::vector<char>& m_is_wall;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CUT_GRAPH_H

@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The faces of a flat surface with cones, unfolded into the plane one after the other. Directions
 // are turned by the angles of faces, so that small faces beside large ones do not suffer from
@@ -209,8 +207,6 @@ private:
   std::vector<std::size_t> m_number; // of each point in its chart
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_FLAT_LAYOUT_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // For each edge, a distance of its faces: in each, a third of the median. Lengths are sinh(x/2).
 inline std::vector<double> crossing_lengths(const Delta_complex& mesh,
@@ -143,8 +141,6 @@ private:
   std::vector<Motion> m_along; // the translation by the length of each edge
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HYPERBOLIC_LAYOUT_H

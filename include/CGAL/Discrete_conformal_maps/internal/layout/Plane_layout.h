@@ -15,9 +15,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The positions of the vertices of a sphere in the plane, one vertex of it at infinity. `length`
 // has the lengths of edges in the plane; the remaining surface is flat (Section 4.4.5).
@@ -112,8 +110,6 @@ private:
   std::vector<Point> m_position;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_LAYOUT_H

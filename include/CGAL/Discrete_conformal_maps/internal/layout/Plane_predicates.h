@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Exact predicates on points of the plane with coordinates of any floating point type: a filter
 // first, then integers.
@@ -130,8 +128,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_PREDICATES_H

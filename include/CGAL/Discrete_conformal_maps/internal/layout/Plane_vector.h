@@ -9,9 +9,7 @@
 
 #include <complex>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // A vector in the plane that is multiplied as a complex number; `std::complex` is for built-in
 // numbers only.
@@ -41,8 +39,6 @@ struct Plane_vector
   }
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_PLANE_VECTOR_H

@@ -12,9 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Closes open edges from the ends of their graph on: around a vertex with one open edge that is no
 // terminal, all faces fit. `is_open` says of each edge whether it is open, and then whether it
@@ -50,8 +48,6 @@ inline void close_ends(const Delta_complex& mesh, const std::vector<char>& is_te
   }
 }
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SEAM_PRUNING_H

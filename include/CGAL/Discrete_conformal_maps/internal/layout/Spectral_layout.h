@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The spectral conformal layout of one chart (Mullen, Tong, Alliez, Desbrun 2008): the eigenvector
 // of L z = lambda B z with the least eigenvalue beside the constants, where z^* L z is the
@@ -236,8 +234,6 @@ private:
   std::vector<Boundary_edge> m_boundary;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPECTRAL_LAYOUT_H

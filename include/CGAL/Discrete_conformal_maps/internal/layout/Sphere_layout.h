@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The vertices of a sphere in the plane, one at infinity, such that the inverse of the
 // stereographic projection has their center of mass in the center of the sphere; and the
@@ -126,8 +124,6 @@ private:
   Convexity_certificate m_certificate;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERE_LAYOUT_H

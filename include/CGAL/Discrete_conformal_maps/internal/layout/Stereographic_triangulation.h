@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // A triangulated sphere with vertices in the plane and one at infinity: the stereographic
 // projection of an inscribed polyhedron. It can be made exactly Delaunay, which is convex on the
@@ -141,8 +139,6 @@ private:
   Vertex_index m_at_infinity;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_TRIANGULATION_H

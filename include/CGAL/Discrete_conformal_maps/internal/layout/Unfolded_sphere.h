@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // A sphere unfolded from one of its vertices, with more and more digits until the result is good.
 class Unfolded_sphere
@@ -194,8 +192,6 @@ private:
   bool m_is_extended = false;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_UNFOLDED_SPHERE_H

@@ -13,9 +13,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The length cross ratio of the edge of `h` between the vertices k and m: jk im / (ki mj), where h
 // is ij.
@@ -57,8 +55,6 @@ double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Leng
   return result;
 }
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_STEREOGRAPHIC_CROSS_RATIOS_H

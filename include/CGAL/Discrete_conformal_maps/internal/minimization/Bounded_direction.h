@@ -18,9 +18,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Finds directions that lead to the minimum of a quadratic function under lower bounds, from the
 // gradient and Hessian of a convex function. If the Hessian is damped, then as in
@@ -177,8 +175,6 @@ private:
   bool m_is_damped = false;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_BOUNDED_DIRECTION_H

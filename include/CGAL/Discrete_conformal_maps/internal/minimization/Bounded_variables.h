@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Variables with lower bounds, and fixed ones. No direction is free of change.
 class Bounded_variables
@@ -73,8 +71,6 @@ private:
   Vector m_lower_bound;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_BOUNDED_VARIABLES_H

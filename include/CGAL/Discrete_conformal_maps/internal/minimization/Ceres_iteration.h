@@ -23,9 +23,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // One run of Ceres on the variables that move. Exceptions do not pass through Ceres: they wait
 // until it has returned.
@@ -170,8 +168,6 @@ private:
   std::exception_ptr m_exception;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_CERES_ITERATION_H

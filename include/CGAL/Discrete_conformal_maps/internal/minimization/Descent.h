@@ -17,9 +17,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // When a minimization ends.
 struct Minimization_limits
@@ -115,8 +113,6 @@ private:
   std::size_t m_evaluations = 0;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_DESCENT_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Solves systems with a symmetric positive semidefinite matrix from which the rows and columns of
 // some variables are left out; what is left is positive definite, up to rounding. Solutions are
@@ -58,8 +56,6 @@ private:
   Solver m_solver;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_DIRICHLET_SOLVER_H

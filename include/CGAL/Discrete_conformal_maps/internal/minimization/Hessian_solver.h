@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Solves with matrix after matrix of similar pattern. The order of elimination, the costly part of
 // the analysis, is kept while it is still good. `Cholesky` is `Simplicial_Cholesky` or
@@ -93,8 +91,6 @@ private:
   std::size_t m_factorizations = 0, m_symbolic_analyses = 0, m_orderings = 0;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_HESSIAN_SOLVER_H

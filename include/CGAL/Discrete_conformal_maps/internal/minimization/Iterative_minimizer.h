@@ -16,9 +16,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // A model of `ConvexMinimizer` whose steps are those of an `Iteration<Energy, Visitor>`.
 template <template <typename, typename> class Iteration>
@@ -53,8 +51,6 @@ private:
   Minimization_limits m_limits;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_ITERATIVE_MINIMIZER_H

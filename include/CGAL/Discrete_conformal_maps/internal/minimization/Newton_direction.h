@@ -19,9 +19,7 @@
 
 #include <Eigen/SparseCore>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 #ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
 typedef Supernodal_Cholesky Default_Cholesky;
@@ -125,8 +123,6 @@ private:
   bool m_is_damped = false;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_NEWTON_DIRECTION_H

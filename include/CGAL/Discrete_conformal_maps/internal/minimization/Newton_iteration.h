@@ -21,9 +21,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // One run of Newton's method.
 template <typename Energy, typename Visitor, typename Variables = Free_variables,
@@ -184,8 +182,6 @@ private:
   int m_failures = 0; // steps within rounding, in a row, that were not good
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_NEWTON_ITERATION_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The upper triangle of some rows and columns of a symmetric matrix, in a given order. Where each
 // entry goes is remembered for matrices of the same pattern.
@@ -123,8 +121,6 @@ private:
   std::vector<int> m_target;         // for its entries, where they go; -1: nowhere
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_REORDERED_MATRIX_H

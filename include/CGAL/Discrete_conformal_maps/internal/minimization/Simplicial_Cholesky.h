@@ -11,9 +11,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Eigen's Cholesky factorization of matrices given by their upper triangles, in the order they
 // have.
@@ -50,8 +48,6 @@ public:
   double size() const { return static_cast<double>(m_matrix.nonZeros()); }
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_SIMPLICIAL_CHOLESKY_H

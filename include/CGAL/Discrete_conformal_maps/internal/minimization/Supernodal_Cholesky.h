@@ -14,9 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // CHOLMOD's workspace and settings.
 class Cholmod_workspace
@@ -141,8 +139,6 @@ private:
   cholmod_factor* m_factor = nullptr;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_SUPERNODAL_CHOLESKY_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // rows and values, of which those in one row add up
 typedef std::vector<std::pair<int, double>> Column_entries;
@@ -49,8 +47,6 @@ void assemble_columns(const Intrinsic_triangulations::Delta_complex& mesh, const
   matrix.finalize();
 }
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_ASSEMBLE_COLUMNS_H

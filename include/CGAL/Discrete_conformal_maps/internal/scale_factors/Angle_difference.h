@@ -13,9 +13,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // What a full turn exceeds an angle and those that are subtracted from it, with as many digits as
 // double has also where that is little.
@@ -70,8 +68,6 @@ private:
   double m_angle, m_rest;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_ANGLE_DIFFERENCE_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // What the energies of scale factors have in common, whose derivatives are angle defects: a surface
 // that is scaled, the angles of its faces, and the Hessian, a cotan Laplacian. `Derived` has the
@@ -177,8 +175,6 @@ private:
   mutable bool m_has_Hessian = false;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_ANGLE_ENERGY_H

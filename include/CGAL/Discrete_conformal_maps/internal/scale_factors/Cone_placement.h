@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Greedy cones. The scale factors that make the surface flat are estimated by one linear system; a
 // cone is placed where they are greatest, and the estimate is zero there from then on. For a new
@@ -85,8 +83,6 @@ private:
   Vector m_estimate;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_CONE_PLACEMENT_H

@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The cosine and the sine of an angle, up to a common factor.
 template <typename FT>
@@ -34,8 +32,6 @@ struct Corner
   }
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_CORNER_H

@@ -28,9 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The surface that is uniformized, without boundary, and what is prescribed at its vertices. A
 // surface with boundary is doubled (Section 4.3.4); the vertices on its boundary have twice the
@@ -274,8 +272,6 @@ private:
   Vector m_value; // a scale factor or an angle defect
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_DOUBLED_PROBLEM_H

@@ -11,9 +11,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Two copies of a surface, glued along the boundary (Section 4.3.4). The first keeps its numbers;
 // the border halfedges of the surface become those of the second copy. Components without boundary
@@ -95,8 +93,6 @@ private:
   std::vector<Face_index> m_face;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_DOUBLED_SURFACE_H

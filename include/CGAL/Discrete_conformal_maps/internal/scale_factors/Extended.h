@@ -13,9 +13,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #endif
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 #ifdef CGAL_USE_MPFR // many times as fast
 template <unsigned int digits>
@@ -33,8 +31,6 @@ typedef boost::multiprecision::number<Extended_backend<34>, boost::multiprecisio
 typedef boost::multiprecision::number<Extended_backend<115>, boost::multiprecision::et_off>
   More_extended;
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_EXTENDED_H

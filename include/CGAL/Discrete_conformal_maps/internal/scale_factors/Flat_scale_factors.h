@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The scale factors of a doubled problem with flat faces, and the cones it needs.
 class Flat_scale_factors : public Scale_factors<Flat_triangle>
@@ -172,8 +170,6 @@ private:
   std::vector<Vertex_index> m_cones;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_FLAT_SCALE_FACTORS_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that violate
 // the triangle inequality have the limits of angles: pi opposite to the longest, zero elsewhere.
@@ -78,8 +76,6 @@ private:
   bool m_is_flat;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_FLAT_TRIANGLE_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // A hyperbolic triangle with sides x, given as l = sinh(x/2). Side s leads from corner s to the
 // next.
@@ -91,8 +89,6 @@ private:
   FT m_squares;                // the sum of all l^2
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_HYPERBOLIC_TRIANGLE_H

@@ -17,9 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // A closed ideal polyhedron, one vertex of which has no horocycle, in the triangulation that is
 // Delaunay for given scale factors of the others (Section 4.4.1). Without that vertex, its edges
@@ -94,8 +92,6 @@ private:
   FT m_margin = FT(0); // of ties: the rounding error of squared lengths
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_PARTIALLY_DECORATED_SURFACE_H

@@ -12,9 +12,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // A closed ideal polyhedron with Penner lengths. Its edges turn by Ptolemy's relation (Equation
 // 4.4), and the flips are recorded.
@@ -84,8 +82,6 @@ struct Horocyclic_arcs
     at_k, at_l;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_PTOLEMY_SURFACE_H

@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The scale factors of a doubled problem, with faces of the geometry of `Triangle`.
 template <template <typename> class Triangle>
@@ -222,8 +220,6 @@ private:
   double m_max_curvature_error = 0;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SCALE_FACTORS_H

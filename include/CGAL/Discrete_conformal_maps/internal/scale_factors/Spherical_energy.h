@@ -17,9 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The energy whose minimum under lower bounds are the scale factors that unfold a sphere, without
 // one of its vertices, into the plane (Section 4.4.2). A model of `ConvexEnergy`. Scale factors are
@@ -95,8 +93,6 @@ FT Spherical_energy<FT>::value() const
   return sum;
 }
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SPHERICAL_ENERGY_H

@@ -21,9 +21,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The scale factors that unfold a sphere, without one of its vertices, into the plane (Section
 // 4.4.4).
@@ -160,8 +158,6 @@ private:
   Minimization_result m_result;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SPHERICAL_SCALE_FACTORS_H

@@ -9,9 +9,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The factor by which logarithmic scale factors that sum up to `u` multiply lengths.
 template <typename FT>
@@ -29,8 +27,6 @@ FT scaled_length(const FT& length, const Factor&... factor)
   return (length * ... * factor);
 }
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SCALED_LENGTH_H

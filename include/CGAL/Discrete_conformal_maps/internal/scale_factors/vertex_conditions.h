@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // What is prescribed at the vertices of `g`, by numbers. Where the caller says nothing: flat
 // inside, and `on_boundary` on the boundary.
@@ -43,8 +41,6 @@ std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_comp
   return result;
 }
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_VERTEX_CONDITIONS_H

@@ -21,9 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The border halfedges of a loop, in their order; the surface is on their right.
 typedef std::vector<Halfedge_index> Boundary_loop;
@@ -101,8 +99,6 @@ inline std::vector<double> flat_boundary_lengths(const Planar_conformal_map& map
   return result;
 }
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_BOUNDARY_LOOP_H

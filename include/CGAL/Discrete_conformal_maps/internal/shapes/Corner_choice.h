@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Chooses the corners of a rectangle among the vertices of a loop.
 class Corner_choice
@@ -84,8 +82,6 @@ private:
   std::vector<std::size_t> m_order; // the sharpest first
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_CORNER_CHOICE_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <deque>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Finds a fixed point of a function in fewer evaluations than by repeating it: goes to the fixed
 // point of the linear function through the last evaluations (Anderson's method).
@@ -66,8 +64,6 @@ private:
   Vector m_image, m_residual;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FIXED_POINT_ACCELERATION_H

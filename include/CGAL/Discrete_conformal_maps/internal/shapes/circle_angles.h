@@ -15,9 +15,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // Returns the exterior angles of the polygon in a circle whose edges have these lengths: at the
 // start of each edge. Half the angle under which the center sees an edge of length l, in a circle
@@ -51,8 +49,6 @@ inline std::vector<double> circle_angles(const std::vector<double>& length)
   return result;
 }
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_CIRCLE_ANGLES_H

@@ -14,9 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // The crossings of chords of a disk, from the order of their ends on the boundary alone. There are
 // two families; chords of one family do not cross. A chord leads from its first end to its last.
@@ -145,8 +143,6 @@ private:
   std::vector<std::size_t> m_order; // crossings along each chord
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_CHORD_CROSSINGS_H

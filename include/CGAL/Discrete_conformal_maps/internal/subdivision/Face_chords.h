@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 // the part of an edge of A or C in a face of B, from its first end to its last
 template <typename FT>
@@ -246,8 +244,6 @@ private:
   std::vector<std::array<FT, 2>> m_places;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_FACE_CHORDS_H

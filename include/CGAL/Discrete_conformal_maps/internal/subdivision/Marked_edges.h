@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Discrete_conformal_maps {
-namespace internal {
+namespace CGAL::Discrete_conformal_maps::internal {
 
 using Intrinsic_triangulations::Correspondence;
 using Intrinsic_triangulations::Delta_complex;
@@ -237,8 +235,6 @@ private:
   std::vector<Mark<FT>> m_marks;
 };
 
-} // namespace internal
-} // namespace Discrete_conformal_maps
-} // namespace CGAL
+} // namespace CGAL::Discrete_conformal_maps::internal
 
 #endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SUBDIVISION_MARKED_EDGES_H

@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // A straight piece of a curve in a face.
 struct Curve_segment
@@ -273,8 +271,6 @@ private:
   std::vector<Curve_segment> m_result;
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_CURVE_TRACER_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::is_first_halfedge;
@@ -376,8 +374,6 @@ private:
   std::vector<Surface_map::Location> m_fine_bends;
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_MARKED_FINE_EDGES_H

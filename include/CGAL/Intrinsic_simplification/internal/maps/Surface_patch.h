@@ -14,9 +14,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // The faces that an operation changes, before and after it, are a patch with four corners. On
 // homogeneous coordinates of the patch an operation is linear. A point has coordinates only; a
@@ -128,8 +126,6 @@ inline Patch_point between(const Patch_point& p, const Patch_point& q, double at
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_SURFACE_PATCH_H

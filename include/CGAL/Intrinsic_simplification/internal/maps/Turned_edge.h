@@ -15,9 +15,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // A flip or the inverse of one: the faces pqr and qpo become orp and roq.
 class Turned_edge
@@ -145,8 +143,6 @@ private:
   Patch_coordinates m_crossing;                 // of p and q, and of o and r
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_TURNED_EDGE_H

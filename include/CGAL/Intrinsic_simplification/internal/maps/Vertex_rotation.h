@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // The edges of a subdivision and their cyclic order around its vertices. The pieces of edges of the
 // fine level come first. A piece of an edge of the coarse level is one of them if it runs along it;
@@ -263,8 +261,6 @@ private:
   std::vector<Chord_end> m_chord_ends; // in the order of corners and counterclockwise around them
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_VERTEX_ROTATION_H

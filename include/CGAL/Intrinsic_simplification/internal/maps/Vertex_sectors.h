@@ -15,9 +15,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // The removal of a vertex or its inverse: the sectors m01, m12 and m20, of which m20 is missing at
 // the boundary, are the face 012.
@@ -171,8 +169,6 @@ private:
   std::array<Face_corner, 3> m_sector;
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_VERTEX_SECTORS_H

@@ -14,9 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // Carries a point, which is in a face of the evolving surface, through operations on its face.
 // Coordinates are homogeneous. The direction is a constant, and faces of a patch are named by
@@ -94,8 +92,6 @@ Location carry_point(Location p, const Route& route)
   return p;
 }
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_CARRY_POINT_H

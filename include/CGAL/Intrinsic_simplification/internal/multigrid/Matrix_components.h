@@ -16,9 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // The connected components of the graph of a symmetric matrix, and those of them on which constants
 // are mapped to zero.
@@ -79,8 +77,6 @@ private:
   std::vector<char> m_is_floating;  // of each component
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MULTIGRID_MATRIX_COMPONENTS_H

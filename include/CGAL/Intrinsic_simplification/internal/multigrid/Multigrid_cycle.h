@@ -18,9 +18,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 typedef Eigen::SparseMatrix<double> Matrix;
 typedef Eigen::VectorXd Vector;
@@ -156,8 +154,6 @@ private:
   std::unique_ptr<Coarse_solver> m_coarse_solver;
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MULTIGRID_MULTIGRID_CYCLE_H

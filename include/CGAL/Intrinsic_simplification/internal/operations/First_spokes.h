@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // The first spoke of a star to each neighbor. A hash table of its own, which stays in the cache.
 class First_spokes
@@ -49,8 +47,6 @@ private:
   std::vector<std::pair<Vertex_index, std::uint32_t>> m_entries;
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_FIRST_SPOKES_H

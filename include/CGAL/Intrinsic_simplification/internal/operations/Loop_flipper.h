@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // Flattens a vertex with loops in place and flips the loops away; all can be undone.
 class Loop_flipper
@@ -117,8 +115,6 @@ private:
   Surface_history::Time m_start = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_LOOP_FLIPPER_H

@@ -20,9 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // a point of the plane
 struct Plane_point
@@ -196,8 +194,6 @@ private:
   bool m_is_border = false;
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_STAR_POLYGON_H

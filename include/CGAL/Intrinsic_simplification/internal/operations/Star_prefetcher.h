@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // asks for a byte of memory that will be read soon; no effect but on time
 inline void prefetch(const void* address)
@@ -102,8 +100,6 @@ private:
   std::vector<Walk> m_walks;
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_STAR_PREFETCHER_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // Vertices with keys, the least on top; of equal keys the vertex with the least number.
 class Vertex_heap
@@ -124,8 +122,6 @@ private:
   std::vector<std::uint32_t> m_place; // of each vertex in the heap
 };
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_VERTEX_HEAP_H

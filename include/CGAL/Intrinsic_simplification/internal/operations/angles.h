@@ -13,9 +13,7 @@
 #include <cmath>
 #include <complex>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 using Intrinsic_triangulations::pi;
 
@@ -79,8 +77,6 @@ inline double argument(const std::complex<double>& z)
   return t * (1 - s * (1 / 3. - s * (1 / 5. - s * (1 / 7. - s * (1 / 9. - s / 11)))));
 }
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_ANGLES_H

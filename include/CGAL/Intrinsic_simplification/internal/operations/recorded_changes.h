@@ -17,9 +17,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_simplification {
-namespace internal {
+namespace CGAL::Intrinsic_simplification::internal {
 
 // What a flip of ij to lk needs: the new length, and the places where the two cross, measured from
 // i and l.
@@ -59,8 +57,6 @@ inline void scale(const Flattened_star& star, Intrinsic_surface& surface, Surfac
     surface.set_length(surface.mesh().edge(star[n].halfedge), star.flat_length(n));
 }
 
-} // namespace internal
-} // namespace Intrinsic_simplification
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_OPERATIONS_RECORDED_CHANGES_H

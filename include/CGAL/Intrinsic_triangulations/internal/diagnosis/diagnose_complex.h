@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A corner names its vertex and the side of its face that leaves it.
 // `forward` states whether that side runs from the first to the second end of its edge.
@@ -272,8 +270,6 @@ private:
   typename boost::property_map<Graph, Halfedge_tag>::const_type m_corner;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DIAGNOSIS_DIAGNOSE_COMPLEX_H

@@ -20,9 +20,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
 
@@ -212,8 +210,6 @@ private:
   std::vector<double> m_corner_length; // of the side that leaves the corner
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DIAGNOSIS_DIAGNOSE_METRIC_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Edges that wait to be looked at, each at most once.
 class Edge_stack
@@ -102,8 +100,6 @@ void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& i
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_EDGE_STACK_H

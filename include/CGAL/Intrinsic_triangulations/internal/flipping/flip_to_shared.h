@@ -11,9 +11,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Flips every edge that the first curve in the corner of `spoke` crosses, so that the curve becomes
 // an edge. Returns the number of flips.
@@ -83,8 +81,6 @@ std::string curve_defect(const Integer_coordinates<Integer>& coordinates, const 
   return {};
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_TO_SHARED_H

@@ -19,9 +19,7 @@
 #include <complex>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 template <typename FT>
 FT dot(const std::complex<FT>& v, const std::complex<FT>& w)
@@ -168,8 +166,6 @@ Length_of<Surface> angle_at_source(Halfedge_index h, const Surface& surface)
                                           edge_length(mesh.prev(h), surface));
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_FLAT_FACE_H

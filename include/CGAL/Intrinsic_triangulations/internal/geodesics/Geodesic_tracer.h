@@ -27,9 +27,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Walks from face to face along a straight line. The state is a point and a direction in the frame
 // of the halfedge `m_h`: all that is known of the line, and nothing that grows with its length.
@@ -300,8 +298,6 @@ private:
   std::size_t m_idle_steps = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_GEODESIC_TRACER_H

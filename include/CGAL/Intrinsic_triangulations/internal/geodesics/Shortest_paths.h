@@ -25,9 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Shortest paths from one point to all vertices, or to one more point: faces are unfolded along the
 // views from the source, nearest first; a view that cannot contain a shortest path is given up (Xin
@@ -370,8 +368,6 @@ private:
   std::priority_queue<View> m_views;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_SHORTEST_PATHS_H

@@ -17,9 +17,7 @@
 #include <cmath>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The angles at one vertex: on the surface, counterclockwise from a given spoke, and normalized,
 // from its first spoke (Section 2.3.2).
@@ -65,8 +63,6 @@ private:
   bool m_is_border;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_VERTEX_ANGLES_H

@@ -21,9 +21,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The place of the source of a halfedge of T2 in the face of T1 into which it leads. This is laid
 // out with the spoke before the halfedge on the x-axis, or with halfedge(f) if the source lies
@@ -109,8 +107,6 @@ typename Traits::FT angle_of_inserted_spoke(Halfedge_index h,
   return spoke.is_valid() && tri.number_of_inserted_spoke(spoke) == 1 ? pi<FT>() : FT(0);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_ANGLE_IN_STRIP_H

@@ -18,9 +18,7 @@
 #include <iterator>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The numbers that the elements of a graph get in the Delta-complex: those of their order in the
 // ranges vertices(g), edges(g), faces(g); halfedge(e, g) is the first halfedge of its edge.
@@ -157,8 +155,6 @@ Delta_complex::size_type size_of(const Range& range)
   return static_cast<Delta_complex::size_type>(std::distance(range.begin(), range.end()));
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_COPY_INPUT_H

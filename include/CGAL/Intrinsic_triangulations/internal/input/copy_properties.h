@@ -17,9 +17,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 [[noreturn]] inline void fail_at_length(Edge_index e, const Delta_complex& mesh)
 {
@@ -102,8 +100,6 @@ void copy_constraints([[maybe_unused]] const Graph& g, [[maybe_unused]] const Na
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_COPY_PROPERTIES_H

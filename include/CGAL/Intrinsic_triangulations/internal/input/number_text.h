@@ -15,9 +15,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The shortest hexadecimal text of a finite positive number, with the prefix 0x, whatever the
 // locale.
@@ -116,8 +114,6 @@ private:
   std::size_t m_number = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_NUMBER_TEXT_H

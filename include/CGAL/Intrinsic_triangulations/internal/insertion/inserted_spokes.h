@@ -15,9 +15,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 template <typename Traits>
 typename Traits::FT checked_length(const Triangulation_pair<Traits>& pair,
@@ -96,8 +94,6 @@ Merged_edge merged_edge(const Triangulation_pair<Traits>& pair, Vertex_index v)
   return {};
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_INSERTED_SPOKES_H

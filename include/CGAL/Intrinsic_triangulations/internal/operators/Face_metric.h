@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A face laid out in its frame: corner 0 at the origin, corner 1 on the x-axis, corner 2 above it.
 template <typename FT>
@@ -82,8 +80,6 @@ private:
   FT m_quadrupled_area;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_FACE_METRIC_H

@@ -18,9 +18,7 @@
 #include <memory>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The factorization of a Hermitian positive definite matrix; real if `Scalar` is.
 template <typename Scalar>
@@ -55,8 +53,6 @@ private:
   std::unique_ptr<Eigen::SimplicialLDLT<Matrix>> m_solver; // cannot be moved itself
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_FACTORIZATION_H

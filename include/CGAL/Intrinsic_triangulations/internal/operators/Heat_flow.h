@@ -24,9 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 template <typename FT, typename NamedParameters>
 FT checked_time_step_factor(const NamedParameters& np)
@@ -150,8 +148,6 @@ private:
   Factorization<FT> m_factorization;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_HEAT_FLOW_H

@@ -14,9 +14,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Numbers the connected components of a surface; an isolated (or removed) vertex is one of its own.
 class Mesh_components
@@ -53,8 +51,6 @@ private:
   std::size_t m_size = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_MESH_COMPONENTS_H

@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Collects the entries of a sparse matrix; entries at one place add up.
 template <typename Scalar>
@@ -46,8 +44,6 @@ private:
   std::vector<Eigen::Triplet<Scalar>> m_entries;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_SPARSE_ASSEMBLY_H

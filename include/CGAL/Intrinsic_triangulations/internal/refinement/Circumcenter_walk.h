@@ -17,9 +17,7 @@
 #include <complex>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Walks from the barycenter of a face straight to its circumcenter (Figure 3.10, right), in the
 // plane of the triangles passed.
@@ -172,8 +170,6 @@ private:
   FT m_along{};
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_CIRCUMCENTER_WALK_H

@@ -21,9 +21,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 struct Refinement_limits
 {
@@ -267,8 +265,6 @@ private:
   std::vector<char> m_is_free; // vertices that may be removed
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_DELAUNAY_REFINEMENT_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The sides of a face of T2, each laid out on the triangles of T1 that it passes (see `Face_map`).
 // An object can be used for many faces.
@@ -84,8 +82,6 @@ private:
   typename Traits::Geodesic_strip m_strip;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_LOCAL_MARKS_H

@@ -21,9 +21,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The vertices at which no triangulation can have large angles: the angle around them, or between
 // two boundary or constrained edges, is less than 60 degrees (Section 3.6).
@@ -136,8 +134,6 @@ private:
   std::vector<char> m_is_narrow;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_NARROW_VERTICES_H

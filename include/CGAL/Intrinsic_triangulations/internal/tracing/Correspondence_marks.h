@@ -12,9 +12,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // the sides of a face as a correspondence has them
 template <typename Traits>
@@ -63,8 +61,6 @@ private:
   const Correspondence<Traits>& m_correspondence;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CORRESPONDENCE_MARKS_H

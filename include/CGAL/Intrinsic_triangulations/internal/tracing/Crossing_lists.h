@@ -18,9 +18,7 @@
 #include <initializer_list>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The halfedges of T1 that cross each edge of T2, in order, while T2 changes. So everything that an
 // insertion needs is at hand, however far the edges of T1 run. Of a shared edge the list has the
@@ -163,8 +161,6 @@ private:
   std::vector<List> m_list;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_LISTS_H

@@ -16,9 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The places on a halfedge of T1 from one vertex of T2 on it to the next.
 template <typename FT>
@@ -114,8 +112,6 @@ private:
   std::vector<typename Traits::Geodesic_strip::Crossing> m_positions;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_EDGE_TRACER_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 template <typename FT>
 using Barycentric_coordinates = std::array<FT, 3>;
@@ -312,8 +310,6 @@ private:
   Face_regions m_regions;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_FACE_MAP_H

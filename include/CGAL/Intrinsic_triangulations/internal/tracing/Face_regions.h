@@ -12,9 +12,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A corner of a region of a face: corner `side` of the face if `mark` is `none`, otherwise crossing
 // number `mark` on side `side`, which leads from corner `side` to the next one.
@@ -267,8 +265,6 @@ private:
   std::size_t m_leaving = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_FACE_REGIONS_H

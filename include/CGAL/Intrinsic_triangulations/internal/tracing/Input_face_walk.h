@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Finds points of a face of T1 with vertices of T2 inside it: walks from a corner of the face
 // straight to the point, through regions of faces of T2. If rounding leads to a wrong region, all
@@ -193,8 +191,6 @@ private:
   const Delta_complex& m_mesh;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_INPUT_FACE_WALK_H

@@ -10,9 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // whether the crossings of this geometry have scales (see the concept `GeodesicStrip`)
 template <typename Traits, typename = void>
@@ -35,8 +33,6 @@ typename Traits::FT scale_of(const typename Traits::Geodesic_strip::Crossing& cr
     return typename Traits::FT(1);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_SCALE_H

@@ -11,9 +11,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Lays out the triangles of `surface` that a line passes which leaves a face through each of the
 // halfedges exit(0), ..., exit(n - 1). n > 0. The line starts at the corner opposite to exit(0) and
@@ -39,8 +37,6 @@ void lay_out_strip(Strip& strip, const Surface& surface, const Exit& exit, std::
   strip.finish(length(ji), length(mesh.prev(ji)), length(mesh.next(ji)), ends.second...);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_LAY_OUT_STRIP_H

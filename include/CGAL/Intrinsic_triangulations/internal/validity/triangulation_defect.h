@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Whether the place of an inserted vertex makes sense by itself.
 template <typename FT>
@@ -79,8 +77,6 @@ std::string correspondence_defect(const Triangulation_pair<Traits>& pair)
   return curve_defect(coordinates, mesh, input, pair.spokes());
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDITY_TRIANGULATION_DEFECT_H
