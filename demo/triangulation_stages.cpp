@@ -31,6 +31,7 @@ struct Flip_counter
   Progress_bar& progress;
 
   void after_flip(IT::Halfedge_index) { progress.step(); }
+  void before_exact_flips() {}
 };
 
 Edge_bool_map constrained_edges(Mesh& mesh, double angle)

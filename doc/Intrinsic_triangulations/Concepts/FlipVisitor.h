@@ -17,4 +17,7 @@ public:
   /// triangulation is valid then, and must not be changed here. An exception leaves
   /// `make_Delaunay()`.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
+
+  /// is called if lengths leave too much in doubt, before flipping goes on with exact decisions.
+  void before_exact_flips();
 };

@@ -23,6 +23,9 @@ public:
   /// `h` leads along the new edge.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
+  /// is called if lengths leave too much in doubt, before flipping goes on with exact decisions.
+  void before_exact_flips();
+
   /// is called after the vertex `v` has been inserted by `inserter`, before any edge is flipped.
   template <typename Traits>
   void after_insertion(CGAL::Intrinsic_triangulations::Vertex_index v,

@@ -114,6 +114,9 @@ public:
     set_angle(m_tri.mesh().opposite(h));
   }
 
+  /// does nothing: how flips are decided does not matter here.
+  void before_exact_flips() {}
+
   /// computes the angles of all edges at `v`, which has just been inserted. The direction of one of
   /// them comes from the triangles of \f$T_1\f$ that it passes: a shared one, one that passes a
   /// single triangle, or else the longest. Complexity: linear in the degree of `v` and the

@@ -127,6 +127,9 @@ public:
   /// zero area over its long side gives way.
   struct Is_locally_Delaunay
   {
+    /// the relative error that is granted to every length.
+    FT error = rounding_unit<FT>();
+
     /// returns whether the edge is Delaunay.
     bool operator()(const Diamond<FT>& length) const
     {
@@ -137,8 +140,7 @@ public:
       if(is_surely_less(outer(length), inner(length)))
         return false;
       return compare_sum_with_pi({length.jk, length.ki, length.ij},
-                                 {length.lj, length.il, length.ij},
-                                 rounding_unit<FT>()) != POSITIVE;
+                                 {length.lj, length.il, length.ij}, error) != POSITIVE;
     }
 
     /// returns whether the edge is Delaunay and far from a tie. Branch-free: in loops over all
@@ -161,11 +163,8 @@ public:
       return length.ij * length.ij * (length.jk * length.ki + length.il * length.lj);
     }
 
-    // each side changes by four units with the lengths; the rest is for what is rounded here
-    static bool is_surely_less(const FT& x, const FT& y)
-    {
-      return (1 + 10 * rounding_unit<FT>()) * x < y;
-    }
+    // each side changes by four errors with the lengths; the rest is for what is rounded here
+    bool is_surely_less(const FT& x, const FT& y) const { return (1 + 10 * error) * x < y; }
   };
 
   /// decides whether the diamond is strictly convex at \f$i\f$ and \f$j\f$, so that \f$ij\f$ can be

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
@@ -34,6 +35,8 @@ namespace internal {
 
 template <typename Traits>
 class Input_splitter;
+template <typename Traits>
+class Exact_flipping;
 
 } // namespace internal
 
@@ -63,6 +66,7 @@ class Intrinsic_triangulation : public Triangulation_pair<Traits_>
   using Base::attach;
   using Base::m_coordinates;
   using Base::m_input;
+  using Base::m_input_metric;
   using Base::m_inserted;
   using Base::m_is_constrained;
   using Base::m_length;
@@ -139,6 +143,7 @@ public:
     internal::with_numbering(g, [&](const auto& numbering) {
       internal::copy_connectivity(g, numbering, m_input);
       internal::copy_lengths(g, np, numbering, input(), m_traits);
+      internal::copy_metric(g, np, numbering, m_input, m_input_metric);
     });
     m_mesh = m_input;
     attach();
@@ -182,7 +187,10 @@ public:
   /// strictly convex, so that `flip()` gives a triangulation of the surface again.
   bool is_flippable(Halfedge_index h) const
   {
-    return can_be_turned(h) && m_traits.is_convex_object()(diamond(m_length, h, m_mesh));
+    if constexpr(internal::Is_exact<Traits>::value)
+      return can_be_turned(h) && internal::exact_decisions(*this).is_convex(h);
+    else
+      return can_be_turned(h) && m_traits.is_convex_object()(diamond(m_length, h, m_mesh));
   }
 
   /// returns whether the edge `e` of \f$T_2\f$ satisfies the local Delaunay condition (Equation
@@ -191,7 +199,13 @@ public:
   bool is_Delaunay(Edge_index e) const
   {
     const Halfedge_index h = m_mesh.halfedge(e);
-    return m_traits.is_locally_Delaunay_object()(diamond(m_length, h, m_mesh)) || !can_be_turned(h);
+    const auto by_lengths = m_traits.is_locally_Delaunay_object()(diamond(m_length, h, m_mesh));
+    if constexpr(internal::Is_exact<Traits>::value) {
+      if(!is_certain(by_lengths) && can_be_turned(h))
+        return internal::exact_decisions(*this).Delaunay_sign(h) != NEGATIVE;
+      return !is_certain(by_lengths) || get_certain(by_lengths) || !can_be_turned(h);
+    } else
+      return by_lengths || !can_be_turned(h);
   }
 
   /// turns the edge of `h` counterclockwise into the other diagonal of its two faces (see
@@ -205,6 +219,8 @@ public:
   void flip(Halfedge_index h)
   {
     CGAL_precondition(can_be_turned(h));
+    if constexpr(internal::Is_exact<Traits>::value)
+      return turn(h, [&] { return internal::exact_decisions(*this).length(h); });
     const FT length = m_traits.compute_flipped_length_object()(diamond(m_length, h, m_mesh));
     if(!m_traits.is_length_object()(length))
       throw Numerical_error("flipping edge " + std::to_string(m_mesh.edge(h).idx()) +
@@ -396,10 +412,25 @@ public:
 
 private:
   friend class internal::Input_splitter<Traits>;
+  friend class internal::Exact_flipping<Traits>;
 
   bool can_be_turned(Halfedge_index h) const
   {
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
+  }
+
+  // Flips the edge of `h`; its length is what `length()` returns then. Four flips are none.
+  template <typename Length>
+  void turn(Halfedge_index h, const Length& length)
+  {
+    m_coordinates.flip(h, m_mesh, m_spokes);
+    try {
+      m_length[m_mesh.edge(h)] = length();
+    } catch(...) {
+      for(int flips = 0; flips < 3; ++flips)
+        m_coordinates.flip(h, m_mesh, m_spokes);
+      throw;
+    }
   }
 
   // of an edge inside a face of T1; 0, which is no length, if no vertices can be inserted

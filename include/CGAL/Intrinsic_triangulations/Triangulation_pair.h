@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 
 #include <array>
@@ -115,6 +116,9 @@ public:
 
   /// returns the geometry.
   const Traits& traits() const { return m_traits; }
+
+  /// returns the metric of \f$T_1\f$ as exact decisions see it.
+  const internal::Input_metric_of<Traits>& input_metric() const { return m_input_metric; }
 
   /// @}
   /// \name Inserted Vertices
@@ -296,6 +300,7 @@ private:
   Triangulation_pair(const Self& other)
     : m_traits(other.m_traits),
       m_input(other.m_input),
+      m_input_metric(other.m_input_metric),
       m_spokes(other.m_spokes),
       m_mesh(other.m_mesh),
       m_inserted(other.m_inserted)
@@ -333,6 +338,7 @@ private:
   Traits m_traits;
   Delta_complex m_input; // T1
   Edge_length_map m_input_length;
+  internal::Input_metric_of<Traits> m_input_metric;
   Vertex_spokes m_spokes;
   Delta_complex m_mesh; // T2
   Edge_length_map m_length;

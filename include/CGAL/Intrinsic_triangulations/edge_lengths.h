@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
+
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/NT_converter.h>
 #include <CGAL/Named_function_parameters.h>
@@ -15,6 +17,8 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -26,6 +30,16 @@ FT distance(const Point& p, const Point& q)
   typedef typename Kernel_traits<Point>::Kernel Kernel;
   const auto squared = typename Kernel::Compute_squared_distance_3()(p, q);
   return CGAL::sqrt(NT_converter<typename Kernel::FT, FT>()(squared));
+}
+
+// the root of an exact number, correctly to a few units in the last place if it is rounded
+template <typename FT, typename K>
+FT root_of(const K& square)
+{
+  if constexpr(std::is_floating_point_v<FT> && !std::is_floating_point_v<K>)
+    return CGAL::sqrt(to_ball<FT>(square).x);
+  else
+    return CGAL::sqrt(FT(square));
 }
 
 } // namespace internal

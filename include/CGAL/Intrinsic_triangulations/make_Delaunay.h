@@ -10,7 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -23,6 +25,8 @@ struct Default_flip_visitor
 {
   /// is called after the edge of `h` has been flipped.
   void after_flip(Halfedge_index /* h */) {}
+  /// is called if lengths leave too much in doubt, before flipping goes on with exact decisions.
+  void before_exact_flips() {}
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -40,70 +44,141 @@ bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// Whether the lengths around `e` leave no doubt; those beyond the boundary mean nothing.
+// Decisions by the stored lengths.
 template <typename Traits>
-bool is_certainly_Delaunay(Edge_index e, const Intrinsic_triangulation<Traits>& tri)
+class Flipping_by_lengths
 {
-  return tri.traits().is_locally_Delaunay_object().is_certain(
-    diamond(tri.length_map(), tri.mesh().halfedge(e), tri.mesh()));
-}
+  typedef Intrinsic_triangulation<Traits> Triangulation;
 
-// What a run of flips has done.
-struct Flip_count
-{
-  std::size_t flips = 0;
-  std::size_t failed = 0; // those whose new edge is not Delaunay either, for rounding of lengths
+public:
+  explicit Flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
+
+  // Whether the lengths around `e` leave no doubt; those beyond the boundary mean nothing.
+  bool is_certainly_Delaunay(Edge_index e) const
+  {
+    return m_tri.traits().is_locally_Delaunay_object().is_certain(
+      diamond(m_tri.length_map(), m_tri.mesh().halfedge(e), m_tri.mesh()));
+  }
+
+  bool is_Delaunay(Edge_index e) const { return m_tri.is_Delaunay(e); }
+
+  // the new edge is Delaunay, but for rounding of lengths
+  void flip(Halfedge_index h)
+  {
+    m_tri.flip(h);
+    m_has_failed =
+      m_has_failed || (is_rounded<typename Traits::FT>() && !is_Delaunay(m_tri.mesh().edge(h)));
+  }
+
+  bool has_failed() const { return m_has_failed; }
+
+private:
+  Triangulation& m_tri;
+  bool m_has_failed = false;
 };
 
-template <typename Traits, typename Visitor>
-Flip_count flip_to_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                            Visitor& visitor)
+// Returns the number of flips. If it would exceed `limit`, some edges are not Delaunay.
+template <typename Flipping, typename Visitor>
+std::size_t flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
+                             Visitor& visitor)
 {
-  const Delta_complex& mesh = tri.mesh();
   Edge_stack stack(mesh.num_edges());
   for(Edge_index e : mesh.edges())
-    stack.push_if(!is_certainly_Delaunay(e, tri), e);
-  Flip_count count;
-  while(!stack.empty()) {
+    stack.push_if(!flipping.is_certainly_Delaunay(e), e);
+  for(std::size_t flips = 0;;) {
+    if(stack.empty())
+      return flips;
     const Edge_index e = stack.pop();
-    if(tri.is_Delaunay(e))
+    if(flipping.is_Delaunay(e))
       continue;
-    if(count.flips == limit)
-      throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
+    if(flips++ == limit)
+      return flips;
     const Halfedge_index h = mesh.halfedge(e);
-    tri.flip(h);
-    ++count.flips;
-    if(is_rounded<typename Traits::FT>() && !tri.is_Delaunay(e))
-      ++count.failed;
+    flipping.flip(h);
     for(Edge_index side : edges_around(h, mesh))
-      stack.push_if(!is_certainly_Delaunay(side, tri), side);
+      stack.push_if(!flipping.is_certainly_Delaunay(side), side);
     visitor.after_flip(h);
   }
-  return count;
 }
 
+// What a run of flips by lengths has come to.
+struct Flipping_result
+{
+  std::size_t flips;
+  bool is_Delaunay;
+};
+
 // Where edges have been flipped more than once on average, rounding may have added up; where a flip
-// failed, it has. One or two rounds are enough then, but nothing guarantees it.
+// failed, it has. With lengths computed afresh a second round is enough as a rule, but nothing
+// guarantees it.
+template <typename Traits, typename Visitor>
+Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit, int rounds,
+                                Visitor& visitor)
+{
+  std::size_t flips = 0;
+  for(int round = 0; round < rounds; ++round) {
+    Flipping_by_lengths<Traits> flipping(tri);
+    const std::size_t last = flip_to_Delaunay(tri.mesh(), flipping, limit - flips, visitor);
+    if(last > limit - flips)
+      return {limit, false};
+    flips += last;
+    if(last <= tri.mesh().number_of_edges() && !flipping.has_failed())
+      return {flips, true};
+    tri.recompute_lengths();
+  }
+  return {flips, false};
+}
+
+inline void check_flip_limit(bool is_exceeded)
+{
+  if(is_exceeded)
+    throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
+}
+
+template <typename Traits, typename Visitor>
+std::size_t flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
+{
+  Exact_flipping<Traits> flipping(tri);
+  const std::size_t flips = flip_to_Delaunay(tri.mesh(), flipping, limit, visitor);
+  check_flip_limit(flips > limit);
+  return flips;
+}
+
+// Lengths of type `double` that lead to far more flips than there are edges, or to edges that are
+// still not Delaunay, cannot carry the decisions.
 template <typename Traits, typename Visitor>
 std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
 {
-  std::size_t flips = 0;
-  for(int round = 0; round < 100; ++round) {
-    const Flip_count last = flip_to_Delaunay(tri, limit - flips, visitor);
-    flips += last.flips;
-    if(last.flips <= tri.mesh().number_of_edges() && last.failed == 0)
+  if constexpr(Is_exact<Traits>::value)
+    return flip_exactly(tri, limit, visitor);
+  else if constexpr(has_metric<Traits>()) {
+    const std::size_t expected = 1000 + 20 * std::size_t(tri.mesh().number_of_edges());
+    const auto [flips, is_Delaunay] = flip_by_lengths(tri, (std::min)(limit, expected), 2, visitor);
+    if(is_Delaunay)
       return flips;
-    tri.recompute_lengths();
+    check_flip_limit(flips == limit);
+    visitor.before_exact_flips();
+    Exact_flipping<Traits>(tri).recompute_lengths();
+    return flips + flip_exactly(tri, limit - flips, visitor);
+  } else {
+    const auto [flips, is_Delaunay] = flip_by_lengths(tri, limit, 100, visitor);
+    check_flip_limit(!is_Delaunay && flips == limit);
+    if(!is_Delaunay)
+      throw Numerical_error(
+        "rounding of the lengths keeps the triangulation from becoming Delaunay");
+    return flips;
   }
-  throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
-/// If there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths
-/// are recomputed from \f$T_1\f$ and flipping goes on.
+///
+/// With `Exact_Euclidean_geometry_traits` every decision is exact. With lengths of type `double`, if
+/// there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths are
+/// recomputed from \f$T_1\f$ and flipping goes on; if that is not enough, or there were more than
+/// twenty flips for each edge, it goes on with exact decisions. The result is then exactly Delaunay.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -128,8 +203,9 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 /// number of edges. A mark for each edge and a stack of edges are allocated.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
-/// \throws Numerical_error if a flipped length is not positive and finite, or rounding of the
-///         lengths stands against the postcondition
+/// \throws Numerical_error if a flipped length is not positive and finite, an exact decision
+///         involves too many square roots (see `certify_Delaunay()`), or, in other than Euclidean
+///         geometry, rounding of the lengths stands against the postcondition
 /// \throws Overflow_error if a normal coordinate is out of range
 /// After an exception `tri` is a valid triangulation of the same surface.
 /// \post `is_Delaunay(tri)`

@@ -13,6 +13,7 @@
 
 #define CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(DO)                                           \
   DO(edge_length_map)                                                                              \
+  DO(squared_edge_length_map)                                                                      \
   DO(time_step_factor)                                                                             \
   DO(minimum_angle)                                                                                \
   DO(maximum_circumradius)                                                                         \
@@ -50,6 +51,12 @@ namespace parameters {
 /// of vertex positions.
 template <typename Map>
 auto edge_length_map(const Map& map);
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// names a readable property map from the edges of the input to their squared lengths, which exact
+/// traits take as they are; it takes the place of vertex positions.
+template <typename Map>
+auto squared_edge_length_map(const Map& map);
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// names the time for which heat flows, in squared mean edge lengths of the component. Less follows

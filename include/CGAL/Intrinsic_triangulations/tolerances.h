@@ -9,6 +9,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cstdint>
 #include <limits>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,6 +45,11 @@ constexpr FT rounding_unit()
 }
 
 namespace internal {
+
+// The relative error of the lengths that exact traits store, in `double`. It allows a strip of about
+// a hundred triangles before more digits are needed, and is small enough for lengths to decide about
+// nearly all edges.
+constexpr double certified_length_error() { return 1.0 / (std::int64_t(1) << 40); }
 
 // The angle in radians by which a corner that is nearly flat or nearly zero can be wrong: its
 // cosine is rounded, and so it is uncertain by the square root of that. For `double` it is 2^-20.

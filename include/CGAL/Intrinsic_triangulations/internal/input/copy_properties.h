@@ -10,12 +10,14 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <string>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -61,26 +63,92 @@ void set_lengths(const Graph& g, const Numbering& numbering, const Surface& copy
   }
 }
 
-// Gives `copy` the lengths of `g`: those of the named parameter, or the distances of its vertices.
+// the positions of vertices of `g`: those of the named parameter, or its own
+template <typename Graph, typename NamedParameters>
+auto vertex_points(const Graph& g, const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point),
+    get_const_property_map(CGAL::vertex_point, g));
+}
+
+template <typename NamedParameters, typename Tag>
+constexpr bool has_parameter()
+{
+  return !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+}
+
+// Gives `copy` the lengths of `g`: those of the named parameter, the roots of squared ones, or the
+// distances of its vertices.
 template <typename Graph, typename NamedParameters, typename Numbering, typename Surface,
           typename Traits>
 void copy_lengths(const Graph& g, const NamedParameters& np, const Numbering& numbering,
                   const Surface& copy, const Traits& traits)
 {
   typedef Length_of<Surface> FT;
-  using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::is_default_parameter;
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::edge_length_map_t>::value) {
+  if constexpr(has_parameter<NamedParameters, internal_np::edge_length_map_t>()) {
     const auto length = get_parameter(np, internal_np::edge_length_map);
     set_lengths(g, numbering, copy, traits, [&](auto e) { return FT(get(length, e)); });
     check_triangles(copy, traits);
+  } else if constexpr(has_parameter<NamedParameters, internal_np::squared_edge_length_map_t>()) {
+    const auto square = get_parameter(np, internal_np::squared_edge_length_map);
+    set_lengths(g, numbering, copy, traits, [&](auto e) { return root_of<FT>(get(square, e)); });
+    check_triangles(copy, traits);
   } else {
-    const auto point = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                        get_const_property_map(CGAL::vertex_point, g));
+    const auto point = vertex_points(g, np);
     set_lengths(g, numbering, copy, traits, [&](auto e) {
       return distance<FT>(get(point, source(e, g)), get(point, target(e, g)));
     });
+  }
+}
+
+// returns the exact value of a number of a kernel
+template <typename K, typename Number>
+auto to_exact(const Number& x) -> decltype(K(x.exact()))
+{
+  return K(x.exact());
+}
+template <typename K>
+K to_exact(const K& x)
+{
+  return x;
+}
+
+// Without an exact metric nothing is kept.
+template <typename Graph, typename NamedParameters, typename Numbering>
+void copy_metric(const Graph&, const NamedParameters&, const Numbering&, const Delta_complex&,
+                 No_metric&)
+{}
+
+// Keeps what determines the lengths of `g` exactly: positions in floating point, or squared lengths.
+template <typename Graph, typename NamedParameters, typename Numbering, typename K>
+void copy_metric(const Graph& g, const NamedParameters& np, const Numbering& numbering,
+                 const Delta_complex& copy, Input_metric<K>& metric)
+{
+  const auto set_squared_lengths = [&](const auto& square) {
+    metric.squared_lengths.resize(copy.num_edges());
+    for(auto e : edges(g))
+      metric.squared_lengths[copy.edge(numbering.halfedge_of(halfedge(e, g)))] = square(e);
+  };
+  if constexpr(has_parameter<NamedParameters, internal_np::squared_edge_length_map_t>()) {
+    const auto square = CGAL::parameters::get_parameter(np, internal_np::squared_edge_length_map);
+    set_squared_lengths([&](auto e) { return K(get(square, e)); });
+  } else if constexpr(!has_parameter<NamedParameters, internal_np::edge_length_map_t>()) {
+    const auto point = vertex_points(g, np);
+    typedef typename boost::property_traits<decltype(point)>::value_type Point;
+    typedef typename Kernel_traits<Point>::Kernel Kernel;
+    if constexpr(std::is_floating_point_v<typename Kernel::FT>) {
+      metric.points.resize(copy.num_vertices());
+      for(auto v : vertices(g)) {
+        const auto& p = get(point, v);
+        metric.points[numbering.vertex(v)] = {double(p.x()), double(p.y()), double(p.z())};
+      }
+    } else if constexpr(!std::is_same_v<K, double>)
+      set_squared_lengths([&](auto e) {
+        return to_exact<K>(typename Kernel::Compute_squared_distance_3()(get(point, source(e, g)),
+                                                                         get(point, target(e, g))));
+      });
   }
 }
 

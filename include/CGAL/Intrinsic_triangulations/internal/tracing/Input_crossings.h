@@ -56,6 +56,8 @@ public:
 
   // returns the number of crossings on the edge `e` of T2
   size_type count(Edge_index e) const { return m_marks.size(e); }
+  // returns the number of crossings on the edge of `h`
+  size_type count(Halfedge_index h) const { return m_marks.size(Edge_index(h)); }
 
   // returns the halfedge of T1 that crosses the halfedge `h` as its number `m` from left to right
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const

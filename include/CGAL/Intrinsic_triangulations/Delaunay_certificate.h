@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DELAUNAY_CERTIFICATE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DELAUNAY_CERTIFICATE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// what `certify_Delaunay()` has found out.
+struct Delaunay_certificate
+{
+  /// the edges of four cocircular points: either diagonal is Delaunay, and the faces at such an edge
+  /// belong to one cell of the Delaunay tessellation.
+  std::vector<Edge_index> ties;
+  /// the edges that violate the local Delaunay condition.
+  std::vector<Edge_index> non_Delaunay_edges;
+  /// the edges that are no straight segments in the strips that their integer coordinates name.
+  std::vector<Edge_index> bent_edges;
+  /// the inserted vertices around which the faces do not lie once, each with positive area.
+  std::vector<Vertex_index> folded_vertices;
+
+  /// the number of edges that are Delaunay whatever the rounding of lengths.
+  std::size_t decided_by_lengths = 0;
+  /// the number of decisions in floating point, with error bounds, on triangles that were laid out.
+  std::size_t decided_in_floating_point = 0;
+  /// the number of decisions with more digits.
+  std::size_t decided_in_multiprecision = 0;
+  /// the number of decisions in exact arithmetic.
+  std::size_t decided_exactly = 0;
+
+  /// returns whether the triangulation is geodesic.
+  bool is_geodesic() const { return bent_edges.empty() && folded_vertices.empty(); }
+  /// returns whether the triangulation is geodesic and Delaunay.
+  bool is_Delaunay() const { return is_geodesic() && non_Delaunay_edges.empty(); }
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DELAUNAY_CERTIFICATE_H

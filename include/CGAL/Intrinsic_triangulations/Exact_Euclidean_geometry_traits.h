@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EUCLIDEAN_GEOMETRY_TRAITS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EUCLIDEAN_GEOMETRY_TRAITS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Uncertain.h>
+
+#include <cstdint>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTraits
+/// defines the geometry of flat Euclidean triangles with exact decisions and lengths of type
+/// `double`.
+///
+/// The surface is that of the exact positions of the input's vertices, or of its exact squared edge
+/// lengths (`squared_edge_length_map`), or of its edge lengths, each taken as it is. Stored lengths
+/// are those of this surface with a relative error of at most \f$2^{-40}\f$, however many flips led
+/// to them. A decision is made by them if they leave no doubt; otherwise the triangles of
+/// \f$T_1\f$ that it depends on, which the integer coordinates determine, are laid out in numbers
+/// with error bounds, with more and more digits, and in the end exactly. There is no tolerance: an
+/// edge is Delaunay if it is so on the exact surface, and ties are kept.
+///
+/// \tparam ExactNumber_ a model of `Field` and `RealEmbeddable` with exact signs, which has the
+///   squared lengths of the input
+/// \tparam Integer_ the signed integer type of normal coordinates
+///
+/// \cgalModels `ExactIntrinsicGeometryTraits`
+template <typename ExactNumber_ = Exact_rational, typename Integer_ = std::int64_t>
+class Exact_Euclidean_geometry_traits : public Euclidean_geometry_traits<double, Integer_>
+{
+  typedef Euclidean_geometry_traits<double, Integer_> Base;
+
+public:
+  /// the number type of exact squared lengths.
+  typedef ExactNumber_ Exact_number;
+
+  /// decides whether the edge \f$ij\f$ is locally Delaunay, if lengths determine that.
+  struct Is_locally_Delaunay
+  {
+    /// returns whether the edge is Delaunay, if this is so for all lengths within the error of the
+    /// stored ones; otherwise the answer is uncertain.
+    Uncertain<bool> operator()(const Diamond<double>& length) const
+    {
+      if(is_certain(length))
+        return true;
+      return by_lengths(length) ? Uncertain<bool>::indeterminate() : Uncertain<bool>(false);
+    }
+
+    /// returns whether the edge is certainly Delaunay. Branch-free.
+    bool is_certain(const Diamond<double>& length) const { return by_lengths.is_certain(length); }
+
+  private:
+    typename Base::Is_locally_Delaunay by_lengths{internal::certified_length_error()};
+  };
+
+  /// returns the function object.
+  Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EUCLIDEAN_GEOMETRY_TRAITS_H

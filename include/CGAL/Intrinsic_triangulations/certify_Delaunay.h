@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CERTIFY_DELAUNAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CERTIFY_DELAUNAY_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// certifies in exact arithmetic that \f$T_2\f$ is a geodesic Delaunay triangulation of the surface
+/// of \f$T_1\f$, however it was made: every edge of \f$T_2\f$, laid out along the triangles of
+/// \f$T_1\f$ that the integer coordinates name, is a straight segment, and every edge that is not
+/// constrained satisfies the local Delaunay condition (Equation 2.6).
+///
+/// The surface is that of the exact positions of the input's vertices, or of the exact squared
+/// lengths or lengths that it was given by. Inserted vertices lie at their barycentric coordinates
+/// divided by their sum, exactly; at each of them the faces must turn around once.
+///
+/// Complexity: linear in the edges and crossings, as long as decisions are made in floating point.
+/// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
+/// \throws Invalid_input if \f$T_1\f$ is given by lengths that violate the triangle inequality
+/// \throws Numerical_error if a decision is not made by 512 bits and involves more than ten
+///         independent square roots
+template <typename Traits>
+Delaunay_certificate certify_Delaunay(const Intrinsic_triangulation<Traits>& tri)
+{
+  return internal::Certifier<Traits>(tri).run();
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CERTIFY_DELAUNAY_H

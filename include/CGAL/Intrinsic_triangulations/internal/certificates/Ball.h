@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_BALL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_BALL_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#ifdef CGAL_USE_MPFR
+#include <CGAL/Gmpfr.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The roundoff u of a number type.
+template <typename N>
+struct Rounding
+{
+  static constexpr double unit() { return std::numeric_limits<N>::epsilon() / 2; }
+};
+
+#ifdef CGAL_USE_MPFR
+
+template <>
+struct Rounding<Gmpfr>
+{
+  static double unit()
+  {
+    return std::ldexp(1.0, -static_cast<int>(Gmpfr::get_default_precision()));
+  }
+};
+
+// Numbers of type Gmpfr have that many bits while the object lives.
+class Gmpfr_precision
+{
+public:
+  explicit Gmpfr_precision(long bits) : m_before(Gmpfr::set_default_precision(bits)) {}
+  ~Gmpfr_precision() { Gmpfr::set_default_precision(m_before); }
+  Gmpfr_precision(const Gmpfr_precision&) = delete;
+  Gmpfr_precision& operator=(const Gmpfr_precision&) = delete;
+
+private:
+  Gmpfr::Precision_type m_before;
+};
+
+#endif // CGAL_USE_MPFR
+
+// A complex number that is known up to an error: it lies in a disk. Operations are rounded to
+// nearest; what they lose is added to the radius. That is computed in `double`, rounded, too, hence
+// its growth; where it underflows, the least positive number stands for it.
+template <typename N>
+struct Ball
+{
+  N x{0}, y{0};
+  double radius{0};
+
+  // A bound that is not tight would be raised to the power of the number of factors. Squares that
+  // underflow are covered by what is added.
+  double norm() const
+  {
+    const double u = CGAL::to_double(x), v = CGAL::to_double(y);
+    return std::sqrt(u * u + v * v) + 1e-150;
+  }
+
+  // `error` counts units of roundoff, relative to the midpoint
+  Ball with_error(int error) const
+  {
+    return {x, y, grown(radius + error * Rounding<N>::unit() * norm())};
+  }
+
+  friend Ball operator-(const Ball& a) { return {-a.x, -a.y, a.radius}; }
+  friend Ball operator+(const Ball& a, const Ball& b)
+  {
+    return Ball{a.x + b.x, a.y + b.y, a.radius + b.radius}.with_error(2);
+  }
+  friend Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
+  friend Ball operator*(const Ball& a, const Ball& b)
+  {
+    const double norm_a = a.norm(), norm_b = b.norm();
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x,
+            grown(norm_a * b.radius + a.radius * (norm_b + b.radius) +
+                  3 * Rounding<N>::unit() * (norm_a * norm_b))};
+  }
+  friend Ball conj(const Ball& a) { return {a.x, -a.y, a.radius}; }
+
+private:
+  static double grown(double radius)
+  {
+    return radius * (1 + 32 * std::numeric_limits<double>::epsilon()) +
+           (std::numeric_limits<double>::min)();
+  }
+};
+
+// the sign of a coordinate of a ball
+template <typename N>
+Uncertain<Sign> certain_sign(const N& coordinate, double radius)
+{
+  if(coordinate > radius)
+    return POSITIVE;
+  if(coordinate < -radius)
+    return NEGATIVE;
+  return Uncertain<Sign>::indeterminate();
+}
+
+template <typename N>
+Uncertain<Sign> sign_of_real(const Ball<N>& a)
+{
+  return certain_sign(a.x, a.radius);
+}
+
+template <typename N>
+Uncertain<Sign> sign_of_imaginary(const Ball<N>& a)
+{
+  return certain_sign(a.y, a.radius);
+}
+
+// Returns `value` up to an error. Numbers of type `double` are taken away from it one after the
+// other, until the rest does not matter.
+template <typename N, typename K>
+Ball<N> to_ball(K value)
+{
+  N sum(0);
+  for(;;) {
+    const auto before = CGAL::to_interval(value);
+    const double part = before.first + (before.second - before.first) / 2;
+    sum = N(sum + N(part));
+    value -= K(part);
+    const auto rest = CGAL::to_interval(value);
+    const Ball<N> ball{sum, N(0), (std::max)(-rest.first, rest.second)};
+    if(!(ball.radius > Rounding<N>::unit() * ball.norm()))
+      return ball.with_error(1);
+  }
+}
+
+// returns the root of a real number that is not negative
+template <typename N>
+Ball<N> root(const Ball<N>& a)
+{
+  if(!(a.x > a.radius))
+    return {N(0), N(0), std::sqrt(CGAL::to_double(a.x) + a.radius) * (1 + Rounding<float>::unit())};
+  const N root = CGAL::sqrt(a.x);
+  return Ball<N>{root, N(0), a.radius / CGAL::to_double(root)}.with_error(4);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_BALL_H

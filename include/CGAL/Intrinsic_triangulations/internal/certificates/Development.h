@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DEVELOPMENT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DEVELOPMENT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Lays out triangles of T1 that edges and corners of T2 pass, around a vertex of T2 at the origin.
+// Which triangles these are is exact; `Corners` determines the numbers. Vectors from the origin and
+// along sides carry errors relative to their own lengths, so that angles at the origin are accurate
+// in the thinnest triangles.
+template <typename Traits, typename Crossings, typename Corners>
+class Development
+{
+public:
+  typedef typename Corners::Complex Complex;
+
+  // a side of a triangle of T1, in the plane
+  struct Placed_side
+  {
+    Halfedge_index halfedge;
+    Complex source, target, vector;
+  };
+
+  Development(const Triangulation_pair<Traits>& pair, const Crossings& crossings, Corners& corners)
+    : m_pair(pair), m_input(pair.input_mesh()), m_crossings(crossings), m_corners(corners)
+  {}
+
+  // Returns the side of T1 at or clockwise from the halfedge `h` of T2; if its source lies inside a
+  // face, any side of this face.
+  Placed_side start(Halfedge_index h) const
+  {
+    const Vertex_index v = m_pair.mesh().source(h);
+    const Halfedge_index spoke = m_pair.input_spoke_before(h);
+    const Complex one = m_corners.number(1);
+    if(!m_pair.is_inserted(v))
+      return {spoke, m_corners.number(0), one, one};
+    const auto& place = m_pair.inserted_vertex(v);
+    if(spoke.is_valid()) {
+      const auto w = weights(spoke, v);
+      return {spoke, -w[1], w[0], w[0] + w[1]};
+    }
+    const Halfedge_index side = m_input.halfedge(place.location.first);
+    const auto w = weights(side, place.location);
+    return {side, -(scaled(w[1], side) + w[2] * at_source(side)),
+            scaled(w[0], side) + w[2] * at_target(side), scaled(w[0] + w[1] + w[2], side)};
+  }
+
+  // An edge of T2 from the origin, with the sides of T1 that it crosses.
+  struct Strip
+  {
+    Placed_side first;
+    boost::container::small_vector<Placed_side, 4> crossed;
+    Complex end;
+  };
+
+  // without them
+  Strip uncrossed_strip(Halfedge_index h) const
+  {
+    const Placed_side first = start(h);
+    return {first, {}, end(h, first)};
+  }
+
+  Strip strip(Halfedge_index h) const
+  {
+    Strip result{start(h), {}, m_corners.number(0)};
+    result.end =
+      end(h, result.first, [&](const Placed_side& side) { result.crossed.push_back(side); });
+    return result;
+  }
+
+  // Returns a number whose argument is the angle of T2 at the source of `h` in the face of `h`.
+  Complex angle(Halfedge_index h) const
+  {
+    const Delta_complex& mesh = m_pair.mesh();
+    const Halfedge_index following = mesh.opposite(mesh.prev(h));
+    Placed_side side = start(h);
+    const Complex first = end(h, side);
+    const std::size_t spokes =
+      static_cast<std::size_t>(m_pair.coordinates().curves_leaving(mesh.next(h), mesh)) +
+      m_pair.coordinates().is_shared(mesh.edge(following));
+    for(std::size_t s = 0; s < spokes; ++s)
+      side = following_spoke(side, m_pair.is_inserted(mesh.source(h)));
+    return end(following, side) * conj(first);
+  }
+
+private:
+  // Returns where `h` ends if its first triangle lies at `side`. `pass(exit)` is called for the
+  // sides of T1 that it crosses.
+  template <typename Pass>
+  Complex end(Halfedge_index h, Placed_side side, const Pass& pass) const
+  {
+    const Delta_complex& mesh = m_pair.mesh();
+    if(m_pair.coordinates().is_shared(mesh.edge(h)))
+      return end_along(side, mesh.target(h));
+    const std::size_t n = m_crossings.count(h);
+    for(std::size_t m = 0; m < n; ++m) {
+      side = other_side(side, m_input.opposite(m_crossings(h, m)));
+      pass(side);
+      side = {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
+    }
+    return place(mesh.opposite(h), side);
+  }
+
+  Complex end(Halfedge_index h, const Placed_side& side) const
+  {
+    return end(h, side, [](const Placed_side&) {});
+  }
+
+  Complex at_source(Halfedge_index h) const { return m_corners(corner_at_source(h, m_input)); }
+  Complex at_target(Halfedge_index h) const
+  {
+    return conj(m_corners(corner_at_target(h, m_input)));
+  }
+
+  // the barycentric coordinates of a point from the source of `side` on; their sum is one, exactly
+  std::array<Complex, 3> weights(Halfedge_index side, const Face_location<double>& p) const
+  {
+    return m_corners.weights(coordinates_from(side, p, m_input));
+  }
+
+  // those of a vertex that was inserted on the edge of `side`: only the first two are not zero
+  std::array<Complex, 3> weights(Halfedge_index side, Vertex_index inserted) const
+  {
+    const auto& place = m_pair.inserted_vertex(inserted);
+    auto w = weights(place.along, place.location);
+    if(side != place.along)
+      std::swap(w[0], w[1]);
+    return w;
+  }
+
+  // a position, as positions are scaled to which a corner of the triangle of `h` has contributed
+  Complex scaled(const Complex& z, Halfedge_index h) const
+  {
+    return m_corners.scaled(z, corner_at_source(h, m_input));
+  }
+
+  // The third corner of a triangle is computed from the nearer end of the side.
+  bool is_apex_near_source(Halfedge_index h) const
+  {
+    return m_pair.input_length(m_input.edge(m_input.prev(h))) <
+           m_pair.input_length(m_input.edge(m_input.next(h)));
+  }
+
+  Complex apex(const Placed_side& side) const
+  {
+    const Halfedge_index h = side.halfedge;
+    return is_apex_near_source(h) ? scaled(side.source, h) + side.vector * at_source(h)
+                                  : scaled(side.target, h) - side.vector * at_target(h);
+  }
+
+  // returns the side `exit` of the triangle
+  Placed_side other_side(const Placed_side& side, Halfedge_index exit) const
+  {
+    const Halfedge_index h = side.halfedge;
+    if(exit == h)
+      return side;
+    const bool is_next = exit == m_input.next(h);
+    const Complex to_apex = is_next ? -(side.vector * at_target(h)) : side.vector * at_source(h);
+    const Complex end = scaled(is_next ? side.target : side.source, h);
+    const Complex corner = is_next == is_apex_near_source(h) ? apex(side) : end + to_apex;
+    return is_next ? Placed_side{exit, end, corner, to_apex}
+                   : Placed_side{exit, corner, end, -to_apex};
+  }
+
+  // the next spoke around the origin, counterclockwise
+  Placed_side following_spoke(const Placed_side& side, bool is_inserted) const
+  {
+    if(is_inserted)
+      return {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
+    const Complex end = side.vector * at_source(side.halfedge);
+    return {m_input.opposite(m_input.prev(side.halfedge)), side.source, end, end};
+  }
+
+  // returns where the vertex `v` lies beyond the origin on `side`
+  Complex end_along(const Placed_side& side, Vertex_index v) const
+  {
+    if(!m_pair.is_inserted(v))
+      return side.target;
+    const auto w = weights(side.halfedge, v);
+    return w[0] * side.source + w[1] * side.target;
+  }
+
+  // returns where the source of the halfedge `back` of T2, which leads into the triangle, lies
+  Complex place(Halfedge_index back, const Placed_side& side) const
+  {
+    if(m_pair.is_inserted(m_pair.mesh().source(back))) {
+      const auto w = weights(side.halfedge, m_pair.input_location(back));
+      return scaled(w[0] * side.source + w[1] * side.target, side.halfedge) + w[2] * apex(side);
+    }
+    const Halfedge_index spoke = m_pair.input_spoke_before(back);
+    return spoke == side.halfedge                 ? side.source
+           : spoke == m_input.next(side.halfedge) ? side.target
+                                                  : apex(side);
+  }
+
+  const Triangulation_pair<Traits>& m_pair;
+  const Delta_complex& m_input;
+  const Crossings& m_crossings;
+  Corners& m_corners;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DEVELOPMENT_H

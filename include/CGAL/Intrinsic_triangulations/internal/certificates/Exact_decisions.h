@@ -1,0 +1,310 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_EXACT_DECISIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_EXACT_DECISIONS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// How many decisions were made at each stage.
+struct Decision_count
+{
+  std::size_t floating_point = 0, multiprecision = 0, exact = 0;
+};
+
+// What floating point says about an edge of T2 that has been laid out.
+struct Straight_edge
+{
+  bool is_certain; // that it is straight
+  double length;   // NaN if it is not known up to `certified_length_error()`
+};
+
+// Decisions about T2, each derived anew from the metric of T1: in floating point with error bounds,
+// with more and more digits, and in the end exactly.
+template <typename Traits, typename Crossings>
+class Exact_decisions
+{
+  typedef Triangulation_pair<Traits> Pair;
+  typedef Input_metric_of<Traits> Metric;
+  typedef Exact_number_of<typename Metric::Number> K;
+  typedef decltype(std::declval<Pair>().input()) Input;
+  template <typename N>
+  using Rounded = Rounded_corners<N, Metric, Input>;
+  typedef Exact_corners<Metric, Input> Exact;
+
+  static constexpr std::size_t maximal_number_of_roots = 10;
+
+public:
+  Exact_decisions(const Pair& pair, const Crossings& crossings)
+    : m_pair(pair), m_mesh(pair.mesh()), m_metric(pair.input_metric()), m_crossings(crossings)
+  {}
+
+  // Returns the sign of pi minus the sum of the angles opposite to the edge of `h`: ZERO is a tie.
+  Sign Delaunay_sign(Halfedge_index h)
+  {
+    const Halfedge_index o = m_mesh.opposite(h);
+    const Diamond<Halfedge_index> around{h, m_mesh.next(h), m_mesh.prev(h), m_mesh.next(o),
+                                         m_mesh.prev(o)};
+    if(!has_exact_square(around.ij) || !has_exact_square(around.jk) ||
+       !has_exact_square(around.ki) || !has_exact_square(around.il) || !has_exact_square(around.lj))
+      return compare_with_pi(around.ki, around.lj);
+    ++m_count.exact;
+    return m_metric.squared_lengths.empty() ? exact_sign<Exact_ring>(around)
+                                            : exact_sign<K>(around);
+  }
+
+  // returns whether the union of the two faces of `h` is strictly convex at its ends
+  bool is_convex(Halfedge_index h)
+  {
+    const Halfedge_index o = m_mesh.opposite(h);
+    return compare_with_pi(h, m_mesh.next(o)) == POSITIVE &&
+           compare_with_pi(o, m_mesh.next(h)) == POSITIVE;
+  }
+
+  // returns the orientation of the face of `h`
+  Sign orientation(Halfedge_index h)
+  {
+    return decide([&](const auto& development) { return sign_of_imaginary(development.angle(h)); });
+  }
+
+  // Returns whether the edge of `h`, laid out straight, passes between the ends of the edges of T1
+  // that it crosses.
+  bool is_straight(Halfedge_index h)
+  {
+    return decide([&](const auto& development) { return straightness(development.strip(h)); }) ==
+           POSITIVE;
+  }
+
+  // whether the edge of `h` is a whole edge of T1
+  bool is_input_edge(Halfedge_index h) const
+  {
+    return m_pair.coordinates().is_shared(m_mesh.edge(h)) &&
+           !m_pair.is_inserted(m_mesh.source(h)) && !m_pair.is_inserted(m_mesh.target(h));
+  }
+
+  // the cheapest way to both
+  Straight_edge straight_edge(Halfedge_index h) const
+  {
+    if(is_input_edge(h))
+      return {true, m_pair.input_length(m_pair.input_mesh().edge(m_pair.input_halfedge(h)))};
+    Rounded<double> corners(m_metric, m_pair.input());
+    const auto strip = development(corners).strip(h);
+    return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, corners)};
+  }
+
+  // Returns the length of the edge of `h`, correct to `certified_length_error()`.
+  // \throws Numerical_error if it is not positive and finite
+  double length(Halfedge_index h) const
+  {
+    if(is_input_edge(h))
+      return m_pair.input_length(m_pair.input_mesh().edge(m_pair.input_halfedge(h)));
+    double length = rounded_length<double>(h);
+#ifdef CGAL_USE_MPFR
+    for(long bits = 128; bits <= 512 && std::isnan(length); bits *= 4) {
+      const Gmpfr_precision precision(bits);
+      length = rounded_length<Gmpfr>(h);
+    }
+#endif
+    if(!m_pair.traits().is_length_object()(length))
+      throw Numerical_error("edge " + std::to_string(m_mesh.edge(h).idx()) +
+                            " has no positive finite length");
+    return length;
+  }
+
+  // returns the angle at the source of `h` in its face
+  double rounded_angle(Halfedge_index h) const
+  {
+    Rounded<double> corners(m_metric, m_pair.input());
+    const auto angle = development(corners).angle(h);
+    return std::atan2(angle.y, angle.x);
+  }
+
+  const Decision_count& count() const { return m_count; }
+
+private:
+  template <typename Corners>
+  auto development(Corners& corners) const
+  {
+    return Development<Traits, Crossings, Corners>(m_pair, m_crossings, corners);
+  }
+
+  // ---- Stages ----
+
+  template <typename N, typename Predicate>
+  Uncertain<Sign> sign_by_balls(const Predicate& predicate, std::size_t& count) const
+  {
+    Rounded<N> corners(m_metric, m_pair.input());
+    const Uncertain<Sign> sign = predicate(development(corners));
+    count += is_certain(sign);
+    return sign;
+  }
+
+  template <typename Predicate>
+  Uncertain<Sign> sign_by_roots(const Predicate& predicate, std::size_t maximum)
+  {
+    Exact corners(m_metric, m_pair.input(), maximum);
+    const Uncertain<Sign> sign = predicate(development(corners));
+    if(corners.has_too_many_roots())
+      return Uncertain<Sign>::indeterminate();
+    ++m_count.exact;
+    return sign;
+  }
+
+  // Roots of few numbers, as where many faces are coplanar, are faster than many digits.
+  template <typename Predicate>
+  Sign decide(const Predicate& predicate)
+  {
+    Uncertain<Sign> sign = sign_by_balls<double>(predicate, m_count.floating_point);
+#ifdef CGAL_USE_MPFR
+    for(long bits : {128, 512}) {
+      if(is_certain(sign))
+        return get_certain(sign);
+      const Gmpfr_precision precision(bits);
+      sign = sign_by_balls<Gmpfr>(predicate, m_count.multiprecision);
+      if(!is_certain(sign) && bits == 128)
+        sign = sign_by_roots(predicate, 2);
+    }
+#endif
+    if(!is_certain(sign))
+      sign = sign_by_roots(predicate, maximal_number_of_roots);
+    if(!is_certain(sign))
+      throw Numerical_error("an exact decision involves more than " +
+                            std::to_string(maximal_number_of_roots) + " independent square roots");
+    return get_certain(sign);
+  }
+
+  // ---- Predicates ----
+
+  // the sign of pi minus the sum of the angles at the sources of two halfedges
+  Sign compare_with_pi(Halfedge_index a, Halfedge_index b)
+  {
+    return decide([&](const auto& development) {
+      return compare_sum_with_pi(development.angle(a), development.angle(b));
+    });
+  }
+
+  // 0 and 2 pi have the same sine as pi; there the cosines decide
+  template <typename Complex>
+  static Uncertain<Sign> compare_sum_with_pi(const Complex& a, const Complex& b)
+  {
+    const Uncertain<Sign> sine = sign_of_imaginary(a * b);
+    if(!is_certain(sine) || get_certain(sine) != ZERO)
+      return sine;
+    const Uncertain<Sign> cos_a = sign_of_real(a), cos_b = sign_of_real(b);
+    if(!is_certain(cos_a) || !is_certain(cos_b))
+      return Uncertain<Sign>::indeterminate();
+    return get_certain(cos_a) == get_certain(cos_b) ? get_certain(cos_a) : ZERO;
+  }
+
+  template <typename Strip>
+  static Uncertain<Sign> straightness(const Strip& strip)
+  {
+    const auto direction = conj(strip.end);
+    Uncertain<Sign> result = POSITIVE;
+    for(const auto& side : strip.crossed)
+      for(const Uncertain<Sign> sign : {sign_of_imaginary(direction * side.target),
+                                        -sign_of_imaginary(direction * side.source)}) {
+        if(!is_certain(sign))
+          result = sign;
+        else if(get_certain(sign) != POSITIVE)
+          return NEGATIVE;
+      }
+    return result;
+  }
+
+  template <typename N>
+  double rounded_length(Halfedge_index h) const
+  {
+    Rounded<N> corners(m_metric, m_pair.input());
+    return rounded_length(development(corners).uncrossed_strip(h), corners);
+  }
+
+  template <typename Strip, typename Corners>
+  static double rounded_length(const Strip& strip, const Corners& corners)
+  {
+    const auto length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
+    const double midpoint = CGAL::to_double(length.x);
+    return length.radius <= midpoint * certified_length_error() / 2
+             ? midpoint
+             : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  // ---- Squared lengths ----
+
+  // Returns whether the squared length of the edge of `h` is known without roots: it is an edge of
+  // T1, or a straight line in space.
+  bool has_exact_square(Halfedge_index h)
+  {
+    if(is_input_edge(h))
+      return true;
+    if(m_metric.points.empty() || m_pair.is_inserted(m_mesh.source(h)) ||
+       m_pair.is_inserted(m_mesh.target(h)))
+      return false;
+    for(std::size_t m = 0; m < m_crossings.count(h); ++m)
+      if(!is_flat(m_pair.input_mesh().edge(m_crossings(h, m))))
+        return false;
+    return true;
+  }
+
+  bool is_flat(Edge_index input)
+  {
+    const auto [place, is_new] = m_is_flat.emplace(input, false);
+    if(is_new)
+      place->second =
+        is_flat_in_space(m_pair.input_mesh().halfedge(input), m_metric.points, m_pair.input_mesh());
+    return place->second;
+  }
+
+  template <typename R>
+  R exact_square(Halfedge_index h) const
+  {
+    if(!m_metric.points.empty())
+      return squared_distance<R>(m_metric.points[m_mesh.source(h)],
+                                 m_metric.points[m_mesh.target(h)]);
+    const Edge_index e = m_pair.input_mesh().edge(m_pair.input_halfedge(h));
+    if constexpr(std::is_same_v<R, K>)
+      if(!m_metric.squared_lengths.empty())
+        return K(m_metric.squared_lengths[e]);
+    return R(CGAL::square(R(m_pair.input_length(e))));
+  }
+
+  template <typename R>
+  Sign exact_sign(const Diamond<Halfedge_index>& around) const
+  {
+    return compare_opposite_angles(
+      Diamond<R>{exact_square<R>(around.ij), exact_square<R>(around.jk), exact_square<R>(around.ki),
+                 exact_square<R>(around.il), exact_square<R>(around.lj)});
+  }
+
+  const Pair& m_pair;
+  const Delta_complex& m_mesh;
+  const Metric& m_metric;
+  Crossings m_crossings;
+  std::unordered_map<Edge_index, bool> m_is_flat; // edges of T1 that have been looked at
+  Decision_count m_count;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_EXACT_DECISIONS_H

@@ -1,0 +1,240 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_INPUT_CORNERS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_INPUT_CORNERS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A corner at p of a triangle pqr of T1, where pq is the side of a halfedge. As a complex number it
+// is (r - p) / (q - p), up to conjugation: its argument is the angle, its absolute value the ratio
+// of the sides.
+struct Input_corner
+{
+  Vertex_index p, q, r;
+  Edge_index pq, pr, qr;
+};
+
+inline Input_corner corner_at_source(Halfedge_index h, const Delta_complex& mesh)
+{
+  const Halfedge_index jk = mesh.next(h), ki = mesh.prev(h);
+  return {mesh.source(h), mesh.target(h), mesh.target(jk),
+          mesh.edge(h),   mesh.edge(ki),  mesh.edge(jk)};
+}
+
+inline Input_corner corner_at_target(Halfedge_index h, const Delta_complex& mesh)
+{
+  const Input_corner c = corner_at_source(h, mesh);
+  return {c.q, c.p, c.r, c.pq, c.qr, c.pr};
+}
+
+// the field of exact squared lengths that are stored as numbers of another type
+template <typename Stored>
+using Exact_number_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_rational, Stored>;
+
+// Twice the scalar product of the sides at a corner, and the square of four times the area, from
+// the squared lengths of pq, pr and qr. Nothing is divided.
+template <typename K>
+struct Corner_products
+{
+  K doubled_product, squared_quadrupled_area;
+
+  Corner_products(const K& pq, const K& pr, const K& qr)
+    : doubled_product(pq + pr - qr),
+      squared_quadrupled_area(K(4) * pq * pr - doubled_product * doubled_product)
+  {}
+};
+
+// Corners up to an error that is a few units of roundoff of their absolute value, however thin the
+// triangle is.
+template <typename N, typename Metric, typename Surface>
+class Rounded_corners
+{
+  typedef Exact_number_of<typename Metric::Number> K;
+
+public:
+  typedef Ball<N> Complex;
+
+  Rounded_corners(const Metric& metric, const Surface& input) : m_metric(metric), m_input(input) {}
+
+  static Complex number(int x) { return {N(x), N(0), 0}; }
+
+  // returns `z` as corners of the triangle of `h` are scaled
+  static const Complex& scaled(const Complex& z, const Input_corner&) { return z; }
+
+  // returns numbers that are not negative, divided by their sum
+  static std::array<Complex, 3> weights(const std::array<double, 3>& b)
+  {
+    const N sum = N(b[0]) + N(b[1]) + N(b[2]);
+    const auto weight = [&](double x) { return Complex{N(x) / sum, N(0), 0}.with_error(4); };
+    return {weight(b[0]), weight(b[1]), weight(b[2])};
+  }
+
+  Complex operator()(const Input_corner& c) const
+  {
+    return !m_metric.points.empty()           ? from_points(c)
+           : m_metric.squared_lengths.empty() ? from_lengths(c)
+                                              : from_squared_lengths(c);
+  }
+
+  Complex length(Halfedge_index h) const
+  {
+    const Delta_complex& mesh = m_input.mesh();
+    if(!m_metric.points.empty()) {
+      const auto u = vector(mesh.source(h), mesh.target(h));
+      return Complex{CGAL::sqrt(dot(u, u)), N(0), 0}.with_error(6);
+    }
+    if(!m_metric.squared_lengths.empty())
+      return root(to_ball<N>(K(m_metric.squared_lengths[mesh.edge(h)])));
+    return {N(m_input.length_map()[mesh.edge(h)]), N(0), 0};
+  }
+
+private:
+  std::array<N, 3> vector(Vertex_index v, Vertex_index w) const
+  {
+    return vector_between<N>(m_metric.points[v], m_metric.points[w]);
+  }
+
+  // Components of vectors have a relative error of u. So the scalar product has one of 5 u, and the
+  // vector product of the two shortest sides one of 9 u, relative to the product of any two lengths;
+  // the square has 5 u.
+  Complex from_points(const Input_corner& c) const
+  {
+    const auto pq = vector(c.p, c.q), pr = vector(c.p, c.r), qr = vector(c.q, c.r);
+    const N square_pq = dot(pq, pq), square_pr = dot(pr, pr), square_qr = dot(qr, qr);
+    const auto normal = square_pq > square_pr && square_pq > square_qr ? cross(pr, qr)
+                        : square_pr > square_qr                        ? cross(pq, qr)
+                                                                       : cross(pq, pr);
+    return Complex{N(dot(pq, pr) / square_pq), N(CGAL::sqrt(dot(normal, normal)) / square_pq), 0}
+      .with_error(20);
+  }
+
+  // both formulas lose no digits
+  Complex from_lengths(const Input_corner& c) const
+  {
+    const auto& length = m_input.length_map();
+    const N pq(length[c.pq]), pr(length[c.pr]), qr(length[c.qr]);
+    const N doubled_square = N(2) * pq * pq;
+    return Complex{N(doubled_corner_product(qr, pq, pr) / doubled_square),
+                   N(quadrupled_area(pq, pr, qr) / doubled_square), 0}
+      .with_error(20);
+  }
+
+  Complex from_squared_lengths(const Input_corner& c) const
+  {
+    const auto& square = m_metric.squared_lengths;
+    const K pq(square[c.pq]);
+    const Corner_products<K> exact(pq, K(square[c.pr]), K(square[c.qr]));
+    const Complex along = to_ball<N>(K(exact.doubled_product / (K(2) * pq)));
+    const Complex across =
+      root(to_ball<N>(K((std::max)(exact.squared_quadrupled_area, K(0)) / (K(4) * pq * pq))));
+    return along + Complex{N(0), across.x, across.radius};
+  }
+
+  const Metric& m_metric;
+  Surface m_input;
+};
+
+// Corners of numbers with square roots, exactly. They are not divided by the squared length of their
+// side: a position is one up to a positive factor.
+template <typename Metric, typename Surface>
+class Exact_corners
+{
+  typedef Exact_number_of<typename Metric::Number> K;
+
+public:
+  typedef Root_complex<K> Complex;
+
+  // A decision is left open if it involves more than `maximum` independent roots.
+  Exact_corners(const Metric& metric, const Surface& input, std::size_t maximum)
+    : m_metric(metric), m_input(input), m_tower(maximum)
+  {}
+
+  Complex number(int x) const { return real(K(x)); }
+
+  Complex scaled(const Complex& z, const Input_corner& c) const
+  {
+    return z * real(K(2) * squares(c)[0]);
+  }
+
+  // returns numbers that are not negative; they need not be divided by their sum
+  std::array<Complex, 3> weights(const std::array<double, 3>& b) const
+  {
+    return {real(K(b[0])), real(K(b[1])), real(K(b[2]))};
+  }
+
+  Complex operator()(const Input_corner& c)
+  {
+    const auto square = squares(c);
+    const Corner_products<K> products(square[0], square[1], square[2]);
+    return {&m_tower, {products.doubled_product}, root(c, products.squared_quadrupled_area)};
+  }
+
+  // whether there were more roots than are allowed
+  bool has_too_many_roots() const { return m_has_too_many_roots; }
+
+private:
+  Complex real(const K& x) const { return {&m_tower, {x}, {K(0)}}; }
+
+  // Returns the squared lengths of pq, pr and qr, up to a common factor: coordinates are made whole
+  // numbers, which need no common denominators.
+  std::array<K, 3> squares(const Input_corner& c) const
+  {
+    if(m_metric.points.empty())
+      return {squared_length(c.pq), squared_length(c.pr), squared_length(c.qr)};
+    std::array<std::array<double, 3>, 3> corner{m_metric.points[c.p], m_metric.points[c.q],
+                                                m_metric.points[c.r]};
+    scale_to_integers(corner);
+    return {squared_distance<K>(corner[0], corner[1]), squared_distance<K>(corner[0], corner[2]),
+            squared_distance<K>(corner[1], corner[2])};
+  }
+
+  K squared_length(Edge_index e) const
+  {
+    return m_metric.squared_lengths.empty() ? K(CGAL::square(K(m_input.length_map()[e])))
+                                            : K(m_metric.squared_lengths[e]);
+  }
+
+  // All corners of a face have the root in common. Lengths that exceed the triangle inequality by
+  // rounding are those of a flat triangle.
+  const typename Complex::Element& root(const Input_corner& c, const K& square)
+  {
+    typename Complex::Element& root = m_root[{c.pq, c.pr}];
+    if(root.empty()) {
+      const auto found = m_tower.root((std::max)(square, K(0)));
+      m_has_too_many_roots = m_has_too_many_roots || !found;
+      root = found.value_or(typename Complex::Element{K(0)});
+    }
+    return root;
+  }
+
+  const Metric& m_metric;
+  Surface m_input;
+  Root_tower<K> m_tower;
+  std::map<std::pair<Edge_index, Edge_index>, typename Complex::Element> m_root;
+  bool m_has_too_many_roots = false;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_INPUT_CORNERS_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_INPUT_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_INPUT_METRIC_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <array>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+template <typename FT, typename Integer>
+class Euclidean_geometry_traits;
+
+namespace internal {
+
+// The exact metric of T1: positions of its vertices, or squared lengths in a field `K` with exact
+// signs (or of type `double`), or neither of them; then its lengths count as exact.
+template <typename K>
+struct Input_metric
+{
+  typedef K Number;
+
+  std::vector<std::array<double, 3>> points;
+  std::vector<K> squared_lengths;
+};
+
+// nothing, where the geometry is not Euclidean or the numbers of the traits are exact themselves
+struct No_metric
+{};
+
+// Whether decisions are exact while lengths are of type `double`: where lengths leave a doubt, they
+// are derived from the metric of T1.
+template <typename Traits, typename = void>
+struct Is_exact : std::false_type
+{};
+
+template <typename Traits>
+struct Is_exact<Traits, std::void_t<typename Traits::Exact_number>> : std::true_type
+{};
+
+template <typename Traits, typename = void>
+struct Metric_of
+{
+  typedef No_metric type;
+};
+
+template <typename Traits>
+struct Metric_of<Traits, std::void_t<typename Traits::Exact_number>>
+{
+  typedef Input_metric<typename Traits::Exact_number> type;
+};
+
+// `double` can be in doubt and then goes on with exact decisions
+template <typename Integer>
+struct Metric_of<Euclidean_geometry_traits<double, Integer>>
+{
+  typedef Input_metric<double> type;
+};
+
+template <typename Traits>
+using Input_metric_of = typename Metric_of<Traits>::type;
+
+template <typename Traits>
+constexpr bool has_metric()
+{
+  return !std::is_same_v<Input_metric_of<Traits>, No_metric>;
+}
+
+// a vector between positions
+template <typename N>
+std::array<N, 3> vector_between(const std::array<double, 3>& p, const std::array<double, 3>& q)
+{
+  return {N(q[0]) - N(p[0]), N(q[1]) - N(p[1]), N(q[2]) - N(p[2])};
+}
+
+template <typename N>
+N dot(const std::array<N, 3>& u, const std::array<N, 3>& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+template <typename N>
+std::array<N, 3> cross(const std::array<N, 3>& u, const std::array<N, 3>& v)
+{
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+} // namespace internal
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_INPUT_METRIC_H
