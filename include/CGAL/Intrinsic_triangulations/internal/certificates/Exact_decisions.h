@@ -17,6 +17,7 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -89,11 +90,12 @@ public:
   }
 
   // Returns whether the edge of `h`, laid out straight, passes between the ends of the edges of T1
-  // that it crosses.
+  // that it crosses. It may touch an end only where triangles of T1 have no area.
   bool is_straight(Halfedge_index h)
   {
-    return decide([&](const auto& development) { return straightness(development.strip(h)); }) ==
-           POSITIVE;
+    const Sign sign =
+      decide([&](const auto& development) { return straightness(development.strip(h)); });
+    return sign == POSITIVE || (sign == ZERO && passes_face_without_area(h));
   }
 
   // whether the edge of `h` is a whole edge of T1
@@ -221,16 +223,17 @@ private:
   static Uncertain<Sign> straightness(const Strip& strip)
   {
     const auto direction = conj(strip.end);
-    Uncertain<Sign> result = POSITIVE;
+    Sign least = POSITIVE;
+    bool is_known = true;
     for(const auto& side : strip.crossed)
       for(const Uncertain<Sign> sign : {sign_of_imaginary(direction * side.target),
                                         -sign_of_imaginary(direction * side.source)}) {
-        if(!is_certain(sign))
-          result = sign;
-        else if(get_certain(sign) != POSITIVE)
-          return NEGATIVE;
+        is_known = is_known && is_certain(sign);
+        if(is_certain(sign))
+          least = (std::min)(least, get_certain(sign));
       }
-    return result;
+    return is_known || least == NEGATIVE ? Uncertain<Sign>(least)
+                                         : Uncertain<Sign>::indeterminate();
   }
 
   template <typename N>
@@ -251,6 +254,17 @@ private:
   }
 
   // ---- Squared lengths ----
+
+  bool passes_face_without_area(Halfedge_index h)
+  {
+    const Delta_complex& input = m_pair.input_mesh();
+    Exact corners(m_metric, m_pair.input(), 1);
+    for(std::size_t m = 0; m < m_crossings.count(h); ++m)
+      for(Halfedge_index side : {m_crossings(h, m), input.opposite(m_crossings(h, m))})
+        if(corners.is_flat(corner_at_source(side, input)))
+          return true;
+    return false;
+  }
 
   // Returns whether the squared length of the edge of `h` is known without roots: it is an edge of
   // T1, or a straight line in space.

@@ -59,9 +59,9 @@ struct Corner_products
 {
   K doubled_product, squared_quadrupled_area;
 
-  Corner_products(const K& pq, const K& pr, const K& qr)
-    : doubled_product(pq + pr - qr),
-      squared_quadrupled_area(K(4) * pq * pr - doubled_product * doubled_product)
+  explicit Corner_products(const std::array<K, 3>& square)
+    : doubled_product(square[0] + square[1] - square[2]),
+      squared_quadrupled_area(K(4) * square[0] * square[1] - doubled_product * doubled_product)
   {}
 };
 
@@ -144,7 +144,7 @@ private:
   {
     const auto& square = m_metric.squared_lengths;
     const K pq(square[c.pq]);
-    const Corner_products<K> exact(pq, K(square[c.pr]), K(square[c.qr]));
+    const Corner_products<K> exact({pq, K(square[c.pr]), K(square[c.qr])});
     const Complex along = to_ball<N>(K(exact.doubled_product / (K(2) * pq)));
     const Complex across =
       root(to_ball<N>(K((std::max)(exact.squared_quadrupled_area, K(0)) / (K(4) * pq * pq))));
@@ -185,9 +185,14 @@ public:
 
   Complex operator()(const Input_corner& c)
   {
-    const auto square = squares(c);
-    const Corner_products<K> products(square[0], square[1], square[2]);
+    const Corner_products<K> products(squares(c));
     return {&m_tower, {products.doubled_product}, root(c, products.squared_quadrupled_area)};
+  }
+
+  // whether the triangle has no area
+  bool is_flat(const Input_corner& c) const
+  {
+    return !(Corner_products<K>(squares(c)).squared_quadrupled_area > K(0));
   }
 
   // whether there were more roots than are allowed
