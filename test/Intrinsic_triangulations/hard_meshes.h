@@ -13,11 +13,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <set>
 #include <vector>
 
 // Meshes at the limits of `double`: needles and caps down to 1e-16 of an edge, vertices as near as
 // the rounding of their coordinates, faces of zero area. They have 20 to 3000 faces, are manifold
-// and oriented, and adjacent vertices differ.
+// and oriented, and no two vertices coincide, so that none have distance zero on the surface.
 namespace Test_surfaces {
 
 // Numbers that depend on the seed alone, not on the standard library.
@@ -40,25 +41,38 @@ private:
   std::mt19937_64 m_bits;
 };
 
-// ---- Vertices that differ from their neighbors ----
+// ---- Vertices that are apart ----
 
-inline bool are_apart(const Point& p, const Point& q)
+// Whether no vertex is closer to `p` than rounding of a coordinate of one.
+inline bool is_free(const Point& p, const Mesh& mesh)
 {
-  return CGAL::squared_distance(p, q) > 1e-34;
-}
-
-inline bool is_apart_from_neighbors(Vertex_index v, const Mesh& mesh)
-{
-  bool result = true;
-  for(Halfedge_index h : mesh.halfedges_around_target(mesh.halfedge(v)))
-    result = result && are_apart(mesh.point(v), mesh.point(mesh.source(h)));
-  return result;
+  return std::none_of(mesh.points().begin(), mesh.points().end(),
+                      [&](const Point& q) { return CGAL::squared_distance(p, q) <= 1e-34; });
 }
 
 inline bool all_are_apart(const Mesh& mesh)
 {
-  return std::all_of(mesh.vertices().begin(), mesh.vertices().end(),
-                     [&](Vertex_index v) { return is_apart_from_neighbors(v, mesh); });
+  return std::set<Point>(mesh.points().begin(), mesh.points().end()).size() ==
+         mesh.number_of_vertices();
+}
+
+// Puts a vertex on the edge of `h` if that place is free. Returns the halfedge from the source of
+// `h` to it.
+inline Halfedge_index split_edge_apart(Halfedge_index h, double t, Mesh& mesh)
+{
+  const Point p = between(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), t);
+  if(!is_free(p, mesh))
+    return Mesh::null_halfedge();
+  const Halfedge_index result = IT::split_edge(h, mesh);
+  mesh.point(mesh.target(result)) = p;
+  return result;
+}
+
+// Puts a vertex at `p` into the face of `h` if that place is free.
+inline void split_face_apart(Halfedge_index h, const Point& p, Mesh& mesh)
+{
+  if(is_free(p, mesh))
+    mesh.point(mesh.target(IT::split_face(h, mesh))) = p;
 }
 
 inline const Point& apex(Halfedge_index h, const Mesh& mesh)
@@ -66,31 +80,7 @@ inline const Point& apex(Halfedge_index h, const Mesh& mesh)
   return mesh.point(mesh.target(mesh.next(h)));
 }
 
-// Puts a vertex on the edge of `h` if rounding leaves it a place of its own. Returns the halfedge
-// from the source of `h` to it.
-inline Halfedge_index split_edge_apart(Halfedge_index h, double t, Mesh& mesh)
-{
-  const Point p = between(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), t);
-  const auto is_free = [&](Halfedge_index x) {
-    return are_apart(p, mesh.point(mesh.source(x))) &&
-           (mesh.is_border(x) || are_apart(p, apex(x, mesh)));
-  };
-  if(!is_free(h) || !is_free(mesh.opposite(h)))
-    return Mesh::null_halfedge();
-  const Halfedge_index result = IT::split_edge(h, mesh);
-  mesh.point(mesh.target(result)) = p;
-  return result;
-}
-
-// Puts a vertex at `p` into the face of `h` if no corner is there.
-inline void split_face_apart(Halfedge_index h, const Point& p, Mesh& mesh)
-{
-  if(are_apart(p, mesh.point(mesh.source(h))) && are_apart(p, mesh.point(mesh.target(h))) &&
-     are_apart(p, apex(h, mesh)))
-    mesh.point(mesh.target(IT::split_face(h, mesh))) = p;
-}
-
-// Rotates and rounds, unless that makes neighbors coincide.
+// Rotates and rounds, unless that makes vertices coincide.
 inline Mesh turned_apart(const Mesh& mesh, Portable_random& random)
 {
   const Mesh result = turned(mesh, random);
@@ -168,7 +158,7 @@ inline Mesh sliced_polygon(std::size_t sides, std::size_t n, double height, Port
         between(corner(k), corner(k + 1), t += log_uniform(1e-15, 0.9, random) * (1 - t)));
   }
   points.erase(std::unique(points.begin(), points.end(),
-                           [](const Point& p, const Point& q) { return !are_apart(p, q); }),
+                           [](const Point& p, const Point& q) { return p == q; }),
                points.end());
   const std::size_t ring = points.size();
   Triangles triangles = random_ears(consecutive(0, ring), random);
@@ -241,10 +231,10 @@ inline void add_near_vertices(Mesh& mesh, double part, Portable_random& random)
 inline void collapse_almost(Mesh& mesh, double part, Portable_random& random)
 {
   for(Vertex_index v : random_part(mesh.vertices(), part, random)) {
-    const Point before = mesh.point(v), &neighbor = mesh.point(mesh.source(mesh.halfedge(v)));
-    mesh.point(v) = neighbor + log_uniform(1e-16, 1e-11, random) * random_direction(random);
-    if(!is_apart_from_neighbors(v, mesh))
-      mesh.point(v) = before;
+    const Point& neighbor = mesh.point(mesh.source(mesh.halfedge(v)));
+    const Point p = neighbor + log_uniform(1e-16, 1e-11, random) * random_direction(random);
+    if(is_free(p, mesh))
+      mesh.point(v) = p;
   }
 }
 

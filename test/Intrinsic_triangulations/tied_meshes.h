@@ -259,7 +259,7 @@ inline Tied_mesh mirrored_strip(std::size_t n, Portable_random& random)
     append(triangles, random_ears({k, k + 1, k + 3, k + 2}, random));
   }
   for(std::size_t i = 0; i < n; ++i)
-    for(const std::size_t side : {0, 1}) {
+    for(const std::size_t side : {0u, 1u}) {
       const std::size_t a = 2 * i + side, b = a + 2;
       const Point middle = CGAL::midpoint(points[a], points[b]);
       const double out = random.get_int(16 * unit, 24 * unit);
