@@ -25,25 +25,32 @@ namespace Test_surfaces {
 
 // ---- Random numbers ----
 
-inline double log_uniform(double least, double greatest, CGAL::Random& random)
+template <typename Random>
+double log_uniform(double least, double greatest, Random& random)
 {
   return std::exp(random.get_double(std::log(least), std::log(greatest)));
 }
 
 // Bounds included.
-inline std::size_t random_size(int least, int greatest, CGAL::Random& random)
+template <typename Random>
+std::size_t random_size(int least, int greatest, Random& random)
 {
   return static_cast<std::size_t>(random.get_int(least, greatest + 1));
 }
 
-inline bool toss(CGAL::Random& random) { return random.get_int(0, 2) == 1; }
+template <typename Random>
+bool toss(Random& random)
+{
+  return random.get_int(0, 2) == 1;
+}
 
 inline unsigned int random_seed(CGAL::Random& random)
 {
   return static_cast<unsigned int>(random.get_int(0, 1 << 30));
 }
 
-inline Kernel::Vector_3 random_direction(CGAL::Random& random)
+template <typename Random>
+Kernel::Vector_3 random_direction(Random& random)
 {
   for(;;) {
     const Kernel::Vector_3 v(random.get_double(-1, 1), random.get_double(-1, 1),
@@ -53,16 +60,16 @@ inline Kernel::Vector_3 random_direction(CGAL::Random& random)
   }
 }
 
-template <typename Index>
-void shuffle(std::vector<Index>& elements, CGAL::Random& random)
+template <typename Index, typename Random>
+void shuffle(std::vector<Index>& elements, Random& random)
 {
   for(std::size_t i = elements.size(); i > 1; --i)
     std::swap(elements[i - 1], elements[random_size(0, static_cast<int>(i) - 1, random)]);
 }
 
 // A part of the elements, in random order.
-template <typename Range>
-auto random_part(const Range& range, double part, CGAL::Random& random)
+template <typename Range, typename Random>
+auto random_part(const Range& range, double part, Random& random)
 {
   std::vector<std::decay_t<decltype(*range.begin())>> result(range.begin(), range.end());
   shuffle(result, random);
@@ -168,7 +175,8 @@ inline void add_caps(Mesh& mesh, double height, double part, CGAL::Random& rando
 }
 
 // Many vertices on some edges, all joined to the corners opposite.
-inline void add_fans(Mesh& mesh, CGAL::Random& random)
+template <typename Random>
+void add_fans(Mesh& mesh, Random& random)
 {
   for(Edge_index e : random_part(mesh.edges(), 0.1, random)) {
     const std::size_t n = random_size(5, 20, random);
@@ -187,7 +195,8 @@ struct Plane
 
 // Puts vertices where a plane meets the edges, but no closer than `gap` to those that they are
 // joined to.
-inline void cut(Mesh& mesh, const Plane& plane, double gap, CGAL::Random& random)
+template <typename Random>
+void cut(Mesh& mesh, const Plane& plane, double gap, Random& random)
 {
   const auto is_far = [&](const Point& p, Halfedge_index h) {
     return mesh.is_border(h) ||
@@ -206,7 +215,8 @@ inline void cut(Mesh& mesh, const Plane& plane, double gap, CGAL::Random& random
 }
 
 // Planes that almost pass through vertices and almost coincide.
-inline void cut_badly(Mesh& mesh, double gap, CGAL::Random& random)
+template <typename Random>
+void cut_badly(Mesh& mesh, double gap, Random& random)
 {
   const Vertex_index v(static_cast<Mesh::size_type>(
     random_size(0, static_cast<int>(mesh.number_of_vertices()) - 1, random)));
@@ -226,7 +236,8 @@ inline Mesh stretched_along_x(Mesh mesh, double factor)
 }
 
 // Rounds every coordinate.
-inline Mesh turned(Mesh mesh, CGAL::Random& random)
+template <typename Random>
+Mesh turned(Mesh mesh, Random& random)
 {
   const Kernel::Vector_3 x = random_direction(random);
   const Kernel::Vector_3 across = CGAL::cross_product(x, random_direction(random));

@@ -157,10 +157,12 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
   Refinement_result result;
   result.flips = make_Delaunay(tri, limits.flips, visitor);
   for(int round = 0; round < 20; ++round) {
+    const std::size_t before = result.insertions + result.flips;
     insert_vertices(tri, bounds, limits, visitor, result);
     tri.recompute_lengths();
     result.flips += make_Delaunay(tri, limits.flips, visitor);
-    if(!note_remaining(tri, bounds, result) || result.status == Refinement_status::insertion_limit)
+    if(!note_remaining(tri, bounds, result) || result.insertions + result.flips == before ||
+       result.status == Refinement_status::insertion_limit)
       break;
   }
   return result;

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -34,7 +35,7 @@ public:
     inside,  // of the face of halfedge(), with coordinates()
     on_edge, // of halfedge(), at along()
     blocked, // by the edge of halfedge()
-    lost     // the face has no area, or the circumcenter is too far away
+    lost     // the face has no area, or the circumcenter is too far away or a corner
   };
 
   Circumcenter_walk(const Surface_view<EdgeLengthMap>& surface)
@@ -139,26 +140,48 @@ private:
     FT sum(0);
     for(std::size_t k = 0; k < 3; ++k)
       sum += m_weight[k] = (std::max)(area_at_side((k + 1) % 3), FT(0));
-    if(!(sum > 0))
+    if(!(sum > *std::max_element(m_weight.begin(), m_weight.end())))
       return End::lost;
     for(FT& w : m_weight)
       w /= sum;
     for(std::size_t s = 0; s < 3; ++s)
-      if(area_at_side(s) <= closeness() * length_of_side(s))
-        return move_to_side(s, is_fixed);
-    return End::inside;
+      if(height_over_side(s) <= closeness() && is_fixed(side(s))) {
+        m_halfedge = side(s);
+        return End::blocked;
+      }
+    const std::size_t s = nearest_side();
+    return height_over_side(s) <= closeness() ? move_to_side(s) : End::inside;
   }
 
-  template <typename Is_fixed>
-  End move_to_side(std::size_t s, const Is_fixed& is_fixed)
+  std::size_t nearest_side() const
   {
-    m_halfedge = side(s);
-    const FT source = m_weight[s], target = m_weight[(s + 1) % 3];
-    m_along = target / (source + target);
-    return is_fixed(m_halfedge) ? End::blocked : End::on_edge;
+    std::size_t result = 0;
+    for(std::size_t s = 1; s < 3; ++s)
+      if(height_over_side(s) < height_over_side(result))
+        result = s;
+    return result;
   }
 
-  FT length_of_side(std::size_t s) const { return edge_length(side(s), m_surface); }
+  // The center is moved along the height, not towards the corner opposite: in a face thinner than
+  // its distance from the side, that corner can be anywhere along the side.
+  End move_to_side(std::size_t s)
+  {
+    const Halfedge_index h = side(s);
+    const FT base = edge_length(h, m_surface), left = edge_length(m_mesh.next(h), m_surface),
+             right = edge_length(m_mesh.prev(h), m_surface);
+    const FT foot = doubled_corner_product(left, base, right) / (2 * base * base);
+    const FT along = m_weight[(s + 1) % 3] + m_weight[(s + 2) % 3] * foot;
+    if(!(along > 0 && along < 1))
+      return End::inside;
+    m_halfedge = h;
+    m_along = along;
+    return End::on_edge;
+  }
+
+  FT height_over_side(std::size_t s) const
+  {
+    return area_at_side(s) / edge_length(side(s), m_surface);
+  }
 
   Surface_view<EdgeLengthMap> m_surface;
   const Delta_complex& m_mesh;

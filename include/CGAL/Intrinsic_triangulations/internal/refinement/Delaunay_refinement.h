@@ -149,7 +149,7 @@ private:
       case Walk::End::inside:
         return add_vertex(m_inserter.insert(m_walk.location(), m_walk.closeness()));
       case Walk::End::on_edge: return split(m_walk.halfedge(), m_walk.along());
-      case Walk::End::blocked: return split_fixed(m_walk.halfedge());
+      case Walk::End::blocked: return split_fixed(m_walk.halfedge(), f);
       case Walk::End::lost: return;
     }
   }
@@ -163,12 +163,15 @@ private:
         m_inserter.insert(face_location(Edge_point<FT>{h, t}, m_mesh), m_walk.closeness()));
   }
 
-  void split_fixed(Halfedge_index h)
+  // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but its turn comes
+  // again.
+  void split_fixed(Halfedge_index h, Face_index f)
   {
     if(!m_inserter.can_be_split(h))
       throw Numerical_error("both sides of the edge are in one face");
     const FT radius = m_tri.length(m_mesh.edge(h));
     const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);
+    m_changed.push_back(f);
     add_vertex(m);
     m_is_free[m.idx()] = false;
     remove_free_vertices(m, radius);
