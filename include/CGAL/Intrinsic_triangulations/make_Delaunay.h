@@ -62,12 +62,19 @@ public:
 
   bool is_Delaunay(Edge_index e) const { return m_tri.is_Delaunay(e); }
 
-  // the new edge is Delaunay, but for rounding of lengths
-  void flip(Halfedge_index h)
+  // Returns whether that was possible. The new edge is Delaunay, up to rounding of lengths.
+  bool flip(Halfedge_index h)
   {
-    m_tri.flip(h);
+    try {
+      m_tri.flip(h);
+    } catch(const Numerical_error&) {
+      if(!has_metric<Traits>())
+        throw;
+      return false;
+    }
     m_has_failed =
       m_has_failed || (is_rounded<typename Traits::FT>() && !is_Delaunay(m_tri.mesh().edge(h)));
+    return true;
   }
 
   bool has_failed() const { return m_has_failed; }
@@ -77,36 +84,49 @@ private:
   bool m_has_failed = false;
 };
 
-// Returns the number of flips. If it would exceed `limit`, some edges are not Delaunay.
+// What a run of flips has come to.
+struct Flipping_result
+{
+  std::size_t flips;
+  bool is_Delaunay; // otherwise it has come to the limit, or to an edge that cannot be flipped
+};
+
 template <typename Flipping, typename Visitor>
-std::size_t flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
-                             Visitor& visitor)
+Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
+                                 Visitor& visitor)
 {
   Edge_stack stack(mesh.num_edges());
   for(Edge_index e : mesh.edges())
     stack.push_if(!flipping.is_certainly_Delaunay(e), e);
-  for(std::size_t flips = 0;;) {
-    if(stack.empty())
-      return flips;
+  std::size_t flips = 0;
+  while(!stack.empty()) {
     const Edge_index e = stack.pop();
     if(flipping.is_Delaunay(e))
       continue;
-    if(flips++ == limit)
-      return flips;
     const Halfedge_index h = mesh.halfedge(e);
-    flipping.flip(h);
+    if(flips == limit || !flipping.flip(h))
+      return {flips, false};
+    ++flips;
     for(Edge_index side : edges_around(h, mesh))
       stack.push_if(!flipping.is_certainly_Delaunay(side), side);
     visitor.after_flip(h);
   }
+  return {flips, true};
 }
 
-// What a run of flips by lengths has come to.
-struct Flipping_result
+// Computes lengths afresh, and returns whether that was possible.
+template <typename Traits>
+bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri)
 {
-  std::size_t flips;
-  bool is_Delaunay;
-};
+  try {
+    tri.recompute_lengths();
+  } catch(const Numerical_error&) {
+    if(!has_metric<Traits>())
+      throw;
+    return false;
+  }
+  return true;
+}
 
 // Where edges have been flipped more than once on average, rounding may have added up; where a flip
 // failed, it has. With lengths computed afresh a second round is enough as a rule, but nothing
@@ -115,18 +135,19 @@ template <typename Traits, typename Visitor>
 Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit, int rounds,
                                 Visitor& visitor)
 {
-  std::size_t flips = 0;
-  for(int round = 0; round < rounds; ++round) {
+  Flipping_result result{0, true};
+  for(int round = 0; round < rounds && result.is_Delaunay; ++round) {
     Flipping_by_lengths<Traits> flipping(tri);
-    const std::size_t last = flip_to_Delaunay(tri.mesh(), flipping, limit - flips, visitor);
-    if(last > limit - flips)
-      return {limit, false};
-    flips += last;
-    if(last <= tri.mesh().number_of_edges() && !flipping.has_failed())
-      return {flips, true};
-    tri.recompute_lengths();
+    const std::size_t before = result.flips;
+    result = flip_to_Delaunay(tri.mesh(), flipping, limit - before, visitor);
+    const bool is_good = result.flips <= tri.mesh().number_of_edges() && !flipping.has_failed();
+    result.flips += before;
+    if(result.is_Delaunay && is_good)
+      return result;
+    if(result.is_Delaunay)
+      result.is_Delaunay = has_recomputed_lengths(tri);
   }
-  return {flips, false};
+  return {result.flips, false};
 }
 
 inline void check_flip_limit(bool is_exceeded)
@@ -139,13 +160,13 @@ template <typename Traits, typename Visitor>
 std::size_t flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
 {
   Exact_flipping<Traits> flipping(tri);
-  const std::size_t flips = flip_to_Delaunay(tri.mesh(), flipping, limit, visitor);
-  check_flip_limit(flips > limit);
-  return flips;
+  const Flipping_result result = flip_to_Delaunay(tri.mesh(), flipping, limit, visitor);
+  check_flip_limit(!result.is_Delaunay);
+  return result.flips;
 }
 
-// Lengths of type `double` that lead to far more flips than there are edges, or to edges that are
-// still not Delaunay, cannot carry the decisions.
+// Goes on exactly where lengths of type `double` cannot carry the decisions: if there are far more
+// flips than edges, or edges that are still not Delaunay after two rounds.
 template <typename Traits, typename Visitor>
 std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
 {

@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -124,24 +126,6 @@ Uncertain<Sign> sign_of_imaginary(const Ball<N>& a)
   return certain_sign(a.y, a.radius);
 }
 
-// Returns `value` up to an error. Numbers of type `double` are taken away from it one after the
-// other, until the rest does not matter.
-template <typename N, typename K>
-Ball<N> to_ball(K value)
-{
-  N sum(0);
-  for(;;) {
-    const auto before = CGAL::to_interval(value);
-    const double part = before.first + (before.second - before.first) / 2;
-    sum = N(sum + N(part));
-    value -= K(part);
-    const auto rest = CGAL::to_interval(value);
-    const Ball<N> ball{sum, N(0), (std::max)(-rest.first, rest.second)};
-    if(!(ball.radius > Rounding<N>::unit() * ball.norm()))
-      return ball.with_error(1);
-  }
-}
-
 // returns the root of a real number that is not negative
 template <typename N>
 Ball<N> root(const Ball<N>& a)
@@ -150,6 +134,41 @@ Ball<N> root(const Ball<N>& a)
     return {N(0), N(0), std::sqrt(CGAL::to_double(a.x) + a.radius) * (1 + Rounding<float>::unit())};
   const N root = CGAL::sqrt(a.x);
   return Ball<N>{root, N(0), a.radius / CGAL::to_double(root)}.with_error(4);
+}
+
+// whether a number is a + b sqrt(c), as `Sqrt_extension` is
+template <typename K, typename = void>
+struct Is_extension : std::false_type
+{};
+
+template <typename K>
+struct Is_extension<K, std::void_t<decltype(std::declval<K>().a1(), std::declval<K>().root())>>
+  : std::true_type
+{};
+
+// Returns `value` up to an error. Numbers of type `double` are taken away from it one after the
+// other, until the rest does not matter, or intervals get no smaller.
+template <typename N, typename K>
+Ball<N> to_ball(K value)
+{
+  if constexpr(Is_extension<K>::value) {
+    const Ball<N> a = to_ball<N>(value.a0());
+    return value.is_extended() ? a + to_ball<N>(value.a1()) * root(to_ball<N>(value.root())) : a;
+  } else {
+    Ball<N> ball{N(0), N(0), std::numeric_limits<double>::infinity()};
+    for(;;) {
+      const auto before = CGAL::to_interval(value);
+      const double part = before.first + (before.second - before.first) / 2;
+      value -= K(part);
+      const auto rest = CGAL::to_interval(value);
+      const double error = (std::max)(-rest.first, rest.second);
+      if(!(error < ball.radius))
+        return ball.with_error(1);
+      ball = {N(ball.x + N(part)), N(0), error};
+      if(!(error > Rounding<N>::unit() * ball.norm()))
+        return ball.with_error(1);
+    }
+  }
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -68,7 +68,8 @@ public:
                                   : m_decisions.Delaunay_sign(h) != NEGATIVE;
   }
 
-  void flip(Halfedge_index h)
+  // returns true: it is always possible
+  bool flip(Halfedge_index h)
   {
     const Diamond<double> length = diamond(m_tri.length_map(), h, m_mesh);
     const double flipped = m_by_formula(length), bound = flipped_error(length, h) / flipped;
@@ -78,6 +79,7 @@ public:
       return is_good && !m_tri.coordinates().is_shared(e) ? flipped : m_decisions.length(h);
     });
     m_error[e.idx()] = static_cast<float>(is_good ? 2 * bound : certified_length_error());
+    return true;
   }
 
   // Computes all lengths anew.

@@ -1,0 +1,397 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "data_meshes.h"
+#include "tied_meshes.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Sqrt_extension.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using CGAL::Exact_rational;
+using Exact_traits = IT::Exact_Euclidean_geometry_traits<>;
+using Exact_triangulation = IT::Intrinsic_triangulation<Exact_traits>;
+using IT::Delaunay_certificate;
+
+// ---- Numbers ----
+
+using Double_ball = IT::internal::Ball<double>;
+
+struct Exact_complex
+{
+  Exact_rational x, y;
+
+  friend Exact_complex operator+(const Exact_complex& a, const Exact_complex& b)
+  {
+    return {a.x + b.x, a.y + b.y};
+  }
+  friend Exact_complex operator-(const Exact_complex& a, const Exact_complex& b)
+  {
+    return {a.x - b.x, a.y - b.y};
+  }
+  friend Exact_complex operator*(const Exact_complex& a, const Exact_complex& b)
+  {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+  }
+};
+
+bool contains(const Double_ball& ball, const Exact_complex& z)
+{
+  const Exact_rational dx = z.x - Exact_rational(ball.x), dy = z.y - Exact_rational(ball.y);
+  const Exact_rational radius(ball.radius);
+  return dx * dx + dy * dy <= radius * radius;
+}
+
+TEST(Exact_Delaunay, balls_contain_the_exact_number)
+{
+  Portable_random random(1);
+  const auto number = [&] { return std::ldexp(random.get_double(-1, 1), random.get_int(-30, 30)); };
+  for(int trial = 0; trial < 300; ++trial) {
+    Double_ball ball{number(), number(), 0};
+    Exact_complex exact{ball.x, ball.y};
+    for(int step = 0; step < 20; ++step) {
+      const Double_ball other{number(), number(), 0};
+      const Exact_complex exact_other{other.x, other.y};
+      switch(random.get_int(0, 3)) {
+        case 0: ball = ball + other, exact = exact + exact_other; break;
+        case 1: ball = ball - other, exact = exact - exact_other; break;
+        default: ball = ball * other, exact = exact * exact_other;
+      }
+      ASSERT_TRUE(contains(ball, exact));
+    }
+  }
+}
+
+using Tower = IT::internal::Root_tower<Exact_rational>;
+
+TEST(Exact_Delaunay, signs_of_sums_of_roots)
+{
+  Tower tower(10);
+  const auto root = [&](int square) { return tower.root(Exact_rational(square)).value(); };
+  const auto number = [](int x) { return Tower::Element{Exact_rational(x)}; };
+  const Tower::Element sum = Tower::sum(root(2), root(3));
+  const Tower::Element square = tower.product(sum, sum);
+  const auto less = [&](const Tower::Element& a) { return Tower::sum(square, Tower::negative(a)); };
+  const Tower::Element same = Tower::sum(number(5), tower.product(number(2), root(6)));
+  EXPECT_EQ(tower.sign(less(same)), CGAL::ZERO);
+  EXPECT_EQ(tower.sign(less(Tower::sum(same, {Exact_rational(1) / 1000000000}))), CGAL::NEGATIVE);
+  EXPECT_EQ(tower.sign(less(Tower::sum(same, {Exact_rational(-1) / 1000000000}))), CGAL::POSITIVE);
+  EXPECT_EQ(root(50), tower.product(number(5), root(2))); // no new root
+  EXPECT_EQ(tower.root(Exact_rational(49) / 64).value(), Tower::Element{Exact_rational(7) / 8});
+}
+
+TEST(Exact_Delaunay, too_many_roots_are_refused)
+{
+  Tower tower(2);
+  for(int square : {2, 3, 8, 27, 12})
+    EXPECT_TRUE(tower.root(Exact_rational(square)));
+  EXPECT_FALSE(tower.root(Exact_rational(5)));
+}
+
+// ---- Flat surfaces ----
+
+template <typename R>
+int side_of_circle(const std::array<R, 2>& a, const std::array<R, 2>& b, const std::array<R, 2>& c)
+{
+  const auto square = [](const std::array<R, 2>& v) { return R(v[0] * v[0] + v[1] * v[1]); };
+  const R determinant = a[0] * (b[1] * square(c) - c[1] * square(b)) -
+                        a[1] * (b[0] * square(c) - c[0] * square(b)) +
+                        square(a) * (b[0] * c[1] - b[1] * c[0]);
+  return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
+}
+
+// Keeps the vectors of the edges of a flat surface while they are flipped: the third side of a
+// triangle is minus the sum of the others.
+struct Vector_keeper : IT::Default_flip_visitor
+{
+  const Delta_complex& mesh;
+  std::vector<Vector> vector;
+
+  Vector_keeper(const Delta_complex& mesh, std::vector<Vector> vector)
+    : mesh(mesh), vector(std::move(vector))
+  {}
+
+  void after_flip(Halfedge_index h)
+  {
+    const Vector sum = vector[mesh.next(h)] + vector[mesh.prev(h)];
+    vector[h] = {-sum.x, -sum.y};
+    vector[mesh.opposite(h)] = sum;
+  }
+
+  // of the circle through the face of `h`, with the apex beyond; positive inside
+  int side_of_circle(Halfedge_index h) const
+  {
+    const auto exact = [](const Vector& v) {
+      return std::array<Exact_rational, 2>{Exact_rational(double(v.x)),
+                                           Exact_rational(double(v.y))};
+    };
+    const Vector ij = vector[h], ik = ij + vector[mesh.next(h)],
+                 il = vector[mesh.next(mesh.opposite(h))];
+    // relative to l
+    const Vector i{-il.x, -il.y}, j = ij + i, k = ik + i;
+    return ::side_of_circle(exact(i), exact(j), exact(k));
+  }
+};
+
+// Flips at random what stays convex, and keeps vectors.
+template <typename Triangulation>
+void shuffle(Triangulation& t, Vector_keeper& vectors, std::size_t flips, Portable_random& random)
+{
+  const int edges = static_cast<int>(t.mesh().number_of_edges());
+  for(std::size_t flip = 0; flip < flips; ++flip) {
+    const Halfedge_index h =
+      t.mesh().halfedge(Edge_index(static_cast<unsigned>(random.get_int(0, edges))));
+    if(t.is_flippable(h)) {
+      t.flip(h);
+      vectors.after_flip(h);
+    }
+  }
+}
+
+Exact_triangulation with_squared_lengths(const Flat_surface& surface)
+{
+  Delta_complex mesh = surface.mesh;
+  auto square = mesh.add_property_map<Edge_index, Exact_rational>("e:square").first;
+  for(Edge_index e : mesh.edges()) {
+    const Vector v = surface.vector[mesh.halfedge(e)];
+    square[e] = Exact_rational(double(dot(v, v)));
+  }
+  return Exact_triangulation(mesh, IT::parameters::squared_edge_length_map(square));
+}
+
+void check_flat_surface(const Flat_surface& surface, std::uint64_t seed)
+{
+  Portable_random random(seed);
+  Exact_triangulation t = with_squared_lengths(surface);
+  Vector_keeper vectors(t.mesh(), surface.vector);
+  shuffle(t, vectors, 4 * t.mesh().number_of_edges(), random);
+  IT::make_Delaunay(t, IT::parameters::visitor(std::ref(vectors)));
+  const Delaunay_certificate certificate = IT::certify_Delaunay(t);
+  EXPECT_TRUE(certificate.is_Delaunay());
+  std::size_t ties = 0;
+  for(Edge_index e : t.mesh().edges()) {
+    const Vector v = vectors.vector[t.mesh().halfedge(e)];
+    EXPECT_NEAR(t.length(e), length(v), 1e-11 * length(v));
+    if(t.mesh().is_border(e))
+      continue;
+    const int side = vectors.side_of_circle(t.mesh().halfedge(e));
+    EXPECT_LE(side, 0) << "edge " << e.idx();
+    ties += side == 0;
+  }
+  EXPECT_EQ(certificate.ties.size(), ties);
+}
+
+TEST(Exact_Delaunay, flat_tori)
+{
+  for(unsigned int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    check_flat_surface(
+      flat_torus(static_cast<int>(1 + seed % 5), static_cast<int>(1 + seed / 5), seed), seed);
+  }
+}
+
+TEST(Exact_Delaunay, flat_cylinders)
+{
+  for(int n = 1; n < 9; ++n) {
+    SCOPED_TRACE(n);
+    check_flat_surface(flat_cylinder(n, n % 4), static_cast<std::uint64_t>(n));
+  }
+}
+
+TEST(Exact_Delaunay, flat_polygons)
+{
+  for(unsigned int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const int n = 8 + 4 * static_cast<int>(seed);
+    // a narrow range of coordinates has many cocircular points
+    const int range = seed % 2 == 0 ? n : 1000;
+    check_flat_surface(flat_polygon(random_points(static_cast<std::size_t>(n), range, seed)), seed);
+  }
+}
+
+// ---- Ties ----
+
+// whatever the triangulation before
+TEST(Exact_Delaunay, finds_all_ties)
+{
+  for(std::uint64_t seed = 0; seed < 105; ++seed) {
+    const Tied_mesh tied = tied_mesh(seed);
+    SCOPED_TRACE(tied.name + " " + std::to_string(seed));
+    Exact_triangulation t(tied.mesh);
+    EXPECT_EQ(IT::make_Delaunay(t), 0u); // ties keep the edge
+    EXPECT_EQ(IT::certify_Delaunay(t).ties.size(), tied.ties);
+    Portable_random random(seed);
+    Vector_keeper nothing(t.mesh(), std::vector<Vector>(t.mesh().number_of_halfedges()));
+    shuffle(t, nothing, 100 + 3 * t.mesh().number_of_edges(), random);
+    IT::make_Delaunay(t);
+    const Delaunay_certificate certificate = IT::certify_Delaunay(t);
+    EXPECT_TRUE(certificate.is_Delaunay());
+    EXPECT_EQ(certificate.ties.size(), tied.ties);
+    EXPECT_TRUE(t.is_valid(true));
+  }
+}
+
+TEST(Exact_Delaunay, rectangles_are_ties)
+{
+  Portable_random random(7);
+  for(int trial = 0; trial < 300; ++trial) {
+    Exact_triangulation t(exact_rectangle(random).mesh);
+    EXPECT_TRUE(IT::is_Delaunay(t));
+    EXPECT_EQ(IT::certify_Delaunay(t).ties.size(), 1u);
+  }
+}
+
+// ---- Kernels ----
+
+template <typename Kernel>
+void check_kernel(const Tied_mesh& tied)
+{
+  using Other_mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
+  Other_mesh mesh;
+  CGAL::copy_face_graph(tied.mesh, mesh);
+  // a third of the size is no number of type `double`
+  for(auto v : mesh.vertices()) {
+    const auto p = mesh.point(v);
+    mesh.point(v) = typename Kernel::Point_3(p.x() / 3, p.y() / 3, p.z() / 3);
+  }
+  Exact_triangulation t(mesh);
+  IT::make_Delaunay(t);
+  const Delaunay_certificate certificate = IT::certify_Delaunay(t);
+  EXPECT_TRUE(certificate.is_Delaunay());
+  EXPECT_EQ(certificate.ties.size(), tied.ties);
+}
+
+TEST(Exact_Delaunay, positions_in_exact_kernels)
+{
+  for(std::uint64_t seed = 0; seed < 14; ++seed) {
+    const Tied_mesh tied = tied_mesh(seed);
+    SCOPED_TRACE(tied.name);
+    check_kernel<CGAL::Simple_cartesian<Exact_rational>>(tied);
+    check_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(tied);
+  }
+}
+
+// ---- A translation surface ----
+
+using Q_of_root_2 = CGAL::Sqrt_extension<Exact_rational, Exact_rational>;
+
+// A regular octagon with sides glued, cut into a fan: its squared lengths are in Q(sqrt 2). All
+// corners are cocircular, so that there is one cell with eight corners, and five ties.
+TEST(Exact_Delaunay, octagon_with_lengths_in_an_extension)
+{
+  Delta_complex mesh = double_torus();
+  auto square = mesh.add_property_map<Edge_index, Q_of_root_2>("e:square", Q_of_root_2(1)).first;
+  const std::array<std::pair<int, int>, 5> diagonals{{{2, 1}, {3, 2}, {4, 2}, {3, 2}, {2, 1}}};
+  for(unsigned int d = 0; d < 5; ++d)
+    square[Edge_index(4 + d)] = Q_of_root_2(diagonals[d].first, diagonals[d].second, 2);
+  IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<Q_of_root_2>> t(
+    mesh, IT::parameters::squared_edge_length_map(square));
+  EXPECT_EQ(IT::make_Delaunay(t), 0u);
+  EXPECT_EQ(IT::certify_Delaunay(t).ties.size(), 5u);
+  for(std::uint64_t seed = 0; seed < 20; ++seed) {
+    Portable_random random(seed);
+    Vector_keeper nothing(t.mesh(), std::vector<Vector>(t.mesh().number_of_halfedges()));
+    shuffle(t, nothing, 8, random);
+    IT::make_Delaunay(t);
+    const Delaunay_certificate certificate = IT::certify_Delaunay(t);
+    EXPECT_TRUE(certificate.is_Delaunay());
+    EXPECT_EQ(certificate.ties.size(), 5u);
+    double sides = 0;
+    for(Edge_index e : t.mesh().edges())
+      sides += std::abs(t.length(e) - 1) < 1e-12;
+    EXPECT_EQ(sides, 4);
+  }
+}
+
+// ---- Hard meshes ----
+
+TEST(Exact_Delaunay, certified_on_hard_meshes)
+{
+  for(std::uint64_t seed = 0; seed < 240; ++seed) {
+    const Named_mesh hard = hard_mesh(seed);
+    SCOPED_TRACE(hard.name + " " + std::to_string(seed));
+    Exact_triangulation t(hard.mesh);
+    IT::make_Delaunay(t);
+    EXPECT_TRUE(IT::is_Delaunay(t));
+    EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
+  }
+}
+
+// Lengths of type `double` cannot carry the decisions there: flipping goes on exactly, or ends with
+// edges that are wrong by rounding.
+TEST(Exact_Delaunay, double_ends_on_hard_meshes)
+{
+  for(std::uint64_t seed = 0; seed < 240; ++seed) {
+    const Named_mesh hard = hard_mesh(seed);
+    SCOPED_TRACE(hard.name + " " + std::to_string(seed));
+    Triangulation t(hard.mesh);
+    EXPECT_NO_THROW(IT::make_Delaunay(t));
+    EXPECT_TRUE(t.is_valid(true));
+  }
+}
+
+TEST(Exact_Delaunay, certified_on_data_meshes)
+{
+  for_each_data_mesh(2000000, [](const Mesh& mesh) {
+    Exact_triangulation t(mesh);
+    IT::make_Delaunay(t);
+    EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
+    EXPECT_TRUE(t.is_valid(true));
+  });
+}
+
+// ---- Certificates that fail ----
+
+TEST(Exact_Delaunay, certificate_names_edges_that_are_not_Delaunay)
+{
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    const Flat_surface surface = flat_polygon(random_points(60, 200, seed));
+    const Exact_triangulation t = with_squared_lengths(surface);
+    const Vector_keeper vectors(t.mesh(), surface.vector);
+    const Delaunay_certificate certificate = IT::certify_Delaunay(t);
+    std::set<Edge_index> expected;
+    for(Edge_index e : t.mesh().edges())
+      if(!t.mesh().is_border(e) && vectors.side_of_circle(t.mesh().halfedge(e)) > 0)
+        expected.insert(e);
+    EXPECT_EQ(std::set<Edge_index>(certificate.non_Delaunay_edges.begin(),
+                                   certificate.non_Delaunay_edges.end()),
+              expected);
+    EXPECT_TRUE(certificate.is_geodesic());
+  }
+}
+
+// A flip across a corner of 180 degrees or more gives an edge that is not straight.
+TEST(Exact_Delaunay, certificate_names_bent_edges)
+{
+  const Flat_surface surface = flat_polygon(random_points(60, 200, 3));
+  std::size_t bent = 0;
+  for(Edge_index e : surface.mesh.edges()) {
+    Exact_triangulation t = with_squared_lengths(surface);
+    const Halfedge_index h = t.mesh().halfedge(e);
+    if(IT::flip_status(h, t.mesh()) != IT::Operation_status::possible || t.is_flippable(h))
+      continue;
+    t.flip(h);
+    EXPECT_EQ(IT::certify_Delaunay(t).bent_edges, std::vector<Edge_index>{e});
+    ++bent;
+  }
+  EXPECT_GT(bent, 10u);
+}
+
+} // namespace
