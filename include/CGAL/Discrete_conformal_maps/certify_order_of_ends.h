@@ -120,7 +120,7 @@ private:
   {
     const Protect_FPU_rounding<true> upwards;
     const std::vector<Filter_interval> places = places_of_C();
-    const Place_comparison<Interval_plane> compare(m_ab);
+    const Place_comparison<Interval_plane<Filter_interval>> compare(m_ab);
     for(const Neighbors& pair : m_pairs) {
       const auto c = m_bc.crossing(Side::input, pair.ends.along, pair.q);
       const Uncertain<Sign> order = compare(pair.ends.along, pair.p, places[c.id]);
@@ -167,10 +167,13 @@ private:
     const auto c = m_bc.crossing(Side::input, pair.ends.along, pair.q);
     const Edge_index e(c.across.halfedge);
     const size_type m = c.id - m_bc.crossings_on_intrinsic().before(e);
+    const Exact_rational place = place_of_C(development.strip(e), e, m);
     Uncertain<Sign> order = Uncertain<Sign>::indeterminate();
     try {
-      order = Place_comparison<Root_plane>(m_ab)(pair.ends.along, pair.p,
-                                                 place_of_C(development.strip(e), e, m));
+      order =
+        Place_comparison<Interval_plane<Rational_interval>>(m_ab)(pair.ends.along, pair.p, place);
+      if(!is_certain(order))
+        order = Place_comparison<Root_plane>(m_ab)(pair.ends.along, pair.p, place);
     } catch(const Intrinsic_triangulations::Numerical_error&) {
     }
     if(!is_certain(order))

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Rational_interval.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
 
 #include <CGAL/Exact_rational.h>
@@ -27,12 +28,14 @@ using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::opposite;
 using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::internal::Filter_interval;
+using Intrinsic_triangulations::internal::Rational_interval;
 
 // The complex plane, with intervals for coordinates.
+template <typename Interval>
 class Interval_plane
 {
 public:
-  typedef Filter_interval FT;
+  typedef Interval FT;
 
   struct Point
   {
@@ -49,14 +52,15 @@ public:
   // x + i scale sqrt(square)
   static Point point(const FT& x, const FT& scale = FT(0), const FT& square = FT(0))
   {
-    return {x, scale * CGAL::sqrt(square)};
+    return {x, scale * sqrt(square)};
   }
 
   // the sign of p Im a - q Im b, if Im a and Im b are certainly positive
   static Uncertain<Sign> compare(const FT& p, const Point& a, const FT& q, const Point& b)
   {
-    return certainly(a.y > 0) && certainly(b.y > 0) ? CGAL::sign(p * a.y - q * b.y)
-                                                    : Uncertain<Sign>::indeterminate();
+    return certainly(sign(a.y) == POSITIVE) && certainly(sign(b.y) == POSITIVE)
+             ? sign(p * a.y - q * b.y)
+             : Uncertain<Sign>::indeterminate();
   }
 };
 
