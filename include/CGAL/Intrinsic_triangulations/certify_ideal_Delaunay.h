@@ -84,12 +84,14 @@ private:
         continue;
       const Ideal_Delaunay_condition<Filter_interval> condition(
         diamond(map, m_mesh.halfedge(e), m_mesh));
-      const Uncertain<bool> holds = condition.inner < condition.outer;
+      if(!certainly(condition.inner < condition.outer) &&
+         !certainly(condition.inner > condition.outer)) {
+        m_in_doubt.push_back(e);
+        continue;
+      }
+      ++m_result.decided_by_intervals;
       if(certainly(condition.inner > condition.outer))
         fail(e, (condition.inner / condition.outer - 1).sup());
-      else if(!certainly(holds))
-        m_in_doubt.push_back(e);
-      m_result.decided_by_intervals += is_certain(holds) ? 1 : 0;
     }
   }
 
