@@ -59,7 +59,7 @@ CGAL::Sign ideal_Delaunay_sign(const IT::Diamond<Rational>& d)
 
 struct Expected_certificate
 {
-  std::vector<Edge_index> ties, failed;
+  std::vector<Edge_index> ties, non_Delaunay_edges;
   std::size_t edges = 0;
 };
 
@@ -80,7 +80,7 @@ Expected_certificate expected_certificate(const Delta_complex& mesh, const Lengt
     if(sign == CGAL::ZERO)
       result.ties.push_back(e);
     if(sign == CGAL::NEGATIVE)
-      result.failed.push_back(e);
+      result.non_Delaunay_edges.push_back(e);
   }
   return result;
 }
@@ -94,10 +94,10 @@ std::vector<Edge_index> sorted(std::vector<Edge_index> edges)
 void expect_equal(const IT::Ideal_Delaunay_certificate& c, const Expected_certificate& expected)
 {
   EXPECT_EQ(sorted(c.ties), expected.ties);
-  EXPECT_EQ(sorted(c.failed), expected.failed);
-  EXPECT_EQ(c.decided_by_intervals + c.decided_exactly, expected.edges);
-  EXPECT_EQ(c.is_Delaunay(), expected.failed.empty());
-  EXPECT_EQ(c.greatest_excess > 0, !expected.failed.empty());
+  EXPECT_EQ(sorted(c.non_Delaunay_edges), expected.non_Delaunay_edges);
+  EXPECT_EQ(c.decided_in_floating_point + c.decided_exactly, expected.edges);
+  EXPECT_EQ(c.is_Delaunay(), expected.non_Delaunay_edges.empty());
+  EXPECT_EQ(c.greatest_excess > 0, !expected.non_Delaunay_edges.empty());
 }
 
 Flips random_flips(const Ideal_triangulation& start, std::size_t attempts, unsigned int seed)
@@ -207,7 +207,7 @@ TEST(Certify_ideal_Delaunay, one_unit_in_the_last_place_decides)
     triangulation<Ideal_traits>(quadrangle, {std::nextafter(63., 64.), 52, 25, 39, 60});
   EXPECT_TRUE(IT::is_Delaunay(longer)); // with the tolerance
   const auto c = IT::certify_ideal_Delaunay(longer);
-  EXPECT_EQ(c.failed, std::vector<Edge_index>{Edge_index(0)});
+  EXPECT_EQ(c.non_Delaunay_edges, std::vector<Edge_index>{Edge_index(0)});
   EXPECT_NEAR(c.greatest_excess, 2 * (std::nextafter(63., 64.) - 63) / 63, 1e-20);
   EXPECT_TRUE(IT::certify_ideal_Delaunay(
                 triangulation<Ideal_traits>(quadrangle, {std::nextafter(63., 0.), 52, 25, 39, 60}))
@@ -391,7 +391,7 @@ void expect_equal(const DCM::Order_certificate& c, Expected_order expected)
   std::sort(expected.exchanged.begin(), expected.exchanged.end());
   EXPECT_EQ(vertices_of(c.ties), expected.ties);
   EXPECT_EQ(vertices_of(c.exchanged), expected.exchanged);
-  EXPECT_EQ(c.decided_by_intervals + c.decided_exactly, expected.pairs);
+  EXPECT_EQ(c.decided_in_floating_point + c.decided_exactly, expected.pairs);
   EXPECT_TRUE(c.undecided.empty());
 }
 
@@ -430,7 +430,7 @@ void check_order(const Triangulation& start, double range, unsigned int seed, Te
     const DCM::Triple_subdivision<> s(c_ab, Ideal_correspondence(*t));
     const DCM::Order_certificate c = DCM::certify_order_of_ends(s, c_ab, c_bc);
     expect_equal(c, expected_order(s, places, c_bc_100));
-    tested.pairs += c.decided_by_intervals + c.decided_exactly;
+    tested.pairs += c.decided_in_floating_point + c.decided_exactly;
     tested.exchanged += c.exchanged.size();
     tested.ties += c.ties.size();
   }
@@ -467,12 +467,12 @@ Mesh read_data_mesh(const std::string& name)
 void check_map(const DCM::Discrete_conformal_map& map, const DCM::Map_certificate& c)
 {
   for(const auto* on : {&c.on_B, &c.on_C}) {
-    EXPECT_EQ(on->decided_by_intervals + on->decided_exactly, mesh_A(map).number_of_edges());
+    EXPECT_EQ(on->decided_in_floating_point + on->decided_exactly, mesh_A(map).number_of_edges());
     EXPECT_LT(on->greatest_excess, 1e-13);
   }
   EXPECT_TRUE(c.order.undecided.empty());
-  EXPECT_EQ(c.is_certified(),
-            c.on_B.failed.empty() && c.on_C.failed.empty() && c.order.exchanged.empty());
+  EXPECT_EQ(c.is_certified(), c.on_B.non_Delaunay_edges.empty() &&
+                                c.on_C.non_Delaunay_edges.empty() && c.order.exchanged.empty());
 }
 
 TEST(Certify, maps_of_data_meshes)
@@ -488,7 +488,7 @@ TEST(Certify, maps_of_data_meshes)
       check_map(map, c);
       EXPECT_TRUE(c.is_certified());
       EXPECT_TRUE(IT::is_Delaunay(map.Delaunay()));
-      pairs += c.order.decided_by_intervals;
+      pairs += c.order.decided_in_floating_point;
     };
     check(DCM::flatten(mesh));
     if(std::string(name) == "eight.off")

@@ -36,11 +36,11 @@ struct Pair_of_ends
 /// edges of \f$T^B\f$, which determines the connectivity of a `Triple_subdivision`.
 struct Order_certificate
 {
-  std::size_t decided_by_intervals = 0; ///< the number of pairs for which intervals sufficed
-  std::size_t decided_exactly = 0;      ///< the number of pairs that took algebraic numbers
-  std::vector<Pair_of_ends> ties;       ///< the pairs at one place, for which any order is right
-  std::vector<Pair_of_ends> exchanged;  ///< the pairs in wrong order
-  std::vector<Pair_of_ends> undecided;  ///< the pairs about which nothing is known
+  std::size_t decided_in_floating_point = 0; ///< the number of pairs for which intervals sufficed
+  std::size_t decided_exactly = 0;           ///< the number of pairs that took algebraic numbers
+  std::vector<Pair_of_ends> ties;      ///< the pairs at one place, for which any order is right
+  std::vector<Pair_of_ends> exchanged; ///< the pairs in wrong order
+  std::vector<Pair_of_ends> undecided; ///< the pairs about which nothing is known
 
   /// returns whether the order is right on all edges.
   bool is_exact() const { return exchanged.empty() && undecided.empty(); }
@@ -127,7 +127,7 @@ private:
       if(!is_certain(order))
         m_in_doubt.push_back(pair);
       else {
-        ++m_result.decided_by_intervals;
+        ++m_result.decided_in_floating_point;
         note(pair, get_certain(order));
       }
     }
@@ -214,7 +214,7 @@ private:
 /// between them. Intervals decide most pairs, and for the others the sign of a number in a field of
 /// rationals and of square roots, one for each independent area of a face that an edge passes.
 ///
-/// A pair remains undecided where more than ten independent roots occur, or a face of \f$T^A\f$ on
+/// A pair remains undecided where more than eight independent roots occur, or a face of \f$T^A\f$ on
 /// the way violates the triangle inequality in exact arithmetic, or an edge of \f$T^B\f$ is not
 /// straight, or edges of \f$T^A\f$ and \f$T^B\f$ run along each other.
 ///

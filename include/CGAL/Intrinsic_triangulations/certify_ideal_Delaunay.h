@@ -31,10 +31,10 @@ namespace CGAL::Intrinsic_triangulations {
 /// and are not constrained.
 struct Ideal_Delaunay_certificate
 {
-  std::size_t decided_by_intervals = 0; ///< the number of edges for which intervals sufficed
-  std::size_t decided_exactly = 0;      ///< the number of edges that took rational numbers
-  std::vector<Edge_index> ties;         ///< the edges for which Equation 4.5 is an equality
-  std::vector<Edge_index> failed;       ///< the edges that violate Equation 4.5
+  std::size_t decided_in_floating_point = 0;  ///< the number of edges for which intervals sufficed
+  std::size_t decided_exactly = 0;            ///< the number of edges that took rational numbers
+  std::vector<Edge_index> ties;               ///< the edges for which Equation 4.5 is an equality
+  std::vector<Edge_index> non_Delaunay_edges; ///< the edges that violate Equation 4.5
 
   /// an upper bound of how much the left side of Equation 4.5 exceeds the right side at an edge
   /// that fails, relative to the right side; zero if no edge fails. Where rounding of `double` is to
@@ -42,7 +42,7 @@ struct Ideal_Delaunay_certificate
   double greatest_excess = 0;
 
   /// returns whether no edge violates Equation 4.5.
-  bool is_Delaunay() const { return failed.empty(); }
+  bool is_Delaunay() const { return non_Delaunay_edges.empty(); }
 };
 
 namespace internal {
@@ -89,7 +89,7 @@ private:
         m_in_doubt.push_back(e);
         continue;
       }
-      ++m_result.decided_by_intervals;
+      ++m_result.decided_in_floating_point;
       if(certainly(condition.inner > condition.outer))
         fail(e, (condition.inner / condition.outer - 1).sup());
     }
@@ -119,7 +119,7 @@ private:
 
   void fail(Edge_index e, double excess)
   {
-    m_result.failed.push_back(e);
+    m_result.non_Delaunay_edges.push_back(e);
     m_result.greatest_excess = (std::max)(m_result.greatest_excess, excess);
   }
 

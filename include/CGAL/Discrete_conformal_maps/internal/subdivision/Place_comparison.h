@@ -18,6 +18,7 @@
 #include <CGAL/enum.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
@@ -79,11 +80,10 @@ public:
   // \throws Numerical_error if there are too many roots, or `square` is negative
   Point point(const FT& x, const FT& scale = FT(0), const FT& square = FT(0))
   {
-    if(square < 0)
-      throw Intrinsic_triangulations::Numerical_error("a face violates the triangle inequality");
-    auto root = m_tower.root(square);
-    root.factor *= scale;
-    return {&m_tower, {x}, Tower::element(root)};
+    const auto root = square < 0 ? std::nullopt : m_tower.root(square);
+    if(!root)
+      throw Intrinsic_triangulations::Numerical_error("the height of a face has no exact number");
+    return {&m_tower, {x}, m_tower.product(*root, {scale})};
   }
 
   // indeterminate if the line through both points says nothing about its place on the edge
@@ -97,7 +97,10 @@ public:
   }
 
 private:
-  Tower m_tower;
+  // An equality takes a time that grows more than exponentially with the number of roots.
+  static constexpr std::size_t maximum_number_of_roots = 8;
+
+  Tower m_tower{maximum_number_of_roots};
 };
 
 // Compares the places of crossings with edges of T^A along an edge of T^B with other places. The

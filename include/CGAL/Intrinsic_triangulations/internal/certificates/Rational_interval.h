@@ -77,8 +77,7 @@ private:
     Integer numerator, denominator;
     Fraction::Decompose()(x, numerator, denominator);
     const Integer scale = ipower(Integer(2), digits);
-    const Algebraic_structure_traits<Integer>::Sqrt floor_of_root;
-    const Integer root = floor_of_root(Integer(numerator * denominator * scale * scale));
+    const Integer root(sqrt(Integer(numerator * denominator * scale * scale))); // rounded down
     Fraction::Compose over;
     denominator *= scale;
     return {over(root, denominator), over(Integer(root + 1), denominator)};
