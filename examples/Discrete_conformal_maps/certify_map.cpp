@@ -18,7 +18,7 @@ typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 void print(const char* name, const IT::Ideal_Delaunay_certificate& c)
 {
-  std::cout << name << ": " << c.decided_in_floating_point << " edges decided by intervals, "
+  std::cout << name << ": " << c.decided_in_floating_point << " edges decided in floating point, "
             << c.decided_exactly << " exactly; " << c.ties.size() << " ties, "
             << c.non_Delaunay_edges.size() << " not Delaunay, by at most " << c.greatest_excess
             << '\n';
@@ -38,8 +38,9 @@ int main(int argc, char* argv[])
   print("T^C", certificate.on_C);
   const DCM::Order_certificate& order = certificate.order;
   std::cout << "ends on edges of T^B: " << order.decided_in_floating_point
-            << " pairs decided by intervals, " << order.decided_exactly << " exactly; "
-            << order.ties.size() << " at one place, " << order.exchanged.size() << " exchanged, "
+            << " pairs decided in floating point, " << order.decided_in_multiprecision
+            << " with more digits, " << order.decided_exactly << " exactly; " << order.ties.size()
+            << " at one place, " << order.exchanged.size() << " exchanged, "
             << order.undecided.size() << " undecided\n";
   std::cout << (certificate.is_certified() ? "certified\n" : "not certified\n");
 }

@@ -60,7 +60,9 @@ inline Map_certificate certify(const Discrete_conformal_map& map)
   Map_certificate result;
   result.on_B = Intrinsic_triangulations::internal::certify_ideal_Delaunay(
     mesh_B, std::vector<double>(factor.size(), 1.),
-    [&](Edge_index e) { return internal::Filter_interval(ideal.input_length(e)); },
+    [&](Edge_index e) {
+      return Intrinsic_triangulations::internal::Filter_interval(ideal.input_length(e));
+    },
     [&](Edge_index e) { return Exact_rational(ideal.input_length(e)); },
     [](Edge_index) { return false; });
   result.on_C = Intrinsic_triangulations::certify_ideal_Delaunay(ideal, factor);

@@ -8,12 +8,12 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
-#include <CGAL/Discrete_conformal_maps/internal/subdivision/Place_comparison.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 
-#include <CGAL/Interval_nt.h>
+#include <CGAL/Exact_rational.h>
 
 #include <cstddef>
 #include <utility>
@@ -36,8 +36,12 @@ struct Pair_of_ends
 /// edges of \f$T^B\f$, which determines the connectivity of a `Triple_subdivision`.
 struct Order_certificate
 {
-  std::size_t decided_in_floating_point = 0; ///< the number of pairs for which intervals sufficed
-  std::size_t decided_exactly = 0;           ///< the number of pairs that took algebraic numbers
+  /// the number of pairs decided in floating point, with error bounds.
+  std::size_t decided_in_floating_point = 0;
+  /// the number of pairs decided with more digits.
+  std::size_t decided_in_multiprecision = 0;
+  /// the number of pairs decided in exact arithmetic.
+  std::size_t decided_exactly = 0;
   std::vector<Pair_of_ends> ties;      ///< the pairs at one place, for which any order is right
   std::vector<Pair_of_ends> exchanged; ///< the pairs in wrong order
   std::vector<Pair_of_ends> undecided; ///< the pairs about which nothing is known
@@ -54,6 +58,7 @@ class Order_certifier
   typedef Delta_complex::size_type size_type;
   typedef Correspondence<Ideal_traits> Ideal_correspondence;
   typedef typename Ideal_correspondence::Triangulation Ideal_triangulation;
+  typedef Intrinsic_triangulations::internal::Input_crossings Input_crossings;
 
 public:
   Order_certifier(const Subdivision& subdivision, const Correspondence<>& ab,
@@ -62,15 +67,21 @@ public:
       m_ab(ab),
       m_bc(bc),
       m_crossings_of_C(bc.triangulation().coordinates(), bc.triangulation().mesh(),
-                       bc.triangulation().spokes())
+                       bc.triangulation().spokes()),
+      m_development(bc.triangulation(), m_crossings_of_C),
+      m_decisions(ab.triangulation(),
+                  Input_crossings(ab.triangulation().coordinates(), ab.triangulation().mesh(),
+                                  ab.triangulation().spokes()))
   {}
 
   Order_certificate operator()()
   {
     find_pairs();
-    decide_by_intervals();
-    for(const Neighbors& pair : m_in_doubt)
-      decide_exactly(pair);
+    for(const Neighbors& pair : m_pairs)
+      decide(pair);
+    m_result.decided_in_floating_point = m_decisions.count().floating_point;
+    m_result.decided_in_multiprecision = m_decisions.count().multiprecision;
+    m_result.decided_exactly = m_decisions.count().exact;
     return std::move(m_result);
   }
 
@@ -116,40 +127,6 @@ private:
     }
   }
 
-  void decide_by_intervals()
-  {
-    const Protect_FPU_rounding<true> upwards;
-    const std::vector<Filter_interval> places = places_of_C();
-    const Place_comparison<Interval_plane<Filter_interval>> compare(m_ab);
-    for(const Neighbors& pair : m_pairs) {
-      const auto c = m_bc.crossing(Side::input, pair.ends.along, pair.q);
-      const Uncertain<Sign> order = compare(pair.ends.along, pair.p, places[c.id]);
-      if(!is_certain(order))
-        m_in_doubt.push_back(pair);
-      else {
-        ++m_result.decided_in_floating_point;
-        note(pair, get_certain(order));
-      }
-    }
-  }
-
-  // on the first halfedges of edges of B
-  std::vector<Filter_interval> places_of_C() const
-  {
-    Intrinsic_triangulations::internal::Ideal_development<Filter_interval, Ideal_triangulation>
-      development(m_bc.triangulation(), m_crossings_of_C);
-    std::vector<Filter_interval> result(m_bc.number_of_crossings());
-    for(Edge_index e : m_bc.mesh(Side::intrinsic).edges()) {
-      const size_type n = m_bc.number_of_crossings(Side::intrinsic, e);
-      if(n == 0)
-        continue;
-      const auto& strip = development.strip(e);
-      for(size_type m = 0; m < n; ++m)
-        result[m_bc.crossings_on_intrinsic().before(e) + m] = place_of_C(strip, e, m);
-    }
-    return result;
-  }
-
   // of crossing `m` on the first halfedge of the edge `e` of C
   template <typename Strip>
   auto place_of_C(const Strip& strip, Edge_index e, size_type m) const
@@ -160,43 +137,33 @@ private:
       .t;
   }
 
-  void decide_exactly(const Neighbors& pair)
+  void decide(const Neighbors& pair)
   {
-    Intrinsic_triangulations::internal::Ideal_development<Exact_rational, Ideal_triangulation>
-      development(m_bc.triangulation(), m_crossings_of_C);
     const auto c = m_bc.crossing(Side::input, pair.ends.along, pair.q);
     const Edge_index e(c.across.halfedge);
     const size_type m = c.id - m_bc.crossings_on_intrinsic().before(e);
-    const Exact_rational place = place_of_C(development.strip(e), e, m);
-    Uncertain<Sign> order = Uncertain<Sign>::indeterminate();
     try {
-      order =
-        Place_comparison<Interval_plane<Rational_interval>>(m_ab)(pair.ends.along, pair.p, place);
-      if(!is_certain(order))
-        order = Place_comparison<Root_plane>(m_ab)(pair.ends.along, pair.p, place);
+      const Sign order = m_decisions.compare_place(pair.ends.along, pair.p,
+                                                   place_of_C(m_development.strip(e), e, m));
+      if(order == ZERO)
+        m_result.ties.push_back(pair.ends);
+      else if((order == NEGATIVE) != pair.A_is_first)
+        m_result.exchanged.push_back(pair.ends);
     } catch(const Intrinsic_triangulations::Numerical_error&) {
-    }
-    if(!is_certain(order))
       m_result.undecided.push_back(pair.ends);
-    else {
-      ++m_result.decided_exactly;
-      note(pair, get_certain(order));
     }
-  }
-
-  void note(const Neighbors& pair, Sign order)
-  {
-    if(order == ZERO)
-      m_result.ties.push_back(pair.ends);
-    else if((order == NEGATIVE) != pair.A_is_first)
-      m_result.exchanged.push_back(pair.ends);
   }
 
   const Subdivision& m_subdivision;
   const Correspondence<>& m_ab;
   const Ideal_correspondence& m_bc;
-  Intrinsic_triangulations::internal::Input_crossings m_crossings_of_C;
-  std::vector<Neighbors> m_pairs, m_in_doubt;
+  Input_crossings m_crossings_of_C;
+  Intrinsic_triangulations::internal::Ideal_development<Exact_rational, Ideal_triangulation>
+    m_development;
+  Intrinsic_triangulations::internal::Exact_decisions<typename Correspondence<>::Traits,
+                                                      Input_crossings>
+    m_decisions;
+  std::vector<Neighbors> m_pairs;
   Order_certificate m_result;
 };
 
@@ -207,24 +174,24 @@ private:
 /// \f$T^A\f$ and of \f$T^C\f$ are in the right order in a subdivision. If they are, its connectivity
 /// is exact.
 ///
-/// Lengths of type `double` are taken as exact numbers: those of \f$T^A\f$ determine where its edges
-/// cross those of \f$T^B\f$, and the Penner lengths of \f$T^B\f$ where those of \f$T^C\f$ do,
-/// whatever the scale factors. The integer coordinates determine exactly which triangles an edge
-/// passes. Of two crossings that are not neighbors, the order follows from that of the neighbors
-/// between them. Intervals decide most pairs, and for the others the sign of a number in a field of
-/// rationals and of square roots, one for each independent area of a face that an edge passes.
+/// The metric of \f$T^A\f$ is taken as exact, as `Intrinsic_triangulations::certify_Delaunay()` takes
+/// it, which certifies that the edges of \f$T^B\f$ are straight: it determines where they cross those
+/// of \f$T^A\f$. The Penner lengths of \f$T^B\f$, as exact numbers, determine where they cross those
+/// of \f$T^C\f$, whatever the scale factors. The integer coordinates determine exactly which
+/// triangles an edge passes. Of two crossings that are not neighbors, the order follows from that of
+/// the neighbors between them.
 ///
-/// A pair remains undecided where more than eight independent roots occur, or a face of \f$T^A\f$ on
-/// the way violates the triangle inequality in exact arithmetic, or an edge of \f$T^B\f$ is not
-/// straight, or edges of \f$T^A\f$ and \f$T^B\f$ run along each other.
+/// A pair remains undecided if 512 bits do not decide it and more than ten independent square roots
+/// are involved: that of the area of each face of \f$T^A\f$ that the edge passes. Edges of \f$T^A\f$
+/// and \f$T^B\f$ that run along each other, in faces without area, count as ties.
 ///
 /// \param subdivision the subdivision
 /// \param ab the correspondence of \f$T^A\f$ and \f$T^B\f$
 /// \param bc the correspondence of \f$T^B\f$ and \f$T^C\f$
 ///
-/// Complexity: linear in the edges and crossings, and in the faces of \f$T^A\f$ that an edge passes
-/// for each pair on it.
-/// \pre `subdivision` is that of these three triangulations
+/// Complexity: linear in the edges and crossings, and for each pair in the faces that its edges of
+/// \f$T^B\f$ and \f$T^C\f$ pass.
+/// \pre The edges of \f$T^B\f$ are straight; `subdivision` is that of these three triangulations
 template <typename FT, typename Point, typename Integer>
 Order_certificate certify_order_of_ends(
   const Triple_subdivision<FT, Point>& subdivision, const Correspondence<>& ab,

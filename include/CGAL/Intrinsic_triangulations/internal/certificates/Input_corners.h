@@ -78,6 +78,7 @@ public:
   Rounded_corners(const Metric& metric, const Surface& input) : m_metric(metric), m_input(input) {}
 
   static Complex number(int x) { return {N(x), N(0), 0}; }
+  static Complex number(const K& x) { return to_ball<N>(x); }
 
   // returns `z` as corners of the triangle of `h` are scaled
   static const Complex& scaled(const Complex& z, const Input_corner&) { return z; }
@@ -170,7 +171,7 @@ public:
     : m_metric(metric), m_input(input), m_tower(maximum)
   {}
 
-  Complex number(int x) const { return real(K(x)); }
+  Complex number(const K& x) const { return real(x); }
 
   Complex scaled(const Complex& z, const Input_corner& c) const
   {
