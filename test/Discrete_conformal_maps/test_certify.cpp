@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
@@ -509,7 +510,7 @@ TEST(Certify, maps_of_data_meshes)
       const DCM::Map_certificate c = DCM::certify(map);
       check_map(map, c);
       EXPECT_TRUE(c.is_certified());
-      EXPECT_TRUE(IT::is_Delaunay(map.Delaunay()));
+      EXPECT_TRUE(IT::certify_Delaunay(map.Delaunay()).is_Delaunay());
       pairs += c.order.decided_in_floating_point;
     };
     check(DCM::flatten(mesh));

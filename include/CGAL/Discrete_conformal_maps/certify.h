@@ -42,6 +42,9 @@ struct Map_certificate
 /// `Intrinsic_triangulations::certify_ideal_Delaunay()`, and multiplied by \f$s_i s_j\f$. The order
 /// of ends is that of `certify_order_of_ends()`.
 ///
+/// Whether \f$T^B\f$ is the intrinsic Delaunay triangulation of \f$T^A\f$ is what
+/// `Intrinsic_triangulations::certify_Delaunay()` finds out about `Discrete_conformal_map::Delaunay()`.
+///
 /// The map itself is computed in `double`, and its decisions have a one-sided tolerance: an edge
 /// can fail by some \f$10^{-14}\f$, see
 /// `Intrinsic_triangulations::Ideal_Delaunay_certificate::greatest_excess`. In a fixed triangulation

@@ -13,8 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 
-#include <CGAL/Exact_rational.h>
-
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -93,8 +91,6 @@ private:
     bool A_is_first; // in the subdivision
   };
 
-  static Halfedge_index opposite(Halfedge_index h) { return Intrinsic_triangulations::opposite(h); }
-
   size_type count_of_A(Edge_index e) const { return m_ab.number_of_crossings(Side::intrinsic, e); }
 
   void find_pairs()
@@ -132,8 +128,9 @@ private:
   auto place_of_C(const Strip& strip, Edge_index e, size_type m) const
   {
     const Halfedge_index h = Intrinsic_triangulations::first_halfedge(e);
-    return Intrinsic_triangulations::edge_point(opposite(m_crossings_of_C(h, m)),
-                                                strip.crossing(m).along_edge)
+    return Intrinsic_triangulations::edge_point(
+             Intrinsic_triangulations::opposite(m_crossings_of_C(h, m)),
+             strip.crossing(m).along_edge)
       .t;
   }
 
@@ -158,7 +155,8 @@ private:
   const Correspondence<>& m_ab;
   const Ideal_correspondence& m_bc;
   Input_crossings m_crossings_of_C;
-  Intrinsic_triangulations::internal::Ideal_development<Exact_rational, Ideal_triangulation>
+  Intrinsic_triangulations::internal::Ideal_development<
+    Intrinsic_triangulations::internal::Lazy_rational, Ideal_triangulation>
     m_development;
   Intrinsic_triangulations::internal::Exact_decisions<typename Correspondence<>::Traits,
                                                       Input_crossings>

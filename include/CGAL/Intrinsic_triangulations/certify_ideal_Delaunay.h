@@ -26,7 +26,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsCertificates
 /// what exact decisions have found about the edges of an ideal triangulation that lie in two faces
 /// and are not constrained.
 struct Ideal_Delaunay_certificate
@@ -150,7 +150,7 @@ certify_ideal_Delaunay(const Delta_complex& mesh, const std::vector<double>& fac
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsCertificates
 /// decides exactly, without a tolerance, which edges of \f$T_2\f$ satisfy the local ideal Delaunay
 /// condition (Equation 4.5), however \f$T_2\f$ was made.
 ///
@@ -192,7 +192,7 @@ certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<doubl
     [&](Edge_index e) { return tri.is_constrained(e); });
 }
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsCertificates
 /// decides exactly which edges of \f$T_2\f$ satisfy the local ideal Delaunay condition with the
 /// lengths of \f$T_1\f$ as they are: all factors are 1.
 template <typename Integer>
