@@ -43,12 +43,13 @@ struct Map_certificate
 /// of ends is that of `certify_order_of_ends()`.
 ///
 /// Whether \f$T^B\f$ is the intrinsic Delaunay triangulation of \f$T^A\f$ is what
-/// `Intrinsic_triangulations::certify_Delaunay()` finds out about `Discrete_conformal_map::Delaunay()`.
+/// `Intrinsic_triangulations::certify_Delaunay()` finds out about
+/// `Discrete_conformal_map::Delaunay()`.
 ///
 /// The map itself is computed in `double`, and its decisions have a one-sided tolerance: an edge
 /// can fail by some \f$10^{-14}\f$, see
-/// `Intrinsic_triangulations::Ideal_Delaunay_certificate::greatest_excess`. In a fixed triangulation
-/// edges fail by any amount.
+/// `Intrinsic_triangulations::Ideal_Delaunay_certificate::greatest_excess`. In a fixed
+/// triangulation edges fail by any amount.
 ///
 /// Complexity: linear in the edges and crossings, as a rule.
 /// \throws Intrinsic_triangulations::Overflow_error if there are more crossings than a

@@ -9,9 +9,12 @@
 
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+
+#include <CGAL/enum.h>
 
 #include <cstddef>
 #include <utility>
@@ -169,19 +172,19 @@ private:
 
 /// \ingroup PkgDiscreteConformalMapsSubdivision
 /// decides exactly, without a tolerance, whether crossings of edges of \f$T^B\f$ with edges of
-/// \f$T^A\f$ and of \f$T^C\f$ are in the right order in a subdivision. If they are, its connectivity
-/// is exact.
+/// \f$T^A\f$ and of \f$T^C\f$ are in the right order in a subdivision. If they are, its
+/// connectivity is exact.
 ///
-/// The metric of \f$T^A\f$ is taken as exact, as `Intrinsic_triangulations::certify_Delaunay()` takes
-/// it, which certifies that the edges of \f$T^B\f$ are straight: it determines where they cross those
-/// of \f$T^A\f$. The Penner lengths of \f$T^B\f$, as exact numbers, determine where they cross those
-/// of \f$T^C\f$, whatever the scale factors. The integer coordinates determine exactly which
-/// triangles an edge passes. Of two crossings that are not neighbors, the order follows from that of
-/// the neighbors between them.
+/// The metric of \f$T^A\f$ is taken as exact, as `Intrinsic_triangulations::certify_Delaunay()`
+/// takes it, which certifies that the edges of \f$T^B\f$ are straight: it determines where they
+/// cross those of \f$T^A\f$. The Penner lengths of \f$T^B\f$, as exact numbers, determine where
+/// they cross those of \f$T^C\f$, whatever the scale factors. The integer coordinates determine
+/// exactly which triangles an edge passes. Of two crossings that are not neighbors, the order
+/// follows from that of the neighbors between them.
 ///
 /// A pair remains undecided if 512 bits do not decide it and more than ten independent square roots
-/// are involved: that of the area of each face of \f$T^A\f$ that the edge passes. Edges of \f$T^A\f$
-/// and \f$T^B\f$ that run along each other, in faces without area, count as ties.
+/// are involved: that of the area of each face of \f$T^A\f$ that the edge passes. Edges of
+/// \f$T^A\f$ and \f$T^B\f$ that run along each other, in faces without area, count as ties.
 ///
 /// \param subdivision the subdivision
 /// \param ab the correspondence of \f$T^A\f$ and \f$T^B\f$

@@ -37,8 +37,8 @@ struct Ideal_Delaunay_certificate
   std::vector<Edge_index> non_Delaunay_edges; ///< the edges that violate Equation 4.5
 
   /// an upper bound of how much the left side of Equation 4.5 exceeds the right side at an edge
-  /// that fails, relative to the right side; zero if no edge fails. Where rounding of `double` is to
-  /// blame it is of the order of \f$10^{-16}\f$ to \f$10^{-13}\f$.
+  /// that fails, relative to the right side; zero if no edge fails. Where rounding of `double` is
+  /// to blame it is of the order of \f$10^{-16}\f$ to \f$10^{-13}\f$.
   double greatest_excess = 0;
 
   /// returns whether no edge violates Equation 4.5.
