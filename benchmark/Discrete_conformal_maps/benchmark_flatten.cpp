@@ -3,16 +3,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Where the time of flattening goes (Figure 4.24), in seconds of CPU time and in percent, how it
-// grows (with the number of vertices to the power printed last), and the greatest memory. Arguments
-// are names of meshes, or numbers of vertices of the largest spheres and tori to be generated.
+// grows (with the number of vertices to the power printed last), and the greatest memory; and what a
+// certificate of the map costs beside it. Arguments are names of meshes, or numbers of vertices of
+// the largest spheres and tori to be generated.
 
 #include "stages.h"
 
+#include <CGAL/Discrete_conformal_maps/certify.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,7 +25,14 @@ void print_head()
   std::printf("Factorization: %s\n%-16s%8s%6s%6s", factorization, "mesh", "vertices", "cones",
               "steps");
   print_stage_names();
-  std::printf("%10s%10s%8s\n", "curvature", "ratios", "growth");
+  std::printf("%10s%10s%16s%8s\n", "curvature", "ratios", "certify", "growth");
+}
+
+double seconds_of_certificate(const DCM::Planar_conformal_map& map)
+{
+  const std::clock_t start = std::clock();
+  DCM::certify(map);
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 // Returns the time.
@@ -37,6 +47,8 @@ double benchmark(const std::string& name, const Mesh& mesh)
               map.minimization().iterations);
   print(watch);
   std::printf("%10.1e%10.1e", map.max_curvature_error(), DCM::max_cross_ratio_error(map));
+  const double certify = seconds_of_certificate(map);
+  std::printf("%9.3f (%2.0f %%)", certify, 100 * certify / watch.total());
   return watch.total();
 }
 

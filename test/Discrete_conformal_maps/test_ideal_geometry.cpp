@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Lazy_exact_nt.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -412,6 +413,41 @@ TEST(Ideal_geometry, every_order_of_flips_gives_the_same_delaunay_triangulation)
       EXPECT_EQ(passages(a), passages(c));
     }
   EXPECT_GT(flips, 300u);
+}
+
+// A filter of intervals in front of rational numbers changes no decision and no length.
+TEST(Ideal_geometry, filtered_numbers_are_exact)
+{
+  using Filtered_traits = IT::Ideal_geometry_traits<CGAL::Lazy_exact_nt<Rational>>;
+  for(const auto& [name, mesh] : small_complexes()) {
+    SCOPED_TRACE(name);
+    const auto length = positive_numbers(mesh.number_of_edges(), 2, 4);
+    auto exact = triangulation<Exact_traits>(mesh, length);
+    auto filtered = triangulation<Filtered_traits>(mesh, length);
+    EXPECT_EQ(IT::make_Delaunay(exact), IT::make_Delaunay(filtered));
+    EXPECT_EQ(passages(exact), passages(filtered));
+    EXPECT_TRUE(IT::is_Delaunay(filtered));
+    for(Edge_index e : mesh.edges())
+      EXPECT_EQ(exact.length(e), filtered.length(e).exact());
+  }
+}
+
+TEST(Ideal_geometry, exact_ties_keep_the_edge)
+{
+  const Delta_complex torus = glue({{1, 2, 3}, {-1, -2, -3}});
+  const auto check = [](auto t) {
+    for(int flips = 0; flips < 2; ++flips) {
+      auto unchanged = t;
+      EXPECT_EQ(IT::make_Delaunay(unchanged), 0u);
+      t.flip(Halfedge_index(4)); // the other diagonal of a rectangle
+      EXPECT_EQ(t.length(Edge_index(2)), 5);
+    }
+  };
+  check(triangulation<Exact_traits>(torus, {3, 4, 5}));
+  check(triangulation<IT::Ideal_geometry_traits<CGAL::Lazy_exact_nt<Rational>>>(torus, {3, 4, 5}));
+  const double longer = std::nextafter(5., 6.);
+  auto t = triangulation<Exact_traits>(torus, {3, 4, longer});
+  EXPECT_EQ(IT::make_Delaunay(t), 1u);
 }
 
 // Flips in any order, back to where they started: every length is the same number again.

@@ -53,6 +53,16 @@ public:
   /// returns the pair of \f$T^B\f$, as `input()`, and \f$T^C\f$, as `intrinsic()`, both with the
   /// lengths that belong to scale factors of zero.
   const Ideal_triangulation& ideal() const { return m_data->bc; }
+  /// returns the crossings of \f$T^A\f$ and \f$T^B\f$, the correspondence of `Delaunay()`.
+  const Intrinsic_triangulations::Correspondence<>& Delaunay_correspondence() const
+  {
+    return *m_data->correspondence_ab;
+  }
+  /// returns the crossings of \f$T^B\f$ and \f$T^C\f$, the correspondence of `ideal()`.
+  const Intrinsic_triangulations::Correspondence<Ideal_traits>& ideal_correspondence() const
+  {
+    return *m_data->correspondence_bc;
+  }
   /// returns a layer as a model of `IntrinsicSurface`; the lengths of \f$T^C\f$ are those that
   /// belong to scale factors of zero.
   auto surface(Layer layer) const
@@ -95,8 +105,8 @@ public:
   Face_location place_on_C(const Face_location& p) const
   {
     using Intrinsic_triangulations::Side;
-    const Face_location on_B = point_across(*m_data->correspondence_ab, Side::input, p);
-    return point_across(*m_data->correspondence_bc, Side::input, on_B);
+    const Face_location on_B = point_across(Delaunay_correspondence(), Side::input, p);
+    return point_across(ideal_correspondence(), Side::input, on_B);
   }
 
 private:

@@ -56,8 +56,8 @@ enum class Layer
 /// In each face of \f$T^B\f$, edges of \f$T^A\f$ and edges of \f$T^C\f$ are straight lines. The
 /// order of their ends around the face alone decides which of them cross, and in which order. Hence
 /// the connectivity is always valid. It is exact unless rounding has exchanged an end of an edge of
-/// \f$T^A\f$ and an end of an edge of \f$T^C\f$ on an edge of \f$T^B\f$. Where the two are at one
-/// place, they remain two vertices. Places of crossings are rounded; along every edge they do not
+/// \f$T^A\f$ and an end of an edge of \f$T^C\f$ on an edge of \f$T^B\f$, which
+/// `certify_order_of_ends()` finds out. Where the two are at one place, they remain two vertices. Places of crossings are rounded; along every edge they do not
 /// decrease.
 ///
 /// The object refers to the three triangulations and is valid until they change.

@@ -16,15 +16,38 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+// Equation 4.5, both sides divided by the product of the four outer lengths: an edge satisfies the
+// local ideal Delaunay condition if `inner` is not greater than `outer`. All terms are positive.
+template <typename FT>
+struct Ideal_Delaunay_condition
+{
+  explicit Ideal_Delaunay_condition(const Diamond<FT>& length)
+  {
+    const FT square = length.ij * length.ij;
+    const FT k = length.jk * length.ki, l = length.il * length.lj;
+    inner = square / k + square / l;
+    outer = (length.jk * length.jk + length.ki * length.ki) / k +
+            (length.il * length.il + length.lj * length.lj) / l;
+  }
+
+  FT inner, outer;
+};
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsTraits
 /// defines the geometry of ideal hyperbolic triangles whose corners are decorated with horocycles.
 /// The length of an edge is its Penner length \f$\ell = e^{\lambda/2}\f$, where \f$\lambda\f$ is
 /// the signed distance of the two horocycles (Section 4.1.2). Any positive numbers are the lengths
 /// of a decorated triangle.
 ///
-/// Four operations suffice: with an exact number type, for instance `CGAL::Exact_rational`, every
-/// length and every decision is exact. With a floating point type an edge is flipped only where
-/// that is certain for the stored lengths; see `Is_locally_Delaunay`. There are no square roots.
+/// Four operations suffice: with an exact number type every length and every decision is exact, for
+/// instance with `CGAL::Exact_rational`, or with `CGAL::Lazy_exact_nt<CGAL::Exact_rational>`, which
+/// puts a filter of intervals in front of it. With a floating point type an edge is flipped only
+/// where that is certain for the stored lengths; see `Is_locally_Delaunay`, and
+/// `certify_ideal_Delaunay()` for an exact check afterwards. There are no square roots.
 ///
 /// Barycentric coordinates are those in the triangle of the light-like vectors of the corners, with
 /// \f$\langle q_i, q_j\rangle = -2\ell_{ij}^2\f$. One point has different coordinates in different
@@ -71,13 +94,9 @@ public:
     /// returns whether the edge is Delaunay.
     bool operator()(const Diamond<FT>& length) const
     {
-      const FT square = length.ij * length.ij;
-      const FT k = length.jk * length.ki, l = length.il * length.lj;
-      const FT inner = square / k + square / l;
-      const FT outer = (length.jk * length.jk + length.ki * length.ki) / k +
-                       (length.il * length.il + length.lj * length.lj) / l;
+      const internal::Ideal_Delaunay_condition<FT> condition(length);
       // the seventh is for what is rounded here, at most four roundings on each side
-      return !(inner > outer * (1 + 7 * rounding_unit<FT>()));
+      return !(condition.inner > condition.outer * (1 + 7 * rounding_unit<FT>()));
     }
 
     /// returns whether the edge is Delaunay; there is no cheaper form.

@@ -44,6 +44,8 @@ public:
     : m_pair(pair), m_input(pair.input_mesh()), m_crossings(crossings), m_corners(corners)
   {}
 
+  Complex number(const Lazy_rational& x) const { return m_corners.number(x); }
+
   // Returns the side of T1 at or clockwise from the halfedge `h` of T2; if its source lies inside a
   // face, any side of this face.
   Placed_side start(Halfedge_index h) const

@@ -98,6 +98,22 @@ public:
     return sign == POSITIVE || (sign == ZERO && passes_face_without_area(h));
   }
 
+  // Returns the sign of the place on the halfedge `h` where it crosses an edge of T1 as crossing `m`,
+  // minus `t`: from the heights of both ends of `h` over that edge. `h` is straight. If it runs along
+  // that edge, the sign is ZERO.
+  Sign compare_place(Halfedge_index h, std::size_t m, const Lazy_rational& t)
+  {
+    const Halfedge_index o = m_mesh.opposite(h);
+    const Lazy_rational rest = 1 - t;
+    return decide([&](const auto& development) {
+      const auto from_source = development.strip(h).crossed[m];
+      const auto from_target = development.strip(o).crossed[m_crossings.count(h) - 1 - m];
+      return sign_of_imaginary(
+        development.number(rest) * height(from_source) * squared_length(from_target) -
+        development.number(t) * height(from_target) * squared_length(from_source));
+    });
+  }
+
   // whether the edge of `h` is a whole edge of T1
   bool is_input_edge(Halfedge_index h) const
   {
@@ -234,6 +250,19 @@ private:
       }
     return is_known || least == NEGATIVE ? Uncertain<Sign>(least)
                                          : Uncertain<Sign>::indeterminate();
+  }
+
+  // its imaginary part is the height of the origin over a side, times the length of the side
+  template <typename Side>
+  static auto height(const Side& side)
+  {
+    return conj(side.source) * side.vector;
+  }
+
+  template <typename Side>
+  static auto squared_length(const Side& side)
+  {
+    return conj(side.vector) * side.vector;
   }
 
   template <typename N>

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -52,6 +53,9 @@ inline Input_corner corner_at_target(Halfedge_index h, const Delta_complex& mesh
 template <typename Stored>
 using Exact_number_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_rational, Stored>;
 
+// a rational number with an approximation
+typedef Lazy_exact_nt<Exact_rational> Lazy_rational;
+
 // Twice the scalar product of the sides at a corner, and the square of four times the area, from
 // the squared lengths of pq, pr and qr. Nothing is divided.
 template <typename K>
@@ -78,6 +82,17 @@ public:
   Rounded_corners(const Metric& metric, const Surface& input) : m_metric(metric), m_input(input) {}
 
   static Complex number(int x) { return {N(x), N(0), 0}; }
+
+  // exact digits are asked for only where `double` is not enough
+  static Complex number(const Lazy_rational& x)
+  {
+    if constexpr(std::is_same_v<N, double>) {
+      const auto [lower, upper] = to_interval(x);
+      const double middle = lower / 2 + upper / 2;
+      return Complex{middle, 0, (std::max)(upper - middle, middle - lower)}.with_error(2);
+    } else
+      return to_ball<N>(x.exact());
+  }
 
   // returns `z` as corners of the triangle of `h` are scaled
   static const Complex& scaled(const Complex& z, const Input_corner&) { return z; }
@@ -171,6 +186,7 @@ public:
   {}
 
   Complex number(int x) const { return real(K(x)); }
+  Complex number(const Lazy_rational& x) const { return real(K(x.exact())); }
 
   Complex scaled(const Complex& z, const Input_corner& c) const
   {

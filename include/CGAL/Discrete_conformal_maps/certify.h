@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_CERTIFY_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_CERTIFY_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/certify_order_of_ends.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
+
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsMaps
+/// what exact decisions have found about the triangulations of a map.
+struct Map_certificate
+{
+  /// whether \f$T^B\f$ is ideal Delaunay with its lengths
+  Intrinsic_triangulations::Ideal_Delaunay_certificate on_B;
+  /// whether \f$T^C\f$ is ideal Delaunay with the scale factors
+  Intrinsic_triangulations::Ideal_Delaunay_certificate on_C;
+  /// whether the ends of edges of \f$T^A\f$ and \f$T^C\f$ on edges of \f$T^B\f$ are in order
+  Order_certificate order;
+
+  /// returns whether both triangulations are ideal Delaunay, and the connectivity of the
+  /// subdivision is exact.
+  bool is_certified() const { return on_B.is_Delaunay() && on_C.is_Delaunay() && order.is_exact(); }
+};
+
+/// \ingroup PkgDiscreteConformalMapsMaps
+/// decides exactly, without a tolerance, whether the triangulations of a map to the plane, to the
+/// sphere or to the hyperbolic plane are what they ought to be.
+///
+/// The exact numbers are those of type `double` that the map has: the lengths of \f$T^A\f$, the
+/// lengths of \f$T^B\f$ as Penner lengths, and the factors \f$s_i = e^{u_i/2}\f$, rounded. The
+/// length of every edge of \f$T^C\f$ is derived from \f$T^B\f$ afresh, see
+/// `Intrinsic_triangulations::certify_ideal_Delaunay()`, and multiplied by \f$s_i s_j\f$. The order
+/// of ends is that of `certify_order_of_ends()`.
+///
+/// Whether \f$T^B\f$ is the intrinsic Delaunay triangulation of \f$T^A\f$ is what
+/// `Intrinsic_triangulations::certify_Delaunay()` finds out about
+/// `Discrete_conformal_map::Delaunay()`.
+///
+/// The map itself is computed in `double`, and its decisions have a one-sided tolerance: an edge
+/// can fail by some \f$10^{-14}\f$, see
+/// `Intrinsic_triangulations::Ideal_Delaunay_certificate::greatest_excess`. In a fixed
+/// triangulation edges fail by any amount.
+///
+/// Complexity: linear in the edges and crossings, as a rule.
+/// \throws Intrinsic_triangulations::Overflow_error if there are more crossings than a
+///         `Surface_mesh` can number
+inline Map_certificate certify(const Discrete_conformal_map& map)
+{
+  const auto& ideal = map.ideal();
+  const Delta_complex& mesh_B = ideal.input_mesh();
+  std::vector<double> factor;
+  for(Vertex_index v : mesh_B.vertices())
+    factor.push_back(internal::length_factor(map.log_scale(v)));
+  Map_certificate result;
+  result.on_B = Intrinsic_triangulations::internal::certify_ideal_Delaunay(
+    mesh_B, std::vector<double>(factor.size(), 1.),
+    [&](Edge_index e) {
+      return Intrinsic_triangulations::internal::Filter_interval(ideal.input_length(e));
+    },
+    [&](Edge_index e) { return Exact_rational(ideal.input_length(e)); },
+    [](Edge_index) { return false; });
+  result.on_C = Intrinsic_triangulations::certify_ideal_Delaunay(ideal, factor);
+  result.order = certify_order_of_ends(map.subdivision(), map.Delaunay_correspondence(),
+                                       map.ideal_correspondence());
+  return result;
+}
+
+} // namespace CGAL::Discrete_conformal_maps
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_CERTIFY_H

@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CERTIFY_IDEAL_DELAUNAY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CERTIFY_IDEAL_DELAUNAY_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// what exact decisions have found about the edges of an ideal triangulation that lie in two faces
+/// and are not constrained.
+struct Ideal_Delaunay_certificate
+{
+  std::size_t decided_in_floating_point = 0;  ///< the number of edges for which intervals sufficed
+  std::size_t decided_exactly = 0;            ///< the number of edges that took rational numbers
+  std::vector<Edge_index> ties;               ///< the edges for which Equation 4.5 is an equality
+  std::vector<Edge_index> non_Delaunay_edges; ///< the edges that violate Equation 4.5
+
+  /// an upper bound of how much the left side of Equation 4.5 exceeds the right side at an edge
+  /// that fails, relative to the right side; zero if no edge fails. Where rounding of `double` is
+  /// to blame it is of the order of \f$10^{-16}\f$ to \f$10^{-13}\f$.
+  double greatest_excess = 0;
+
+  /// returns whether no edge violates Equation 4.5.
+  bool is_Delaunay() const { return non_Delaunay_edges.empty(); }
+};
+
+namespace internal {
+
+// Decides Equation 4.5 for the edges of a mesh. `interval_length` and `exact_length` return the
+// scaled lengths of edges; the former is called while intervals are rounded upwards.
+template <typename Interval_length, typename Exact_length>
+class Ideal_Delaunay_certifier
+{
+public:
+  Ideal_Delaunay_certifier(const Delta_complex& mesh, const Interval_length& interval_length,
+                           const Exact_length& exact_length)
+    : m_mesh(mesh), m_interval_length(interval_length), m_exact_length(exact_length)
+  {}
+
+  template <typename Is_fixed>
+  Ideal_Delaunay_certificate operator()(const Is_fixed& is_fixed)
+  {
+    decide_by_intervals(is_fixed);
+    m_length.resize(m_in_doubt.empty() ? 0 : m_mesh.num_edges());
+    for(Edge_index e : m_in_doubt)
+      decide_exactly(e);
+    return std::move(m_result);
+  }
+
+private:
+  template <typename Is_fixed>
+  void decide_by_intervals(const Is_fixed& is_fixed)
+  {
+    const Protect_FPU_rounding<true> upwards;
+    std::vector<Filter_interval> length;
+    length.reserve(m_mesh.num_edges());
+    for(Edge_index e : m_mesh.edges())
+      length.push_back(m_interval_length(e));
+    const auto map =
+      boost::make_function_property_map<Edge_index>([&](Edge_index e) { return length[e.idx()]; });
+    for(Edge_index e : m_mesh.edges()) {
+      if(m_mesh.is_border(e) || is_fixed(e))
+        continue;
+      const Ideal_Delaunay_condition<Filter_interval> condition(
+        diamond(map, m_mesh.halfedge(e), m_mesh));
+      if(!certainly(condition.inner < condition.outer) &&
+         !certainly(condition.inner > condition.outer)) {
+        m_in_doubt.push_back(e);
+        continue;
+      }
+      ++m_result.decided_in_floating_point;
+      if(certainly(condition.inner > condition.outer))
+        fail(e, (condition.inner / condition.outer - 1).sup());
+    }
+  }
+
+  void decide_exactly(Edge_index e)
+  {
+    const auto map = boost::make_function_property_map<Edge_index>(
+      [this](Edge_index x) -> Exact_rational { return exact_length(x); });
+    const Ideal_Delaunay_condition<Exact_rational> condition(
+      diamond(map, m_mesh.halfedge(e), m_mesh));
+    ++m_result.decided_exactly;
+    if(condition.inner > condition.outer)
+      fail(e, to_interval(Exact_rational(condition.inner / condition.outer - 1)).second);
+    else if(condition.inner == condition.outer)
+      m_result.ties.push_back(e);
+  }
+
+  // A length is part of several conditions.
+  const Exact_rational& exact_length(Edge_index e)
+  {
+    std::optional<Exact_rational>& length = m_length[e.idx()];
+    if(!length)
+      length = m_exact_length(e);
+    return *length;
+  }
+
+  void fail(Edge_index e, double excess)
+  {
+    m_result.non_Delaunay_edges.push_back(e);
+    m_result.greatest_excess = (std::max)(m_result.greatest_excess, excess);
+  }
+
+  const Delta_complex& m_mesh;
+  const Interval_length& m_interval_length;
+  const Exact_length& m_exact_length;
+  std::vector<Edge_index> m_in_doubt;
+  std::vector<std::optional<Exact_rational>> m_length;
+  Ideal_Delaunay_certificate m_result;
+};
+
+// With lengths that are multiplied by the factors of both ends.
+template <typename Interval_length, typename Exact_length, typename Is_fixed>
+Ideal_Delaunay_certificate
+certify_ideal_Delaunay(const Delta_complex& mesh, const std::vector<double>& factor,
+                       const Interval_length& interval_length, const Exact_length& exact_length,
+                       const Is_fixed& is_fixed)
+{
+  const auto scaled = [&](Edge_index e, const auto& length) {
+    typedef std::decay_t<decltype(length)> FT;
+    return FT(length * FT(factor[mesh.vertex(e, 0).idx()]) * FT(factor[mesh.vertex(e, 1).idx()]));
+  };
+  const auto interval = [&](Edge_index e) { return scaled(e, interval_length(e)); };
+  const auto exact = [&](Edge_index e) { return scaled(e, exact_length(e)); };
+  return Ideal_Delaunay_certifier<decltype(interval), decltype(exact)>(mesh, interval,
+                                                                       exact)(is_fixed);
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// decides exactly, without a tolerance, which edges of \f$T_2\f$ satisfy the local ideal Delaunay
+/// condition (Equation 4.5), however \f$T_2\f$ was made.
+///
+/// The lengths of \f$T_1\f$ and the factors of vertices are taken as exact numbers. The stored
+/// lengths of \f$T_2\f$, which flips have rounded, are not used: the integer coordinates determine
+/// exactly which triangles of \f$T_1\f$ an edge passes, and its length is a rational function of
+/// theirs. Intervals decide most edges, and `CGAL::Exact_rational` the others.
+///
+/// An ideal triangulation all of whose edges pass is ideal Delaunay for these numbers: arcs of any
+/// triangulation are geodesics of the ideal polyhedron, and disjoint.
+///
+/// A triangulation made with `double` can have edges that fail by rounding: `make_Delaunay()` flips
+/// an edge only if it certainly is not Delaunay.
+///
+/// \tparam Integer the type of normal coordinates
+/// \param tri the triangulation
+/// \param factor factors of all vertices, positive: they scale the length of an edge by the product
+///        of the factors of its ends
+///
+/// Complexity: linear in the edges and crossings for intervals; for an edge that they do not
+/// decide, the numbers of digits are linear in the number of triangles that it and the edges of its
+/// diamond pass.
+/// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
+/// \pre no vertex has been inserted; `tri` has no garbage
+template <typename Integer>
+Ideal_Delaunay_certificate
+certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>>& tri,
+                       const std::vector<double>& factor)
+{
+  typedef Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>> Triangulation;
+  CGAL_precondition(tri.number_of_inserted_vertices() == 0 && !tri.mesh().has_garbage());
+  CGAL_precondition(factor.size() == tri.mesh().number_of_vertices());
+  const internal::Input_crossings crossings(tri.coordinates(), tri.mesh(), tri.spokes());
+  internal::Ideal_development<internal::Filter_interval, Triangulation> intervals(tri, crossings);
+  internal::Ideal_development<Exact_rational, Triangulation> exact(tri, crossings);
+  return internal::certify_ideal_Delaunay(
+    tri.mesh(), factor, [&](Edge_index e) { return intervals.length(e); },
+    [&](Edge_index e) { return exact.length(e); },
+    [&](Edge_index e) { return tri.is_constrained(e); });
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// decides exactly which edges of \f$T_2\f$ satisfy the local ideal Delaunay condition with the
+/// lengths of \f$T_1\f$ as they are: all factors are 1.
+template <typename Integer>
+Ideal_Delaunay_certificate
+certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>>& tri)
+{
+  return certify_ideal_Delaunay(tri, std::vector<double>(tri.mesh().number_of_vertices(), 1.));
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CERTIFY_IDEAL_DELAUNAY_H
