@@ -29,8 +29,8 @@ std::vector<FT> Clausen_coefficients()
   for(int k = 1; k <= terms; ++k) {
     const FT products = std::inner_product(bernoulli.begin(), bernoulli.end(), bernoulli.rbegin(),
                                            FT(k == 1 ? 0.25 : 0));
-    bernoulli.push_back(products / (2 * k + 1));
-    result.push_back(bernoulli.back() / (2 * k * (2 * k + 1)));
+    bernoulli.push_back(products / FT(2 * k + 1));
+    result.push_back(bernoulli.back() / FT(2 * k * (2 * k + 1)));
   }
   return result;
 }
@@ -66,12 +66,11 @@ FT Lobachevsky_function(const FT& theta)
   if(3 * x < 2 * pi)
     return (x - x * log(x) + internal::odd_series(x, [](std::size_t) { return FT(1); })) / 2;
   const FT y = pi - x;
-  return (y * log(FT(2)) -
-          internal::odd_series(y,
-                               [](std::size_t k) {
-                                 using std::ldexp;
-                                 return ldexp(FT(1), 2 * static_cast<int>(k)) - 1;
-                               })) /
+  return (y * log(FT(2)) - internal::odd_series(y,
+                                                [](std::size_t k) {
+                                                  using std::ldexp;
+                                                  return ldexp(FT(1), 2 * static_cast<int>(k)) - 1;
+                                                })) /
          2;
 }
 

@@ -13,7 +13,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

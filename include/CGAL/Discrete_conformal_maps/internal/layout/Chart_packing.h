@@ -121,7 +121,8 @@ private:
           ++j;
         distance[k] = along_axis(j);
       }
-      if(const double area = (distance[0] + distance[2]) * distance[1]; area < (1 - tolerance::cancellation) * least) {
+      if(const double area = (distance[0] + distance[2]) * distance[1];
+         area < (1 - tolerance::cancellation) * least) {
         least = area;
         result = direction;
       }

@@ -46,8 +46,8 @@ public:
   // adds what half a turn exceeds the angle
   void add_supplement(const Corner<FT>& corner)
   {
-    m_rest += pi();
-    subtract({-corner.cosine, -corner.sine});
+    m_rest += pi() - corner.rounded_angle();
+    m_turned = (m_turned * Corner<FT>{-corner.cosine, -corner.sine}).scaled();
   }
 
   double value() const
@@ -68,9 +68,7 @@ template <>
 class Angle_difference<double>
 {
 public:
-  explicit Angle_difference(double angle)
-    : m_angle(angle), m_rest(2 * pi())
-  {}
+  explicit Angle_difference(double angle) : m_angle(angle), m_rest(2 * pi()) {}
 
   void subtract(const Corner<double>& corner) { m_rest -= corner.angle(); }
   void subtract_half_turn() { m_rest -= pi(); }
