@@ -96,8 +96,9 @@ TEST(Double_double, transcendental_functions_have_all_digits)
       EXPECT_LE(error(sin(x), sin(big(x)), size), 100);
       EXPECT_LE(error(cos(x), cos(big(x)), size), 100);
     }
-    if(abs(x) < 600)
+    if(abs(x) < 600) {
       EXPECT_LE(error(exp(x), exp(big(x)), exp(big(x)) * size), 100);
+    }
   }
   const Big pi = boost::math::constants::pi<Big>();
   EXPECT_LE(error(DCM::internal::straight_angle<Number>(), pi), 4);

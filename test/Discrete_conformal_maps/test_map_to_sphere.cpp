@@ -490,9 +490,10 @@ TEST(Plane_predicates, have_all_digits)
     const int turn = int(CGAL::orientation(q[0], q[1], q[2]));
     degenerate += turn == 0;
     EXPECT_EQ(predicates.orientation(e[0], e[1], e[2]), turn);
-    if(turn != 0)
-      EXPECT_EQ(predicates.in_circle(e[0], e[1], e[2], e[3]),
-                turn * int(CGAL::side_of_bounded_circle(q[0], q[1], q[2], q[3])));
+    if(turn == 0)
+      continue;
+    EXPECT_EQ(predicates.in_circle(e[0], e[1], e[2], e[3]),
+              int(CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3])));
   }
   EXPECT_GT(degenerate, 100);
   const double nan = std::numeric_limits<double>::quiet_NaN();
