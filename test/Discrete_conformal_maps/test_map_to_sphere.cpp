@@ -495,7 +495,7 @@ TEST(Plane_predicates, have_all_digits)
     EXPECT_EQ(predicates.in_circle(e[0], e[1], e[2], e[3]),
               int(CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3])));
   }
-  EXPECT_GT(degenerate, 100);
+  EXPECT_GT(degenerate, 50);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(predicates.orientation({nan, nan}, {1, 0}, {0, 1}), 0);
   EXPECT_EQ(predicates.in_circle({0, 0}, {1, 0}, {0, 1}, {nan, 1}), 0);
