@@ -466,3 +466,58 @@ TEST(Plane_predicates, are_exact)
     EXPECT_EQ(extended.in_circle(e[0], e[1], e[2], e[3]), side);
   }
 }
+
+// Exponents far apart, and second parts of `Extended`.
+TEST(Plane_predicates, have_all_digits)
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
+  const DCM::internal::Plane_predicates<Extended> predicates;
+  CGAL::Random random(2);
+  int degenerate = 0;
+  for(int i = 0; i < 5000; ++i) {
+    std::array<std::array<Extended, 2>, 4> e;
+    std::vector<Exact::Point_2> q;
+    for(auto& p : e) {
+      Exact::FT exact[2];
+      for(std::size_t c = 0; c < 2; ++c) {
+        const double high = random.get_int(-1, 2) * std::ldexp(1., 60 * random.get_int(-3, 4)),
+                     low = random.get_int(-1, 2) * std::ldexp(1., -400);
+        p[c] = Extended(high) + Extended(low);
+        exact[c] = Exact::FT(p[c].high()) + Exact::FT(p[c].low());
+      }
+      q.emplace_back(exact[0], exact[1]);
+    }
+    const int turn = int(CGAL::orientation(q[0], q[1], q[2]));
+    degenerate += turn == 0;
+    EXPECT_EQ(predicates.orientation(e[0], e[1], e[2]), turn);
+    if(turn == 0)
+      continue;
+    EXPECT_EQ(predicates.in_circle(e[0], e[1], e[2], e[3]),
+              int(CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3])));
+  }
+  EXPECT_GT(degenerate, 50);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(predicates.orientation({nan, nan}, {1, 0}, {0, 1}), 0);
+  EXPECT_EQ(predicates.in_circle({0, 0}, {1, 0}, {0, 1}, {nan, 1}), 0);
+}
+
+TEST(Plane_predicates, are_exact_in_space)
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
+  const DCM::internal::Plane_predicates<double> predicates;
+  CGAL::Random random(3);
+  int degenerate = 0;
+  for(int i = 0; i < 20000; ++i) {
+    std::array<std::array<double, 3>, 4> p;
+    std::vector<Exact::Point_3> q;
+    for(auto& x : p) {
+      for(double& c : x)
+        c = 0.1 + random.get_int(0, 3) * 1.4e-17 * (i % 2 == 0 ? 1 : 1e12);
+      q.emplace_back(x[0], x[1], x[2]);
+    }
+    const int side = int(CGAL::orientation(q[3], q[0], q[1], q[2]));
+    degenerate += side == 0;
+    EXPECT_EQ(predicates.orientation(p[0], p[1], p[2], p[3]), side);
+  }
+  EXPECT_GT(degenerate, 1000);
+}

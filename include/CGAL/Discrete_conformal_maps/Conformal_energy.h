@@ -14,8 +14,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 
-#include <Eigen/Sparse>
-#include <boost/math/constants/constants.hpp>
+#include <Eigen/SparseCore>
 
 #include <cmath>
 #include <cstddef>
@@ -146,7 +145,7 @@ template <typename FT, typename Triangle>
 FT Conformal_energy<FT, Triangle>::value() const
 {
   using std::log;
-  const FT pi = boost::math::constants::pi<FT>();
+  const FT pi = internal::straight_angle<FT>();
   FT sum(0);
   for(Vertex_index v : mesh().vertices())
     if(!mesh().is_isolated(v))

@@ -7,12 +7,12 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <boost/math/constants/constants.hpp>
-#include <boost/math/special_functions/bernoulli.hpp>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -24,13 +24,13 @@ namespace internal {
 template <typename FT>
 std::vector<FT> Clausen_coefficients()
 {
-  std::vector<FT> result;
-  FT factorial(1); // of 2k + 1
+  std::vector<FT> bernoulli, result; // |B_2k| / (2k)!, by Euler's sum of positive terms
   const int terms = 2 + std::numeric_limits<FT>::digits / 3;
   for(int k = 1; k <= terms; ++k) {
-    factorial *= FT(2 * k) * FT(2 * k + 1);
-    const FT bernoulli = boost::math::bernoulli_b2n<FT>(k);
-    result.push_back((bernoulli < 0 ? -bernoulli : bernoulli) / (FT(2 * k) * factorial));
+    const FT products = std::inner_product(bernoulli.begin(), bernoulli.end(), bernoulli.rbegin(),
+                                           FT(k == 1 ? 0.25 : 0));
+    bernoulli.push_back(products / FT(2 * k + 1));
+    result.push_back(bernoulli.back() / FT(2 * k * (2 * k + 1)));
   }
   return result;
 }
@@ -57,7 +57,7 @@ template <typename FT>
 FT Lobachevsky_function(const FT& theta)
 {
   using std::log;
-  const FT pi = boost::math::constants::pi<FT>();
+  const FT pi = internal::straight_angle<FT>();
   if(2 * theta > pi)
     return -Lobachevsky_function(FT(pi - theta));
   const FT x = 2 * theta;
@@ -66,12 +66,11 @@ FT Lobachevsky_function(const FT& theta)
   if(3 * x < 2 * pi)
     return (x - x * log(x) + internal::odd_series(x, [](std::size_t) { return FT(1); })) / 2;
   const FT y = pi - x;
-  return (y * boost::math::constants::ln_two<FT>() -
-          internal::odd_series(y,
-                               [](std::size_t k) {
-                                 using std::ldexp;
-                                 return ldexp(FT(1), 2 * static_cast<int>(k)) - 1;
-                               })) /
+  return (y * log(FT(2)) - internal::odd_series(y,
+                                                [](std::size_t k) {
+                                                  using std::ldexp;
+                                                  return ldexp(FT(1), 2 * static_cast<int>(k)) - 1;
+                                                })) /
          2;
 }
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Double_double.h>
 
 #include <algorithm>
 #include <array>
@@ -47,14 +47,15 @@ class Sphere_mapping;
 ///
 /// Where limbs of the input are long, their images are small, and `double` may have too few digits
 /// for the differences of positions: `lost_in_output()` says how many triangles suffer. The map
-/// itself knows positions in 34 digits, relative to the image of infinity even those of
+/// itself knows positions in 32 digits, relative to the image of infinity even those of
 /// differences. Logarithmic scale factors do not lose anything.
 class Spherical_conformal_map : public Discrete_conformal_map
 {
 public:
   /// a point in space.
   typedef std::array<double, 3> Point;
-  /// a floating point number of 113 binary digits.
+  /// a number of some 106 binary digits: the sum of two `double`, `high()` and `low()`, the first
+  /// of which is the number rounded.
   typedef internal::Extended Extended;
 
   /// returns whether the input is a disk.

@@ -13,8 +13,6 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -153,22 +151,20 @@ private:
 
   std::size_t lost_in_output() const
   {
-    typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+    typedef Spherical_conformal_map::Point Point;
     const Delta_complex& mesh = m_map.ideal().mesh();
-    const auto at = [&](Vertex_index v) {
-      const auto& p = m_map.position(v);
-      return Point(p[0], p[1], p[2]);
-    };
-    const Point center(0, 0, 0);
+    const auto at = [&](Vertex_index v) { return m_map.position(v); };
+    const Plane_predicates<double> predicates;
+    const Point center{0, 0, 0};
     std::size_t result = 0;
     for(Face_index f : mesh.faces()) {
       const auto side = Intrinsic_triangulations::sides(f, mesh);
       const Point p = at(mesh.source(side[0])), q = at(mesh.source(side[1])),
                   r = at(mesh.source(side[2]));
-      bool is_good = CGAL::orientation(center, p, q, r) == CGAL::POSITIVE;
+      bool is_good = predicates.orientation(p, q, r, center) > 0;
       for(Halfedge_index h : side) {
         const Point beyond = at(mesh.target(mesh.next(mesh.opposite(h))));
-        is_good = is_good && CGAL::orientation(p, q, r, beyond) != CGAL::POSITIVE;
+        is_good = is_good && predicates.orientation(p, q, r, beyond) >= 0;
       }
       result += !is_good;
     }
@@ -190,7 +186,7 @@ private:
 ///
 /// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result
 /// is a convex polyhedron is decided exactly. If it is none, or length cross ratios are not what
-/// they should be, the work goes on with 113 binary digits, and if that is not enough with other
+/// they should be, the work goes on with 106 binary digits, and if that is not enough with other
 /// vertices at infinity. The best result is returned: `Spherical_conformal_map::status()` is
 /// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
 /// \f$10^{-8}\f$.

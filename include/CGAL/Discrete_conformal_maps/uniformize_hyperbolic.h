@@ -13,6 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>

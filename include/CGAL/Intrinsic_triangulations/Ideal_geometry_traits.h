@@ -118,7 +118,7 @@ public:
     /// returns whether `length` can be the length of an edge.
     bool operator()(const FT& length) const
     {
-      if constexpr(std::numeric_limits<FT>::is_iec559) {
+      if constexpr(std::numeric_limits<FT>::has_infinity) {
         const FT square = length * length;
         return length > 0 && square >= (std::numeric_limits<FT>::min)() &&
                4 * square <= (std::numeric_limits<FT>::max)();

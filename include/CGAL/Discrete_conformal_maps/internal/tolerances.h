@@ -21,7 +21,7 @@ constexpr double unit = std::numeric_limits<double>::epsilon();
 // Angles, in radians. Rounding of a sum of angles leaves 1e-14 on good meshes: ten times that is
 // reached everywhere, a thousand times that is what more digits are taken for.
 constexpr double gradient = 1e-13, curvature = 1e-11;
-// The minimum of the spherical energy in 34 digits: scale factors have an error of at most its
+// The minimum of the spherical energy in 32 digits: scale factors have an error of at most its
 // root where bounds are active.
 constexpr double extended_gradient = 1e-22;
 // L-BFGS compares values, which have half of the digits of the gradient.
@@ -33,8 +33,8 @@ constexpr double curvature_sum = 1e-8;
 
 // Products of motions that must be the identity.
 constexpr double gluing = 1e-9;
-// What 34 digits instead of 16 make of such an error.
-constexpr double extended_gain = 1e-18;
+// What 32 digits instead of 16 make of such an error.
+constexpr double extended_gain = 1e-15;
 
 // Length cross ratios, relative: what is allowed, and what more digits are taken for.
 constexpr double cross_ratio = 1e-8, good_cross_ratio = 1e-9;

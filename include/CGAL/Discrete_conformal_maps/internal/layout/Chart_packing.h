@@ -7,15 +7,15 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/convex_hull_2.h>
-#include <CGAL/min_quadrilateral_2.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <iterator>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -26,7 +26,6 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // hundredth of the width of the whole. The first stands at the origin.
 class Chart_packing
 {
-  typedef Exact_predicates_inexact_constructions_kernel::Point_2 Point;
   typedef std::complex<double> Complex;
 
 public:
@@ -74,19 +73,63 @@ private:
     m_size[c] = high - low;
   }
 
-  // of one side of the smallest rectangle that holds the points; its norm is one
+  // Andrew's: by turns, beginning with the lowest of the leftmost points
+  static std::vector<Complex> convex_hull(std::vector<Complex> points)
+  {
+    const auto turns_left = [](const Complex& p, const Complex& q, const Complex& r) {
+      return Plane_predicates<double>().orientation({p.real(), p.imag()}, {q.real(), q.imag()},
+                                                    {r.real(), r.imag()}) > 0;
+    };
+    std::sort(points.begin(), points.end(), [](const Complex& p, const Complex& q) {
+      return p.real() < q.real() || (p.real() == q.real() && p.imag() < q.imag());
+    });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::vector<Complex> hull;
+    for(int half = 0; half < 2; ++half) {
+      const std::size_t first = hull.size();
+      for(const Complex& p : points) {
+        while(hull.size() >= first + 2 && !turns_left(*(hull.end() - 2), hull.back(), p))
+          hull.pop_back();
+        hull.push_back(p);
+      }
+      hull.pop_back();
+      std::reverse(points.begin(), points.end());
+    }
+    return hull;
+  }
+
+  // of one side of the smallest rectangle that holds the points, the first among equals: the one in
+  // the second quadrant; its norm is one
   static Complex direction_of_rectangle(const std::vector<Complex>& points)
   {
-    std::vector<Point> all, hull, rectangle;
-    for(const Complex& z : points)
-      all.emplace_back(z.real(), z.imag());
-    convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
-    if(hull.size() > 2)
-      min_rectangle_2(hull.begin(), hull.end(), std::back_inserter(rectangle));
-    if(rectangle.empty())
+    const std::vector<Complex> hull = convex_hull(points);
+    if(hull.size() < 3)
       return 1;
-    const Complex side(rectangle[1].x() - rectangle[0].x(), rectangle[1].y() - rectangle[0].y());
-    return std::abs(side) > 0 ? side / std::abs(side) : 1;
+    Complex result = 1;
+    double least = std::numeric_limits<double>::infinity();
+    std::array<std::size_t, 3> farthest{0, 0, 0}; // along a side, to its left, and back
+    for(std::size_t i = 0; i < hull.size(); ++i) {
+      const Complex side = hull[(i + 1) % hull.size()] - hull[i], direction = side / std::abs(side);
+      Complex axis = direction;
+      std::array<double, 3> distance;
+      for(std::size_t k = 0; k < 3; ++k, axis *= Complex(0, 1)) {
+        const auto along_axis = [&](std::size_t j) {
+          return ((hull[j % hull.size()] - hull[i]) * std::conj(axis)).real();
+        };
+        std::size_t& j = farthest[k] = (std::max)(farthest[k], k == 0 ? i + 1 : farthest[k - 1]);
+        while(along_axis(j + 1) > along_axis(j))
+          ++j;
+        distance[k] = along_axis(j);
+      }
+      if(const double area = (distance[0] + distance[2]) * distance[1];
+         area < (1 - tolerance::cancellation) * least) {
+        least = area;
+        result = direction;
+      }
+    }
+    while(!(result.real() <= 0 && result.imag() > 0))
+      result *= Complex(0, 1);
+    return result;
   }
 
   std::vector<std::size_t> highest_first() const

@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Least_squares_shift.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Spectral_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
@@ -96,9 +97,11 @@ private:
   Vector turn(Halfedge_index h) const
   {
     using std::sqrt;
-    const FT &a = length(h), &b = length(m_mesh.prev(h)), &opposite = length(m_mesh.next(h));
-    const FT cosine = Intrinsic_triangulations::doubled_corner_product(opposite, a, b);
-    const FT sine = sqrt(Intrinsic_triangulations::squared_quadrupled_area(opposite, a, b));
+    const std::array<FT, 3> side =
+      in_range(std::array<FT, 3>{length(m_mesh.next(h)), length(h), length(m_mesh.prev(h))});
+    const FT cosine = Intrinsic_triangulations::doubled_corner_product(side[0], side[1], side[2]);
+    const FT sine =
+      sqrt(Intrinsic_triangulations::squared_quadrupled_area(side[0], side[1], side[2]));
     const FT norm = sqrt(cosine * cosine + sine * sine);
     return {-cosine / norm, sine / norm};
   }

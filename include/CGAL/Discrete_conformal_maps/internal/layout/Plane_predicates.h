@@ -7,18 +7,19 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Double_double.h>
+#include <CGAL/MP_Float.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Exact predicates on points of the plane with coordinates of any floating point type: a filter
-// first, then integers.
+// Exact predicates on points with coordinates of type `double` or `Extended`: a filter first, then
+// numbers with all digits. What is not finite is on every line, circle and plane.
 template <typename FT>
 class Plane_predicates
 {
@@ -29,45 +30,69 @@ public:
   int orientation(const Point& p, const Point& q, const Point& r) const
   {
     const FT unit = std::numeric_limits<FT>::epsilon();
-    const FT a = (q[0] - p[0]) * (r[1] - p[1]), b = (q[1] - p[1]) * (r[0] - p[0]);
-    const FT det = a - b, bound = 4 * unit * (abs_of(a) + abs_of(b));
-    return is_certain(det, bound) ? sign_of(det) : exact_orientation(p, q, r);
+    const Row<FT> a = row<FT>(q, p), b = row<FT>(r, p);
+    const FT bound = 4 * unit * crossed_sizes(a, b);
+    if(const FT det = cross(a, b); is_certain(det, bound))
+      return sign_of(det);
+    if(!are_finite(p, q, r))
+      return 0;
+    return sign_of(cross(row<MP_Float>(q, p), row<MP_Float>(r, p)));
   }
 
   // 1 if `s` is inside the circle through `p`, `q`, `r`, if these turn left
   int in_circle(const Point& p, const Point& q, const Point& r, const Point& s) const
   {
-    const FT unit = std::numeric_limits<FT>::epsilon();
-    const Lift<FT> a(p, s), b(q, s), c(r, s);
-    const FT det = a.square * cross(b, c) + b.square * cross(c, a) + c.square * cross(a, b);
-    const FT bound = 16 * unit *
-                     (a.square * crossed_sizes(b, c) + b.square * crossed_sizes(c, a) +
-                      c.square * crossed_sizes(a, b));
-    return is_certain(det, bound) ? sign_of(det) : exact_in_circle(p, q, r, s);
+    return sign_of_determinant(p, q, r, s);
+  }
+
+  // 1 if `p`, `q`, `r` turn left as seen from `s` in space
+  int orientation(const std::array<FT, 3>& p, const std::array<FT, 3>& q,
+                  const std::array<FT, 3>& r, const std::array<FT, 3>& s) const
+  {
+    return sign_of_determinant(p, q, r, s);
   }
 
 private:
-  typedef boost::multiprecision::number<boost::multiprecision::cpp_int::backend_type,
-                                        boost::multiprecision::et_off>
-    Integer;
-
   template <typename T>
-  struct Lift
+  struct Row
   {
-    template <typename Coordinates>
-    Lift(const Coordinates& p, const Coordinates& origin)
-      : x(T(p[0]) - T(origin[0])), y(T(p[1]) - T(origin[1])), square(x * x + y * y)
-    {}
-    T x, y, square;
+    T x, y, z;
   };
 
+  static MP_Float exact(double x) { return x; }
+  static MP_Float exact(const Double_double& x) { return MP_Float(x.high()) + MP_Float(x.low()); }
+
   template <typename T>
-  static T cross(const Lift<T>& a, const Lift<T>& b)
+  static T difference(const FT& x, const FT& y)
+  {
+    if constexpr(std::is_same<T, FT>::value)
+      return x - y;
+    else
+      return exact(x) - exact(y);
+  }
+
+  template <typename T>
+  static Row<T> row(const std::array<FT, 3>& p, const std::array<FT, 3>& origin)
+  {
+    return {difference<T>(p[0], origin[0]), difference<T>(p[1], origin[1]),
+            difference<T>(p[2], origin[2])};
+  }
+
+  // in the plane, on a paraboloid above it
+  template <typename T>
+  static Row<T> row(const Point& p, const Point& origin)
+  {
+    const T x = difference<T>(p[0], origin[0]), y = difference<T>(p[1], origin[1]);
+    return {x, y, x * x + y * y};
+  }
+
+  template <typename T>
+  static T cross(const Row<T>& a, const Row<T>& b)
   {
     return a.x * b.y - a.y * b.x;
   }
 
-  static FT crossed_sizes(const Lift<FT>& a, const Lift<FT>& b)
+  static FT crossed_sizes(const Row<FT>& a, const Row<FT>& b)
   {
     return abs_of(a.x * b.y) + abs_of(a.y * b.x);
   }
@@ -87,44 +112,36 @@ private:
     return abs_of(det) > bound && abs_of(det) > least;
   }
 
-  // The coordinates, multiplied by the least power of two that makes all of them integers. Signs
-  // stay.
-  template <std::size_t n>
-  static std::array<std::array<Integer, 2>, n> scaled(const std::array<Point, n>& points)
+  template <typename... Points>
+  static bool are_finite(const Points&... point)
   {
-    using std::frexp;
-    using std::ldexp;
-    constexpr int digits = std::numeric_limits<FT>::digits;
-    int least = std::numeric_limits<int>::max(), exponent;
-    for(const Point& p : points)
-      for(const FT& x : p)
-        if(x != 0) {
-          (void)frexp(x, &exponent);
-          least = (std::min)(least, exponent);
-        }
-    std::array<std::array<Integer, 2>, n> result;
-    for(std::size_t i = 0; i < n; ++i)
-      for(std::size_t c = 0; c < 2; ++c) {
-        const FT mantissa = frexp(points[i][c], &exponent);
-        result[i][c] = static_cast<Integer>(FT(ldexp(mantissa, digits)));
-        if(points[i][c] != 0)
-          result[i][c] <<= exponent - least;
-      }
-    return result;
+    const auto is_finite = [](const auto& p) {
+      return std::all_of(p.begin(), p.end(),
+                         [](const FT& x) { return std::isfinite(static_cast<double>(x)); });
+    };
+    return (is_finite(point) && ...);
   }
 
-  static int exact_orientation(const Point& p, const Point& q, const Point& r)
+  template <typename T>
+  static T determinant(const Row<T>& a, const Row<T>& b, const Row<T>& c)
   {
-    const auto [a, b, c] = scaled<3>({p, q, r});
-    return sign_of(cross(Lift<Integer>(b, a), Lift<Integer>(c, a)));
+    return a.z * cross(b, c) + b.z * cross(c, a) + c.z * cross(a, b);
   }
 
-  static int exact_in_circle(const Point& p, const Point& q, const Point& r, const Point& s)
+  template <typename Coordinates>
+  static int sign_of_determinant(const Coordinates& p, const Coordinates& q, const Coordinates& r,
+                                 const Coordinates& s)
   {
-    const auto e = scaled<4>({p, q, r, s});
-    const Lift<Integer> a(e[0], e[3]), b(e[1], e[3]), c(e[2], e[3]);
-    return sign_of(
-      Integer(a.square * cross(b, c) + b.square * cross(c, a) + c.square * cross(a, b)));
+    const FT unit = std::numeric_limits<FT>::epsilon();
+    const Row<FT> a = row<FT>(p, s), b = row<FT>(q, s), c = row<FT>(r, s);
+    const FT bound = 16 * unit *
+                     (abs_of(a.z) * crossed_sizes(b, c) + abs_of(b.z) * crossed_sizes(c, a) +
+                      abs_of(c.z) * crossed_sizes(a, b));
+    if(const FT det = determinant(a, b, c); is_certain(det, bound))
+      return sign_of(det);
+    if(!are_finite(p, q, r, s))
+      return 0;
+    return sign_of(determinant(row<MP_Float>(p, s), row<MP_Float>(q, s), row<MP_Float>(r, s)));
   }
 };
 

@@ -34,8 +34,20 @@ public:
   void subtract(const Corner<FT>& corner)
   {
     m_rest -= corner.rounded_angle();
-    m_turned = {m_turned.cosine * corner.cosine - m_turned.sine * corner.sine,
-                m_turned.cosine * corner.sine + m_turned.sine * corner.cosine};
+    m_turned = (m_turned * corner).scaled();
+  }
+
+  void subtract_half_turn()
+  {
+    m_rest -= pi();
+    m_turned = {-m_turned.cosine, -m_turned.sine};
+  }
+
+  // adds what half a turn exceeds the angle
+  void add_supplement(const Corner<FT>& corner)
+  {
+    m_rest += pi() - corner.rounded_angle();
+    m_turned = (m_turned * Corner<FT>{-corner.cosine, -corner.sine}).scaled();
   }
 
   double value() const
@@ -56,15 +68,17 @@ template <>
 class Angle_difference<double>
 {
 public:
-  explicit Angle_difference(double angle)
-    : m_angle(angle), m_rest(2 * boost::math::constants::pi<double>())
-  {}
+  explicit Angle_difference(double angle) : m_angle(angle), m_rest(2 * pi()) {}
 
   void subtract(const Corner<double>& corner) { m_rest -= corner.angle(); }
+  void subtract_half_turn() { m_rest -= pi(); }
+  void add_supplement(const Corner<double>& corner) { m_rest += pi() - corner.angle(); }
 
   double value() const { return m_rest - m_angle; }
 
 private:
+  static constexpr double pi() { return boost::math::constants::pi<double>(); }
+
   double m_angle, m_rest;
 };
 

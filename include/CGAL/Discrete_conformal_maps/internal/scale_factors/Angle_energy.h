@@ -12,7 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 
 #include <cmath>
 #include <cstddef>

@@ -8,14 +8,29 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// The sides, in the unit that keeps fourth powers in the range of the number type.
+template <typename FT>
+std::array<FT, 3> in_range(const std::array<FT, 3>& side)
+{
+  return side;
+}
+inline std::array<Extended, 3> in_range(const std::array<Extended, 3>& side)
+{
+  int exponent;
+  (void)std::frexp((std::max)({side[0], side[1], side[2]}).high(), &exponent);
+  return {ldexp(side[0], -exponent), ldexp(side[1], -exponent), ldexp(side[2], -exponent)};
+}
 
 // The angles of a Euclidean triangle. Side s leads from corner s to the next. Lengths that violate
 // the triangle inequality have the limits of angles: pi opposite to the longest, zero elsewhere.
@@ -26,9 +41,10 @@ public:
   // whether scaling changes no angles
   static constexpr bool has_similar_ones = true;
 
-  explicit Flat_triangle(const std::array<FT, 3>& side)
+  explicit Flat_triangle(const std::array<FT, 3>& lengths)
   {
     using std::sqrt;
+    const std::array<FT, 3> side = in_range(lengths);
     const FT area =
       sqrt(Intrinsic_triangulations::squared_quadrupled_area(side[0], side[1], side[2]));
     m_is_flat = !(area > 0);

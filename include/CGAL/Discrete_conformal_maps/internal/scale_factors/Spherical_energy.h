@@ -8,11 +8,10 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Lobachevsky_function.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_difference.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
-
-#include <boost/math/constants/constants.hpp>
 
 #include <cmath>
 #include <vector>
@@ -56,18 +55,16 @@ private:
   // surface: a vertex begins with two right angles for each half of an edge without a face.
   void sum_angles()
   {
-    const FT pi = boost::math::constants::pi<FT>();
-    std::vector<FT> defect(Base::size(), 2 * pi);
+    std::vector<Angle_difference<FT>> defect(Base::size(), Angle_difference<FT>(0));
     for(Halfedge_index h : mesh().halfedges()) {
       const Vertex_index v = mesh().source(h);
       if(is_remaining(mesh().face(h)))
-        defect[v.idx()] += pi - Base::angle(h);
+        defect[v.idx()].add_supplement(Base::corner(h));
       if(is_remaining(Edge_index(h)))
-        defect[v.idx()] -= pi;
+        defect[v.idx()].subtract_half_turn();
     }
-    defect[surface().vertex_at_infinity().idx()] = 0;
     for(Vertex_index v : mesh().vertices())
-      Base::set_gradient(v, static_cast<double>(defect[v.idx()]));
+      Base::set_gradient(v, v == surface().vertex_at_infinity() ? 0 : defect[v.idx()].value());
   }
 };
 
@@ -75,7 +72,7 @@ template <typename FT>
 FT Spherical_energy<FT>::value() const
 {
   using std::log;
-  const FT pi = boost::math::constants::pi<FT>();
+  const FT pi = straight_angle<FT>();
   FT sum(0);
   for(Vertex_index v : mesh().vertices())
     if(v != surface().vertex_at_infinity() && !mesh().is_isolated(v))

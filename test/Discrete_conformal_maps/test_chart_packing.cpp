@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The rectangle of a chart against those along all lines through two of its points, one of which is
+// smallest.
+
+#include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
+
+#include <CGAL/Random.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <complex>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace DCM = CGAL::Discrete_conformal_maps;
+using Complex = std::complex<double>;
+
+namespace {
+
+// two opposite corners of the smallest box that holds the points
+template <typename Motion>
+std::pair<Complex, Complex> box(const std::vector<Complex>& points, const Motion& motion)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  Complex low(infinity, infinity), high = -low;
+  for(const Complex& p : points) {
+    const Complex z = motion(p);
+    low = {(std::min)(low.real(), z.real()), (std::min)(low.imag(), z.imag())};
+    high = {(std::max)(high.real(), z.real()), (std::max)(high.imag(), z.imag())};
+  }
+  return {low, high};
+}
+
+double smallest_area(const std::vector<Complex>& points)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(const Complex& p : points)
+    for(const Complex& q : points)
+      if(p != q) {
+        const Complex turn = std::conj(q - p) / std::abs(q - p);
+        const auto [low, high] = box(points, [&](const Complex& z) { return turn * z; });
+        result = (std::min)(result, (high.real() - low.real()) * (high.imag() - low.imag()));
+      }
+  return result;
+}
+
+} // namespace
+
+TEST(Chart_packing, lays_a_chart_on_the_longer_side_of_its_smallest_rectangle)
+{
+  CGAL::Random random(1);
+  for(int trial = 0; trial < 2000; ++trial) {
+    // on a grid, in a disk, or in a narrow strip
+    std::vector<Complex> points;
+    const int number = random.get_int(3, 14);
+    for(int i = 0; i < number; ++i)
+      if(trial % 3 == 0)
+        points.emplace_back(random.get_int(0, 4), random.get_int(0, 4));
+      else
+        points.emplace_back(random.get_double(-1, 1),
+                            random.get_double(-1, 1) * (trial % 3 == 1 ? 1 : 1e-6));
+    const DCM::internal::Chart_packing packing({points});
+    const auto [low, high] = box(points, packing.motion(0));
+    EXPECT_NEAR(std::abs(packing.motion(0).turn), 1, 1e-15);
+    EXPECT_NEAR(std::abs(low), 0, 1e-14);
+    EXPECT_GE(high.real(), high.imag() - 1e-14);
+    if(const double area = smallest_area(points); area > 1e-9) {
+      EXPECT_NEAR(high.real() * high.imag() / area, 1, 1e-9);
+    }
+  }
+}
