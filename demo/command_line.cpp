@@ -62,6 +62,12 @@ void add_save(CLI::App& command, Common_options& options)
   command.add_option("--save", options.save, "File for the intrinsic triangulation itself");
 }
 
+void add_exact(CLI::App& command, Common_options& options)
+{
+  command.add_flag("--exact", options.is_exact,
+                   "Decide exactly which edges are Delaunay, and certify the triangulation");
+}
+
 void add_info(CLI::App& app, Options& options)
 {
   CLI::App& command =
@@ -99,6 +105,7 @@ void add_delaunay(CLI::App& app, Options& options)
   CLI::App& command = add_command(
     app, "delaunay", "Flip a mesh to its intrinsic Delaunay triangulation", options.common.input);
   add_subdivision_options(command, options.delaunay, options.common);
+  add_exact(command, options.common);
   command.footer(
     "Example:\n  intrinsic delaunay bunny.obj -o subdivision.vtp --constrain-angle 40");
 }
@@ -149,6 +156,7 @@ void add_distance(CLI::App& app, Options& options)
   add_distance_outputs(command, own);
   add_save(command, options.common);
   add_common_options(command, options.common);
+  add_exact(command, options.common);
   add_number(command, "--time-step", own.time_step_factor,
              "Time for which heat flows, in squared mean edge lengths", CLI::PositiveNumber)
     ->capture_default_str();
@@ -167,6 +175,7 @@ void add_operators(CLI::App& app, Options& options)
     ->required();
   add_save(command, options.common);
   add_common_options(command, options.common);
+  add_exact(command, options.common);
   add_angle(command, options.operators.minimum_angle);
   command.footer(Help::operators);
 }

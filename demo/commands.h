@@ -30,6 +30,7 @@ struct Common_options
   std::string statistics;
   double mollification = 0;
   bool is_repair_wanted = false;
+  bool is_exact = false; // decisions about Delaunay edges, with a certificate
   bool is_quiet = false;
 };
 

@@ -7,6 +7,7 @@
 #include "sharp_edges.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
@@ -65,6 +66,19 @@ bool is_excused(const IT::Remaining_face& f)
          f.reason == IT::Remaining_reason::beside_narrow_vertex;
 }
 
+// Adds the certificate to the statistics.
+void certify(Command_run& run, const Triangulation& triangulation)
+{
+  const IT::Delaunay_certificate certificate = IT::certify_Delaunay(triangulation);
+  Statistics& statistics = run.statistics();
+  statistics["certified"] = certificate.is_Delaunay();
+  statistics["ties"] = certificate.ties.size();
+  statistics["decisions"] = {{"lengths", certificate.decided_by_lengths},
+                             {"floating_point", certificate.decided_in_floating_point},
+                             {"multiprecision", certificate.decided_in_multiprecision},
+                             {"exact", certificate.decided_exactly}};
+}
+
 } // namespace
 
 Edge_length_map edge_lengths(Command_run& run)
@@ -83,8 +97,11 @@ Triangulation make_delaunay_triangulation(Command_run& run, double constrained_a
   run.timed("flip", [&] {
     Flip_counter counter{run.progress()};
     run.statistics()["flips"] =
-      IT::make_Delaunay(result, IT::parameters::visitor(std::ref(counter)));
+      IT::make_Delaunay(result, IT::parameters::visitor(std::ref(counter))
+                                  .exact_decisions(run.options().is_exact));
   });
+  if(run.options().is_exact)
+    run.timed("certify", [&] { certify(run, result); });
   return result;
 }
 

@@ -22,6 +22,11 @@ Edge_length_map edge_lengths(Command_run& run);
 
 // The names of stages, for `Command_run::plan()`.
 inline const Stages delaunay_stages{"build", "flip"};
+// none unless decisions are exact
+inline Stages certificate_stages(const Common_options& options)
+{
+  return options.is_exact ? Stages{"certify"} : Stages{};
+}
 inline const Stages subdivision_stages{"trace", "subdivide"};
 // none if there is no bound on the angle
 inline Stages refinement_stages(double minimum_angle)
@@ -29,7 +34,7 @@ inline Stages refinement_stages(double minimum_angle)
   return minimum_angle > 0 ? Stages{"refine"} : Stages{};
 }
 
-// The stages "build" and "flip": the intrinsic Delaunay triangulation of the input, mollified if
+// The stages "build", "flip" and, if it is wanted, "certify": the intrinsic Delaunay triangulation of the input, mollified if
 // that is wanted. Edges at which the normals differ by `constrained_angle` degrees or more stay;
 // zero for none.
 Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle = 0);

@@ -39,6 +39,14 @@ has_keys statistics.json $expected
 claim "s = json('statistics.json')" 's.is_delaunay' 's.vertices == 1320'
 rm statistics.json
 
+# Exact decisions on faces with cocircular corners.
+printf 'OFF\n4 2 0\n0 0 0\n3 0 4\n3 5 4\n0 5 0\n3 0 1 2\n3 0 2 3\n' >square.mesh.off
+expect 0 delaunay square.mesh.off -o exact.ply --exact --stats statistics.json
+claim "s = json('statistics.json')" 's.certified' 's.ties == 1' 's.is_delaunay' 's.decisions.exact == 1'
+expect 0 delaunay slivers.mesh.off -o exact.ply --exact --stats statistics.json
+claim "s = json('statistics.json')" 's.certified' 'sum(s.decisions.values()) >= s.edges'
+rm exact.ply statistics.json
+
 # Handled, not refused.
 expect 0 delaunay isolated.mesh.off -o -
 says 'note: isolated vertex: 1'

@@ -152,6 +152,7 @@ public:
       internal::copy_constraints(
         g, np, numbering, [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
     });
+    check_exact_triangles();
   }
 
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the
@@ -177,6 +178,7 @@ public:
     const std::string defect = internal::correspondence_defect(*this);
     if(!defect.empty())
       throw Invalid_input(defect);
+    check_exact_triangles();
   }
 
   /// @}
@@ -417,6 +419,14 @@ private:
   bool can_be_turned(Halfedge_index h) const
   {
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
+  }
+
+  // positions always make triangles
+  void check_exact_triangles() const
+  {
+    if constexpr(internal::Is_exact<Traits>::value)
+      if(m_input_metric.points.empty())
+        internal::exact_decisions(*this).check_triangles();
   }
 
   // Flips the edge of `h`; its length is what `length()` returns then. Four flips are none.

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -165,30 +166,35 @@ std::size_t flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit
   return result.flips;
 }
 
+// From lengths of type `double` that may be far off.
+template <typename Traits, typename Visitor>
+std::size_t make_exactly_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                                  Visitor& visitor)
+{
+  if constexpr(!Is_exact<Traits>::value)
+    Exact_flipping<Traits>(tri).recompute_lengths();
+  return flip_exactly(tri, limit, visitor);
+}
+
 // Goes on exactly where lengths of type `double` cannot carry the decisions: if there are far more
-// flips than edges, or edges that are still not Delaunay after two rounds.
+// flips than edges, or edges that are still not Delaunay after two rounds. That needs a triangulation
+// whose edges are straight, as it is while no vertices with rounded places have been inserted.
 template <typename Traits, typename Visitor>
 std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
 {
-  if constexpr(Is_exact<Traits>::value)
-    return flip_exactly(tri, limit, visitor);
-  else if constexpr(has_metric<Traits>()) {
-    const std::size_t expected = 1000 + 20 * std::size_t(tri.mesh().number_of_edges());
-    const auto [flips, is_Delaunay] = flip_by_lengths(tri, (std::min)(limit, expected), 2, visitor);
-    if(is_Delaunay)
-      return flips;
-    check_flip_limit(flips == limit);
-    visitor.before_exact_flips();
-    Exact_flipping<Traits>(tri).recompute_lengths();
-    return flips + flip_exactly(tri, limit - flips, visitor);
-  } else {
-    const auto [flips, is_Delaunay] = flip_by_lengths(tri, limit, 100, visitor);
-    check_flip_limit(!is_Delaunay && flips == limit);
-    if(!is_Delaunay)
-      throw Numerical_error(
-        "rounding of the lengths keeps the triangulation from becoming Delaunay");
+  const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
+  const std::size_t expected = 1000 + 20 * std::size_t(tri.mesh().number_of_edges());
+  const auto [flips, is_Delaunay] = flip_by_lengths(
+    tri, can_be_exact ? (std::min)(limit, expected) : limit, can_be_exact ? 2 : 100, visitor);
+  if(is_Delaunay)
     return flips;
-  }
+  check_flip_limit(flips == limit);
+  if constexpr(has_metric<Traits>())
+    if(can_be_exact) {
+      visitor.before_exact_flips();
+      return flips + make_exactly_Delaunay(tri, limit - flips, visitor);
+    }
+  throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
 
 } // namespace internal
@@ -199,7 +205,8 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 /// With `Exact_Euclidean_geometry_traits` every decision is exact. With lengths of type `double`, if
 /// there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths are
 /// recomputed from \f$T_1\f$ and flipping goes on; if that is not enough, or there were more than
-/// twenty flips for each edge, it goes on with exact decisions. The result is then exactly Delaunay.
+/// twenty flips for each edge, and no vertices have been inserted, it goes on with exact decisions.
+/// The result is then exactly Delaunay.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -210,6 +217,12 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 ///     \cgalParamDescription{the number of flips that are allowed}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{a thousand for each edge, and a hundred million}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{exact_decisions}
+///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, too. If
+///       vertices have been inserted, `certify_Delaunay()` must find the edges straight.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of every flip; an exception that it throws stops the
@@ -225,8 +238,8 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
 /// \throws Numerical_error if a flipped length is not positive and finite, an exact decision
-///         involves too many square roots (see `certify_Delaunay()`), or, in other than Euclidean
-///         geometry, rounding of the lengths stands against the postcondition
+///         involves too many square roots (see `certify_Delaunay()`), or rounding of the lengths
+///         stands against the postcondition and exact decisions are not possible
 /// \throws Overflow_error if a normal coordinate is out of range
 /// After an exception `tri` is a valid triangulation of the same surface.
 /// \post `is_Delaunay(tri)`
@@ -244,6 +257,10 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   Default_flip_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  if constexpr(internal::has_metric<Traits>())
+    if(internal::Is_exact<Traits>::value ||
+       choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
+      return internal::make_exactly_Delaunay(tri, limit, visitor);
   return internal::make_Delaunay(tri, limit, visitor);
 }
 

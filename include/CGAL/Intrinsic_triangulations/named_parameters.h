@@ -14,6 +14,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(DO)                                           \
   DO(edge_length_map)                                                                              \
   DO(squared_edge_length_map)                                                                      \
+  DO(exact_decisions)                                                                              \
   DO(time_step_factor)                                                                             \
   DO(minimum_angle)                                                                                \
   DO(maximum_circumradius)                                                                         \
@@ -57,6 +58,10 @@ auto edge_length_map(const Map& map);
 /// traits take as they are; it takes the place of vertex positions.
 template <typename Map>
 auto squared_edge_length_map(const Map& map);
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// names whether all decisions about Delaunay edges are exact.
+auto exact_decisions(bool value);
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// names the time for which heat flows, in squared mean edge lengths of the component. Less follows

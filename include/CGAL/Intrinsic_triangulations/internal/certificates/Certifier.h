@@ -39,6 +39,8 @@ public:
 
   Delaunay_certificate run()
   {
+    if(m_pair.input_metric().points.empty())
+      m_decisions.check_triangles();
     for(Edge_index e : m_mesh.edges())
       check_straightness(e);
     for(Edge_index e : m_mesh.edges())

@@ -114,6 +114,23 @@ public:
     });
   }
 
+  // Throws `Invalid_input` if T1 is given by lengths that violate the triangle inequality. Those
+  // that obey it by more than rounding need no second look.
+  void check_triangles() const
+  {
+    const Delta_complex& input = m_pair.input_mesh();
+    const auto length = [&](Halfedge_index h) { return m_pair.input_length(input.edge(h)); };
+    Exact corners(m_metric, m_pair.input(), 1);
+    for(Face_index f : input.faces()) {
+      const Halfedge_index h = input.halfedge(f);
+      const double a = length(h), b = length(input.next(h)), c = length(input.prev(h));
+      if((std::min)({b + c - a, c + a - b, a + b - c}) <= rounding_unit<double>() * (a + b + c) &&
+         corners.area_sign(corner_at_source(h, input)) == NEGATIVE)
+        throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()) +
+                            " by less than rounding");
+    }
+  }
+
   // whether the edge of `h` is a whole edge of T1
   bool is_input_edge(Halfedge_index h) const
   {
@@ -290,7 +307,7 @@ private:
     Exact corners(m_metric, m_pair.input(), 1);
     for(std::size_t m = 0; m < m_crossings.count(h); ++m)
       for(Halfedge_index side : {m_crossings(h, m), input.opposite(m_crossings(h, m))})
-        if(corners.is_flat(corner_at_source(side, input)))
+        if(corners.area_sign(corner_at_source(side, input)) == ZERO)
           return true;
     return false;
   }

@@ -205,10 +205,10 @@ public:
     return {&m_tower, {products.doubled_product}, root(c, products.squared_quadrupled_area)};
   }
 
-  // whether the triangle has no area
-  bool is_flat(const Input_corner& c) const
+  // returns the sign of the squared area: NEGATIVE if the triangle inequality fails
+  Sign area_sign(const Input_corner& c) const
   {
-    return !(Corner_products<K>(squares(c)).squared_quadrupled_area > K(0));
+    return CGAL::sign(Corner_products<K>(squares(c)).squared_quadrupled_area);
   }
 
   // whether there were more roots than are allowed
