@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -134,8 +135,7 @@ public:
   // whether the edge of `h` is a whole edge of T1
   bool is_input_edge(Halfedge_index h) const
   {
-    return m_pair.coordinates().is_shared(m_mesh.edge(h)) &&
-           !m_pair.is_inserted(m_mesh.source(h)) && !m_pair.is_inserted(m_mesh.target(h));
+    return m_pair.coordinates().is_shared(m_mesh.edge(h)) && !has_inserted_end(h);
   }
 
   // the cheapest way to both
@@ -143,6 +143,8 @@ public:
   {
     if(is_input_edge(h))
       return {true, m_pair.input_length(m_pair.input_mesh().edge(m_pair.input_halfedge(h)))};
+    if(m_crossings.count(h) == 1 && !has_inserted_end(h))
+      return other_diagonal(m_crossings(h, 0));
     Rounded<double> corners(m_metric, m_pair.input());
     const auto strip = development(corners).strip(h);
     return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, corners)};
@@ -178,6 +180,20 @@ public:
   const Decision_count& count() const { return m_count; }
 
 private:
+  bool has_inserted_end(Halfedge_index h) const
+  {
+    return m_pair.is_inserted(m_mesh.source(h)) || m_pair.is_inserted(m_mesh.target(h));
+  }
+
+  // what lengths say about the other diagonal of two faces of T1; `rounding_unit()` covers them
+  Straight_edge other_diagonal(Halfedge_index input) const
+  {
+    const auto length = diamond(m_pair.input_length_map(), input, m_pair.input_mesh());
+    const Bounded_length flipped = flipped_length(length, input_length_error());
+    return {Euclidean_geometry_traits<double>::Is_convex()(length),
+            flipped.is_good() ? flipped.length : std::numeric_limits<double>::quiet_NaN()};
+  }
+
   template <typename Corners>
   auto development(Corners& corners) const
   {
@@ -318,8 +334,7 @@ private:
   {
     if(is_input_edge(h))
       return true;
-    if(m_metric.points.empty() || m_pair.is_inserted(m_mesh.source(h)) ||
-       m_pair.is_inserted(m_mesh.target(h)))
+    if(m_metric.points.empty() || has_inserted_end(h))
       return false;
     for(std::size_t m = 0; m < m_crossings.count(h); ++m)
       if(!is_flat(m_pair.input_mesh().edge(m_crossings(h, m))))

@@ -10,27 +10,13 @@
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
-#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// Returns how far the apex k of a triangle that is laid out along its side c is displaced if each
-// side has a relative error of `error`, and infinity if that may not be small. A change of side a
-// moves k along the circle around the end of b, by more than that change by the inverse of the sine
-// of the angle at k, and so does a change of b or c. The bound is twice the sum, as the sine may
-// change, too, and includes the rounding of the layout.
-inline double apex_displacement(double a, double b, double c, double error)
-{
-  const double area = quadrupled_area(a, b, c), perimeter = a + b + c;
-  const double change = error * perimeter;
-  if(!(16 * change * (a + b) * a * b <= area * area))
-    return std::numeric_limits<double>::infinity();
-  return 4 * change * a * b / area + 32 * std::numeric_limits<double>::epsilon() * perimeter;
-}
 
 // Exact decisions about flips, and lengths that stay within `certified_length_error()`: that of a
 // flipped edge comes from its diamond as long as error bounds allow, otherwise from its strip.
@@ -49,7 +35,7 @@ public:
     m_error.reserve(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges())
       m_error.push_back(static_cast<float>(m_decisions.is_input_edge(m_mesh.halfedge(e))
-                                             ? 4 * std::numeric_limits<double>::epsilon()
+                                             ? input_length_error()
                                              : certified_length_error()));
   }
 
@@ -71,14 +57,15 @@ public:
   // returns true: it is always possible
   bool flip(Halfedge_index h)
   {
-    const Diamond<double> length = diamond(m_tri.length_map(), h, m_mesh);
-    const double flipped = m_by_formula(length), bound = flipped_error(length, h) / flipped;
-    const bool is_good = bound <= certified_length_error() / 2;
+    const Bounded_length flipped =
+      flipped_length(diamond(m_tri.length_map(), h, m_mesh), greatest_error_around(h));
     const Edge_index e = m_mesh.edge(h);
     m_tri.turn(h, [&] {
-      return is_good && !m_tri.coordinates().is_shared(e) ? flipped : m_decisions.length(h);
+      return flipped.is_good() && !m_tri.coordinates().is_shared(e) ? flipped.length
+                                                                    : m_decisions.length(h);
     });
-    m_error[e.idx()] = static_cast<float>(is_good ? 2 * bound : certified_length_error());
+    m_error[e.idx()] =
+      static_cast<float>(flipped.is_good() ? 2 * flipped.error : certified_length_error());
     return true;
   }
 
@@ -90,22 +77,18 @@ public:
   }
 
 private:
-  // the absolute error of the length by which the edge of `h` would be replaced
-  double flipped_error(const Diamond<double>& length, Halfedge_index h) const
+  double greatest_error_around(Halfedge_index h) const
   {
-    const Halfedge_index o = m_mesh.opposite(h);
-    float error = 0;
-    for(Halfedge_index side : {h, m_mesh.next(h), m_mesh.prev(h), m_mesh.next(o), m_mesh.prev(o)})
-      error = (std::max)(error, m_error[m_mesh.edge(side).idx()]);
-    return apex_displacement(length.jk, length.ki, length.ij, double(error)) +
-           apex_displacement(length.il, length.lj, length.ij, double(error));
+    float error = m_error[m_mesh.edge(h).idx()];
+    for(Edge_index e : edges_around(h, m_mesh))
+      error = (std::max)(error, m_error[e.idx()]);
+    return double(error);
   }
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
   Exact_decisions<Traits, Crossings> m_decisions;
   Exact_Euclidean_geometry_traits<>::Is_locally_Delaunay m_by_lengths;
-  Exact_Euclidean_geometry_traits<>::Compute_flipped_length m_by_formula;
   std::vector<float> m_error; // relative error bounds of the lengths
 };
 

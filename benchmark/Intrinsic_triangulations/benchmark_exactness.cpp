@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What exactness costs: construction and flips in `double` and with exact decisions, which take
+// turns, and the certificate of the former; with the decisions of the certificate by stage. On
+// meshes named as arguments, or on CGAL's own and a grid of 100,000 squares in a rotated plane, each
+// of which is a tie.
+
+#include "measure.h"
+
+#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+
+constexpr int repetitions = 15;
+
+// Squares with integer coordinates in a plane that is rotated by a quaternion of integers.
+Mesh make_grid(int m, int n)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= m; ++i)
+      v.push_back(mesh.add_vertex({4. * j - 20 * i, 20. * i - 10 * j, 10. * i + 28 * j}));
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < m; ++i) {
+      const auto corner = [&](int di, int dj) {
+        return v[static_cast<std::size_t>((j + dj) * (m + 1) + i + di)];
+      };
+      mesh.add_face(corner(0, 0), corner(1, 0), corner(1, 1));
+      mesh.add_face(corner(0, 0), corner(1, 1), corner(0, 1));
+    }
+  return mesh;
+}
+
+template <typename Traits>
+IT::Intrinsic_triangulation<Traits> Delaunay(const Mesh& mesh)
+{
+  IT::Intrinsic_triangulation<Traits> tri(mesh);
+  IT::make_Delaunay(tri);
+  return tri;
+}
+
+void benchmark(const std::string& name, const Mesh& mesh)
+{
+  Samples rounded, exact, certify;
+  IT::Delaunay_certificate certificate;
+  for(int i = 0; i < repetitions; ++i) {
+    const auto tri = rounded.time([&] { return Delaunay<IT::Euclidean_geometry_traits<>>(mesh); });
+    certificate = certify.time([&] { return IT::certify_Delaunay(tri); });
+    exact.time([&] { return Delaunay<IT::Exact_Euclidean_geometry_traits<>>(mesh); });
+  }
+  std::printf(
+    "%-24s%9u%9.2f%9.2f%7.2f%9.2f%7.2f%10zu%8zu%8zu%8zu%8zu%8zu\n", name.c_str(),
+    mesh.number_of_edges(), rounded.median(), exact.median(), exact.median() / rounded.median(),
+    certify.median(), certify.median() / rounded.median(), certificate.decided_by_lengths,
+    certificate.decided_in_floating_point, certificate.decided_in_multiprecision,
+    certificate.decided_exactly, certificate.ties.size(), certificate.non_Delaunay_edges.size());
+}
+
+int main(int argc, char** argv)
+{
+  keep_memory();
+  std::vector<std::string> files(argv + 1, argv + argc);
+  if(files.empty())
+    for(const char* name : {"armadillo", "camel", "turbine", "ChineseDragon-10kv",
+                            "refined_elephant", "fandisk", "anchor"})
+      files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+  std::printf("milliseconds, medians of %d; the last six columns count decisions of the "
+              "certificate, ties, and edges that are not Delaunay\n",
+              repetitions);
+  std::printf("%-24s%9s%9s%9s%7s%9s%7s%10s%8s%8s%8s%8s%8s\n", "mesh", "edges", "double", "exact",
+              "ratio", "certify", "ratio", "lengths", "floats", "digits", "exact", "ties", "wrong");
+  for(const std::string& file : files) {
+    Mesh mesh;
+    if(CGAL::IO::read_polygon_mesh(file, mesh))
+      benchmark(file.substr(file.find_last_of('/') + 1), mesh);
+    else
+      std::printf("%s: cannot be read\n", file.c_str());
+  }
+  if(argc == 1)
+    benchmark("grid", make_grid(400, 250));
+}
