@@ -117,6 +117,12 @@ public:
   ///     \cgalParamType{a model of `ReadablePropertyMap` with value type convertible to `FT`}
   ///     \cgalParamDefault{unused}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{squared_edge_length_map}
+  ///     \cgalParamDescription{the squared lengths of the edges; exact traits take them as they are}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with value type convertible to
+  ///       `Traits::Exact_number` or, without exact traits, to `FT`}
+  ///     \cgalParamDefault{unused}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{edge_is_constrained_map}
   ///     \cgalParamDescription{the edges that must stay in \f$T_2\f$}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with value type `bool`}
@@ -131,7 +137,7 @@ public:
   /// Complexity: linear.
   /// \throws Invalid_input if a face is not a triangle, an edge has no face, a vertex has more than
   ///         one umbrella, a length is not positive and finite, or the triangle inequality fails in
-  ///         a face
+  ///         a face (with exact traits and without positions, exactly)
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
                                    const NamedParameters& np = CGAL::parameters::default_values())
