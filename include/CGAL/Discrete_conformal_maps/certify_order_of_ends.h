@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 
+#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/enum.h>
 
 #include <cstddef>
@@ -159,7 +160,7 @@ private:
   const Ideal_correspondence& m_bc;
   Input_crossings m_crossings_of_C;
   Intrinsic_triangulations::internal::Ideal_development<
-    Intrinsic_triangulations::internal::Lazy_rational, Ideal_triangulation>
+    Lazy_exact_nt<Intrinsic_triangulations::internal::Exact_field>, Ideal_triangulation>
     m_development;
   Intrinsic_triangulations::internal::Exact_decisions<typename Correspondence<>::Traits,
                                                       Input_crossings>

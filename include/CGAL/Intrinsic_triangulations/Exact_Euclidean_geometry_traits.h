@@ -8,9 +8,9 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Uncertain.h>
 
 #include <cstdint>
 
@@ -36,30 +36,12 @@ namespace CGAL::Intrinsic_triangulations {
 template <typename ExactNumber_ = Exact_rational, typename Integer_ = std::int64_t>
 class Exact_Euclidean_geometry_traits : public Euclidean_geometry_traits<double, Integer_>
 {
-  typedef Euclidean_geometry_traits<double, Integer_> Base;
-
 public:
   /// the number type of exact squared lengths.
   typedef ExactNumber_ Exact_number;
 
-  /// decides whether the edge \f$ij\f$ is locally Delaunay, if lengths determine that.
-  struct Is_locally_Delaunay
-  {
-    /// returns whether the edge is Delaunay, if this is so for all lengths within the error of the
-    /// stored ones; otherwise the answer is uncertain.
-    Uncertain<bool> operator()(const Diamond<double>& length) const
-    {
-      if(is_certain(length))
-        return true;
-      return by_lengths(length) ? Uncertain<bool>::indeterminate() : Uncertain<bool>(false);
-    }
-
-    /// returns whether the edge is certainly Delaunay. Branch-free.
-    bool is_certain(const Diamond<double>& length) const { return by_lengths.is_certain(length); }
-
-  private:
-    typename Base::Is_locally_Delaunay by_lengths{internal::certified_length_error()};
-  };
+  /// the predicate of the local Delaunay condition by lengths, which may be uncertain.
+  typedef internal::Delaunay_by_lengths Is_locally_Delaunay;
 
   /// returns the function object.
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }

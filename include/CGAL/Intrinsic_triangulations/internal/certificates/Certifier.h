@@ -8,8 +8,8 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delaunay_certificate.h>
-#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 
@@ -103,7 +103,7 @@ private:
   const Delta_complex& m_mesh;
   Exact_decisions<Traits, Input_crossings> m_decisions;
   std::vector<double> m_length; // NaN if it is not known well enough
-  Exact_Euclidean_geometry_traits<>::Is_locally_Delaunay m_by_lengths;
+  Delaunay_by_lengths m_by_lengths;
   Delaunay_certificate m_certificate;
 };
 

@@ -44,7 +44,11 @@ public:
     : m_pair(pair), m_input(pair.input_mesh()), m_crossings(crossings), m_corners(corners)
   {}
 
-  Complex number(const Lazy_rational& x) const { return m_corners.number(x); }
+  template <typename Lazy_number>
+  Complex number(const Lazy_number& x) const
+  {
+    return m_corners.number(x);
+  }
 
   // Returns the side of T1 at or clockwise from the halfedge `h` of T2; if its source lies inside a
   // face, any side of this face.

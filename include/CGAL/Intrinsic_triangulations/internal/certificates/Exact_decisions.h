@@ -102,10 +102,11 @@ public:
   // Returns the sign of the place on the halfedge `h` where it crosses an edge of T1 as crossing `m`,
   // minus `t`: from the heights of both ends of `h` over that edge. `h` is straight. If it runs along
   // that edge, the sign is ZERO.
-  Sign compare_place(Halfedge_index h, std::size_t m, const Lazy_rational& t)
+  template <typename Lazy_number>
+  Sign compare_place(Halfedge_index h, std::size_t m, const Lazy_number& t)
   {
     const Halfedge_index o = m_mesh.opposite(h);
-    const Lazy_rational rest = 1 - t;
+    const Lazy_number rest = 1 - t;
     return decide([&](const auto& development) {
       const auto from_source = development.strip(h).crossed[m];
       const auto from_target = development.strip(o).crossed[m_crossings.count(h) - 1 - m];

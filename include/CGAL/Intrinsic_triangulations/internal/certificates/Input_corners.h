@@ -14,8 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -51,10 +49,7 @@ inline Input_corner corner_at_target(Halfedge_index h, const Delta_complex& mesh
 
 // the field of exact squared lengths that are stored as numbers of another type
 template <typename Stored>
-using Exact_number_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_rational, Stored>;
-
-// a rational number with an approximation
-typedef Lazy_exact_nt<Exact_rational> Lazy_rational;
+using Exact_number_of = std::conditional_t<std::is_same_v<Stored, double>, Exact_field, Stored>;
 
 // Twice the scalar product of the sides at a corner, and the square of four times the area, from
 // the squared lengths of pq, pr and qr. Nothing is divided.
@@ -84,7 +79,8 @@ public:
   static Complex number(int x) { return {N(x), N(0), 0}; }
 
   // exact digits are asked for only where `double` is not enough
-  static Complex number(const Lazy_rational& x)
+  template <typename Lazy_number>
+  static Complex number(const Lazy_number& x)
   {
     if constexpr(std::is_same_v<N, double>) {
       const auto [lower, upper] = to_interval(x);
@@ -186,7 +182,11 @@ public:
   {}
 
   Complex number(int x) const { return real(K(x)); }
-  Complex number(const Lazy_rational& x) const { return real(K(x.exact())); }
+  template <typename Lazy_number>
+  Complex number(const Lazy_number& x) const
+  {
+    return real(K(x.exact()));
+  }
 
   Complex scaled(const Complex& z, const Input_corner& c) const
   {

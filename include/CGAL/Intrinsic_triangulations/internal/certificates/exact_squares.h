@@ -11,9 +11,17 @@
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 
-#include <CGAL/Number_types/internal/Exact_type_selector.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
+#ifndef CGAL_HAS_MPZF
+#include <CGAL/MP_Float.h>
+#endif
+#ifdef CGAL_USE_GMP
+#include <CGAL/Gmpq.h>
+#else
+#include <CGAL/Exact_rational.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -23,8 +31,18 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// where sums and products of numbers of type `double` are exact
-typedef CGAL::internal::Exact_ring_selector<double>::Type Exact_ring;
+// Where sums and products of numbers of type `double` are exact, and where quotients are. CGAL's own
+// types compile faster than those that it selects.
+#ifdef CGAL_HAS_MPZF
+typedef Mpzf Exact_ring;
+#else
+typedef MP_Float Exact_ring;
+#endif
+#ifdef CGAL_USE_GMP
+typedef Gmpq Exact_field;
+#else
+typedef Exact_rational Exact_field;
+#endif
 
 template <typename R>
 R squared_distance(const std::array<double, 3>& p, const std::array<double, 3>& q)

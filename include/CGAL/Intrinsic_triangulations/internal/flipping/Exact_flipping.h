@@ -7,8 +7,8 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
@@ -88,7 +88,7 @@ private:
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
   Exact_decisions<Traits, Crossings> m_decisions;
-  Exact_Euclidean_geometry_traits<>::Is_locally_Delaunay m_by_lengths;
+  Delaunay_by_lengths m_by_lengths;
   std::vector<float> m_error; // relative error bounds of the lengths
 };
 
