@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
@@ -48,13 +50,21 @@ public:
   typedef typename Traits::Integer Integer;
 
   /// prepares changes of `tri`. Complexity: linear in the elements and crossings.
-  explicit Vertex_inserter(Triangulation& tri) : m_tri(tri), m_lists(tri), m_marks(tri) {}
+  explicit Vertex_inserter(Triangulation& tri)
+    : m_tri(tri), m_lists(tri), m_marks(tri), m_exact(tri, m_lists)
+  {}
+
+  Vertex_inserter(const Vertex_inserter&) = delete;
+  Vertex_inserter& operator=(const Vertex_inserter&) = delete;
 
   /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
   /// returns the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
   const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
+
+  /// \internal
+  const internal::Exact_insertion_of<Traits>& exact() const { return m_exact; }
 
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one
   /// coordinate is zero. Whatever the rounding, the integer coordinates are those of a point in one
@@ -104,8 +114,19 @@ public:
   /// crossings.
   void flip(Halfedge_index h)
   {
+    if constexpr(is_exact)
+      return m_exact.flip(h);
     m_tri.flip(h);
     m_lists.after_flip(h);
+  }
+
+  /// returns whether the edge `e` is Delaunay, see `Intrinsic_triangulation::is_Delaunay()`. With
+  /// exact traits this looks only at the crossings on its two faces.
+  bool is_Delaunay(Edge_index e)
+  {
+    if constexpr(is_exact)
+      return m_exact.is_Delaunay(e);
+    return m_tri.is_Delaunay(e);
   }
 
   /// removes the inserted vertex `v`: flips edges until three are left, the most convex first
@@ -128,12 +149,15 @@ public:
   }
 
 private:
+  static constexpr bool is_exact = internal::Is_exact<Traits>::value;
   typedef internal::Local_marks<Traits> Marks;
   typedef internal::Face_map<FT, Marks> Face_map;
   typedef internal::Barycentric_coordinates<FT> Coordinates;
 
   Vertex_index split_face(const Face_location<FT>& p, const FT& closeness)
   {
+    if constexpr(is_exact)
+      return m_exact.insert(p, closeness);
     m_marks.set_face(p.first, m_lists);
     const Face_map face_map(m_marks, m_tri.input_mesh());
     const std::size_t number = face_map.region_of(p.second);
@@ -210,9 +234,11 @@ private:
     const Edge_point<FT> across = m_marks.across(curve.mark.side, curve.mark.mark);
     const FT start = place_of_other_end(curve, across.halfedge);
     const Edge_point<FT> place{across.halfedge, start + t * (across.t - start)};
-    return m_tri.split_face({p.first, foot},
-                            split_on_curve(curve, across.halfedge, face_map.regions()),
-                            {place.halfedge, face_location(place, m_tri.input_mesh())});
+    return m_tri.split_face(
+      {p.first, foot},
+      internal::split_on_curve<Integer>(curve, m_tri.number_of_inserted_spoke(across.halfedge),
+                                        face_map.regions()),
+      {place.halfedge, face_location(place, m_tri.input_mesh())});
   }
 
   // Returns the place of the point closest to `p` on the way from `begin` to `end`. The distance is
@@ -233,18 +259,6 @@ private:
     if(curve.from_apex)
       return m_tri.place_along(input, m_tri.mesh().source(m_marks.side(curve.corner)));
     return 1 - m_marks.across(curve.other.side, curve.other.mark).t;
-  }
-
-  Face_split<Integer> split_on_curve(const internal::Face_regions::Curve& curve,
-                                     Halfedge_index input,
-                                     const internal::Face_regions& regions) const
-  {
-    const auto forward = m_tri.number_of_inserted_spoke(input), back = 1 - forward;
-    const auto n = regions.crossings_to_corners(curve);
-    Face_split<Integer> split{{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {back, back, back}};
-    // between this corner and the next lies the spoke that leads forward
-    split.r[curve.from_apex ? (curve.corner + 1) % 3 : curve.corner] = forward;
-    return split;
   }
 
   // returns the regions of the face of `h`, with `h` as side 0
@@ -346,12 +360,22 @@ private:
   // ---- Removal ----
 
   // Returns the excess over pi of the angle at the source of `h` in the diamond around its edge.
-  // Where it is not positive at either end, the edge can be flipped.
-  FT excess_at_source(Halfedge_index h) const
+  // Where it is not positive at either end, the edge can be flipped. With exact traits its sign is
+  // exact.
+  FT excess_at_source(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    return internal::angle_at_source(h, m_tri) +
-           internal::angle_at_source(mesh.next(mesh.opposite(h)), m_tri) - pi<FT>();
+    const Halfedge_index following = mesh.next(mesh.opposite(h));
+    if constexpr(is_exact) {
+      const Sign convexity = m_exact.decisions().convexity_at_source(h);
+      return convexity == ZERO
+               ? FT(0)
+               : -convexity * ((std::numeric_limits<FT>::min)() +
+                               CGAL::abs(m_exact.decisions().rounded_angle(h) +
+                                         m_exact.decisions().rounded_angle(following) - pi<FT>()));
+    } else
+      return internal::angle_at_source(h, m_tri) + internal::angle_at_source(following, m_tri) -
+             pi<FT>();
   }
 
   bool can_be_flipped(Halfedge_index h) const
@@ -360,11 +384,12 @@ private:
            !m_tri.is_constrained(m_tri.mesh().edge(h));
   }
 
-  Halfedge_index edge_to_flip(Vertex_index v) const;
+  Halfedge_index edge_to_flip(Vertex_index v);
 
   Triangulation& m_tri;
   internal::Crossing_lists<Traits> m_lists;
   Marks m_marks;
+  internal::Exact_insertion_of<Traits> m_exact;
 };
 
 // A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three
@@ -372,12 +397,12 @@ private:
 // flat angle there is allowed, since the face without area is removed with `v`; at the other end it
 // would stay.
 template <typename Traits>
-Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
+Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v)
 {
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
   for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
-  const FT tolerance = internal::flat_angle_tolerance<FT>();
+  const FT tolerance = is_exact ? FT(0) : internal::flat_angle_tolerance<FT>();
   FT least = std::numeric_limits<FT>::infinity();
   Halfedge_index result;
   for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
@@ -388,7 +413,7 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
     const FT c = (std::max)(at_source, at_target), elsewhere = degree < 3 ? c : at_target;
     const bool is_loop = mesh.target(h) == mesh.source(h);
     const FT rank = is_loop ? c - 4 : elsewhere > -tolerance ? c + 4 : c; // loops first
-    if(c < tolerance && rank < least) {
+    if((c < tolerance || (is_exact && at_source == 0 && elsewhere < 0)) && rank < least) {
       least = rank;
       result = h;
     }

@@ -118,8 +118,9 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
                     Refinement_result& result)
 {
   const bool limited = result.status == Refinement_status::insertion_limit;
-  const Remaining_reason otherwise =
-    limited ? Remaining_reason::insertion_limit : Remaining_reason::no_room;
+  const Remaining_reason otherwise = limited                   ? Remaining_reason::insertion_limit
+                                     : Is_exact<Traits>::value ? Remaining_reason::at_rounding
+                                                               : Remaining_reason::no_room;
   result.remaining = remaining_faces(tri, bounds, otherwise);
   const bool all_excused =
     std::none_of(result.remaining.begin(), result.remaining.end(),
@@ -159,6 +160,10 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
   for(int round = 0; round < 20; ++round) {
     const std::size_t before = result.insertions + result.flips;
     insert_vertices(tri, bounds, limits, visitor, result);
+    if constexpr(Is_exact<Traits>::value) {
+      note_remaining(tri, bounds, result);
+      break;
+    }
     tri.recompute_lengths();
     result.flips += make_Delaunay(tri, limits.flips, visitor);
     if(!note_remaining(tri, bounds, result) || result.insertions + result.flips == before ||

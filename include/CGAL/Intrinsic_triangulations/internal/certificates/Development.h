@@ -81,9 +81,12 @@ public:
     return {first, {}, end(h, first)};
   }
 
-  Strip strip(Halfedge_index h) const
+  Strip strip(Halfedge_index h) const { return strip(h, start(h)); }
+
+  // if its first triangle lies at `first`
+  Strip strip(Halfedge_index h, const Placed_side& first) const
   {
-    Strip result{start(h), {}, m_corners.number(0)};
+    Strip result{first, {}, m_corners.number(0)};
     result.end =
       end(h, result.first, [&](const Placed_side& side) { result.crossed.push_back(side); });
     return result;
@@ -92,16 +95,45 @@ public:
   // Returns a number whose argument is the angle of T2 at the source of `h` in the face of `h`.
   Complex angle(Halfedge_index h) const
   {
+    const auto [j, k] = ends(h);
+    return k * conj(j);
+  }
+
+  // Returns the other two corners of the face ijk of `h`, whose source i is at the origin.
+  std::pair<Complex, Complex> ends(Halfedge_index h) const
+  {
+    const Halfedge_index following = m_pair.mesh().opposite(m_pair.mesh().prev(h));
+    const Placed_side side = start(h);
+    return {end(h, side), end(following, following_side(h, side))};
+  }
+
+  // Returns the side at or clockwise from the spoke of T2 that follows `h`, for which `side` is this.
+  Placed_side following_side(Halfedge_index h, Placed_side side) const
+  {
     const Delta_complex& mesh = m_pair.mesh();
-    const Halfedge_index following = mesh.opposite(mesh.prev(h));
-    Placed_side side = start(h);
-    const Complex first = end(h, side);
     const std::size_t spokes =
       static_cast<std::size_t>(m_pair.coordinates().curves_leaving(mesh.next(h), mesh)) +
-      m_pair.coordinates().is_shared(mesh.edge(following));
+      m_pair.coordinates().is_shared(mesh.edge(mesh.prev(h)));
     for(std::size_t s = 0; s < spokes; ++s)
       side = following_spoke(side, m_pair.is_inserted(mesh.source(h)));
-    return end(following, side) * conj(first);
+    return side;
+  }
+
+  // the next spoke around the origin, counterclockwise
+  Placed_side following_spoke(const Placed_side& side, bool is_inserted) const
+  {
+    if(is_inserted)
+      return {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
+    const Complex end = side.vector * at_source(side.halfedge);
+    return {m_input.opposite(m_input.prev(side.halfedge)), side.source, end, end};
+  }
+
+  // the corner of the triangle opposite to `side`
+  Complex apex(const Placed_side& side) const
+  {
+    const Halfedge_index h = side.halfedge;
+    return is_apex_near_source(h) ? scaled(side.source, h) + side.vector * at_source(h)
+                                  : scaled(side.target, h) - side.vector * at_target(h);
   }
 
 private:
@@ -162,13 +194,6 @@ private:
            m_pair.input_length(m_input.edge(m_input.next(h)));
   }
 
-  Complex apex(const Placed_side& side) const
-  {
-    const Halfedge_index h = side.halfedge;
-    return is_apex_near_source(h) ? scaled(side.source, h) + side.vector * at_source(h)
-                                  : scaled(side.target, h) - side.vector * at_target(h);
-  }
-
   // returns the side `exit` of the triangle
   Placed_side other_side(const Placed_side& side, Halfedge_index exit) const
   {
@@ -181,15 +206,6 @@ private:
     const Complex corner = is_next == is_apex_near_source(h) ? apex(side) : end + to_apex;
     return is_next ? Placed_side{exit, end, corner, to_apex}
                    : Placed_side{exit, corner, end, -to_apex};
-  }
-
-  // the next spoke around the origin, counterclockwise
-  Placed_side following_spoke(const Placed_side& side, bool is_inserted) const
-  {
-    if(is_inserted)
-      return {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
-    const Complex end = side.vector * at_source(side.halfedge);
-    return {m_input.opposite(m_input.prev(side.halfedge)), side.source, end, end};
   }
 
   // returns where the vertex `v` lies beyond the origin on `side`

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -76,12 +77,17 @@ public:
                                             : exact_sign<K>(around);
   }
 
+  // returns the sign of pi minus the angle of the union of the two faces of `h` at its source
+  Sign convexity_at_source(Halfedge_index h)
+  {
+    return compare_with_pi(h, m_mesh.next(m_mesh.opposite(h)));
+  }
+
   // returns whether the union of the two faces of `h` is strictly convex at its ends
   bool is_convex(Halfedge_index h)
   {
-    const Halfedge_index o = m_mesh.opposite(h);
-    return compare_with_pi(h, m_mesh.next(o)) == POSITIVE &&
-           compare_with_pi(o, m_mesh.next(h)) == POSITIVE;
+    return convexity_at_source(h) == POSITIVE &&
+           convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
   }
 
   // returns the orientation of the face of `h`
@@ -154,8 +160,8 @@ public:
   // \throws Numerical_error if it is not positive and finite
   double length(Halfedge_index h) const
   {
-    if(is_input_edge(h))
-      return m_pair.input_length(m_pair.input_mesh().edge(m_pair.input_halfedge(h)));
+    if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
+      return m_pair.shared_length(h);
     double length = rounded_length<double>(h);
 #ifdef CGAL_USE_MPFR
     for(long bits = 128; bits <= 512 && std::isnan(length); bits *= 4) {
@@ -175,6 +181,40 @@ public:
     Rounded<double> corners(m_metric, m_pair.input());
     const auto angle = development(corners).angle(h);
     return std::atan2(angle.y, angle.x);
+  }
+
+  // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j, its imaginary part
+  // correct up to a small relative error. It is not positive if the face has no area.
+  std::complex<double> rounded_corner(Halfedge_index h) const
+  {
+    std::complex<double> corner;
+    bool is_accurate = round_corner<double>(h, corner);
+#ifdef CGAL_USE_MPFR
+    for(long bits = 128; bits <= 512 && !is_accurate; bits *= 4) {
+      const Gmpfr_precision precision(bits);
+      is_accurate = round_corner<Gmpfr>(h, corner);
+    }
+#endif
+    return corner;
+  }
+
+  // Returns the circumradius of the face `f`; infinite if it has no area.
+  double rounded_circumradius(Face_index f) const
+  {
+    const Halfedge_index h = shortest_side(f);
+    const std::complex<double> corner = rounded_corner(h);
+    return corner.imag() > 0 ? m_pair.length(m_mesh.edge(h)) * std::abs(corner) *
+                                 std::abs(corner - 1.0) / (2 * corner.imag())
+                             : std::numeric_limits<double>::infinity();
+  }
+
+  // returns the side from which a face is laid out without loss of digits
+  Halfedge_index shortest_side(Face_index f) const
+  {
+    const auto side = sides(f, m_mesh);
+    return *std::min_element(side.begin(), side.end(), [&](Halfedge_index a, Halfedge_index b) {
+      return m_pair.length(m_mesh.edge(a)) < m_pair.length(m_mesh.edge(b));
+    });
   }
 
   const Decision_count& count() const { return m_count; }
@@ -303,6 +343,16 @@ private:
   {
     Rounded<N> corners(m_metric, m_pair.input());
     return rounded_length(development(corners).uncrossed_strip(h), corners);
+  }
+
+  template <typename N>
+  bool round_corner(Halfedge_index h, std::complex<double>& corner) const
+  {
+    Rounded<N> corners(m_metric, m_pair.input());
+    const auto [j, k] = development(corners).ends(h);
+    const auto product = k * conj(j), square = j * conj(j);
+    corner = {CGAL::to_double(N(product.x / square.x)), CGAL::to_double(N(product.y / square.x))};
+    return product.radius <= CGAL::to_double(product.y) * certified_length_error();
   }
 
   template <typename Strip, typename Corners>
