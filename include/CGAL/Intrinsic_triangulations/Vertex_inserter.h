@@ -429,7 +429,7 @@ Face_index Vertex_inserter<Traits>::remove(Vertex_index v, const After_flip& aft
   const Delta_complex& mesh = m_tri.mesh();
   for(std::size_t flips = 0; removal_status(v, mesh) != Operation_status::possible; ++flips) {
     const Halfedge_index h = edge_to_flip(v);
-    if(!h.is_valid() || flips > 10000)
+    if(!h.is_valid() || flips > (is_exact ? 500 : 10000))
       return Delta_complex::null_face();
     flip(h);
     after_flip(h);

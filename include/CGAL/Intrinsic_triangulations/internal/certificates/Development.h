@@ -17,6 +17,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -60,7 +61,10 @@ public:
       const auto w = weights(spoke, v);
       return {spoke, -w[1], w[0], w[0] + w[1]};
     }
-    const Halfedge_index side = m_input.halfedge(place.location.first);
+    // from the nearest corner, so that the distance from it loses no digits
+    const auto& b = place.location.second;
+    const Halfedge_index side = sides(
+      place.location.first, m_input)[std::size_t(std::max_element(b.begin(), b.end()) - b.begin())];
     const auto w = weights(side, place.location);
     return {side, -(scaled(w[1], side) + w[2] * at_source(side)),
             scaled(w[0], side) + w[2] * at_target(side), scaled(w[0] + w[1] + w[2], side)};
@@ -181,6 +185,22 @@ private:
     return w;
   }
 
+  // Returns those of the source of the halfedge `back` of T2, which leads into the triangle of `side`.
+  // On an edge of T1 both are read, not one computed from the other: they are the same from either
+  // side.
+  std::array<Complex, 3> weights_in_triangle(Halfedge_index side, Halfedge_index back) const
+  {
+    const Vertex_index v = m_pair.mesh().source(back);
+    const Halfedge_index spoke = m_pair.input_spoke_before(back);
+    if(!spoke.is_valid())
+      return weights(side, m_pair.inserted_vertex(v).location);
+    const auto w = weights(spoke, v);
+    const Complex zero = m_corners.number(0);
+    return spoke == side                 ? std::array<Complex, 3>{w[0], w[1], zero}
+           : spoke == m_input.next(side) ? std::array<Complex, 3>{zero, w[0], w[1]}
+                                         : std::array<Complex, 3>{w[1], zero, w[0]};
+  }
+
   // a position, as positions are scaled to which a corner of the triangle of `h` has contributed
   Complex scaled(const Complex& z, Halfedge_index h) const
   {
@@ -221,7 +241,7 @@ private:
   Complex place(Halfedge_index back, const Placed_side& side) const
   {
     if(m_pair.is_inserted(m_pair.mesh().source(back))) {
-      const auto w = weights(side.halfedge, m_pair.input_location(back));
+      const auto w = weights_in_triangle(side.halfedge, back);
       return scaled(w[0] * side.source + w[1] * side.target, side.halfedge) + w[2] * apex(side);
     }
     const Halfedge_index spoke = m_pair.input_spoke_before(back);

@@ -80,7 +80,8 @@ public:
   // returns the sign of pi minus the angle of the union of the two faces of `h` at its source
   Sign convexity_at_source(Halfedge_index h)
   {
-    return compare_with_pi(h, m_mesh.next(m_mesh.opposite(h)));
+    const Halfedge_index following = m_mesh.next(m_mesh.opposite(h));
+    return is_straight_corner(m_mesh.prev(h), following) ? ZERO : compare_with_pi(h, following);
   }
 
   // returns whether the union of the two faces of `h` is strictly convex at its ends
@@ -178,24 +179,15 @@ public:
   // returns the angle at the source of `h` in its face
   double rounded_angle(Halfedge_index h) const
   {
-    Rounded<double> corners(m_metric, m_pair.input());
-    const auto angle = development(corners).angle(h);
-    return std::atan2(angle.y, angle.x);
+    return std::arg(
+      rounded_corner(h, [](const std::complex<double>& corner) { return std::abs(corner); }));
   }
 
   // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j, its imaginary part
   // correct up to a small relative error. It is not positive if the face has no area.
   std::complex<double> rounded_corner(Halfedge_index h) const
   {
-    std::complex<double> corner;
-    bool is_accurate = round_corner<double>(h, corner);
-#ifdef CGAL_USE_MPFR
-    for(long bits = 128; bits <= 512 && !is_accurate; bits *= 4) {
-      const Gmpfr_precision precision(bits);
-      is_accurate = round_corner<Gmpfr>(h, corner);
-    }
-#endif
-    return corner;
+    return rounded_corner(h, [](const std::complex<double>& corner) { return corner.imag(); });
   }
 
   // Returns the circumradius of the face `f`; infinite if it has no area.
@@ -295,6 +287,14 @@ private:
     });
   }
 
+  // whether the edges lead along one edge of T1, through the vertex between them
+  bool is_straight_corner(Halfedge_index before, Halfedge_index after) const
+  {
+    return m_pair.is_inserted(m_mesh.source(after)) && before != m_mesh.opposite(after) &&
+           m_pair.coordinates().is_shared(m_mesh.edge(before)) &&
+           m_pair.coordinates().is_shared(m_mesh.edge(after));
+  }
+
   // 0 and 2 pi have the same sine as pi; there the cosines decide
   template <typename Complex>
   static Uncertain<Sign> compare_sum_with_pi(const Complex& a, const Complex& b)
@@ -345,14 +345,31 @@ private:
     return rounded_length(development(corners).uncrossed_strip(h), corners);
   }
 
+  // The error is small in comparison with `size(corner)`, if more digits can help.
+  template <typename Size>
+  std::complex<double> rounded_corner(Halfedge_index h, const Size& size) const
+  {
+    std::pair<std::complex<double>, double> corner = corner_and_error<double>(h);
+    const auto is_accurate = [&] {
+      return corner.second <= size(corner.first) * certified_length_error();
+    };
+#ifdef CGAL_USE_MPFR
+    for(long bits = 128; bits <= 512 && !is_accurate(); bits *= 4) {
+      const Gmpfr_precision precision(bits);
+      corner = corner_and_error<Gmpfr>(h);
+    }
+#endif
+    return corner.first;
+  }
+
   template <typename N>
-  bool round_corner(Halfedge_index h, std::complex<double>& corner) const
+  std::pair<std::complex<double>, double> corner_and_error(Halfedge_index h) const
   {
     Rounded<N> corners(m_metric, m_pair.input());
     const auto [j, k] = development(corners).ends(h);
     const auto product = k * conj(j), square = j * conj(j);
-    corner = {CGAL::to_double(N(product.x / square.x)), CGAL::to_double(N(product.y / square.x))};
-    return product.radius <= CGAL::to_double(product.y) * certified_length_error();
+    return {{CGAL::to_double(N(product.x / square.x)), CGAL::to_double(N(product.y / square.x))},
+            product.radius / CGAL::to_double(square.x)};
   }
 
   template <typename Strip, typename Corners>
