@@ -22,6 +22,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -360,22 +362,12 @@ private:
   // ---- Removal ----
 
   // Returns the excess over pi of the angle at the source of `h` in the diamond around its edge.
-  // Where it is not positive at either end, the edge can be flipped. With exact traits its sign is
-  // exact.
-  FT excess_at_source(Halfedge_index h)
+  // Where it is not positive at either end, the edge can be flipped.
+  FT excess_at_source(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index following = mesh.next(mesh.opposite(h));
-    if constexpr(is_exact) {
-      const Sign convexity = m_exact.decisions().convexity_at_source(h);
-      return convexity == ZERO
-               ? FT(0)
-               : -convexity * ((std::numeric_limits<FT>::min)() +
-                               CGAL::abs(m_exact.decisions().rounded_angle(h) +
-                                         m_exact.decisions().rounded_angle(following) - pi<FT>()));
-    } else
-      return internal::angle_at_source(h, m_tri) + internal::angle_at_source(following, m_tri) -
-             pi<FT>();
+    return internal::angle_at_source(h, m_tri) +
+           internal::angle_at_source(mesh.next(mesh.opposite(h)), m_tri) - pi<FT>();
   }
 
   bool can_be_flipped(Halfedge_index h) const
@@ -384,12 +376,16 @@ private:
            !m_tri.is_constrained(m_tri.mesh().edge(h));
   }
 
+  typedef std::pair<FT, Halfedge_index> Candidate; // an edge to flip, the least rank first
+
   Halfedge_index edge_to_flip(Vertex_index v);
+  Halfedge_index best_candidate(bool is_flat_allowed);
 
   Triangulation& m_tri;
   internal::Crossing_lists<Traits> m_lists;
   Marks m_marks;
   internal::Exact_insertion_of<Traits> m_exact;
+  std::vector<Candidate> m_candidates;
 };
 
 // A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three
@@ -402,9 +398,8 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v)
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
   for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
-  const FT tolerance = is_exact ? FT(0) : internal::flat_angle_tolerance<FT>();
-  FT least = std::numeric_limits<FT>::infinity();
-  Halfedge_index result;
+  const FT tolerance = internal::flat_angle_tolerance<FT>();
+  m_candidates.clear();
   for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
     const Halfedge_index h = degree < 3 ? mesh.next(spoke) : spoke;
     if((degree < 3 && mesh.is_border(spoke)) || !can_be_flipped(h))
@@ -413,12 +408,28 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v)
     const FT c = (std::max)(at_source, at_target), elsewhere = degree < 3 ? c : at_target;
     const bool is_loop = mesh.target(h) == mesh.source(h);
     const FT rank = is_loop ? c - 4 : elsewhere > -tolerance ? c + 4 : c; // loops first
-    if((c < tolerance || (is_exact && at_source == 0 && elsewhere < 0)) && rank < least) {
-      least = rank;
-      result = h;
-    }
+    if(is_exact || c < tolerance)
+      m_candidates.push_back({rank, h});
   });
-  return result;
+  return best_candidate(degree >= 3);
+}
+
+// With exact traits the rank only determines the order in which candidates are looked at.
+template <typename Traits>
+Halfedge_index Vertex_inserter<Traits>::best_candidate([[maybe_unused]] bool is_flat_allowed)
+{
+  const auto by_rank = [](const Candidate& a, const Candidate& b) { return a.first < b.first; };
+  if constexpr(is_exact) {
+    std::stable_sort(m_candidates.begin(), m_candidates.end(), by_rank);
+    const auto found =
+      std::find_if(m_candidates.begin(), m_candidates.end(), [&](const Candidate& c) {
+        return m_exact.can_be_flipped(c.second, is_flat_allowed);
+      });
+    return found == m_candidates.end() ? Halfedge_index() : found->second;
+  } else {
+    const auto best = std::min_element(m_candidates.begin(), m_candidates.end(), by_rank);
+    return best == m_candidates.end() ? Halfedge_index() : best->second;
+  }
 }
 
 template <typename Traits>

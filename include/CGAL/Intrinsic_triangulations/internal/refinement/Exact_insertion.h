@@ -54,6 +54,14 @@ public:
                                   : m_decisions.Delaunay_sign(h) != NEGATIVE;
   }
 
+  // returns whether the union of the faces of `h` is strictly convex at its ends, or flat at the
+  // source if this is allowed
+  bool can_be_flipped(Halfedge_index h, bool is_flat_allowed)
+  {
+    return m_decisions.convexity_at_source(h) >= (is_flat_allowed ? ZERO : POSITIVE) &&
+           m_decisions.convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
+  }
+
   void flip(Halfedge_index h)
   {
     m_tri.turn(h, [&] {
