@@ -65,7 +65,7 @@ public:
   /// returns the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
   const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
 
-  /// \internal
+  /// returns the operations with exact decisions; nothing useful unless the traits are exact.
   const internal::Exact_insertion_of<Traits>& exact() const { return m_exact; }
 
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one
