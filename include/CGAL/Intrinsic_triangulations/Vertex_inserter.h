@@ -75,7 +75,9 @@ public:
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
   /// \returns the vertex; one that was there already if two coordinates are zero
-  /// \throws Numerical_error if a new edge has no positive finite length; nothing has changed then.
+  /// \throws Numerical_error if a new edge has no positive finite length, or with exact traits, if
+  ///   no point near by has coordinates on \f$T_1\f$ that leave its edges straight and its faces
+  ///   positive; nothing has changed then.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
     const auto side = sides(p.first, m_tri.mesh());
@@ -83,7 +85,9 @@ public:
       const FT &at_target = p.second[(s + 1) % 3], &at_apex = p.second[(s + 2) % 3];
       if(at_target == 0 && at_apex == 0)
         return m_tri.mesh().source(side[s]);
-      if(at_apex == 0 && p.second[s] > 0 && at_target > 0 && can_be_split(side[s]))
+      // a point that is rounded is not exactly on an edge, unless that is one of T1
+      if(at_apex == 0 && p.second[s] > 0 && at_target > 0 && can_be_split(side[s]) &&
+         (!is_exact || m_tri.coordinates().is_shared(m_tri.mesh().edge(side[s]))))
         return split_edge(side[s], at_target, closeness);
     }
     return split_face(p, closeness);
