@@ -37,6 +37,8 @@ template <typename Traits>
 class Input_splitter;
 template <typename Traits>
 class Exact_flipping;
+template <typename Traits>
+class Exact_insertion;
 
 } // namespace internal
 
@@ -248,6 +250,15 @@ public:
   {
     const internal::Input_crossings crossings(m_coordinates, m_mesh, m_spokes);
     std::vector<FT> lengths(m_mesh.num_edges());
+    if constexpr(internal::Is_exact<Traits>::value) {
+      const internal::Exact_decisions<Traits, internal::Input_crossings> decisions(*this,
+                                                                                   crossings);
+      for(Edge_index e : m_mesh.edges())
+        lengths[e] = decisions.length(m_mesh.halfedge(e));
+      for(Edge_index e : m_mesh.edges())
+        m_length[e] = lengths[e];
+      return;
+    }
     typename Traits::Geodesic_strip strip;
     for(Edge_index e : m_mesh.edges()) {
       const Halfedge_index h = first_halfedge(e);
@@ -301,18 +312,15 @@ public:
   Vertex_index split_face(const Face_location<FT>& p, const Face_split<Integer>& at,
                           const Inserted_vertex<FT>& q)
   {
+    if constexpr(internal::Is_exact<Traits>::value)
+      return measured(split_face(p.first, at, q, {}), internal::exact_decisions(*this));
     const auto side = sides(p.first, m_mesh);
     std::array<FT, 3> spoke_length;
     for(std::size_t s = 0; s < 3; ++s)
       spoke_length[s] = at.n[s] < 0
                           ? internal::shared_spoke_length(*this, q, at.r[s], m_mesh.source(side[s]))
                           : internal::distance_to_corner(*this, side[0], p.second, s);
-    const Vertex_index m =
-      m_coordinates.split_face(side[0], at, first_inserted_spoke(q.along), m_mesh, m_spokes);
-    set_inserted(m, q);
-    for(std::size_t s = 0; s < 3; ++s)
-      set_edge(m_mesh.prev(side[s]), spoke_length[s], false);
-    return m;
+    return split_face(p.first, at, q, spoke_length);
   }
 
   /// inserts a vertex \f$m\f$ into the edge \f$ij\f$ of `h` in \f$T_2\f$ (see
@@ -332,9 +340,10 @@ public:
   Vertex_index split_edge(Halfedge_index h, const FT& t, const Edge_split<Integer>& n,
                           const Edge_split<size_type>& r, const Inserted_vertex<FT>& q)
   {
+    if constexpr(internal::Is_exact<Traits>::value)
+      return measured(split_edge(h, n, r, q, {}), internal::exact_decisions(*this));
     const Halfedge_index o = m_mesh.opposite(h);
     const Edge_index e = m_mesh.edge(h);
-    const bool was_constrained = m_is_constrained[e];
     const auto shared = [&](size_type r, Vertex_index v) {
       return internal::shared_spoke_length(*this, q, r, v);
     };
@@ -345,17 +354,7 @@ public:
       n.mj < 0 ? shared(r.mj, m_mesh.target(h)) : part(1 - t),
       n.mk < 0 ? shared(r.mk, apex(h)) : internal::distance_to_apex(*this, h, t),
       n.ml < 0 ? shared(r.ml, apex(o)) : internal::distance_to_apex(*this, o, FT(1 - t))};
-    const Vertex_index m =
-      m_coordinates.split_edge(h, n, r, first_inserted_spoke(q.along), m_mesh, m_spokes);
-    set_inserted(m, q);
-    const Halfedge_index im = first_part(h);
-    set_edge(im, length.im, was_constrained);
-    set_edge(h, length.mj, was_constrained);
-    if(!m_mesh.is_border(im))
-      set_edge(m_mesh.next(im), length.mk, false);
-    if(!m_mesh.is_border(o))
-      set_edge(m_mesh.next(o), length.ml, false);
-    return m;
+    return split_edge(h, n, r, q, length);
   }
 
   /// returns the first part of an edge that has been split, of which `h` is the second part.
@@ -421,6 +420,7 @@ public:
 private:
   friend class internal::Input_splitter<Traits>;
   friend class internal::Exact_flipping<Traits>;
+  friend class internal::Exact_insertion<Traits>;
 
   bool can_be_turned(Halfedge_index h) const
   {
@@ -433,6 +433,47 @@ private:
     if constexpr(internal::Is_exact<Traits>::value)
       if(m_input_metric.points.empty())
         internal::exact_decisions(*this).check_triangles();
+  }
+
+  // like the public ones, where the new edges have the lengths `length`
+  Vertex_index split_face(Face_index f, const Face_split<Integer>& at, const Inserted_vertex<FT>& q,
+                          const std::array<FT, 3>& length)
+  {
+    const auto side = sides(f, m_mesh);
+    const Vertex_index m =
+      m_coordinates.split_face(side[0], at, first_inserted_spoke(q.along), m_mesh, m_spokes);
+    set_inserted(m, q);
+    for(std::size_t s = 0; s < 3; ++s)
+      set_edge(m_mesh.prev(side[s]), length[s], false);
+    return m;
+  }
+
+  Vertex_index split_edge(Halfedge_index h, const Edge_split<Integer>& n,
+                          const Edge_split<size_type>& r, const Inserted_vertex<FT>& q,
+                          const Edge_split<FT>& length)
+  {
+    const Halfedge_index o = m_mesh.opposite(h);
+    const bool was_constrained = m_is_constrained[m_mesh.edge(h)];
+    const Vertex_index m =
+      m_coordinates.split_edge(h, n, r, first_inserted_spoke(q.along), m_mesh, m_spokes);
+    set_inserted(m, q);
+    const Halfedge_index im = first_part(h);
+    set_edge(im, length.im, was_constrained);
+    set_edge(h, length.mj, was_constrained);
+    if(!m_mesh.is_border(im))
+      set_edge(m_mesh.next(im), length.mk, false);
+    if(!m_mesh.is_border(o))
+      set_edge(m_mesh.next(o), length.ml, false);
+    return m;
+  }
+
+  // returns the new vertex `m` after its edges have got their lengths
+  template <typename Decisions>
+  Vertex_index measured(Vertex_index m, const Decisions& decisions)
+  {
+    for_each_spoke(m, m_mesh,
+                   [&](Halfedge_index h) { m_length[m_mesh.edge(h)] = decisions.length(h); });
+    return m;
   }
 
   // Flips the edge of `h`; its length is what `length()` returns then. Four flips are none.

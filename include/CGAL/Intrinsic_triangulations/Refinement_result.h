@@ -45,7 +45,11 @@ enum class Remaining_reason
   beside_narrow_vertex, ///< it lies in faces of \f$T_1\f$ at a narrow vertex, and only edges of
                         ///< \f$T_1\f$ that end there cross it
   insertion_limit,      ///< no more insertions were allowed
-  no_room               ///< rounded numbers leave no room for the new edges
+  no_room,              ///< rounded numbers leave no room for the new edges
+  at_rounding,          ///< it is of the order of the rounding of coordinates on \f$T_1\f$ (only
+                        ///< with exact decisions)
+  no_area ///< its corners lie on a line, exactly, along a boundary or constrained edge
+          ///< (only with exact decisions)
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
@@ -57,6 +61,8 @@ inline const char* to_string(Remaining_reason reason)
     case Remaining_reason::beside_narrow_vertex: return "it lies in input faces at a narrow vertex";
     case Remaining_reason::insertion_limit: return "no more insertions are allowed";
     case Remaining_reason::no_room: return "there is no room for new edges";
+    case Remaining_reason::at_rounding: return "it is as small as the rounding of coordinates";
+    case Remaining_reason::no_area: return "it has no area";
   }
   return "unknown";
 }

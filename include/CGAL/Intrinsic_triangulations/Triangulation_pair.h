@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Part_of_input_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 
 #include <array>
@@ -147,6 +148,8 @@ public:
   /// \throws Numerical_error if there is NaN between the places of its ends
   Inserted_vertex<FT> place_on_shared(Halfedge_index h, const FT& t) const
   {
+    if constexpr(internal::Is_exact<Traits>::value)
+      return part_of_input_edge(h).place(t, m_input);
     const Edge_point<FT> start = start_on_spoke(h), end = start_on_spoke(m_mesh.opposite(h));
     const Edge_point<FT> p{start.halfedge, start.t + t * (1 - end.t - start.t)};
     if(!(start.t < p.t && p.t < 1 - end.t))
@@ -198,8 +201,7 @@ public:
     if(!is_inserted(v))
       return FT(0);
     const Inserted_vertex<FT>& m = inserted_vertex(v);
-    const FT t = edge_point(m.along, m.location, m_input).t;
-    return input == m.along ? t : FT(1 - t);
+    return m.location.second[(side_number(m.along, m_input) + (input == m.along)) % 3];
   }
 
   /// returns the place of the vertex `v` of \f$T_2\f$ in a face of \f$T_1\f$: in that of
@@ -278,6 +280,8 @@ public:
   /// \pre the edge of `h` is shared
   FT shared_length(Halfedge_index h) const
   {
+    if constexpr(internal::Is_exact<Traits>::value)
+      return part_of_input_edge(h).length(m_input_length);
     return part_length(start_on_spoke(h), start_on_spoke(m_mesh.opposite(h)));
   }
 
@@ -295,6 +299,19 @@ private:
       m_inserted(std::move(inserted))
   {
     attach();
+  }
+
+  // the part of an edge of T1 that coincides with the halfedge `h` of T2
+  internal::Part_of_input_edge part_of_input_edge(Halfedge_index h) const
+  {
+    const Halfedge_index spoke = input_spoke_before(h), back = opposite(spoke);
+    const auto ends = [&](Halfedge_index along, Vertex_index v) -> std::array<double, 2> {
+      if(!is_inserted(v))
+        return {1, 0};
+      return {place_along(opposite(along), v), place_along(along, v)};
+    };
+    const auto start = ends(spoke, m_mesh.source(h)), end = ends(back, m_mesh.target(h));
+    return {spoke, start, {end[1], end[0]}};
   }
 
   Triangulation_pair(const Self& other)

@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
@@ -20,6 +22,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -48,13 +52,21 @@ public:
   typedef typename Traits::Integer Integer;
 
   /// prepares changes of `tri`. Complexity: linear in the elements and crossings.
-  explicit Vertex_inserter(Triangulation& tri) : m_tri(tri), m_lists(tri), m_marks(tri) {}
+  explicit Vertex_inserter(Triangulation& tri)
+    : m_tri(tri), m_lists(tri), m_marks(tri), m_exact(tri, m_lists)
+  {}
+
+  Vertex_inserter(const Vertex_inserter&) = delete;
+  Vertex_inserter& operator=(const Vertex_inserter&) = delete;
 
   /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
   /// returns the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
   const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
+
+  /// returns the operations with exact decisions; nothing useful unless the traits are exact.
+  const internal::Exact_insertion_of<Traits>& exact() const { return m_exact; }
 
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one
   /// coordinate is zero. Whatever the rounding, the integer coordinates are those of a point in one
@@ -63,7 +75,9 @@ public:
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
   /// \returns the vertex; one that was there already if two coordinates are zero
-  /// \throws Numerical_error if a new edge has no positive finite length; nothing has changed then.
+  /// \throws Numerical_error if a new edge has no positive finite length, or with exact traits, if
+  ///   no point near by has coordinates on \f$T_1\f$ that leave its edges straight and its faces
+  ///   positive; nothing has changed then.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
     const auto side = sides(p.first, m_tri.mesh());
@@ -71,7 +85,9 @@ public:
       const FT &at_target = p.second[(s + 1) % 3], &at_apex = p.second[(s + 2) % 3];
       if(at_target == 0 && at_apex == 0)
         return m_tri.mesh().source(side[s]);
-      if(at_apex == 0 && p.second[s] > 0 && at_target > 0 && can_be_split(side[s]))
+      // a point that is rounded is not exactly on an edge, unless that is one of T1
+      if(at_apex == 0 && p.second[s] > 0 && at_target > 0 && can_be_split(side[s]) &&
+         (!is_exact || m_tri.coordinates().is_shared(m_tri.mesh().edge(side[s]))))
         return split_edge(side[s], at_target, closeness);
     }
     return split_face(p, closeness);
@@ -104,8 +120,19 @@ public:
   /// crossings.
   void flip(Halfedge_index h)
   {
+    if constexpr(is_exact)
+      return m_exact.flip(h);
     m_tri.flip(h);
     m_lists.after_flip(h);
+  }
+
+  /// returns whether the edge `e` is Delaunay, see `Intrinsic_triangulation::is_Delaunay()`. With
+  /// exact traits this looks only at the crossings on its two faces.
+  bool is_Delaunay(Edge_index e)
+  {
+    if constexpr(is_exact)
+      return m_exact.is_Delaunay(e);
+    return m_tri.is_Delaunay(e);
   }
 
   /// removes the inserted vertex `v`: flips edges until three are left, the most convex first
@@ -128,12 +155,15 @@ public:
   }
 
 private:
+  static constexpr bool is_exact = internal::Is_exact<Traits>::value;
   typedef internal::Local_marks<Traits> Marks;
   typedef internal::Face_map<FT, Marks> Face_map;
   typedef internal::Barycentric_coordinates<FT> Coordinates;
 
   Vertex_index split_face(const Face_location<FT>& p, const FT& closeness)
   {
+    if constexpr(is_exact)
+      return m_exact.insert(p, closeness);
     m_marks.set_face(p.first, m_lists);
     const Face_map face_map(m_marks, m_tri.input_mesh());
     const std::size_t number = face_map.region_of(p.second);
@@ -210,9 +240,11 @@ private:
     const Edge_point<FT> across = m_marks.across(curve.mark.side, curve.mark.mark);
     const FT start = place_of_other_end(curve, across.halfedge);
     const Edge_point<FT> place{across.halfedge, start + t * (across.t - start)};
-    return m_tri.split_face({p.first, foot},
-                            split_on_curve(curve, across.halfedge, face_map.regions()),
-                            {place.halfedge, face_location(place, m_tri.input_mesh())});
+    return m_tri.split_face(
+      {p.first, foot},
+      internal::split_on_curve<Integer>(curve, m_tri.number_of_inserted_spoke(across.halfedge),
+                                        face_map.regions()),
+      {place.halfedge, face_location(place, m_tri.input_mesh())});
   }
 
   // Returns the place of the point closest to `p` on the way from `begin` to `end`. The distance is
@@ -233,18 +265,6 @@ private:
     if(curve.from_apex)
       return m_tri.place_along(input, m_tri.mesh().source(m_marks.side(curve.corner)));
     return 1 - m_marks.across(curve.other.side, curve.other.mark).t;
-  }
-
-  Face_split<Integer> split_on_curve(const internal::Face_regions::Curve& curve,
-                                     Halfedge_index input,
-                                     const internal::Face_regions& regions) const
-  {
-    const auto forward = m_tri.number_of_inserted_spoke(input), back = 1 - forward;
-    const auto n = regions.crossings_to_corners(curve);
-    Face_split<Integer> split{{Integer(n[0]), Integer(n[1]), Integer(n[2])}, {back, back, back}};
-    // between this corner and the next lies the spoke that leads forward
-    split.r[curve.from_apex ? (curve.corner + 1) % 3 : curve.corner] = forward;
-    return split;
   }
 
   // returns the regions of the face of `h`, with `h` as side 0
@@ -360,11 +380,16 @@ private:
            !m_tri.is_constrained(m_tri.mesh().edge(h));
   }
 
-  Halfedge_index edge_to_flip(Vertex_index v) const;
+  typedef std::pair<FT, Halfedge_index> Candidate; // an edge to flip, the least rank first
+
+  Halfedge_index edge_to_flip(Vertex_index v);
+  Halfedge_index best_candidate(bool is_flat_allowed);
 
   Triangulation& m_tri;
   internal::Crossing_lists<Traits> m_lists;
   Marks m_marks;
+  internal::Exact_insertion_of<Traits> m_exact;
+  std::vector<Candidate> m_candidates;
 };
 
 // A flip of a spoke takes it away from `v`, and a loop counts twice. A vertex with less than three
@@ -372,14 +397,13 @@ private:
 // flat angle there is allowed, since the face without area is removed with `v`; at the other end it
 // would stay.
 template <typename Traits>
-Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
+Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v)
 {
   const Delta_complex& mesh = m_tri.mesh();
   std::size_t degree = 0;
   for_each_spoke(v, mesh, [&](Halfedge_index) { ++degree; });
   const FT tolerance = internal::flat_angle_tolerance<FT>();
-  FT least = std::numeric_limits<FT>::infinity();
-  Halfedge_index result;
+  m_candidates.clear();
   for_each_spoke(v, mesh, [&](Halfedge_index spoke) {
     const Halfedge_index h = degree < 3 ? mesh.next(spoke) : spoke;
     if((degree < 3 && mesh.is_border(spoke)) || !can_be_flipped(h))
@@ -388,12 +412,28 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v) const
     const FT c = (std::max)(at_source, at_target), elsewhere = degree < 3 ? c : at_target;
     const bool is_loop = mesh.target(h) == mesh.source(h);
     const FT rank = is_loop ? c - 4 : elsewhere > -tolerance ? c + 4 : c; // loops first
-    if(c < tolerance && rank < least) {
-      least = rank;
-      result = h;
-    }
+    if(is_exact || c < tolerance)
+      m_candidates.push_back({rank, h});
   });
-  return result;
+  return best_candidate(degree >= 3);
+}
+
+// With exact traits the rank only determines the order in which candidates are looked at.
+template <typename Traits>
+Halfedge_index Vertex_inserter<Traits>::best_candidate([[maybe_unused]] bool is_flat_allowed)
+{
+  const auto by_rank = [](const Candidate& a, const Candidate& b) { return a.first < b.first; };
+  if constexpr(is_exact) {
+    std::stable_sort(m_candidates.begin(), m_candidates.end(), by_rank);
+    const auto found =
+      std::find_if(m_candidates.begin(), m_candidates.end(), [&](const Candidate& c) {
+        return m_exact.can_be_flipped(c.second, is_flat_allowed);
+      });
+    return found == m_candidates.end() ? Halfedge_index() : found->second;
+  } else {
+    const auto best = std::min_element(m_candidates.begin(), m_candidates.end(), by_rank);
+    return best == m_candidates.end() ? Halfedge_index() : best->second;
+  }
 }
 
 template <typename Traits>
@@ -404,7 +444,7 @@ Face_index Vertex_inserter<Traits>::remove(Vertex_index v, const After_flip& aft
   const Delta_complex& mesh = m_tri.mesh();
   for(std::size_t flips = 0; removal_status(v, mesh) != Operation_status::possible; ++flips) {
     const Halfedge_index h = edge_to_flip(v);
-    if(!h.is_valid() || flips > 10000)
+    if(!h.is_valid() || flips > (is_exact ? 500 : 10000))
       return Delta_complex::null_face();
     flip(h);
     after_flip(h);

@@ -94,20 +94,45 @@ struct No_face
   bool operator()(Face_index) const { return false; }
 };
 
-// Faces that violate the bounds, with the reason; those without an excuse have `otherwise`.
+inline bool is_excused(const Remaining_face& f)
+{
+  return f.reason == Remaining_reason::at_narrow_vertex ||
+         f.reason == Remaining_reason::beside_narrow_vertex;
+}
+
+// why a face that nothing excuses has not been refined
+template <typename Traits>
+Remaining_reason reason_left(const Intrinsic_triangulation<Traits>& tri, Face_index f,
+                             bool is_limited)
+{
+  if(is_limited)
+    return Remaining_reason::insertion_limit;
+  if constexpr(Is_exact<Traits>::value)
+    return exact_decisions(tri).orientation(tri.mesh().halfedge(f)) == POSITIVE
+             ? Remaining_reason::at_rounding
+             : Remaining_reason::no_area;
+  else
+    return Remaining_reason::no_room;
+}
+
+// returns the faces that violate the bounds, with the reason
 template <typename Traits, typename Bounds>
 std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits>& tri,
-                                            const Bounds& bounds, Remaining_reason otherwise)
+                                            const Bounds& bounds, bool is_limited)
 {
   const Narrow_vertices<Traits> narrow(tri);
   const Crossing_lists<Traits> lists(tri);
   std::vector<Remaining_face> remaining;
+  const auto unexcused = [&](Face_index f) {
+    return Remaining_face{f, reason_left(tri, f, is_limited), tri.mesh().null_vertex()};
+  };
   for(Face_index f : tri.mesh().faces()) {
-    const Remaining_face unexcused{f, otherwise, tri.mesh().null_vertex()};
     if(bounds.is_too_large(f))
-      remaining.push_back(unexcused);
-    else if(bounds.is_too_thin(f))
-      remaining.push_back(narrow.excuse(f, lists).value_or(unexcused));
+      remaining.push_back(unexcused(f));
+    else if(bounds.is_too_thin(f)) {
+      const auto excuse = narrow.excuse(f, lists);
+      remaining.push_back(excuse ? *excuse : unexcused(f));
+    }
   }
   return remaining;
 }
@@ -118,12 +143,9 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
                     Refinement_result& result)
 {
   const bool limited = result.status == Refinement_status::insertion_limit;
-  const Remaining_reason otherwise =
-    limited ? Remaining_reason::insertion_limit : Remaining_reason::no_room;
-  result.remaining = remaining_faces(tri, bounds, otherwise);
+  result.remaining = remaining_faces(tri, bounds, limited);
   const bool all_excused =
-    std::none_of(result.remaining.begin(), result.remaining.end(),
-                 [&](const Remaining_face& f) { return f.reason == otherwise; });
+    std::all_of(result.remaining.begin(), result.remaining.end(), is_excused);
   if(!limited)
     result.status = result.remaining.empty() ? Refinement_status::bounds_met
                     : all_excused            ? Refinement_status::bounds_met_but_excused
@@ -159,6 +181,10 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
   for(int round = 0; round < 20; ++round) {
     const std::size_t before = result.insertions + result.flips;
     insert_vertices(tri, bounds, limits, visitor, result);
+    if constexpr(Is_exact<Traits>::value) { // nothing has been rounded
+      note_remaining(tri, bounds, result);
+      return result;
+    }
     tri.recompute_lengths();
     result.flips += make_Delaunay(tri, limits.flips, visitor);
     if(!note_remaining(tri, bounds, result) || result.insertions + result.flips == before ||
@@ -186,8 +212,14 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 /// That it ends in exact arithmetic is proven for angles of up to 30 degrees on closed surfaces
 /// without narrow vertices and constrained edges (Theorem 3). With boundary, constrained edges or
 /// narrow vertices this is an open question on surfaces; the manual has what was measured. With
-/// floating point numbers it can insert vertices without end on nearly degenerate meshes, whatever
-/// the bound: only `maximum_number_of_insertions` guarantees an end.
+/// decisions in floating point it can insert vertices without end on nearly degenerate meshes,
+/// whatever the bound: only `maximum_number_of_insertions` guarantees an end.
+///
+/// With `Exact_Euclidean_geometry_traits` it is decided exactly which edges are Delaunay, on which
+/// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex gets
+/// coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if its
+/// edges are straight then and its faces positive; otherwise points farther inside the face are
+/// tried, and if none of them will do, the bad face is left, with the reason `at_rounding`.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type

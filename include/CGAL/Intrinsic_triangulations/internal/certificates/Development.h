@@ -17,6 +17,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -64,7 +65,10 @@ public:
       const auto w = weights(spoke, v);
       return {spoke, -w[1], w[0], w[0] + w[1]};
     }
-    const Halfedge_index side = m_input.halfedge(place.location.first);
+    // from the nearest corner, so that the distance from it loses no digits
+    const auto& b = place.location.second;
+    const Halfedge_index side = sides(
+      place.location.first, m_input)[std::size_t(std::max_element(b.begin(), b.end()) - b.begin())];
     const auto w = weights(side, place.location);
     return {side, -(scaled(w[1], side) + w[2] * at_source(side)),
             scaled(w[0], side) + w[2] * at_target(side), scaled(w[0] + w[1] + w[2], side)};
@@ -85,9 +89,12 @@ public:
     return {first, {}, end(h, first)};
   }
 
-  Strip strip(Halfedge_index h) const
+  Strip strip(Halfedge_index h) const { return strip(h, start(h)); }
+
+  // if its first triangle lies at `first`
+  Strip strip(Halfedge_index h, const Placed_side& first) const
   {
-    Strip result{start(h), {}, m_corners.number(0)};
+    Strip result{first, {}, m_corners.number(0)};
     result.end =
       end(h, result.first, [&](const Placed_side& side) { result.crossed.push_back(side); });
     return result;
@@ -96,16 +103,45 @@ public:
   // Returns a number whose argument is the angle of T2 at the source of `h` in the face of `h`.
   Complex angle(Halfedge_index h) const
   {
+    const auto [j, k] = ends(h);
+    return k * conj(j);
+  }
+
+  // Returns the other two corners of the face ijk of `h`, whose source i is at the origin.
+  std::pair<Complex, Complex> ends(Halfedge_index h) const
+  {
+    const Halfedge_index following = m_pair.mesh().opposite(m_pair.mesh().prev(h));
+    const Placed_side side = start(h);
+    return {end(h, side), end(following, following_side(h, side))};
+  }
+
+  // Returns the side at or clockwise from the spoke of T2 that follows `h`, for which `side` is this.
+  Placed_side following_side(Halfedge_index h, Placed_side side) const
+  {
     const Delta_complex& mesh = m_pair.mesh();
-    const Halfedge_index following = mesh.opposite(mesh.prev(h));
-    Placed_side side = start(h);
-    const Complex first = end(h, side);
     const std::size_t spokes =
       static_cast<std::size_t>(m_pair.coordinates().curves_leaving(mesh.next(h), mesh)) +
-      m_pair.coordinates().is_shared(mesh.edge(following));
+      m_pair.coordinates().is_shared(mesh.edge(mesh.prev(h)));
     for(std::size_t s = 0; s < spokes; ++s)
       side = following_spoke(side, m_pair.is_inserted(mesh.source(h)));
-    return end(following, side) * conj(first);
+    return side;
+  }
+
+  // the next spoke around the origin, counterclockwise
+  Placed_side following_spoke(const Placed_side& side, bool is_inserted) const
+  {
+    if(is_inserted)
+      return {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
+    const Complex end = side.vector * at_source(side.halfedge);
+    return {m_input.opposite(m_input.prev(side.halfedge)), side.source, end, end};
+  }
+
+  // the corner of the triangle opposite to `side`
+  Complex apex(const Placed_side& side) const
+  {
+    const Halfedge_index h = side.halfedge;
+    return is_apex_near_source(h) ? scaled(side.source, h) + side.vector * at_source(h)
+                                  : scaled(side.target, h) - side.vector * at_target(h);
   }
 
 private:
@@ -153,6 +189,22 @@ private:
     return w;
   }
 
+  // Returns those of the source of the halfedge `back` of T2, which leads into the triangle of `side`.
+  // On an edge of T1 both are read, not one computed from the other: they are the same from either
+  // side.
+  std::array<Complex, 3> weights_in_triangle(Halfedge_index side, Halfedge_index back) const
+  {
+    const Vertex_index v = m_pair.mesh().source(back);
+    const Halfedge_index spoke = m_pair.input_spoke_before(back);
+    if(!spoke.is_valid())
+      return weights(side, m_pair.inserted_vertex(v).location);
+    const auto w = weights(spoke, v);
+    const Complex zero = m_corners.number(0);
+    return spoke == side                 ? std::array<Complex, 3>{w[0], w[1], zero}
+           : spoke == m_input.next(side) ? std::array<Complex, 3>{zero, w[0], w[1]}
+                                         : std::array<Complex, 3>{w[1], zero, w[0]};
+  }
+
   // a position, as positions are scaled to which a corner of the triangle of `h` has contributed
   Complex scaled(const Complex& z, Halfedge_index h) const
   {
@@ -164,13 +216,6 @@ private:
   {
     return m_pair.input_length(m_input.edge(m_input.prev(h))) <
            m_pair.input_length(m_input.edge(m_input.next(h)));
-  }
-
-  Complex apex(const Placed_side& side) const
-  {
-    const Halfedge_index h = side.halfedge;
-    return is_apex_near_source(h) ? scaled(side.source, h) + side.vector * at_source(h)
-                                  : scaled(side.target, h) - side.vector * at_target(h);
   }
 
   // returns the side `exit` of the triangle
@@ -187,15 +232,6 @@ private:
                    : Placed_side{exit, corner, end, -to_apex};
   }
 
-  // the next spoke around the origin, counterclockwise
-  Placed_side following_spoke(const Placed_side& side, bool is_inserted) const
-  {
-    if(is_inserted)
-      return {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
-    const Complex end = side.vector * at_source(side.halfedge);
-    return {m_input.opposite(m_input.prev(side.halfedge)), side.source, end, end};
-  }
-
   // returns where the vertex `v` lies beyond the origin on `side`
   Complex end_along(const Placed_side& side, Vertex_index v) const
   {
@@ -209,7 +245,7 @@ private:
   Complex place(Halfedge_index back, const Placed_side& side) const
   {
     if(m_pair.is_inserted(m_pair.mesh().source(back))) {
-      const auto w = weights(side.halfedge, m_pair.input_location(back));
+      const auto w = weights_in_triangle(side.halfedge, back);
       return scaled(w[0] * side.source + w[1] * side.target, side.halfedge) + w[2] * apex(side);
     }
     const Halfedge_index spoke = m_pair.input_spoke_before(back);

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -76,12 +77,18 @@ public:
                                             : exact_sign<K>(around);
   }
 
+  // returns the sign of pi minus the angle of the union of the two faces of `h` at its source
+  Sign convexity_at_source(Halfedge_index h)
+  {
+    const Halfedge_index following = m_mesh.next(m_mesh.opposite(h));
+    return is_straight_corner(m_mesh.prev(h), following) ? ZERO : compare_with_pi(h, following);
+  }
+
   // returns whether the union of the two faces of `h` is strictly convex at its ends
   bool is_convex(Halfedge_index h)
   {
-    const Halfedge_index o = m_mesh.opposite(h);
-    return compare_with_pi(h, m_mesh.next(o)) == POSITIVE &&
-           compare_with_pi(o, m_mesh.next(h)) == POSITIVE;
+    return convexity_at_source(h) == POSITIVE &&
+           convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
   }
 
   // returns the orientation of the face of `h`
@@ -155,8 +162,8 @@ public:
   // \throws Numerical_error if it is not positive and finite
   double length(Halfedge_index h) const
   {
-    if(is_input_edge(h))
-      return m_pair.input_length(m_pair.input_mesh().edge(m_pair.input_halfedge(h)));
+    if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
+      return m_pair.shared_length(h);
     double length = rounded_length<double>(h);
 #ifdef CGAL_USE_MPFR
     for(long bits = 128; bits <= 512 && std::isnan(length); bits *= 4) {
@@ -173,9 +180,34 @@ public:
   // returns the angle at the source of `h` in its face
   double rounded_angle(Halfedge_index h) const
   {
-    Rounded<double> corners(m_metric, m_pair.input());
-    const auto angle = development(corners).angle(h);
-    return std::atan2(angle.y, angle.x);
+    return std::arg(
+      rounded_corner(h, [](const std::complex<double>& corner) { return std::abs(corner); }));
+  }
+
+  // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j, its imaginary part
+  // correct up to a small relative error. It is not positive if the face has no area.
+  std::complex<double> rounded_corner(Halfedge_index h) const
+  {
+    return rounded_corner(h, [](const std::complex<double>& corner) { return corner.imag(); });
+  }
+
+  // Returns the circumradius of the face `f`; infinite if it has no area.
+  double rounded_circumradius(Face_index f) const
+  {
+    const Halfedge_index h = shortest_side(f);
+    const std::complex<double> corner = rounded_corner(h);
+    return corner.imag() > 0 ? m_pair.length(m_mesh.edge(h)) * std::abs(corner) *
+                                 std::abs(corner - 1.0) / (2 * corner.imag())
+                             : std::numeric_limits<double>::infinity();
+  }
+
+  // returns the side from which a face is laid out without loss of digits
+  Halfedge_index shortest_side(Face_index f) const
+  {
+    const auto side = sides(f, m_mesh);
+    return *std::min_element(side.begin(), side.end(), [&](Halfedge_index a, Halfedge_index b) {
+      return m_pair.length(m_mesh.edge(a)) < m_pair.length(m_mesh.edge(b));
+    });
   }
 
   const Decision_count& count() const { return m_count; }
@@ -256,6 +288,14 @@ private:
     });
   }
 
+  // whether the edges lead along one edge of T1, through the vertex between them
+  bool is_straight_corner(Halfedge_index before, Halfedge_index after) const
+  {
+    return m_pair.is_inserted(m_mesh.source(after)) && before != m_mesh.opposite(after) &&
+           m_pair.coordinates().is_shared(m_mesh.edge(before)) &&
+           m_pair.coordinates().is_shared(m_mesh.edge(after));
+  }
+
   // 0 and 2 pi have the same sine as pi; there the cosines decide
   template <typename Complex>
   static Uncertain<Sign> compare_sum_with_pi(const Complex& a, const Complex& b)
@@ -304,6 +344,33 @@ private:
   {
     Rounded<N> corners(m_metric, m_pair.input());
     return rounded_length(development(corners).uncrossed_strip(h), corners);
+  }
+
+  // The error is small in comparison with `size(corner)`, if more digits can help.
+  template <typename Size>
+  std::complex<double> rounded_corner(Halfedge_index h, const Size& size) const
+  {
+    std::pair<std::complex<double>, double> corner = corner_and_error<double>(h);
+    const auto is_accurate = [&] {
+      return corner.second <= size(corner.first) * certified_length_error();
+    };
+#ifdef CGAL_USE_MPFR
+    for(long bits = 128; bits <= 512 && !is_accurate(); bits *= 4) {
+      const Gmpfr_precision precision(bits);
+      corner = corner_and_error<Gmpfr>(h);
+    }
+#endif
+    return corner.first;
+  }
+
+  template <typename N>
+  std::pair<std::complex<double>, double> corner_and_error(Halfedge_index h) const
+  {
+    Rounded<N> corners(m_metric, m_pair.input());
+    const auto [j, k] = development(corners).ends(h);
+    const auto product = k * conj(j), square = j * conj(j);
+    return {{CGAL::to_double(N(product.x / square.x)), CGAL::to_double(N(product.y / square.x))},
+            product.radius / CGAL::to_double(square.x)};
   }
 
   template <typename Strip, typename Corners>

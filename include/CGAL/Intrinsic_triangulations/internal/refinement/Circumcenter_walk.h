@@ -20,14 +20,131 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Faces in the plane, laid out by their side lengths.
+template <typename EdgeLengthMap>
+class Layout_by_lengths
+{
+  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef std::complex<FT> Vector;
+
+public:
+  explicit Layout_by_lengths(const Surface_view<EdgeLengthMap>& surface) : m_surface(surface) {}
+
+  // the side from which a face is laid out
+  Halfedge_index first_side(Face_index f) const { return m_surface.mesh().halfedge(f); }
+
+  // returns the third corner of the face of `h` if its side lies between the others
+  Vector apex(Halfedge_index h, const Vector& source, const Vector& target) const
+  {
+    return source - normalized(target - source) * Flat_face<FT>(h, m_surface).side(2);
+  }
+
+  // returns the circumcenter if `h` lies on the x-axis from the origin on
+  Vector circumcenter(Halfedge_index h) const
+  {
+    const auto [base, left, right] = side_lengths(h, m_surface);
+    return Vector(base, doubled_corner_product(base, left, right) * base /
+                          quadrupled_area(base, left, right)) /
+           FT(2);
+  }
+
+  // returns the foot of the height over `h`, as a part of this side
+  FT foot(Halfedge_index h) const
+  {
+    const auto [base, left, right] = side_lengths(h, m_surface);
+    return doubled_corner_product(left, base, right) / (2 * base * base);
+  }
+
+  // Returns the barycentric coordinates of `p` in the face of `h`. All are zero if they are not
+  // known.
+  std::array<FT, 3> coordinates(Halfedge_index, const std::array<Vector, 3>& corner,
+                                const Vector& p) const
+  {
+    std::array<FT, 3> weight;
+    FT sum(0);
+    for(std::size_t k = 0; k < 3; ++k) {
+      const Vector &source = corner[(k + 1) % 3], &target = corner[(k + 2) % 3];
+      sum += weight[k] = (std::max)(cross(target - source, p - source), FT(0));
+    }
+    if(!(sum > *std::max_element(weight.begin(), weight.end())))
+      return {FT(0), FT(0), FT(0)};
+    for(FT& w : weight)
+      w /= sum;
+    return weight;
+  }
+
+private:
+  Surface_view<EdgeLengthMap> m_surface;
+};
+
+// Faces in the plane, laid out by corners that are accurate in the thinnest faces.
+template <typename Decisions, typename Surface>
+class Layout_by_decisions
+{
+  typedef std::complex<double> Vector;
+
+public:
+  Layout_by_decisions(const Decisions& decisions, const Surface& surface)
+    : m_decisions(decisions), m_surface(surface)
+  {}
+
+  Halfedge_index first_side(Face_index f) const { return m_decisions.shortest_side(f); }
+
+  // from the nearer end
+  Vector apex(Halfedge_index h, const Vector& source, const Vector& target) const
+  {
+    const auto [base, left, right] = side_lengths(h, m_surface);
+    return right < left
+             ? source + (target - source) * m_decisions.rounded_corner(h)
+             : target + (source - target) / m_decisions.rounded_corner(m_surface.mesh().next(h));
+  }
+
+  Vector circumcenter(Halfedge_index h) const
+  {
+    const Vector k = m_decisions.rounded_corner(h);
+    return edge_length(h, m_surface) / 2 * Vector(1, (std::norm(k) - k.real()) / k.imag());
+  }
+
+  double foot(Halfedge_index h) const { return m_decisions.rounded_corner(h).real(); }
+
+  // from the nearest corner
+  std::array<double, 3> coordinates(Halfedge_index h, const std::array<Vector, 3>& corner,
+                                    const Vector& p) const
+  {
+    const Delta_complex& mesh = m_surface.mesh();
+    const std::size_t i =
+      static_cast<std::size_t>(std::min_element(corner.begin(), corner.end(),
+                                                [&](const Vector& a, const Vector& b) {
+                                                  return std::norm(p - a) < std::norm(p - b);
+                                                }) -
+                               corner.begin());
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Vector apex = m_decisions.rounded_corner(i == 0   ? h
+                                                   : i == 1 ? mesh.next(h)
+                                                            : mesh.prev(h));
+    const Vector place = (p - corner[i]) / (corner[j] - corner[i]);
+    std::array<double, 3> weight;
+    weight[k] = (std::max)(place.imag() / apex.imag(), 0.);
+    weight[j] = (std::max)(place.real() - weight[k] * apex.real(), 0.);
+    weight[i] = (std::max)(1 - weight[j] - weight[k], 0.);
+    const double sum = weight[0] + weight[1] + weight[2];
+    for(double& w : weight)
+      w /= sum;
+    return weight[i] < 1 ? weight : std::array<double, 3>{0, 0, 0};
+  }
+
+private:
+  const Decisions& m_decisions;
+  Surface m_surface;
+};
+
 // Walks from the barycenter of a face straight to its circumcenter (Figure 3.10, right), in the
 // plane of the triangles passed.
-template <typename EdgeLengthMap>
+template <typename EdgeLengthMap, typename Layout = Layout_by_lengths<EdgeLengthMap>>
 class Circumcenter_walk
 {
   typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
   typedef std::complex<FT> Vector;
-  typedef Flat_face<FT> Face;
 
 public:
   enum class End
@@ -39,7 +156,11 @@ public:
   };
 
   Circumcenter_walk(const Surface_view<EdgeLengthMap>& surface)
-    : m_surface(surface), m_mesh(surface.mesh())
+    : Circumcenter_walk(surface, Layout(surface))
+  {}
+
+  Circumcenter_walk(const Surface_view<EdgeLengthMap>& surface, const Layout& layout)
+    : m_surface(surface), m_mesh(surface.mesh()), m_layout(layout)
   {}
 
   // The walk must stop before edges where `is_fixed(h)`. It ends after as many steps as there are
@@ -48,7 +169,7 @@ public:
   template <typename Is_fixed>
   End walk(Face_index f, const Is_fixed& is_fixed)
   {
-    set_first_face(m_mesh.halfedge(f));
+    set_first_face(m_layout.first_side(f));
     if(!std::isfinite(m_center.imag()))
       return End::lost;
     const Vector start = (m_corner[0] + m_corner[1] + m_corner[2]) / FT(3);
@@ -86,14 +207,10 @@ private:
   // Corner 0 is at the origin, corner 1 on the real axis.
   void set_first_face(Halfedge_index h)
   {
-    const auto length = [&](Halfedge_index x) { return edge_length(x, m_surface); };
-    const FT base = length(h), left = length(m_mesh.next(h)), right = length(m_mesh.prev(h));
-    const Face face(h, m_surface);
+    const FT base = edge_length(h, m_surface);
     m_halfedge = h;
-    m_corner = {Vector(0), Vector(base), -face.side(2)};
-    m_center = Vector(base, doubled_corner_product(base, left, right) * base /
-                              quadrupled_area(base, left, right)) /
-               FT(2);
+    m_corner = {Vector(0), Vector(base), m_layout.apex(h, Vector(0), Vector(base))};
+    m_center = m_layout.circumcenter(h);
     m_radius = CGAL::sqrt(dot(m_center, m_center));
   }
 
@@ -128,8 +245,7 @@ private:
   {
     const Vector source = m_corner[(s + 1) % 3], target = m_corner[s];
     m_halfedge = m_mesh.opposite(m_halfedge); // already that of the side
-    const Face face(m_halfedge, m_surface);
-    m_corner = {source, target, source - normalized(target - source) * face.side(2)};
+    m_corner = {source, target, m_layout.apex(m_halfedge, source, target)};
   }
 
   // A circumcenter close to an edge is put there, since it would leave a face without area and, on
@@ -137,13 +253,9 @@ private:
   template <typename Is_fixed>
   End place(const Is_fixed& is_fixed)
   {
-    FT sum(0);
-    for(std::size_t k = 0; k < 3; ++k)
-      sum += m_weight[k] = (std::max)(area_at_side((k + 1) % 3), FT(0));
-    if(!(sum > *std::max_element(m_weight.begin(), m_weight.end())))
+    m_weight = m_layout.coordinates(m_halfedge, m_corner, m_center);
+    if(m_weight[0] == 0 && m_weight[1] == 0 && m_weight[2] == 0)
       return End::lost;
-    for(FT& w : m_weight)
-      w /= sum;
     for(std::size_t s = 0; s < 3; ++s)
       if(height_over_side(s) <= closeness() && is_fixed(side(s))) {
         m_halfedge = side(s);
@@ -167,10 +279,7 @@ private:
   End move_to_side(std::size_t s)
   {
     const Halfedge_index h = side(s);
-    const FT base = edge_length(h, m_surface), left = edge_length(m_mesh.next(h), m_surface),
-             right = edge_length(m_mesh.prev(h), m_surface);
-    const FT foot = doubled_corner_product(left, base, right) / (2 * base * base);
-    const FT along = m_weight[(s + 1) % 3] + m_weight[(s + 2) % 3] * foot;
+    const FT along = m_weight[(s + 1) % 3] + m_weight[(s + 2) % 3] * m_layout.foot(h);
     if(!(along > 0 && along < 1))
       return End::inside;
     m_halfedge = h;
@@ -185,6 +294,7 @@ private:
 
   Surface_view<EdgeLengthMap> m_surface;
   const Delta_complex& m_mesh;
+  Layout m_layout;
   Halfedge_index m_halfedge; // side 0 of the current face
   std::array<Vector, 3> m_corner;
   Vector m_center;

@@ -29,6 +29,25 @@ struct Refinement_limits
   std::size_t flips; // before the first insertion, and after each
 };
 
+template <typename Traits, typename = void>
+struct Layout_of_
+{
+  typedef Layout_by_lengths<typename Intrinsic_triangulation<Traits>::Edge_length_map> type;
+};
+
+template <typename Traits>
+struct Layout_of_<Traits, std::enable_if_t<Is_exact<Traits>::value>>
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef Layout_by_decisions<typename Exact_insertion<Traits>::Decisions,
+                              decltype(std::declval<Triangulation>().intrinsic())>
+    type;
+};
+
+// how faces of T2 are laid out
+template <typename Traits>
+using Layout_of = typename Layout_of_<Traits>::type;
+
 // Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted,
 // or the boundary or constrained edge that hides it is split and circumcenters near by are removed
 // again.
@@ -41,13 +60,15 @@ class Delaunay_refinement
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::FT FT;
   typedef typename Triangulation::Edge_length_map Edge_length_map;
-  typedef Circumcenter_walk<Edge_length_map> Walk;
+  static constexpr bool is_exact = Is_exact<Traits>::value;
+  typedef Circumcenter_walk<Edge_length_map, Layout_of<Traits>> Walk;
 
   // a bad face, as it was when it was found; the greatest circumradius comes first
   struct Candidate
   {
     FT circumradius;
     Face_index face;
+    std::size_t version;
 
     friend bool operator<(const Candidate& a, const Candidate& b)
     {
@@ -66,7 +87,7 @@ public:
       m_visitor(visitor),
       m_inserter(tri),
       m_narrow(tri),
-      m_walk(tri.intrinsic()),
+      m_walk(tri.intrinsic(), layout()),
       m_ball(tri.intrinsic()),
       m_stack(m_mesh.num_edges())
   {}
@@ -97,8 +118,18 @@ private:
     return m_mesh.is_border(m_mesh.opposite(h)) || m_tri.is_constrained(m_mesh.edge(h));
   }
 
+  auto layout() const
+  {
+    if constexpr(is_exact)
+      return Layout_of<Traits>(m_inserter.exact().decisions(), m_tri.intrinsic());
+    else
+      return Layout_of<Traits>(m_tri.intrinsic());
+  }
+
   FT circumradius(Face_index f) const
   {
+    if constexpr(is_exact)
+      return m_inserter.exact().decisions().rounded_circumradius(f);
     const Halfedge_index h = m_mesh.halfedge(f);
     const FT &a = m_tri.length(m_mesh.edge(h)), &b = m_tri.length(m_mesh.edge(m_mesh.next(h))),
              &c = m_tri.length(m_mesh.edge(m_mesh.prev(h)));
@@ -114,12 +145,20 @@ private:
   void push_if_bad(Face_index f)
   {
     if(is_bad(f))
-      m_queue.push({circumradius(f), f});
+      m_queue.push({circumradius(f), f, version(f)});
   }
 
-  bool is_current(const Candidate& c) const
+  // the number of changes of a face
+  std::size_t& version(Face_index f)
   {
-    return !m_mesh.is_removed(c.face) && circumradius(c.face) == c.circumradius && is_bad(c.face);
+    if(f.idx() >= m_version.size())
+      m_version.resize(m_mesh.num_faces());
+    return m_version[f.idx()];
+  }
+
+  bool is_current(const Candidate& c)
+  {
+    return !m_mesh.is_removed(c.face) && version(c.face) == c.version && is_bad(c.face);
   }
 
   // A face stays as it is where rounded numbers leave no room for the new vertex. Exceptions of the
@@ -148,7 +187,10 @@ private:
     switch(m_walk.walk(f, is_fixed)) {
       case Walk::End::inside:
         return add_vertex(m_inserter.insert(m_walk.location(), m_walk.closeness()));
-      case Walk::End::on_edge: return split(m_walk.halfedge(), m_walk.along());
+      case Walk::End::on_edge:
+        if(is_exact && !m_tri.coordinates().is_shared(m_mesh.edge(m_walk.halfedge())))
+          return add_vertex(m_inserter.insert(m_walk.location(), m_walk.closeness()));
+        return split(m_walk.halfedge(), m_walk.along());
       case Walk::End::blocked: return split_fixed(m_walk.halfedge(), f);
       case Walk::End::lost: return;
     }
@@ -210,6 +252,7 @@ private:
   void note_change(Face_index f)
   {
     m_changed.push_back(f);
+    ++version(f);
     for(Halfedge_index h : sides(f, m_mesh))
       m_stack.push(m_mesh.edge(h));
   }
@@ -227,7 +270,7 @@ private:
     const std::size_t before = m_result->flips;
     while(!m_stack.empty()) {
       const Edge_index e = m_stack.pop();
-      if(m_mesh.is_removed(e) || m_tri.is_Delaunay(e))
+      if(m_mesh.is_removed(e) || m_inserter.is_Delaunay(e))
         continue;
       if(m_result->flips - before == m_limits.flips)
         throw Flip_limit_exceeded(
@@ -265,6 +308,7 @@ private:
   std::priority_queue<Candidate> m_queue;
   Edge_stack m_stack;
   std::vector<Face_index> m_changed;
+  std::vector<std::size_t> m_version;
   std::vector<char> m_is_free; // vertices that may be removed
 };
 

@@ -105,6 +105,14 @@ private:
     return m_tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
   }
 
+  FT angle(Halfedge_index h) const
+  {
+    if constexpr(Is_exact<Traits>::value)
+      return exact_decisions(m_tri).rounded_angle(h);
+    else
+      return angle_at_source(h, m_tri);
+  }
+
   // Returns the least of the angles between fixed edges, or the whole angle if there are fewer than
   // two.
   FT least_sector(Vertex_index v) const
@@ -122,7 +130,7 @@ private:
         sector = FT(0);
       }
       if(!mesh.is_border(h))
-        sector += angle_at_source(h, m_tri);
+        sector += angle(h);
     });
     if(mesh.is_border(v))
       return least;
