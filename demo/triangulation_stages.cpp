@@ -96,9 +96,8 @@ Triangulation make_delaunay_triangulation(Command_run& run, double constrained_a
   Triangulation result = run.timed("build", [&] { return build(run, constrained_angle); });
   run.timed("flip", [&] {
     Flip_counter counter{run.progress()};
-    run.statistics()["flips"] =
-      IT::make_Delaunay(result, IT::parameters::visitor(std::ref(counter))
-                                  .exact_decisions(run.options().is_exact));
+    run.statistics()["flips"] = IT::make_Delaunay(
+      result, IT::parameters::visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
   });
   if(run.options().is_exact)
     run.timed("certify", [&] { certify(run, result); });

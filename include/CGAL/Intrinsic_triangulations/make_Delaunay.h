@@ -183,7 +183,7 @@ template <typename Traits, typename Visitor>
 std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
 {
   const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
-  const std::size_t expected = 1000 + 20 * std::size_t(tri.mesh().number_of_edges());
+  const std::size_t expected = 10000000 + 1000 * std::size_t(tri.mesh().number_of_edges());
   const auto [flips, is_Delaunay] = flip_by_lengths(
     tri, can_be_exact ? (std::min)(limit, expected) : limit, can_be_exact ? 2 : 100, visitor);
   if(is_Delaunay)
@@ -204,8 +204,9 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limi
 ///
 /// With `Exact_Euclidean_geometry_traits` every decision is exact. With lengths of type `double`, if
 /// there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths are
-/// recomputed from \f$T_1\f$ and flipping goes on; if that is not enough, or there were more than
-/// twenty flips for each edge, and no vertices have been inserted, it goes on with exact decisions.
+/// recomputed from \f$T_1\f$ and flipping goes on; if that is not enough, or there were more than ten
+/// million flips and a thousand for each edge, and no vertices have been inserted, it goes on with
+/// exact decisions.
 /// The result is then exactly Delaunay.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
