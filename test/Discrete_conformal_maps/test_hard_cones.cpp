@@ -43,8 +43,8 @@ TEST_P(Hard_cones, are_reached)
 
 INSTANTIATE_TEST_SUITE_P(Genus, Hard_cones, testing::Range(0, 5));
 
-// Flat with greedy cones, or an exception that says what is wrong: a triangle whose lengths have no
-// area in double precision cannot be doubled along its boundary.
+// Flat with greedy cones, or it is said what is wrong, by an exception or the status: a triangle whose
+// lengths have no area in double precision cannot be doubled along its boundary.
 TEST(Near_degenerate_meshes, are_flattened_or_refused)
 {
   std::size_t refused = 0;
@@ -53,6 +53,10 @@ TEST(Near_degenerate_meshes, are_flattened_or_refused)
     SCOPED_TRACE(input.name + ' ' + std::to_string(seed));
     try {
       const Planar_conformal_map map = DCM::flatten(input.mesh);
+      if(map.minimization().status == DCM::Minimization_status::rounding_limit) {
+        ++refused;
+        continue;
+      }
       EXPECT_EQ(map.minimization().status, DCM::Minimization_status::converged);
       EXPECT_LT(map.max_curvature_error(), 1e-10);
     } catch(const IT::Numerical_error&) {
