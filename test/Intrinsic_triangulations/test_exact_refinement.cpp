@@ -96,7 +96,8 @@ TEST(Exact_refinement, ends_on_hard_meshes_with_a_certificate)
 {
   const char* all = std::getenv("EXACT_REFINEMENT_SEEDS");
   if(all == nullptr)
-    for(std::uint64_t seed : {1, 3, 4, 5, 9, 10, 12, 13, 14, 15, 16, 17, 21, 25, 26, 27, 28})
+    for(unsigned seed :
+        {1u, 3u, 4u, 5u, 9u, 10u, 12u, 13u, 14u, 15u, 16u, 17u, 21u, 25u, 26u, 27u, 28u})
       expect_refined(std::to_string(seed), hard_mesh(seed).mesh);
   else
     for(std::uint64_t seed = 0; seed < std::strtoull(all, nullptr, 10); ++seed)
