@@ -9,7 +9,9 @@
 
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
+#include <cmath>
 #include <functional>
+#include <map>
 #include <set>
 
 namespace {
@@ -231,6 +233,68 @@ TEST(Simplification, takes_the_cheapest_first)
   Checking_visitor visitor{s};
   simplify(s, cost, number_of_vertices(std::size_t(10)).visitor(std::ref(visitor)));
   EXPECT_TRUE(std::is_sorted(visitor.order.rbegin(), visitor.order.rend()));
+}
+
+// a function of the star alone that removals nearby make greater or smaller
+struct Distance_from_degree_six
+{
+  double operator()(const Flattened_star& star) const { return std::abs(double(star.size()) - 6); }
+  void after_removal(const Flattened_star&) {}
+};
+
+// the costs of all vertices that can be removed
+std::map<Vertex_index, double> costs(const Evolving_surface& s)
+{
+  std::map<Vertex_index, double> result;
+  Flattened_star star;
+  for(Vertex_index v : s.mesh().vertices())
+    if(s.flatten(v, star) == IS::Removal_status::possible)
+      result[v] = Distance_from_degree_six()(star);
+  return result;
+}
+
+// compares each removal with all others that are possible
+struct Comparing_visitor : IS::Default_simplification_visitor
+{
+  const Evolving_surface& surface;
+  std::map<Vertex_index, double> before = {};
+  int fallen = 0;
+
+  explicit Comparing_visitor(const Evolving_surface& s) : surface(s) {}
+
+  void before_removal(const Flattened_star& star, double cost)
+  {
+    const auto now = costs(surface);
+    for(const auto& [v, other] : now) {
+      EXPECT_LE(cost, other) << star.center() << ' ' << v;
+      const auto old = before.find(v);
+      fallen += old != before.end() && other < old->second;
+    }
+    before = now;
+  }
+};
+
+TEST(Simplification, takes_the_cheapest_though_costs_fall)
+{
+  for(unsigned seed = 0; seed < 5; ++seed) {
+    Evolving_surface s(random_sphere(80, seed));
+    Distance_from_degree_six cost;
+    Comparing_visitor visitor(s);
+    simplify(s, cost, number_of_vertices(std::size_t(5)).visitor(std::ref(visitor)));
+    EXPECT_GT(visitor.fallen, 10);
+  }
+}
+
+TEST(Simplification, goes_on_while_a_cost_is_allowed)
+{
+  for(unsigned seed = 0; seed < 5; ++seed) {
+    Evolving_surface s(random_sphere(80, seed));
+    Distance_from_degree_six cost;
+    simplify(s, cost, maximum_cost(0.));
+    EXPECT_LT(s.mesh().number_of_vertices(), 80u);
+    for(const auto& [v, left] : costs(s))
+      EXPECT_GT(left, 0) << v;
+  }
 }
 
 TEST(Simplification, is_reproducible)

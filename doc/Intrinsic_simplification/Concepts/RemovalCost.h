@@ -8,9 +8,11 @@
 /// says how bad it is to remove a vertex. `CGAL::Intrinsic_simplification::simplify()` removes the
 /// vertex of least cost first.
 ///
-/// A cost that has been computed is kept until the vertex is the next to be removed, and is
-/// computed afresh then. So if removals nearby make a cost smaller, the vertex may be removed later
-/// than it should; greater costs have no such effect.
+/// A cost is computed anew when the star of the vertex has changed, by the removal of a neighbor or a
+/// flip after it (Algorithm 6). So if it is a function of the star alone, the cheapest vertex is
+/// removed each time. If it also depends on what `after_removal()` changes at the neighbors, it is
+/// computed anew only when the vertex comes first; if it has become smaller by such a change, the
+/// vertex may be removed later than it should.
 ///
 /// \cgalHasModel `CGAL::Intrinsic_simplification::Transport_cost`
 class RemovalCost

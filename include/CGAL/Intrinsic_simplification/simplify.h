@@ -18,6 +18,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -90,8 +91,7 @@ private:
       m_heap.remove(v);
   }
 
-  // Costs in the heap may be old. Most have only grown since, so that it is enough to look again at
-  // what comes out on top.
+  // A cost in the heap may be old where it depends on more than the star.
   void remove_top()
   {
     m_prefetcher(m_heap, m_surface.surface(), m_cost);
@@ -113,8 +113,10 @@ private:
     m_cost.after_removal(m_star);
     ++m_result.removed;
     m_result.greatest_cost = (std::max)(m_result.greatest_cost, cost);
+    std::sort(m_touched.begin(), m_touched.end());
+    m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
     for(Vertex_index u : m_touched)
-      if(u != v && m_status[u] != Removal_status::possible)
+      if(u != v)
         evaluate(u);
     m_visitor.after_removal(v);
   }
