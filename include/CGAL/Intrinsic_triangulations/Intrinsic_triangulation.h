@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
@@ -286,11 +287,39 @@ public:
     CGAL_precondition(number_of_inserted_vertices() == 0);
     Self result(*this);
     const std::size_t flips =
-      internal::flip_to_shared(result.m_coordinates, result.m_mesh, result.m_spokes);
+      internal::flip_to_shared(result.m_coordinates, result.m_mesh, result.m_spokes).size();
     for(Edge_index e : result.m_mesh.edges())
       result.m_length[e] = result.shared_length(result.m_mesh.halfedge(e));
     *this = std::move(result);
     return flips;
+  }
+
+  /// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
+  /// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
+  /// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the numbers of
+  /// edges and faces may differ. Complexity: finite; in practice below the numbers of crossings of
+  /// the three triangulations with each other.
+  /// \returns the number of flips
+  /// \throws Invalid_input if the two have not the same input, or vertices have been inserted
+  /// \throws Overflow_error if a normal coordinate on the way is out of range
+  /// After an exception nothing has changed.
+  std::size_t flip_to(const Self& target)
+  {
+    internal::check_common_input(*this, target);
+    Delta_complex over = internal::coordinates_over<Traits>(target, *this);
+    Coordinates coordinates(over);
+    const Vertex_spokes spokes(target.mesh(), boost::dummy_property_map());
+    const auto flips = internal::flip_to_shared(coordinates, over, spokes);
+    Self result(*this);
+    for(Halfedge_index h : flips)
+      result.m_coordinates.flip(h, result.m_mesh, m_spokes);
+    for(Edge_index e : result.m_mesh.edges()) {
+      const Edge_index there(coordinates.shared_halfedge(over.halfedge(e), over, spokes));
+      result.m_length[e] = target.m_length[there];
+      result.m_is_constrained[e] = target.m_is_constrained[there];
+    }
+    *this = std::move(result);
+    return flips.size();
   }
 
   /// @}

@@ -10,39 +10,40 @@
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Flips every edge that the first curve in the corner of `spoke` crosses, so that the curve becomes
-// an edge. Returns the number of flips.
+// an edge. The halfedges that are turned are added to `flips`.
 template <typename Integer>
-std::size_t flip_along_curve(Halfedge_index spoke, Integer_coordinates<Integer>& coordinates,
-                             Delta_complex& mesh, const Vertex_spokes& spokes)
+void flip_along_curve(Halfedge_index spoke, Integer_coordinates<Integer>& coordinates,
+                      Delta_complex& mesh, const Vertex_spokes& spokes,
+                      std::vector<Halfedge_index>& flips)
 {
   typedef typename Integer_coordinates<Integer>::Turn Turn;
-  std::size_t flips = 0;
   auto crossing = coordinates.first_crossing(spoke, Integer(0), mesh);
-  for(Turn turn = Turn::around_source; turn != Turn::ends; ++flips) {
-    const Halfedge_index crossed = crossing.halfedge;
+  for(Turn turn = Turn::around_source; turn != Turn::ends;) {
+    flips.push_back(crossing.halfedge);
     turn = coordinates.advance(crossing, mesh);
-    coordinates.flip(crossed, mesh, spokes);
+    coordinates.flip(flips.back(), mesh, spokes);
   }
-  return flips;
 }
 
 // Flips until all edges are shared (Algorithm 4). Flips of one curve can bring another into a
 // corner that has been dealt with; hence the repetition. That it ends is proven by
-// Mosher (1988). Returns the number of flips.
+// Mosher (1988). Returns the halfedges that have been turned, in order.
 template <typename Integer>
-std::size_t flip_to_shared(Integer_coordinates<Integer>& coordinates, Delta_complex& mesh,
-                           const Vertex_spokes& spokes)
+std::vector<Halfedge_index> flip_to_shared(Integer_coordinates<Integer>& coordinates,
+                                           Delta_complex& mesh, const Vertex_spokes& spokes)
 {
-  std::size_t flips = 0;
-  for(std::size_t before = flips + 1; before != flips;) {
-    before = flips;
+  std::vector<Halfedge_index> flips;
+  for(std::size_t before = 1; before != flips.size();) {
+    before = flips.size();
     for(Halfedge_index h : mesh.halfedges())
       while(!mesh.is_border(h) && coordinates.curves_leaving(mesh.next(h), mesh) > 0)
-        flips += flip_along_curve(h, coordinates, mesh, spokes);
+        flip_along_curve(h, coordinates, mesh, spokes, flips);
   }
   return flips;
 }

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Two Delaunay triangulations of one surface, with and without sharp edges as constraints: how they
+// lie over each other without the input, and the flips from one to the other.
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/triangulation_over.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <iostream>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(
+       argc > 1 ? argv[1] : CGAL::data_file_path("meshes/anchor_dense.off"), mesh))
+    return 1;
+  auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+  CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 60, is_sharp);
+
+  IT::Intrinsic_triangulation<> free(mesh),
+    constrained(mesh, CGAL::parameters::edge_is_constrained_map(is_sharp));
+  IT::make_Delaunay(free);
+  IT::make_Delaunay(constrained);
+
+  const auto over = IT::triangulation_over(free, constrained);
+  std::size_t shared = 0;
+  for(IT::Edge_index e : over.mesh().edges())
+    if(over.coordinates().is_shared(e))
+      ++shared;
+  std::cout << shared << " of " << over.mesh().number_of_edges() << " edges are in both, and "
+            << IT::Common_subdivision<>(IT::Correspondence<>(over)).mesh().number_of_faces()
+            << " faces in their common subdivision\n";
+  std::cout << free.flip_to(constrained) << " flips lead from one to the other\n";
+}

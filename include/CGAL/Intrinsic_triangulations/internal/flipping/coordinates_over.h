@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_COORDINATES_OVER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_COORDINATES_OVER_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Returns the connectivity alone, with the numbers of all elements.
+inline Delta_complex without_maps(const Delta_complex& mesh)
+{
+  Delta_complex result(mesh);
+  result.remove_all_property_maps();
+  return result;
+}
+
+inline bool has_same_faces(const Delta_complex& a, const Delta_complex& b)
+{
+  if(a.number_of_vertices() != b.number_of_vertices() || a.number_of_edges() != b.number_of_edges())
+    return false;
+  const auto agree = [&](Halfedge_index h) {
+    return a.next(h) == b.next(h) && a.target(h) == b.target(h) && a.face(h) == b.face(h);
+  };
+  return std::all_of(a.halfedges_begin(), a.halfedges_end(), agree);
+}
+
+// T2 after the flips that turn it into T1.
+template <typename Traits>
+struct Flipped_to_input
+{
+  typedef Integer_coordinates<typename Traits::Integer> Coordinates;
+
+  explicit Flipped_to_input(const Triangulation_pair<Traits>& pair)
+    : mesh(pair.mesh()),
+      coordinates(mesh),
+      spokes(pair.spokes()),
+      flips(flip_to_shared(coordinates, mesh, spokes))
+  {}
+
+  // the halfedge of T1 that `h` has become
+  Halfedge_index input_halfedge(Halfedge_index h) const
+  {
+    return coordinates.shared_halfedge(h, mesh, spokes);
+  }
+
+  Delta_complex mesh;
+  Coordinates coordinates;
+  const Vertex_spokes& spokes;
+  std::vector<Halfedge_index> flips;
+};
+
+// Copies the coordinates of each halfedge h of `mesh` from that of `other` which is image[h].
+template <typename Integer>
+void copy_coordinates(const Delta_complex& mesh, const std::vector<Halfedge_index>& image,
+                      const Integer_coordinates<Integer>& from, Integer_coordinates<Integer>& to)
+{
+  for(Halfedge_index h : mesh.halfedges()) {
+    to.set(mesh.edge(h), from.normal_coordinate(mesh.edge(image[h])));
+    to.set(h, from.roundabout(image[h]));
+  }
+}
+
+// Returns the connectivity of T3, the second triangulation of `pair`, with the integer coordinates
+// of T2, the second one of `base`: as if T2 were the input. T2, which is shared with itself in the
+// beginning, is flipped to T1, and T1 to T3, in the reverse order of the flips from T3.
+template <typename Traits>
+Delta_complex coordinates_over(const Triangulation_pair<Traits>& base,
+                               const Triangulation_pair<Traits>& pair)
+{
+  typedef Integer_coordinates<typename Traits::Integer> Coordinates;
+  const Flipped_to_input<Traits> from_base(base), from_pair(pair);
+
+  Delta_complex mesh = without_maps(base.mesh());
+  Coordinates coordinates(mesh);
+  const Vertex_spokes spokes(mesh, coordinates.roundabout_map());
+  for(Halfedge_index h : from_base.flips)
+    coordinates.flip(h, mesh, spokes);
+
+  std::vector<Halfedge_index> halfedge_at(mesh.num_halfedges()), image(mesh.num_halfedges());
+  for(Halfedge_index h : mesh.halfedges())
+    halfedge_at[from_base.input_halfedge(h)] = h;
+  for(Halfedge_index h : mesh.halfedges())
+    image[h] = halfedge_at[from_pair.input_halfedge(h)];
+
+  Delta_complex result = without_maps(from_pair.mesh);
+  Coordinates over(result);
+  copy_coordinates(result, image, coordinates, over);
+  for(auto h = from_pair.flips.rbegin(); h != from_pair.flips.rend(); ++h)
+    for(int turn = 0; turn < 3; ++turn) // four turns are none
+      over.flip(*h, result, spokes);
+  return result;
+}
+
+template <typename Traits>
+void check_common_input(const Triangulation_pair<Traits>& a, const Triangulation_pair<Traits>& b)
+{
+  if(a.number_of_inserted_vertices() > 0 || b.number_of_inserted_vertices() > 0)
+    throw Invalid_input("vertices have been inserted into one of the two triangulations");
+  if(!has_same_faces(a.input_mesh(), b.input_mesh()))
+    throw Invalid_input("the two triangulations have not the same input");
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_COORDINATES_OVER_H
