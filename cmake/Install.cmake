@@ -20,4 +20,5 @@ install(FILES
   "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake"
   "${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake"
   cmake/CHOLMOD.cmake
+  cmake/Ceres.cmake
   DESTINATION "${package_dir}")

@@ -99,7 +99,7 @@ face or edge they are a part. Edges with is_seam 1 are cut open.
 
 Solvers:
   newton  Newton's method, to the last digits
-  ceres   L-BFGS of the Ceres Solver, for comparison: half of the digits, and slow
+  ceres   L-BFGS of the Ceres Solver, as precise: fewer factorizations, more evaluations
   cetm    Newton's method in the triangulation of the mesh, without any flip, for comparison.
           There the scale factors depend on the triangulation and often do not exist; the error
           says which condition is violated: triangle_inequality or no_minimum.

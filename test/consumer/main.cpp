@@ -9,6 +9,11 @@
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #endif
 
+#ifdef WITH_CERES
+#include <CGAL/Discrete_conformal_maps/Ceres_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+#endif
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -31,18 +36,23 @@ Mesh thin_quadrilateral()
   return mesh;
 }
 
-#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
-bool is_flattened(const Mesh& mesh)
+// Without a component, what needs it is not tried.
+bool is_flattened([[maybe_unused]] const Mesh& mesh)
 {
+#if defined(CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD) || defined(WITH_CERES)
   namespace DCM = CGAL::Discrete_conformal_maps;
-  return DCM::flatten(mesh).status() == DCM::Map_status::success;
-}
-#else
-bool is_flattened(const Mesh&)
-{
-  return true; // without the component CHOLMOD, this is not tried
-}
 #endif
+#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+  if(DCM::flatten(mesh).status() != DCM::Map_status::success)
+    return false;
+#endif
+#ifdef WITH_CERES
+  if(DCM::flatten(mesh, DCM::parameters::minimizer(DCM::Ceres_minimizer())).status() !=
+     DCM::Map_status::success)
+    return false;
+#endif
+  return true;
+}
 
 int main()
 {

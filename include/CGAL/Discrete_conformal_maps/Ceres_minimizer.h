@@ -21,18 +21,18 @@ using Ceres_steps = Ceres_iteration<Energy, Visitor>;
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
-/// minimizes a convex energy by the L-BFGS method of the Ceres Solver, which needs no Hessian.
+/// minimizes a convex energy by the L-BFGS method of the Ceres Solver, in coordinates in which the
+/// Hessian is the identity where it starts.
 ///
-/// It converges linearly, with hundreds of evaluations where `Newton_minimizer` needs ten, the more
-/// the finer the mesh is. Its line search compares values of the energy, and these cancel near the
-/// minimum: about half of the digits of the gradient are reached, 1e-7 to 1e-6 for a thousand
-/// variables with terms of order one, less for more. What is reached is in the result; if it is
-/// above the tolerance, the status is `Minimization_status::rounding_limit`.
+/// It takes some twenty steps with two or three factorizations, where `Newton_minimizer` takes seven
+/// of each. Its line search compares values of the energy. Where these have no digits left, the
+/// gradients on both sides give their difference, so that the gradient gets as small as with
+/// Newton's method.
 ///
-/// The header needs the Ceres Solver.
+/// The header needs the Ceres Solver: the component and target `Ceres` of the package.
 ///
-/// Complexity of an iteration: linear, and an evaluation of the energy, its value and gradient, or
-/// a few.
+/// Complexity of an iteration: an evaluation of the energy, its value and gradient, or a few. After
+/// thirty, or where it gets stuck, the Hessian is factorized again.
 ///
 /// \cgalModels `ConvexMinimizer`
 class Ceres_minimizer : public internal::Iterative_minimizer<internal::Ceres_steps>
@@ -43,8 +43,8 @@ public:
   ///        minimized; the rounding error of the gradient takes its place if that is greater
   /// \param maximum_number_of_iterations the number of steps that may be taken
   /// \pre `gradient_tolerance` is not negative.
-  explicit Ceres_minimizer(double gradient_tolerance = internal::tolerance::lbfgs_gradient,
-                           std::size_t maximum_number_of_iterations = 10000)
+  explicit Ceres_minimizer(double gradient_tolerance = internal::tolerance::gradient,
+                           std::size_t maximum_number_of_iterations = 1000)
     : internal::Iterative_minimizer<internal::Ceres_steps>(gradient_tolerance,
                                                            maximum_number_of_iterations)
   {}

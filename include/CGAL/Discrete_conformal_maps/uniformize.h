@@ -54,7 +54,9 @@ struct Uniformization
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
 /// \param g a connected manifold triangle mesh
-/// \param np the parameters of `uniformize_hyperbolic()` other than `vertex_condition_map`
+/// \param np the parameters of `uniformize_hyperbolic()` other than `vertex_condition_map`. A
+///        `minimizer` is for surfaces that become flat or hyperbolic; scale factors on the sphere
+///        have bounds, which `Bounded_Newton_minimizer` keeps.
 ///
 /// Complexity and exceptions: those of `map_to_sphere()`, `flatten()` and
 /// `uniformize_hyperbolic()`.

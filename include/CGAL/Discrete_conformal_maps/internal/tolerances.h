@@ -24,8 +24,6 @@ constexpr double gradient = 1e-13, curvature = 1e-11;
 // The minimum of the spherical energy in 32 digits: scale factors have an error of at most its
 // root where bounds are active.
 constexpr double extended_gradient = 1e-22;
-// L-BFGS compares values, which have half of the digits of the gradient.
-constexpr double lbfgs_gradient = 1e-6;
 // A face with an angle that is off by more cannot be laid out in the plane.
 constexpr double layout_angle = 1e-9;
 // Prescribed curvatures come from files with some ten digits, and are summed up.
@@ -61,7 +59,8 @@ constexpr double roundings_of_squares = 16;
 // method converges quadratically, so that a step that gains little is rounding; and the curvature
 // that masses in two points lack along the line through both.
 constexpr double center = 1e-14, near_center = 1e-6, least_curvature = 1e-12;
-// By how much an energy may grow, relatively, while its minimizer still converges.
+// By how much an energy may grow, relatively, while its minimizer still converges; less than that
+// its values cannot tell, and slopes have to.
 constexpr double growth = 1e-9;
 
 // The least entry of a damped diagonal, relative to the greatest.

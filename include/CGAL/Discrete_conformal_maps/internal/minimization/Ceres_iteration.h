@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_coordinates.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
@@ -25,21 +26,26 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// One run of Ceres on the variables that move. Exceptions do not pass through Ceres: they wait
-// until it has returned.
+// Runs of Ceres on the variables that move, each from the best point so far, in coordinates in which
+// the Hessian at that point is the identity, and with values relative to that point: so each run
+// gets as many digits as the last one had left. Exceptions do not pass through Ceres: they wait until
+// it has returned.
 template <typename Energy, typename Visitor>
 class Ceres_iteration
 {
 public:
   Ceres_iteration(Energy& energy, Eigen::VectorXd& best, const Free_variables& variables,
                   const Minimization_limits& limits, Visitor& visitor)
-    : m_descent(energy, best, variables, limits), m_visitor(visitor)
+    : m_descent(energy, best, variables, limits),
+      m_visitor(visitor),
+      m_coordinates(variables.indices())
   {}
 
   Minimization_result run()
   {
     Minimization_result result = m_descent.result(minimize());
     result.iterations = m_iterations;
+    result.factorizations = result.symbolic_analyses = result.orderings = m_factorizations;
     return result;
   }
 
@@ -67,49 +73,67 @@ private:
     Ceres_iteration& run;
   };
 
+  // After so many iterations the Hessian at the start is outdated.
+  static constexpr std::size_t iterations_of_run = 30;
+
   Status minimize()
   {
     if(const std::optional<Status> end = m_descent.start())
       return *end;
-    if(m_descent.has_converged())
-      return Status::converged;
-    if(m_descent.limits().iterations == 0)
-      return Status::iteration_limit;
-    m_base = m_descent.point();
-    const ceres::GradientProblemSolver::Summary summary = solve();
-    if(m_exception)
-      std::rethrow_exception(m_exception);
-    return status(summary);
+    while(m_descent.best_norm() > m_descent.tolerance()) {
+      if(m_iterations == m_descent.limits().iterations)
+        return Status::iteration_limit;
+      const double before = m_descent.best_norm();
+      if(!start_run())
+        return Status::not_finite;
+      if(solve() == ceres::NO_CONVERGENCE)
+        continue;
+      if(!(m_descent.best_norm() < before / 2))
+        return failure();
+      m_descent.move_to_best();
+    }
+    return Status::converged;
   }
 
-  ceres::GradientProblemSolver::Summary solve()
+  // Returns false if there are no coordinates.
+  bool start_run()
+  {
+    m_start = m_descent.point();
+    m_start_gradient = m_descent.gradient();
+    m_start_value = static_cast<double>(m_descent.energy().value());
+    m_iterations_before = m_iterations;
+    ++m_factorizations;
+    return m_coordinates.set(m_descent.energy().Hessian());
+  }
+
+  // The energy is at the end of the run then.
+  ceres::TerminationType solve()
   {
     Callback callback(*this);
     ceres::GradientProblemSolver::Options options;
     options.logging_type = ceres::SILENT;
-    options.max_num_iterations = static_cast<int>(
-      (std::min)(m_descent.limits().iterations, std::size_t(std::numeric_limits<int>::max())));
+    options.max_num_iterations =
+      static_cast<int>((std::min)(m_descent.limits().iterations - m_iterations, iterations_of_run));
     options.function_tolerance = 0;
     options.parameter_tolerance = 0;
-    options.gradient_tolerance = m_descent.limits().gradient_tolerance;
+    options.gradient_tolerance = 0;
+    options.min_line_search_step_size = (std::numeric_limits<double>::min)();
     options.callbacks.push_back(&callback);
     ceres::GradientProblemSolver::Summary summary;
-    Eigen::VectorXd parameters = m_base(m_descent.variables().indices());
+    Eigen::VectorXd parameters = Eigen::VectorXd::Zero(number_of_parameters());
     const ceres::GradientProblem problem(new Function(*this));
     ceres::Solve(options, problem, parameters.data(), &summary);
-    return summary;
+    if(m_exception)
+      std::rethrow_exception(m_exception);
+    m_descent.move_to(point_at(parameters));
+    return summary.termination_type;
   }
 
   // Ceres gives up when no value along a line is less than the last: for rounding, if the values
   // have hardly changed any more.
-  Status status(const ceres::GradientProblemSolver::Summary& summary) const
+  Status failure() const
   {
-    if(m_descent.best_norm() <= m_descent.tolerance())
-      return Status::converged;
-    if(summary.termination_type == ceres::NO_CONVERGENCE)
-      return Status::iteration_limit;
-    const double size = (std::max)(std::abs(summary.initial_cost), std::abs(summary.final_cost));
-    if(std::abs(m_last_change) <= tolerance::cancellation * size)
+    if(std::abs(m_last_change) <= tolerance::cancellation * std::abs(m_start_value))
       return Status::rounding_limit;
     return m_saw_not_finite ? Status::not_finite : Status::no_descent;
   }
@@ -119,30 +143,46 @@ private:
     return static_cast<int>(m_descent.variables().indices().size());
   }
 
-  bool evaluate(const double* u, double* value, double* gradient)
+  bool evaluate(const double* y, double* value, double* gradient)
   {
-    const Free_variables::Indices& free = m_descent.variables().indices();
-    Eigen::VectorXd point = m_base;
-    point(free) = Eigen::Map<const Eigen::VectorXd>(u, number_of_parameters());
-    const bool is_finite = m_descent.move_to(point);
-    *value = static_cast<double>(m_descent.energy().value());
+    const bool is_finite =
+      m_descent.move_to(point_at(Eigen::Map<const Eigen::VectorXd>(y, number_of_parameters())));
+    *value = value_since_start();
     if(!is_finite || !std::isfinite(*value)) {
       m_saw_not_finite = true;
       return false;
     }
     m_descent.keep_if_best();
     if(gradient)
-      Eigen::Map<Eigen::VectorXd>(gradient, number_of_parameters()) = m_descent.gradient()(free);
+      Eigen::Map<Eigen::VectorXd>(gradient, number_of_parameters()) =
+        m_coordinates.gradient(m_descent.gradient()(m_descent.variables().indices()));
     return true;
+  }
+
+  Eigen::VectorXd point_at(const Eigen::VectorXd& coordinates) const
+  {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(m_start.size());
+    step(m_descent.variables().indices()) = m_coordinates.variables(coordinates);
+    m_descent.variables().remove_means(step);
+    return m_start + step;
+  }
+
+  // Where values have no digits left for their difference, the mean of the slopes gives it.
+  double value_since_start() const
+  {
+    const double difference = static_cast<double>(m_descent.energy().value()) - m_start_value;
+    if(!(std::abs(difference) <= tolerance::growth * std::abs(m_start_value)))
+      return difference;
+    return (m_start_gradient + m_descent.gradient()).dot(m_descent.point() - m_start) / 2;
   }
 
   ceres::CallbackReturnType after_iteration(const ceres::IterationSummary& summary)
   {
     if(summary.iteration == 0) // the start
       return ceres::SOLVER_CONTINUE;
-    m_iterations = static_cast<std::size_t>(summary.iteration);
+    m_iterations = m_iterations_before + static_cast<std::size_t>(summary.iteration);
     m_last_change = summary.cost_change;
-    m_visitor.after_iteration(m_iterations, summary.gradient_max_norm, summary.step_norm);
+    m_visitor.after_iteration(m_iterations, m_descent.norm(), summary.step_norm);
     return m_descent.best_norm() <= m_descent.tolerance() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
                                                           : ceres::SOLVER_CONTINUE;
   }
@@ -161,8 +201,11 @@ private:
 
   Descent<Energy> m_descent;
   Visitor& m_visitor;
-  Eigen::VectorXd m_base; // the start, which has the values of the fixed variables
-  std::size_t m_iterations = 0;
+  Hessian_coordinates m_coordinates;
+  Eigen::VectorXd m_start, m_start_gradient; // of the run
+  double m_start_value = 0;
+  std::size_t m_iterations = 0, m_iterations_before = 0; // in all, and before the run
+  std::size_t m_factorizations = 0;
   double m_last_change = 0; // of the value
   bool m_saw_not_finite = false;
   std::exception_ptr m_exception;

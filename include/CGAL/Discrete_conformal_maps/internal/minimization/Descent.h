@@ -78,11 +78,16 @@ public:
   }
   bool has_converged() const { return m_norm <= tolerance(); }
 
-  // Goes back to the best point.
-  Minimization_result result(Minimization_status status)
+  void move_to_best()
   {
     if(m_point != m_best)
       move_to(Eigen::VectorXd(m_best));
+  }
+
+  // Goes back to the best point.
+  Minimization_result result(Minimization_status status)
+  {
+    move_to_best();
     Minimization_result result;
     result.status = status;
     result.evaluations = m_evaluations;

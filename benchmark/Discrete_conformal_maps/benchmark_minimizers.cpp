@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Newton's method and the L-BFGS method of the Ceres Solver on the same energies: steps,
+// evaluations, factorizations, seconds of CPU time for the minimization, and how much the scale
+// factors differ. Arguments are names of meshes, or numbers of vertices of spheres to be generated.
+
+#include "stages.h"
+
+#include <CGAL/Discrete_conformal_maps/Ceres_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/flatten.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct Run
+{
+  DCM::Planar_conformal_map map;
+  double seconds;
+};
+
+template <typename Minimizer>
+Run flatten(const Mesh& mesh, const Minimizer& minimizer)
+{
+  Stopwatch watch;
+  DCM::Planar_conformal_map map =
+    DCM::flatten(mesh, DCM::parameters::minimizer(minimizer).visitor(std::ref(watch)));
+  watch.stop();
+  return {std::move(map), watch.seconds[2]};
+}
+
+void print(const Run& run)
+{
+  const DCM::Minimization_result& result = run.map.minimization();
+  std::printf("%8zu%8zu%8zu%9.3f", result.iterations, result.evaluations, result.factorizations,
+              run.seconds);
+}
+
+double benchmark(const std::string& name, const Mesh& mesh)
+{
+  const Run newton = flatten(mesh, DCM::Newton_minimizer());
+  const Run ceres = flatten(mesh, DCM::Ceres_minimizer());
+  double difference = 0;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    difference = (std::max)(difference, std::abs(newton.map.log_scale(v) - ceres.map.log_scale(v)));
+  std::printf("%-16s%8u", name.c_str(), mesh.number_of_vertices());
+  print(newton);
+  print(ceres);
+  std::printf("%10.1e", difference);
+  return newton.seconds;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if(arguments.empty())
+    for(const char* name : {"cow", "elephant", "bull", "camel", "armadillo"})
+      arguments.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+  std::printf("%-24s%33s%33s\n%-16s%8s", "", "Newton", "Ceres", "mesh", "vertices");
+  for(int i = 0; i < 2; ++i)
+    std::printf("%8s%8s%8s%9s", "steps", "eval.", "factor.", "seconds");
+  std::printf("%10s\n", "differ.");
+  for(const std::string& argument : arguments)
+    if(const int vertices = std::atoi(argument.c_str()); vertices > 0)
+      benchmark("sphere", Sphere(unsigned(vertices)).mesh());
+    else
+      benchmark_file(argument, benchmark);
+}
