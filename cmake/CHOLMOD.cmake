@@ -18,6 +18,6 @@ if(SuiteSparse_INCLUDE_DIR AND CHOLMOD_LIBRARY)
     target_include_directories(CGAL_intrinsic_triangulations::CHOLMOD SYSTEM INTERFACE
       ${SuiteSparse_INCLUDE_DIR})
     target_compile_definitions(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE
-      CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD)
+      CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD)
   endif()
 endif()

@@ -18,6 +18,12 @@ function(add_unit_tests name)
   add_library(${name}_dependencies INTERFACE)
   target_link_libraries(${name}_dependencies
     INTERFACE Intrinsic_triangulations CGAL::Data GTest::gtest_main)
+  if(SuiteSparse_FOUND)
+    # Both factorizations are tested, but only one can be that of the algorithms.
+    target_include_directories(${name}_dependencies SYSTEM INTERFACE ${SuiteSparse_INCLUDE_DIR})
+    target_link_libraries(${name}_dependencies INTERFACE ${CHOLMOD_LIBRARY})
+    target_compile_definitions(${name}_dependencies INTERFACE TEST_SUPERNODAL_CHOLESKY)
+  endif()
   if(OpenMesh_FOUND)
     target_link_libraries(${name}_dependencies INTERFACE OpenMeshCore)
     target_compile_definitions(${name}_dependencies INTERFACE CGAL_USE_OPENMESH)

@@ -25,7 +25,7 @@
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 
-#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
 inline constexpr const char* factorization = "CHOLMOD";
 inline constexpr const char* largest_surface = "1000000";
 #else

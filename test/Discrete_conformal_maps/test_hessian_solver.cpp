@@ -5,9 +5,9 @@
 #include "convex_functions.h"
 
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Simplicial_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Simplicial_Cholesky.h>
 #ifdef TEST_SUPERNODAL_CHOLESKY
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Supernodal_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Supernodal_Cholesky.h>
 #endif
 
 #include <gtest/gtest.h>
@@ -18,6 +18,7 @@ namespace {
 
 using namespace convex;
 namespace internal = CGAL::Discrete_conformal_maps::internal;
+using namespace CGAL::Intrinsic_triangulations::internal;
 
 constexpr Eigen::Index side = 30, size = side * side;
 
@@ -61,9 +62,9 @@ protected:
 };
 
 #ifdef TEST_SUPERNODAL_CHOLESKY
-typedef testing::Types<internal::Simplicial_Cholesky, internal::Supernodal_Cholesky> Factorizations;
+typedef testing::Types<Simplicial_Cholesky<double>, Supernodal_Cholesky<double>> Factorizations;
 #else
-typedef testing::Types<internal::Simplicial_Cholesky> Factorizations;
+typedef testing::Types<Simplicial_Cholesky<double>> Factorizations;
 #endif
 TYPED_TEST_SUITE(Hessian_solver, Factorizations, );
 

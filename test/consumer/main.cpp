@@ -5,7 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
-#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #endif
 
@@ -39,10 +39,10 @@ Mesh thin_quadrilateral()
 // Without a component, what needs it is not tried.
 bool is_flattened([[maybe_unused]] const Mesh& mesh)
 {
-#if defined(CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD) || defined(WITH_CERES)
+#if defined(CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD) || defined(WITH_CERES)
   namespace DCM = CGAL::Discrete_conformal_maps;
 #endif
-#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
   if(DCM::flatten(mesh).status() != DCM::Map_status::success)
     return false;
 #endif

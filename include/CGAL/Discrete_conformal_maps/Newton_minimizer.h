@@ -28,7 +28,7 @@ using Newton_steps = Newton_iteration<Energy, Visitor>;
 /// its minimum), it is damped there, so that no step is out of proportion; the damping vanishes at
 /// the minimum, where convergence is quadratic. The fill-reducing order of the factorization is
 /// kept while it is good, the symbolic factorization while the pattern of the Hessian stays. If the
-/// macro `CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD` is defined, CHOLMOD factorizes, otherwise
+/// macro `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined, CHOLMOD factorizes, otherwise
 /// Eigen.
 ///
 /// Some ten iterations are usual. An energy whose slopes change sharply in many places, far below

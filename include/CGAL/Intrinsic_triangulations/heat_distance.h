@@ -80,7 +80,7 @@ public:
     : m_flow(surface, np),
       m_gradient(gradient_matrix(surface)),
       m_divergence(divergence_matrix(surface)),
-      m_poisson(surface)
+      m_poisson(surface, m_flow.order())
   {}
 
   /// computes the distance of every vertex to the nearest source. It is exactly zero at the sources

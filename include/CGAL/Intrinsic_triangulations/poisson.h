@@ -24,6 +24,9 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+template <typename FT>
+class Heat_distance;
+
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// solves \f$-\Delta u = f\f$ on a triangulated surface for one right-hand side after the other;
 /// the matrix is factorized once.
@@ -55,9 +58,7 @@ public:
   template <typename Surface, typename VertexIsFixedMap = boost::static_property_map<bool>>
   explicit Poisson_solver(const Surface& surface,
                           const VertexIsFixedMap& is_fixed = VertexIsFixedMap(false))
-    : Poisson_solver(internal::Mesh_components(surface.mesh()), cotan_laplacian(surface),
-                     lumped_mass_matrix(surface).diagonal(),
-                     fixed_vertices(surface.mesh().num_vertices(), is_fixed))
+    : Poisson_solver(surface, cotan_laplacian(surface), is_fixed)
   {}
 
   /// factorizes the matrix of the surface of `other`, with values prescribed at other vertices.
@@ -67,7 +68,7 @@ public:
   template <typename VertexIsFixedMap>
   Poisson_solver(const Poisson_solver& other, const VertexIsFixedMap& is_fixed)
     : Poisson_solver(other.m_components, other.m_laplacian, other.m_area,
-                     fixed_vertices(other.m_area.size(), is_fixed))
+                     fixed_vertices(other.m_area.size(), is_fixed), other.m_order)
   {}
 
   /// solves with prescribed values. Complexity: linear in the size of the factorization.
@@ -90,17 +91,38 @@ public:
   Vector solve(const Vector& moments) const { return solve(moments, Vector::Zero(m_area.size())); }
 
 private:
+  friend class Heat_distance<FT>;
+
   typedef Eigen::SparseMatrix<FT> Matrix;
 
+  // in an order of elimination for all vertices
+  template <typename Surface>
+  Poisson_solver(const Surface& surface, const internal::Elimination_order& order)
+    : Poisson_solver(internal::Mesh_components(surface.mesh()), cotan_laplacian(surface),
+                     lumped_mass_matrix(surface).diagonal(),
+                     std::vector<char>(surface.mesh().num_vertices(), 0), order)
+  {}
+
+  template <typename Surface, typename VertexIsFixedMap>
+  Poisson_solver(const Surface& surface, const Matrix& laplacian, const VertexIsFixedMap& is_fixed)
+    : Poisson_solver(internal::Mesh_components(surface.mesh()), laplacian,
+                     lumped_mass_matrix(surface).diagonal(),
+                     fixed_vertices(surface.mesh().num_vertices(), is_fixed),
+                     internal::fill_reducing_order(laplacian))
+  {}
+
   Poisson_solver(const internal::Mesh_components& components, const Matrix& laplacian,
-                 const Vector& area, const std::vector<char>& is_fixed)
+                 const Vector& area, const std::vector<char>& is_fixed,
+                 const internal::Elimination_order& order)
     : m_components(components),
       m_laplacian(laplacian),
       m_area(area),
       m_is_fixed(is_fixed),
+      m_order(order),
       m_is_anchored(anchored_components()),
       m_unknowns(select_unknowns()),
-      m_factorization(m_unknowns.transpose() * m_laplacian * m_unknowns, "cotan Laplacian")
+      m_factorization(m_unknowns.transpose() * m_laplacian * m_unknowns, order_of_unknowns(),
+                      "cotan Laplacian")
   {}
 
   static std::size_t index(Eigen::Index v) { return static_cast<std::size_t>(v); }
@@ -139,6 +161,20 @@ private:
     return assembly.matrix(m_is_fixed.size(), count);
   }
 
+  // A part of an order is good for the part of the matrix.
+  internal::Elimination_order order_of_unknowns() const
+  {
+    std::vector<int> number(m_is_fixed.size(), -1);
+    for(Eigen::Index i = 0; i < m_unknowns.cols(); ++i)
+      number[index(typename Matrix::InnerIterator(m_unknowns, i).row())] = static_cast<int>(i);
+    internal::Elimination_order result(m_unknowns.cols());
+    Eigen::Index k = 0;
+    for(const int v : m_order)
+      if(const int i = number[static_cast<std::size_t>(v)]; i >= 0)
+        result[k++] = i;
+    return result;
+  }
+
   // For each vertex the mean over its component of a density with these moments, zero where values
   // are prescribed.
   Vector free_means(const Vector& moments) const
@@ -162,7 +198,8 @@ private:
   Matrix m_laplacian;
   Vector m_area; // a third of the area around each vertex
   std::vector<char> m_is_fixed;
-  std::vector<char> m_is_anchored; // components where a value is prescribed
+  internal::Elimination_order m_order; // of all vertices
+  std::vector<char> m_is_anchored;     // components where a value is prescribed
   Matrix m_unknowns;
   internal::Factorization<FT> m_factorization;
 };

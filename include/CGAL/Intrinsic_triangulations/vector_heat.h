@@ -73,7 +73,7 @@ public:
     : m_frames(surface),
       m_flow(surface, np),
       m_vector_flow(internal::plus_diagonal(definite_laplacian(surface), m_flow.rates()),
-                    "heat flow of vectors")
+                    m_flow.order(), "heat flow of vectors")
   {}
 
   /// returns the frames of the tangent spaces.

@@ -10,22 +10,11 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
-
-#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Supernodal_Cholesky.h>
-#else
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Simplicial_Cholesky.h>
-#endif
+#include <CGAL/Intrinsic_triangulations/internal/operators/Cholesky.h>
 
 #include <Eigen/SparseCore>
 
 namespace CGAL::Discrete_conformal_maps::internal {
-
-#ifdef CGAL_DISCRETE_CONFORMAL_MAPS_USE_CHOLMOD
-typedef Supernodal_Cholesky Default_Cholesky;
-#else
-typedef Simplicial_Cholesky Default_Cholesky;
-#endif
 
 // What is added to the diagonal of a Hessian against steps beyond a bound: see `Newton_direction`.
 // Entries of the gradient that vanish still need a positive diagonal. The lift, relative to the
@@ -48,7 +37,7 @@ class Newton_direction
 {
 public:
   typedef Eigen::SparseMatrix<double> Matrix;
-  typedef Hessian_solver<Default_Cholesky> Solver;
+  typedef Hessian_solver<Intrinsic_triangulations::internal::Cholesky<double>> Solver;
 
   explicit Newton_direction(const Free_variables& variables)
     : m_variables(&variables), m_solver(variables.indices())

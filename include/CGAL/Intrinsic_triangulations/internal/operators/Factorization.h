@@ -8,17 +8,28 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Cholesky.h>
 
 #include <CGAL/number_utils.h>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include <complex>
 #include <memory>
 #include <string>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// An order of elimination: its k-th entry is the k-th row to go.
+typedef Eigen::VectorXi Elimination_order;
+
+// Returns an order for all Hermitian matrices with this pattern that keeps their factors sparse.
+template <typename Scalar>
+Elimination_order fill_reducing_order(const Eigen::SparseMatrix<Scalar>& matrix)
+{
+  if(matrix.nonZeros() == 0) // the libraries need an entry
+    return Elimination_order::LinSpaced(matrix.rows(), 0, static_cast<int>(matrix.rows()) - 1);
+  return Cholesky<Scalar>::fill_reducing_order(matrix);
+}
 
 // The factorization of a Hermitian positive definite matrix; real if `Scalar` is.
 template <typename Scalar>
@@ -30,27 +41,41 @@ public:
 
   // `name` is what the error calls the matrix
   Factorization(const Matrix& matrix, const std::string& name)
+    : Factorization(matrix, fill_reducing_order(matrix), name)
+  {}
+
+  Factorization(const Matrix& matrix, const Elimination_order& order, const std::string& name)
+    : m_order(order)
   {
     if(matrix.rows() == 0)
-      return; // Eigen cannot
-    m_solver = std::make_unique<Eigen::SimplicialLDLT<Matrix>>(matrix);
-    if(m_solver->info() != Eigen::Success || !is_positive(m_solver->vectorD().real()))
+      return;
+    Matrix upper(matrix.rows(), matrix.cols());
+    upper.template selfadjointView<Eigen::Upper>() =
+      matrix.template selfadjointView<Eigen::Upper>().twistedBy(m_order.inverse());
+    if(!factorize(upper))
       throw Numerical_error("the " + name + " has no factorization as a positive definite matrix");
   }
 
+  const Elimination_order& order() const { return m_order.indices(); }
+
   Vector solve(const Vector& right_side) const
   {
-    return m_solver ? Vector(m_solver->solve(right_side)) : right_side;
+    return m_cholesky ? Vector(m_order * m_cholesky->solve(m_order.inverse() * right_side))
+                      : right_side;
   }
 
 private:
-  template <typename Diagonal>
-  static bool is_positive(const Diagonal& d)
+  bool factorize(const Matrix& upper)
   {
-    return d.minCoeff() > 0 && CGAL::is_finite(d.sum());
+    if(upper.nonZeros() == 0 || !CGAL::is_finite(upper.coeffs().abs().sum()))
+      return false;
+    m_cholesky = std::make_unique<Cholesky<Scalar>>();
+    m_cholesky->analyze(upper);
+    return m_cholesky->factorize(upper);
   }
 
-  std::unique_ptr<Eigen::SimplicialLDLT<Matrix>> m_solver; // cannot be moved itself
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> m_order;
+  std::unique_ptr<Cholesky<Scalar>> m_cholesky; // cannot be moved itself
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

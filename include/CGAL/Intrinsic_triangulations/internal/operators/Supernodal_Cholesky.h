@@ -2,10 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_SUPERNODAL_CHOLESKY_H
-#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_SUPERNODAL_CHOLESKY_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_SUPERNODAL_CHOLESKY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_SUPERNODAL_CHOLESKY_H
 
-#include <CGAL/license/Discrete_conformal_maps.h>
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <Eigen/SparseCore>
 
@@ -13,8 +15,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
+#include <type_traits>
 
-namespace CGAL::Discrete_conformal_maps::internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // CHOLMOD's workspace and settings.
 class Cholmod_workspace
@@ -39,32 +43,49 @@ public:
   cholmod_factor* analyze(cholmod_sparse matrix, int ordering)
   {
     m_common.method[0].ordering = ordering;
-    return cholmod_analyze(&matrix, &m_common);
+    cholmod_factor* factor = cholmod_analyze(&matrix, &m_common);
+    check();
+    return factor;
   }
 
+  // Returns false if the matrix is not positive definite.
   bool factorize(cholmod_sparse matrix, cholmod_factor* factor)
   {
-    return cholmod_factorize(&matrix, factor, &m_common) && m_common.status == CHOLMOD_OK;
+    cholmod_factorize(&matrix, factor, &m_common);
+    check();
+    return m_common.status == CHOLMOD_OK;
   }
 
   cholmod_dense* solve(cholmod_factor* factor, cholmod_dense right_side)
   {
-    return cholmod_solve(CHOLMOD_A, factor, &right_side, &m_common);
+    cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor, &right_side, &m_common);
+    check();
+    return x;
   }
 
   void free(cholmod_factor* factor) { cholmod_free_factor(&factor, &m_common); }
   void free(cholmod_dense* vector) { cholmod_free_dense(&vector, &m_common); }
 
 private:
+  void check() const
+  {
+    if(m_common.status == CHOLMOD_OUT_OF_MEMORY)
+      throw std::bad_alloc();
+    if(m_common.status < CHOLMOD_OK)
+      throw Numerical_error("the factor of a matrix is too large for CHOLMOD");
+  }
+
   cholmod_common m_common;
 };
 
-// CHOLMOD's Cholesky factorization, supernodal where that pays, of matrices given by their upper
-// triangles, in the order they have.
+// CHOLMOD's Cholesky factorization, supernodal where that pays, of Hermitian matrices given by their
+// upper triangles (what is below is ignored), in the order they have.
+template <typename Scalar>
 class Supernodal_Cholesky
 {
 public:
-  typedef Eigen::SparseMatrix<double> Matrix;
+  typedef Eigen::SparseMatrix<Scalar> Matrix;
+  typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
 
   Supernodal_Cholesky() = default;
   ~Supernodal_Cholesky() { clear(); }
@@ -94,16 +115,17 @@ public:
   // Returns false if the matrix is not positive definite.
   bool factorize(const Matrix& upper) { return m_workspace.factorize(view(upper), m_factor); }
 
-  Eigen::VectorXd solve(Eigen::VectorXd right_side)
+  Vector solve(Vector right_side) const
   {
     cholmod_dense b{};
     b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right_side.size());
     b.ncol = 1;
     b.x = right_side.data();
-    b.xtype = CHOLMOD_REAL;
-    cholmod_dense* x = m_workspace.solve(m_factor, b);
-    std::copy_n(static_cast<const double*>(x->x), right_side.size(), right_side.data());
-    m_workspace.free(x);
+    b.xtype = xtype;
+    Cholmod_workspace workspace; // its own, so that many threads can solve with one factor
+    cholmod_dense* x = workspace.solve(m_factor, b);
+    std::copy_n(static_cast<const Scalar*>(x->x), right_side.size(), right_side.data());
+    workspace.free(x);
     return right_side;
   }
 
@@ -111,6 +133,8 @@ public:
   double size() { return m_workspace->lnz; }
 
 private:
+  static constexpr int xtype = std::is_same<Scalar, double>::value ? CHOLMOD_REAL : CHOLMOD_COMPLEX;
+
   // CHOLMOD's interface has no constants, but it does not write here.
   static cholmod_sparse view(const Matrix& upper)
   {
@@ -119,10 +143,10 @@ private:
     result.nzmax = static_cast<std::size_t>(upper.nonZeros());
     result.p = const_cast<int*>(upper.outerIndexPtr());
     result.i = const_cast<int*>(upper.innerIndexPtr());
-    result.x = const_cast<double*>(upper.valuePtr());
+    result.x = const_cast<Scalar*>(upper.valuePtr());
     result.stype = 1; // the upper triangle
     result.itype = CHOLMOD_INT;
-    result.xtype = CHOLMOD_REAL;
+    result.xtype = xtype;
     result.dtype = CHOLMOD_DOUBLE;
     result.sorted = result.packed = 1;
     return result;
@@ -139,6 +163,6 @@ private:
   cholmod_factor* m_factor = nullptr;
 };
 
-} // namespace CGAL::Discrete_conformal_maps::internal
+} // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MINIMIZATION_SUPERNODAL_CHOLESKY_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_SUPERNODAL_CHOLESKY_H

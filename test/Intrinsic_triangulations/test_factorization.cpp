@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Sparse Cholesky factorizations of both libraries, against dense products.
+
+#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Simplicial_Cholesky.h>
+#ifdef TEST_SUPERNODAL_CHOLESKY
+#include <CGAL/Intrinsic_triangulations/internal/operators/Supernodal_Cholesky.h>
+#endif
+
+#include <CGAL/Random.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include <complex>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Intrinsic_triangulations;
+typedef std::complex<double> Complex;
+
+double random_scalar(CGAL::Random& random, double*) { return random.get_double(-1, 1); }
+Complex random_scalar(CGAL::Random& random, Complex*)
+{
+  return {random.get_double(-1, 1), random.get_double(-1, 1)};
+}
+
+// Hermitian with a dominant diagonal: the norm of its inverse is at most one.
+template <typename Scalar>
+Eigen::SparseMatrix<Scalar> definite_matrix(int size, CGAL::Random& random)
+{
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  std::vector<double> sum(static_cast<std::size_t>(size), 1);
+  for(int k = 0; k < 3 * size; ++k) {
+    const int i = random.get_int(0, size), j = random.get_int(0, size);
+    if(i == j)
+      continue;
+    const Scalar x = random_scalar(random, static_cast<Scalar*>(nullptr));
+    entries.emplace_back(i, j, x);
+    entries.emplace_back(j, i, Eigen::numext::conj(x));
+    for(const int r : {i, j})
+      sum[static_cast<std::size_t>(r)] += std::abs(x);
+  }
+  for(int i = 0; i < size; ++i)
+    entries.emplace_back(i, i, Scalar(sum[static_cast<std::size_t>(i)]));
+  Eigen::SparseMatrix<Scalar> result(size, size);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+template <typename Scalar>
+using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+template <typename Scalar>
+Vector<Scalar> random_vector(int size, CGAL::Random& random)
+{
+  Vector<Scalar> result(size);
+  for(Scalar& x : result)
+    x = random_scalar(random, static_cast<Scalar*>(nullptr));
+  return result;
+}
+
+template <typename Cholesky>
+class Cholesky_factorization : public testing::Test
+{};
+
+#ifdef TEST_SUPERNODAL_CHOLESKY
+typedef testing::Types<
+  internal::Simplicial_Cholesky<double>, internal::Simplicial_Cholesky<Complex>,
+  internal::Supernodal_Cholesky<double>, internal::Supernodal_Cholesky<Complex>>
+  Factorizations;
+#else
+typedef testing::Types<internal::Simplicial_Cholesky<double>,
+                       internal::Simplicial_Cholesky<Complex>>
+  Factorizations;
+#endif
+TYPED_TEST_SUITE(Cholesky_factorization, Factorizations, );
+
+TYPED_TEST(Cholesky_factorization, solves)
+{
+  typedef typename TypeParam::Matrix::Scalar Scalar;
+  CGAL::Random random(1);
+  for(const int size : {1, 2, 10, 100, 2000}) {
+    const auto matrix = definite_matrix<Scalar>(size, random);
+    const Vector<Scalar> b = random_vector<Scalar>(size, random);
+    TypeParam cholesky;
+    cholesky.analyze(matrix);
+    ASSERT_TRUE(cholesky.factorize(matrix));
+    EXPECT_LE((matrix * cholesky.solve(b) - b).cwiseAbs().maxCoeff(), 1e-12);
+  }
+}
+
+TYPED_TEST(Cholesky_factorization, orders_all_rows)
+{
+  typedef typename TypeParam::Matrix::Scalar Scalar;
+  CGAL::Random random(2);
+  const Eigen::VectorXi order =
+    TypeParam::fill_reducing_order(definite_matrix<Scalar>(500, random));
+  std::vector<char> seen(500, 0);
+  for(const int i : order)
+    ++seen.at(static_cast<std::size_t>(i));
+  EXPECT_EQ(seen, std::vector<char>(500, 1));
+}
+
+TYPED_TEST(Cholesky_factorization, finds_a_matrix_that_is_not_positive)
+{
+  typedef typename TypeParam::Matrix::Scalar Scalar;
+  CGAL::Random random(3);
+  auto matrix = definite_matrix<Scalar>(100, random);
+  matrix.coeffRef(50, 50) = -1;
+  TypeParam cholesky;
+  cholesky.analyze(matrix);
+  EXPECT_FALSE(cholesky.factorize(matrix));
+}
+
+template <typename Scalar>
+void expect_solution_in_any_order()
+{
+  CGAL::Random random(4);
+  const auto matrix = definite_matrix<Scalar>(300, random);
+  const Vector<Scalar> b = random_vector<Scalar>(300, random);
+  const internal::Factorization<Scalar> ordered(matrix, "matrix"),
+    backwards(matrix, ordered.order().reverse(), "matrix");
+  EXPECT_LE((matrix * ordered.solve(b) - b).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LE((matrix * backwards.solve(b) - b).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Factorization, solves_in_any_order)
+{
+  expect_solution_in_any_order<double>();
+  expect_solution_in_any_order<Complex>();
+}
+
+TEST(Factorization, names_a_matrix_without_one)
+{
+  CGAL::Random random(5);
+  auto matrix = definite_matrix<double>(20, random);
+  for(const double wrong : {-1., 0., std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::infinity()}) {
+    matrix.coeffRef(10, 10) = wrong;
+    EXPECT_THROW(internal::Factorization<double>(matrix, "matrix"), Numerical_error) << wrong;
+  }
+}
+
+TEST(Factorization, of_nothing)
+{
+  const internal::Factorization<double> empty(Eigen::SparseMatrix<double>(0, 0), "matrix");
+  EXPECT_EQ(empty.solve(Eigen::VectorXd()).size(), 0);
+  EXPECT_THROW(internal::Factorization<double>(Eigen::SparseMatrix<double>(3, 3), "matrix"),
+               Numerical_error);
+}
+
+} // namespace
