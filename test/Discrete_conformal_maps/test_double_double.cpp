@@ -5,7 +5,7 @@
 // Sums of two `double` against numbers of 120 digits.
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Double_double.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 
 #include <CGAL/Random.h>
 
@@ -19,7 +19,7 @@
 #include <limits>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
-using Number = DCM::internal::Double_double;
+using Number = DCM::internal::Extended;
 using Big = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>,
                                           boost::multiprecision::et_off>;
 
@@ -102,7 +102,7 @@ TEST(Double_double, transcendental_functions_have_all_digits)
   }
   const Big pi = boost::math::constants::pi<Big>();
   EXPECT_LE(error(DCM::internal::straight_angle<Number>(), pi), 4);
-  EXPECT_LE(error(Number::ln_two(), log(Big(2))), 1);
+  EXPECT_LE(error(CGAL::Intrinsic_triangulations::internal::ln_two(), log(Big(2))), 1);
 }
 
 TEST(Double_double, is_ordered_by_both_parts)

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Double_double.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 
 #include <algorithm>
 #include <array>

@@ -210,13 +210,11 @@ public:
   bool is_Delaunay(Edge_index e) const
   {
     const Halfedge_index h = m_mesh.halfedge(e);
-    const auto by_lengths = m_traits.is_locally_Delaunay_object()(diamond(m_length, h, m_mesh));
-    if constexpr(internal::Is_exact<Traits>::value) {
-      if(!is_certain(by_lengths) && can_be_turned(h))
-        return internal::exact_decisions(*this).Delaunay_sign(h) != NEGATIVE;
-      return !is_certain(by_lengths) || get_certain(by_lengths) || !can_be_turned(h);
-    } else
-      return by_lengths || !can_be_turned(h);
+    if constexpr(internal::Is_exact<Traits>::value)
+      return !can_be_turned(h) || internal::exact_decisions(*this).is_Delaunay(h);
+    else
+      return m_traits.is_locally_Delaunay_object()(diamond(m_length, h, m_mesh)) ||
+             !can_be_turned(h);
   }
 
   /// turns the edge of `h` counterclockwise into the other diagonal of its two faces (see
@@ -250,29 +248,14 @@ public:
   void recompute_lengths()
   {
     const internal::Input_crossings crossings(m_coordinates, m_mesh, m_spokes);
-    std::vector<FT> lengths(m_mesh.num_edges());
     if constexpr(internal::Is_exact<Traits>::value) {
       const internal::Exact_decisions<Traits, internal::Input_crossings> decisions(*this,
                                                                                    crossings);
-      for(Edge_index e : m_mesh.edges())
-        lengths[e] = decisions.length(m_mesh.halfedge(e));
-      for(Edge_index e : m_mesh.edges())
-        m_length[e] = lengths[e];
-      return;
+      set_lengths([&](Halfedge_index h) { return decisions.length(h); });
+    } else {
+      typename Traits::Geodesic_strip strip;
+      set_lengths([&](Halfedge_index h) { return length_of_strip(h, crossings, strip); });
     }
-    typename Traits::Geodesic_strip strip;
-    for(Edge_index e : m_mesh.edges()) {
-      const Halfedge_index h = first_halfedge(e);
-      const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(h, m)); };
-      lengths[e] = m_coordinates.is_shared(e) ? shared_length(h)
-                   : crossings.count(e) == 0  ? length_in_face(h)
-                                              : lay_out(strip, h, exit, crossings.count(e));
-      if(!m_traits.is_length_object()(lengths[e]))
-        throw Numerical_error("the strip of edge " + std::to_string(e.idx()) +
-                              " has no positive finite length");
-    }
-    for(Edge_index e : m_mesh.edges())
-      m_length[e] = lengths[e];
   }
 
   /// turns \f$T_2\f$ back into \f$T_1\f$ by flips that follow the integer coordinates alone
@@ -517,6 +500,31 @@ private:
         m_coordinates.flip(h, m_mesh, m_spokes);
       throw;
     }
+  }
+
+  // Sets all lengths. If `length()` throws, nothing has changed.
+  template <typename Length>
+  void set_lengths(const Length& length)
+  {
+    std::vector<FT> lengths(m_mesh.num_edges());
+    for(Edge_index e : m_mesh.edges())
+      lengths[e] = length(first_halfedge(e));
+    for(Edge_index e : m_mesh.edges())
+      m_length[e] = lengths[e];
+  }
+
+  FT length_of_strip(Halfedge_index h, const internal::Input_crossings& crossings,
+                     typename Traits::Geodesic_strip& strip) const
+  {
+    const std::size_t n = crossings.count(h);
+    const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(h, m)); };
+    const FT length = m_coordinates.is_shared(m_mesh.edge(h)) ? shared_length(h)
+                      : n == 0                                ? length_in_face(h)
+                                                              : lay_out(strip, h, exit, n);
+    if(!m_traits.is_length_object()(length))
+      throw Numerical_error("the strip of edge " + std::to_string(m_mesh.edge(h).idx()) +
+                            " has no positive finite length");
+    return length;
   }
 
   // of an edge inside a face of T1; 0, which is no length, if no vertices can be inserted

@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
-#include <CGAL/Intrinsic_triangulations/internal/refinement/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>

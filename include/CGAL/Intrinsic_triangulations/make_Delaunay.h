@@ -176,16 +176,22 @@ std::size_t make_exactly_Delaunay(Intrinsic_triangulation<Traits>& tri, std::siz
   return flip_exactly(tri, limit, visitor);
 }
 
-// Goes on exactly where lengths of type `double` cannot carry the decisions: if there are far more
-// flips than edges, or edges that are still not Delaunay after two rounds. That needs a triangulation
+// The number of flips beyond which lengths of type `double` are not relied on.
+inline std::size_t flips_by_lengths(std::size_t number_of_edges)
+{
+  return 10000000 + 1000 * number_of_edges;
+}
+
+// Goes on exactly where lengths of type `double` cannot carry the decisions: after
+// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. That needs a triangulation
 // whose edges are straight, as it is while no vertices with rounded places have been inserted.
 template <typename Traits, typename Visitor>
 std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
 {
   const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
-  const std::size_t expected = 10000000 + 1000 * std::size_t(tri.mesh().number_of_edges());
+  const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
   const auto [flips, is_Delaunay] = flip_by_lengths(
-    tri, can_be_exact ? (std::min)(limit, expected) : limit, can_be_exact ? 2 : 100, visitor);
+    tri, can_be_exact ? (std::min)(limit, carried) : limit, can_be_exact ? 2 : 100, visitor);
   if(is_Delaunay)
     return flips;
   check_flip_limit(flips == limit);

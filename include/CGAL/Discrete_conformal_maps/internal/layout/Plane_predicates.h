@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Double_double.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/MP_Float.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ private:
   };
 
   static MP_Float exact(double x) { return x; }
-  static MP_Float exact(const Double_double& x) { return MP_Float(x.high()) + MP_Float(x.low()); }
+  static MP_Float exact(const Extended& x) { return MP_Float(x.high()) + MP_Float(x.low()); }
 
   template <typename T>
   static T difference(const FT& x, const FT& y)

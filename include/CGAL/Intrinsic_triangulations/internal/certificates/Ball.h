@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
+
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -31,28 +33,34 @@ struct Rounding
   static constexpr double unit() { return std::numeric_limits<N>::epsilon() / 2; }
 };
 
-#ifdef CGAL_USE_MPFR
-
+// that of quotients, the largest
 template <>
-struct Rounding<Gmpfr>
+struct Rounding<Double_double>
 {
-  static double unit()
-  {
-    return std::ldexp(1.0, -static_cast<int>(Gmpfr::get_default_precision()));
-  }
+  static constexpr double unit() { return 0x1p-102; }
 };
 
-// Numbers of type Gmpfr have that many bits while the object lives.
+#ifdef CGAL_USE_MPFR
+
+// Numbers of type Gmpfr have 512 bits while the object lives.
 class Gmpfr_precision
 {
 public:
-  explicit Gmpfr_precision(long bits) : m_before(Gmpfr::set_default_precision(bits)) {}
+  static constexpr int bits = 512;
+
+  Gmpfr_precision() : m_before(Gmpfr::set_default_precision(bits)) {}
   ~Gmpfr_precision() { Gmpfr::set_default_precision(m_before); }
   Gmpfr_precision(const Gmpfr_precision&) = delete;
   Gmpfr_precision& operator=(const Gmpfr_precision&) = delete;
 
 private:
   Gmpfr::Precision_type m_before;
+};
+
+template <>
+struct Rounding<Gmpfr>
+{
+  static double unit() { return std::ldexp(1.0, -Gmpfr_precision::bits); }
 };
 
 #endif // CGAL_USE_MPFR
@@ -70,7 +78,7 @@ struct Ball
   // underflow are covered by what is added.
   double norm() const
   {
-    const double u = CGAL::to_double(x), v = CGAL::to_double(y);
+    const double u = to_double(x), v = to_double(y);
     return std::sqrt(u * u + v * v) + 1e-150;
   }
 
@@ -131,9 +139,9 @@ template <typename N>
 Ball<N> root(const Ball<N>& a)
 {
   if(!(a.x > a.radius))
-    return {N(0), N(0), std::sqrt(CGAL::to_double(a.x) + a.radius) * (1 + Rounding<float>::unit())};
-  const N root = CGAL::sqrt(a.x);
-  return Ball<N>{root, N(0), a.radius / CGAL::to_double(root)}.with_error(4);
+    return {N(0), N(0), std::sqrt(to_double(a.x) + a.radius) * (1 + Rounding<float>::unit())};
+  const N root = sqrt(a.x);
+  return Ball<N>{root, N(0), a.radius / to_double(root)}.with_error(4);
 }
 
 // whether a number is a + b sqrt(c), as `Sqrt_extension` is

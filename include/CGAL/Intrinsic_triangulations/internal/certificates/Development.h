@@ -167,11 +167,8 @@ private:
     return end(h, side, [](const Placed_side&) {});
   }
 
-  Complex at_source(Halfedge_index h) const { return m_corners(corner_at_source(h, m_input)); }
-  Complex at_target(Halfedge_index h) const
-  {
-    return conj(m_corners(corner_at_target(h, m_input)));
-  }
+  Complex at_source(Halfedge_index h) const { return m_corners.at_source(h); }
+  Complex at_target(Halfedge_index h) const { return conj(m_corners.at_target(h)); }
 
   // the barycentric coordinates of a point from the source of `side` on; their sum is one, exactly
   std::array<Complex, 3> weights(Halfedge_index side, const Face_location<double>& p) const
@@ -206,10 +203,7 @@ private:
   }
 
   // a position, as positions are scaled to which a corner of the triangle of `h` has contributed
-  Complex scaled(const Complex& z, Halfedge_index h) const
-  {
-    return m_corners.scaled(z, corner_at_source(h, m_input));
-  }
+  Complex scaled(const Complex& z, Halfedge_index h) const { return m_corners.scaled(z, h); }
 
   // The third corner of a triangle is computed from the nearer end of the side.
   bool is_apex_near_source(Halfedge_index h) const

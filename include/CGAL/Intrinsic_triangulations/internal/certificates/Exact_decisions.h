@@ -9,10 +9,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -25,7 +27,6 @@
 #include <limits>
 #include <string>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -60,21 +61,51 @@ class Exact_decisions
 
 public:
   Exact_decisions(const Pair& pair, const Crossings& crossings)
-    : m_pair(pair), m_mesh(pair.mesh()), m_metric(pair.input_metric()), m_crossings(crossings)
+    : m_pair(pair),
+      m_mesh(pair.mesh()),
+      m_metric(pair.input_metric()),
+      m_crossings(crossings),
+      m_double(m_metric, pair.input()),
+      m_extended(m_metric, pair.input())
+#ifdef CGAL_USE_MPFR
+      ,
+      m_big(m_metric, pair.input())
+#endif
   {}
+
+  // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
+  // lengths if they leave no doubt.
+  bool is_Delaunay(Halfedge_index h, bool has_exact_squares = false)
+  {
+    const Uncertain<bool> by_lengths = m_by_lengths(diamond(m_pair.length_map(), h, m_mesh));
+    if(is_certain(by_lengths))
+      return get_certain(by_lengths);
+    return (has_exact_squares ? Delaunay_sign_by_squares(h) : Delaunay_sign(h)) != NEGATIVE;
+  }
 
   // Returns the sign of pi minus the sum of the angles opposite to the edge of `h`: ZERO is a tie.
   Sign Delaunay_sign(Halfedge_index h)
   {
-    const Halfedge_index o = m_mesh.opposite(h);
-    const Diamond<Halfedge_index> around{h, m_mesh.next(h), m_mesh.prev(h), m_mesh.next(o),
-                                         m_mesh.prev(o)};
-    if(!has_exact_square(around.ij) || !has_exact_square(around.jk) ||
-       !has_exact_square(around.ki) || !has_exact_square(around.il) || !has_exact_square(around.lj))
-      return compare_with_pi(around.ki, around.lj);
+    const auto is_exact = [this](Edge_index e) { return has_exact_square(m_mesh.halfedge(e)); };
+    const auto around = edges_around(h, m_mesh);
+    return is_exact(m_mesh.edge(h)) && std::all_of(around.begin(), around.end(), is_exact)
+             ? Delaunay_sign_by_squares(h)
+             : compare_with_pi(m_mesh.prev(h), m_mesh.prev(m_mesh.opposite(h)));
+  }
+
+  // \copydoc Delaunay_sign
+  // \pre the squared lengths of the edge and those around it are known without roots
+  Sign Delaunay_sign_by_squares(Halfedge_index h)
+  {
     ++m_count.exact;
-    return m_metric.squared_lengths.empty() ? exact_sign<Exact_ring>(around)
-                                            : exact_sign<K>(around);
+    if(!m_metric.points.empty()) {
+      const auto place = [&](Vertex_index v) -> const Position& { return m_metric.points[v]; };
+      return compare_opposite_angles(place(m_mesh.source(h)), place(m_mesh.target(h)),
+                                     place(m_mesh.target(m_mesh.next(h))),
+                                     place(m_mesh.target(m_mesh.next(m_mesh.opposite(h)))));
+    }
+    return m_metric.squared_lengths.empty() ? sign_by_squares<Exact_ring>(h)
+                                            : sign_by_squares<K>(h);
   }
 
   // returns the sign of pi minus the angle of the union of the two faces of `h` at its source
@@ -89,6 +120,19 @@ public:
   {
     return convexity_at_source(h) == POSITIVE &&
            convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
+  }
+
+  // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side. \pre the
+  // input has positions
+  bool is_flat(Halfedge_index input)
+  {
+    const Delta_complex& mesh = m_pair.input_mesh();
+    return m_is_flat(std::size_t(mesh.edge(input).idx()), [&] {
+      const auto place = [&](Vertex_index v) -> const Position& { return m_metric.points[v]; };
+      return is_flat_in_space(place(mesh.source(input)), place(mesh.target(input)),
+                              place(mesh.target(mesh.next(input))),
+                              place(mesh.target(mesh.next(mesh.opposite(input)))));
+    });
   }
 
   // returns the orientation of the face of `h`
@@ -134,7 +178,7 @@ public:
       const Halfedge_index h = input.halfedge(f);
       const double a = length(h), b = length(input.next(h)), c = length(input.prev(h));
       if((std::min)({b + c - a, c + a - b, a + b - c}) <= rounding_unit<double>() * (a + b + c) &&
-         corners.area_sign(corner_at_source(h, input)) == NEGATIVE)
+         corners.area_sign(h) == NEGATIVE)
         throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()) +
                             " by less than rounding");
     }
@@ -153,9 +197,8 @@ public:
       return {true, m_pair.input_length(m_pair.input_mesh().edge(m_pair.input_halfedge(h)))};
     if(m_crossings.count(h) == 1 && !has_inserted_end(h))
       return other_diagonal(m_crossings(h, 0));
-    Rounded<double> corners(m_metric, m_pair.input());
-    const auto strip = development(corners).strip(h);
-    return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, corners)};
+    const auto strip = development(m_double).strip(h);
+    return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, m_double)};
   }
 
   // Returns the length of the edge of `h`, correct to `certified_length_error()`.
@@ -164,31 +207,33 @@ public:
   {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
       return m_pair.shared_length(h);
-    double length = rounded_length<double>(h);
-#ifdef CGAL_USE_MPFR
-    for(long bits = 128; bits <= 512 && std::isnan(length); bits *= 4) {
-      const Gmpfr_precision precision(bits);
-      length = rounded_length<Gmpfr>(h);
-    }
-#endif
+    double length = 0;
+    try_with_more_digits([&](auto& corners) {
+      length = rounded_length(development(corners).uncrossed_strip(h), corners);
+      return !std::isnan(length);
+    });
     if(!m_pair.traits().is_length_object()(length))
       throw Numerical_error("edge " + std::to_string(m_mesh.edge(h).idx()) +
                             " has no positive finite length");
     return length;
   }
 
-  // returns the angle at the source of `h` in its face
+  // Returns the angle at the source of `h` in its face, which lies the right way round.
   double rounded_angle(Halfedge_index h) const
   {
-    return std::arg(
-      rounded_corner(h, [](const std::complex<double>& corner) { return std::abs(corner); }));
+    const auto [corner, error] =
+      rounded_corner(h, [](const std::complex<double>& corner) { return std::abs(corner); });
+    return std::abs(std::arg(corner));
   }
 
   // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j, its imaginary part
-  // correct up to a small relative error. It is not positive if the face has no area.
+  // correct up to a small relative error. This is zero if no digits make sure that it is not, as
+  // where the face has no area.
   std::complex<double> rounded_corner(Halfedge_index h) const
   {
-    return rounded_corner(h, [](const std::complex<double>& corner) { return corner.imag(); });
+    const auto [corner, error] =
+      rounded_corner(h, [](const std::complex<double>& corner) { return corner.imag(); });
+    return {corner.real(), std::abs(corner.imag()) > error ? corner.imag() : 0};
   }
 
   // Returns the circumradius of the face `f`; infinite if it has no area.
@@ -212,10 +257,27 @@ public:
 
   const Decision_count& count() const { return m_count; }
 
+  // the corners of T1 that are kept, with more digits than `double` has
+  Rounded<Double_double>& extended_corners() const { return m_extended; }
+
 private:
   bool has_inserted_end(Halfedge_index h) const
   {
     return m_pair.is_inserted(m_mesh.source(h)) || m_pair.is_inserted(m_mesh.target(h));
+  }
+
+  // Whether the squared length of the edge of `h` is known without roots: it is an edge of T1, or a
+  // straight line in space.
+  bool has_exact_square(Halfedge_index h)
+  {
+    if(is_input_edge(h))
+      return true;
+    if(m_metric.points.empty() || has_inserted_end(h))
+      return false;
+    for(std::size_t m = 0; m < m_crossings.count(h); ++m)
+      if(!is_flat(m_crossings(h, m)))
+        return false;
+    return true;
   }
 
   // what lengths say about the other diagonal of two faces of T1; `rounding_unit()` covers them
@@ -235,13 +297,16 @@ private:
 
   // ---- Stages ----
 
-  template <typename N, typename Predicate>
-  Uncertain<Sign> sign_by_balls(const Predicate& predicate, std::size_t& count) const
+  // Calls `attempt(corners)` with corners of more and more digits until it returns true.
+  template <typename Attempt>
+  void try_with_more_digits(const Attempt& attempt) const
   {
-    Rounded<N> corners(m_metric, m_pair.input());
-    const Uncertain<Sign> sign = predicate(development(corners));
-    count += is_certain(sign);
-    return sign;
+    if(attempt(m_double) || attempt(m_extended))
+      return;
+#ifdef CGAL_USE_MPFR
+    const Gmpfr_precision precision;
+    attempt(m_big);
+#endif
   }
 
   template <typename Predicate>
@@ -259,17 +324,16 @@ private:
   template <typename Predicate>
   Sign decide(const Predicate& predicate)
   {
-    Uncertain<Sign> sign = sign_by_balls<double>(predicate, m_count.floating_point);
-#ifdef CGAL_USE_MPFR
-    for(long bits : {128, 512}) {
+    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
+    try_with_more_digits([&](auto& corners) {
+      sign = predicate(development(corners));
+      const bool is_first = std::is_same_v<decltype(corners), Rounded<double>&>;
       if(is_certain(sign))
-        return get_certain(sign);
-      const Gmpfr_precision precision(bits);
-      sign = sign_by_balls<Gmpfr>(predicate, m_count.multiprecision);
-      if(!is_certain(sign) && bits == 128)
+        ++(is_first ? m_count.floating_point : m_count.multiprecision);
+      else if(std::is_same_v<decltype(corners), Rounded<Double_double>&>)
         sign = sign_by_roots(predicate, 2);
-    }
-#endif
+      return is_certain(sign);
+    });
     if(!is_certain(sign))
       sign = sign_by_roots(predicate, maximal_number_of_roots);
     if(!is_certain(sign))
@@ -339,45 +403,30 @@ private:
     return conj(side.vector) * side.vector;
   }
 
-  template <typename N>
-  double rounded_length(Halfedge_index h) const
-  {
-    Rounded<N> corners(m_metric, m_pair.input());
-    return rounded_length(development(corners).uncrossed_strip(h), corners);
-  }
-
-  // The error is small in comparison with `size(corner)`, if more digits can help.
+  // Returns a corner and its error, which is small in comparison with `size(corner)` if more digits
+  // can help.
   template <typename Size>
-  std::complex<double> rounded_corner(Halfedge_index h, const Size& size) const
+  std::pair<std::complex<double>, double> rounded_corner(Halfedge_index h, const Size& size) const
   {
-    std::pair<std::complex<double>, double> corner = corner_and_error<double>(h);
-    const auto is_accurate = [&] {
-      return corner.second <= size(corner.first) * certified_length_error();
-    };
-#ifdef CGAL_USE_MPFR
-    for(long bits = 128; bits <= 512 && !is_accurate(); bits *= 4) {
-      const Gmpfr_precision precision(bits);
-      corner = corner_and_error<Gmpfr>(h);
-    }
-#endif
-    return corner.first;
+    std::pair<std::complex<double>, double> result;
+    try_with_more_digits([&](auto& corners) {
+      const auto [j, k] = development(corners).ends(h);
+      const auto product = k * conj(j), square = j * conj(j);
+      const auto quotient = [&](const auto& x) {
+        return to_double(decltype(square.x)(x / square.x));
+      };
+      result = {{quotient(product.x), quotient(product.y)}, product.radius / to_double(square.x)};
+      return result.second <= size(result.first) * certified_length_error();
+    });
+    return result;
   }
 
-  template <typename N>
-  std::pair<std::complex<double>, double> corner_and_error(Halfedge_index h) const
-  {
-    Rounded<N> corners(m_metric, m_pair.input());
-    const auto [j, k] = development(corners).ends(h);
-    const auto product = k * conj(j), square = j * conj(j);
-    return {{CGAL::to_double(N(product.x / square.x)), CGAL::to_double(N(product.y / square.x))},
-            product.radius / CGAL::to_double(square.x)};
-  }
-
+  // NaN if it is not known up to `certified_length_error()`
   template <typename Strip, typename Corners>
   static double rounded_length(const Strip& strip, const Corners& corners)
   {
     const auto length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
-    const double midpoint = CGAL::to_double(length.x);
+    const double midpoint = to_double(length.x);
     return length.radius <= midpoint * certified_length_error() / 2
              ? midpoint
              : std::numeric_limits<double>::quiet_NaN();
@@ -391,40 +440,14 @@ private:
     Exact corners(m_metric, m_pair.input(), 1);
     for(std::size_t m = 0; m < m_crossings.count(h); ++m)
       for(Halfedge_index side : {m_crossings(h, m), input.opposite(m_crossings(h, m))})
-        if(corners.area_sign(corner_at_source(side, input)) == ZERO)
+        if(corners.area_sign(side) == ZERO)
           return true;
     return false;
-  }
-
-  // Returns whether the squared length of the edge of `h` is known without roots: it is an edge of
-  // T1, or a straight line in space.
-  bool has_exact_square(Halfedge_index h)
-  {
-    if(is_input_edge(h))
-      return true;
-    if(m_metric.points.empty() || has_inserted_end(h))
-      return false;
-    for(std::size_t m = 0; m < m_crossings.count(h); ++m)
-      if(!is_flat(m_pair.input_mesh().edge(m_crossings(h, m))))
-        return false;
-    return true;
-  }
-
-  bool is_flat(Edge_index input)
-  {
-    const auto [place, is_new] = m_is_flat.emplace(input, false);
-    if(is_new)
-      place->second =
-        is_flat_in_space(m_pair.input_mesh().halfedge(input), m_metric.points, m_pair.input_mesh());
-    return place->second;
   }
 
   template <typename R>
   R exact_square(Halfedge_index h) const
   {
-    if(!m_metric.points.empty())
-      return squared_distance<R>(m_metric.points[m_mesh.source(h)],
-                                 m_metric.points[m_mesh.target(h)]);
     const Edge_index e = m_pair.input_mesh().edge(m_pair.input_halfedge(h));
     if constexpr(std::is_same_v<R, K>)
       if(!m_metric.squared_lengths.empty())
@@ -433,18 +456,26 @@ private:
   }
 
   template <typename R>
-  Sign exact_sign(const Diamond<Halfedge_index>& around) const
+  Sign sign_by_squares(Halfedge_index h) const
   {
-    return compare_opposite_angles(
-      Diamond<R>{exact_square<R>(around.ij), exact_square<R>(around.jk), exact_square<R>(around.ki),
-                 exact_square<R>(around.il), exact_square<R>(around.lj)});
+    const Halfedge_index o = m_mesh.opposite(h);
+    const auto square = [&](Halfedge_index x) { return exact_square<R>(x); };
+    return compare_opposite_angles(Diamond<R>{square(h), square(m_mesh.next(h)),
+                                              square(m_mesh.prev(h)), square(m_mesh.next(o)),
+                                              square(m_mesh.prev(o))});
   }
 
   const Pair& m_pair;
   const Delta_complex& m_mesh;
   const Metric& m_metric;
   Crossings m_crossings;
-  std::unordered_map<Edge_index, bool> m_is_flat; // edges of T1 that have been looked at
+  Delaunay_by_lengths m_by_lengths;
+  mutable Rounded<double> m_double;
+  mutable Rounded<Double_double> m_extended;
+#ifdef CGAL_USE_MPFR
+  mutable Rounded<Gmpfr> m_big;
+#endif
+  Recent_values<bool> m_is_flat;
   Decision_count m_count;
 };
 

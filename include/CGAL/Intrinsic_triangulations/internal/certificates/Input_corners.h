@@ -8,8 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Recent_values.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
@@ -19,9 +21,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
+#include <limits>
 #include <type_traits>
-#include <utility>
+#include <unordered_map>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -64,6 +66,13 @@ struct Corner_products
   {}
 };
 
+// The shortest sides, by their squares, whose products do not underflow. With Gmpfr none do.
+template <typename N>
+constexpr double least_square()
+{
+  return std::is_floating_point_v<N> || std::is_same_v<N, Double_double> ? 1e-100 : 0;
+}
+
 // Corners up to an error that is a few units of roundoff of their absolute value, however thin the
 // triangle is.
 template <typename N, typename Metric, typename Surface>
@@ -91,7 +100,7 @@ public:
   }
 
   // returns `z` as corners of the triangle of `h` are scaled
-  static const Complex& scaled(const Complex& z, const Input_corner&) { return z; }
+  static const Complex& scaled(const Complex& z, Halfedge_index) { return z; }
 
   // returns numbers that are not negative, divided by their sum
   static std::array<Complex, 3> weights(const std::array<double, 3>& b)
@@ -101,11 +110,16 @@ public:
     return {weight(b[0]), weight(b[1]), weight(b[2])};
   }
 
-  Complex operator()(const Input_corner& c) const
+  // the corners at the ends of the side `h` of a triangle
+  Complex at_source(Halfedge_index h)
   {
-    return !m_metric.points.empty()           ? from_points(c)
-           : m_metric.squared_lengths.empty() ? from_lengths(c)
-                                              : from_squared_lengths(c);
+    return m_corner(2 * std::size_t(h.idx()),
+                    [&] { return corner(corner_at_source(h, m_input.mesh())); });
+  }
+  Complex at_target(Halfedge_index h)
+  {
+    return m_corner(2 * std::size_t(h.idx()) + 1,
+                    [&] { return corner(corner_at_target(h, m_input.mesh())); });
   }
 
   Complex length(Halfedge_index h) const
@@ -113,7 +127,7 @@ public:
     const Delta_complex& mesh = m_input.mesh();
     if(!m_metric.points.empty()) {
       const auto u = vector(mesh.source(h), mesh.target(h));
-      return Complex{CGAL::sqrt(dot(u, u)), N(0), 0}.with_error(6);
+      return Complex{sqrt(dot(u, u)), N(0), 0}.with_error(6);
     }
     if(!m_metric.squared_lengths.empty())
       return root(to_ball<N>(K(m_metric.squared_lengths[mesh.edge(h)])));
@@ -121,6 +135,15 @@ public:
   }
 
 private:
+  Complex corner(const Input_corner& c) const
+  {
+    return !m_metric.points.empty()           ? from_points(c)
+           : m_metric.squared_lengths.empty() ? from_lengths(c)
+                                              : from_squared_lengths(c);
+  }
+
+  static Complex unknown() { return {N(0), N(0), std::numeric_limits<double>::infinity()}; }
+
   std::array<N, 3> vector(Vertex_index v, Vertex_index w) const
   {
     return vector_between<N>(m_metric.points[v], m_metric.points[w]);
@@ -133,10 +156,12 @@ private:
   {
     const auto pq = vector(c.p, c.q), pr = vector(c.p, c.r), qr = vector(c.q, c.r);
     const N square_pq = dot(pq, pq), square_pr = dot(pr, pr), square_qr = dot(qr, qr);
+    if(!((std::min)({square_pq, square_pr, square_qr}) > N(least_square<N>())))
+      return unknown();
     const auto normal = square_pq > square_pr && square_pq > square_qr ? cross(pr, qr)
                         : square_pr > square_qr                        ? cross(pq, qr)
                                                                        : cross(pq, pr);
-    return Complex{N(dot(pq, pr) / square_pq), N(CGAL::sqrt(dot(normal, normal)) / square_pq), 0}
+    return Complex{N(dot(pq, pr) / square_pq), N(sqrt(dot(normal, normal)) / square_pq), 0}
       .with_error(20);
   }
 
@@ -145,9 +170,11 @@ private:
   {
     const auto& length = m_input.length_map();
     const N pq(length[c.pq]), pr(length[c.pr]), qr(length[c.qr]);
-    const N doubled_square = N(2) * pq * pq;
+    const N least = (std::min)({pq, pr, qr}), doubled_square = N(2) * pq * pq;
+    if(!(least * least > N(least_square<N>())))
+      return unknown();
     return Complex{N(doubled_corner_product(qr, pq, pr) / doubled_square),
-                   N(quadrupled_area(pq, pr, qr) / doubled_square), 0}
+                   N(sqrt(squared_quadrupled_area(pq, pr, qr)) / doubled_square), 0}
       .with_error(20);
   }
 
@@ -164,6 +191,7 @@ private:
 
   const Metric& m_metric;
   Surface m_input;
+  Recent_values<Complex> m_corner;
 };
 
 // Corners of numbers with square roots, exactly. They are not divided by the squared length of their
@@ -188,9 +216,9 @@ public:
     return real(K(x.exact()));
   }
 
-  Complex scaled(const Complex& z, const Input_corner& c) const
+  Complex scaled(const Complex& z, Halfedge_index h)
   {
-    return z * real(K(2) * squares(c)[0]);
+    return z * real(K(2) * triangle(h).square[side_number(h, m_input.mesh())]);
   }
 
   // returns numbers that are not negative; they need not be divided by their sum
@@ -199,16 +227,14 @@ public:
     return {real(K(b[0])), real(K(b[1])), real(K(b[2]))};
   }
 
-  Complex operator()(const Input_corner& c)
-  {
-    const Corner_products<K> products(squares(c));
-    return {&m_tower, {products.doubled_product}, root(c, products.squared_quadrupled_area)};
-  }
+  Complex at_source(Halfedge_index h) { return corner(h, 0, 2, 1); }
+  Complex at_target(Halfedge_index h) { return corner(h, 0, 1, 2); }
 
-  // returns the sign of the squared area: NEGATIVE if the triangle inequality fails
-  Sign area_sign(const Input_corner& c) const
+  // returns the sign of the squared area of the triangle of `h`: NEGATIVE if the triangle
+  // inequality fails
+  Sign area_sign(Halfedge_index h) const
   {
-    return CGAL::sign(Corner_products<K>(squares(c)).squared_quadrupled_area);
+    return CGAL::sign(Corner_products<K>(squares(h)).squared_quadrupled_area);
   }
 
   // whether there were more roots than are allowed
@@ -217,17 +243,29 @@ public:
 private:
   Complex real(const K& x) const { return {&m_tower, {x}, {K(0)}}; }
 
-  // Returns the squared lengths of pq, pr and qr, up to a common factor: coordinates are made whole
-  // numbers, which need no common denominators.
-  std::array<K, 3> squares(const Input_corner& c) const
+  typedef std::array<K, 3> Squares;
+
+  struct Triangle
   {
+    Squares square;
+    typename Complex::Element root; // of the squared area, which all corners have in common
+  };
+
+  // Returns the squared lengths of the sides, beginning with `h`, up to a common factor: coordinates
+  // are made whole numbers, which need no common denominators.
+  Squares squares(Halfedge_index h) const
+  {
+    const Delta_complex& mesh = m_input.mesh();
+    const std::array<Halfedge_index, 3> side{h, mesh.next(h), mesh.prev(h)};
     if(m_metric.points.empty())
-      return {squared_length(c.pq), squared_length(c.pr), squared_length(c.qr)};
-    std::array<std::array<double, 3>, 3> corner{m_metric.points[c.p], m_metric.points[c.q],
-                                                m_metric.points[c.r]};
-    scale_to_integers(corner);
-    return {squared_distance<K>(corner[0], corner[1]), squared_distance<K>(corner[0], corner[2]),
-            squared_distance<K>(corner[1], corner[2])};
+      return {squared_length(mesh.edge(side[0])), squared_length(mesh.edge(side[1])),
+              squared_length(mesh.edge(side[2]))};
+    std::array<std::array<double, 3>, 3> p;
+    for(std::size_t s = 0; s < 3; ++s)
+      p[s] = m_metric.points[mesh.source(side[s])];
+    scale_to_integers(p);
+    return {squared_distance<K>(p[0], p[1]), squared_distance<K>(p[1], p[2]),
+            squared_distance<K>(p[2], p[0])};
   }
 
   K squared_length(Edge_index e) const
@@ -236,23 +274,35 @@ private:
                                             : K(m_metric.squared_lengths[e]);
   }
 
-  // All corners of a face have the root in common. Lengths that exceed the triangle inequality by
-  // rounding are those of a flat triangle.
-  const typename Complex::Element& root(const Input_corner& c, const K& square)
+  // Lengths that exceed the triangle inequality by rounding are those of a flat triangle.
+  const Triangle& triangle(Halfedge_index h)
   {
-    typename Complex::Element& root = m_root[{c.pq, c.pr}];
-    if(root.empty()) {
-      const auto found = m_tower.root((std::max)(square, K(0)));
-      m_has_too_many_roots = m_has_too_many_roots || !found;
-      root = found.value_or(typename Complex::Element{K(0)});
+    const auto [place, is_new] = m_triangle.try_emplace(m_input.mesh().face(h));
+    Triangle& triangle = place->second;
+    if(is_new) {
+      triangle.square = squares(m_input.mesh().halfedge(m_input.mesh().face(h)));
+      const auto root =
+        m_tower.root((std::max)(Corner_products<K>(triangle.square).squared_quadrupled_area, K(0)));
+      m_has_too_many_roots = m_has_too_many_roots || !root;
+      triangle.root = root.value_or(typename Complex::Element{K(0)});
     }
-    return root;
+    return triangle;
+  }
+
+  // The corner between two sides of a triangle, the first of which is that of `h`, as the sides are
+  // counted from there.
+  Complex corner(Halfedge_index h, std::size_t a, std::size_t b, std::size_t opposite)
+  {
+    const Triangle& t = triangle(h);
+    const std::size_t first = side_number(h, m_input.mesh());
+    const auto square = [&](std::size_t s) -> const K& { return t.square[(first + s) % 3]; };
+    return {&m_tower, {K(square(a) + square(b) - square(opposite))}, t.root};
   }
 
   const Metric& m_metric;
   Surface m_input;
   Root_tower<K> m_tower;
-  std::map<std::pair<Edge_index, Edge_index>, typename Complex::Element> m_root;
+  std::unordered_map<Face_index, Triangle> m_triangle;
   bool m_has_too_many_roots = false;
 };
 

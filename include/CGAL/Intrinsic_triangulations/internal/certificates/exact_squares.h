@@ -7,11 +7,12 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 
 #include <CGAL/Mpzf.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 #ifndef CGAL_HAS_MPZF
@@ -26,8 +27,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -44,48 +46,126 @@ typedef Gmpq Exact_field;
 typedef Exact_rational Exact_field;
 #endif
 
+typedef std::array<double, 3> Position;
+
 template <typename R>
-R squared_distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
+R squared_distance(const Position& p, const Position& q)
 {
   const std::array<R, 3> u = vector_between<R>(p, q);
   return dot(u, u);
 }
 
-// Multiplies coordinates with a power of two that makes all of them whole numbers, if it is in range.
-inline void scale_to_integers(std::array<std::array<double, 3>, 3>& points)
+// the exponent of the last binary digit of `x` that is not zero
+inline int last_exponent(double x)
 {
-  int least = std::numeric_limits<int>::max();
-  int greatest = 0;
-  for(const auto& p : points)
-    for(double x : p)
-      if(x != 0) {
-        int exponent;
-        std::frexp(x, &exponent);
-        least = (std::min)(least, exponent);
-        greatest = (std::max)(greatest, exponent);
-      }
-  const int shift = std::numeric_limits<double>::digits - least;
-  if(greatest + shift < std::numeric_limits<double>::max_exponent)
-    for(auto& p : points)
-      for(double& x : p)
-        x = std::ldexp(x, shift);
+  constexpr int digits = std::numeric_limits<double>::digits;
+  int exponent;
+  const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), digits));
+  return exponent - digits + std::ilogb(static_cast<double>(mantissa & -mantissa));
 }
 
-// Returns the sign of pi minus the sum of the angles opposite to ij, from squared lengths: of
-// cos_k sin_l + cos_l sin_k. Only one root of each angle enters, so that squaring decides.
+// Multiplies coordinates with the least power of two that makes all of them whole numbers, if they
+// stay in range.
+inline void scale_to_integers(std::array<Position, 3>& points)
+{
+  int last = (std::numeric_limits<int>::max)(), first = (std::numeric_limits<int>::min)();
+  for(const Position& p : points)
+    for(double x : p)
+      if(x != 0) {
+        last = (std::min)(last, last_exponent(x));
+        first = (std::max)(first, std::ilogb(x));
+      }
+  if(first >= last && first - last < std::numeric_limits<double>::max_exponent)
+    for(Position& p : points)
+      for(double& x : p)
+        x = std::ldexp(x, -last);
+}
+
+// A corner of a triangle: the scalar product of its sides and the product of their squares, or these
+// times 2 and 4.
+template <typename R>
+struct Corner_cosine
+{
+  R product, square;
+};
+
+// Returns the sign of pi minus the sum of two angles: of cos_k sin_l + cos_l sin_k. Only one root of
+// each angle enters, so that squaring decides.
+template <typename R>
+Sign compare_with_pi(const Corner_cosine<R>& k, const Corner_cosine<R>& l)
+{
+  const Sign sign_k = CGAL::sign(k.product), sign_l = CGAL::sign(l.product);
+  if(sign_k * sign_l != NEGATIVE)
+    return sign_k == ZERO ? sign_l : sign_k;
+  return sign_k *
+         CGAL::sign(R(k.product * k.product * l.square - l.product * l.product * k.square));
+}
+
+// Returns the sign of pi minus the sum of the angles opposite to ij, from squared lengths.
 template <typename R>
 Sign compare_opposite_angles(const Diamond<R>& square)
 {
-  const R cos_k = square.jk + square.ki - square.ij, cos_l = square.il + square.lj - square.ij;
-  const Sign sign_k = CGAL::sign(cos_k), sign_l = CGAL::sign(cos_l);
-  if(sign_k * sign_l != NEGATIVE)
-    return sign_k == ZERO ? sign_l : sign_k;
-  const R square_k = cos_k * cos_k, square_l = cos_l * cos_l;
-  const R product_k = square.jk * square.ki, product_l = square.il * square.lj;
-  // squared sines, times 4 p q in each triangle
-  const R four(4);
-  return sign_k * CGAL::sign(R(square_k * (four * product_l - square_l) -
-                               square_l * (four * product_k - square_k)));
+  const auto corner = [](const R& a, const R& b, const R& opposite) {
+    return Corner_cosine<R>{a + b - opposite, R(4) * a * b};
+  };
+  return compare_with_pi(corner(square.jk, square.ki, square.ij),
+                         corner(square.il, square.lj, square.ij));
+}
+
+template <typename R>
+Corner_cosine<R> corner_cosine(const Position& i, const Position& k, const Position& j)
+{
+  const auto u = vector_between<R>(k, i), v = vector_between<R>(k, j);
+  return {dot(u, v), dot(u, u) * dot(v, v)};
+}
+
+// Returns the sign of a sum. What rounding takes from partial sums is added up too.
+template <std::size_t n>
+Sign sign_of_sum(std::array<double, n> x)
+{
+  for(std::size_t i = 1; i < n; ++i)
+    for(std::size_t j = 0; j < i; ++j) {
+      const Double_double sum = Double_double::exact_sum(x[i], x[j]);
+      x[i] = sum.high();
+      x[j] = sum.low();
+    }
+  const auto last = std::find_if(x.rbegin(), x.rend(), [](double y) { return y != 0; });
+  return last == x.rend() ? ZERO : CGAL::sign(*last);
+}
+
+// Returns the sign of the scalar product of k - i and k - j, if the differences are numbers of type
+// `double` or the product is clearly not zero. Products near the ends of the range are not looked at.
+inline Uncertain<Sign> sign_of_cosine(const Position& i, const Position& k, const Position& j)
+{
+  std::array<double, 6> terms;
+  double sum = 0, size = 0;
+  bool is_exact = true;
+  for(std::size_t c = 0; c < 3; ++c) {
+    const Double_double u = Double_double::exact_sum(k[c], -i[c]),
+                        v = Double_double::exact_sum(k[c], -j[c]),
+                        product = Double_double::exact_product(u.high(), v.high());
+    terms[c] = product.low();
+    terms[c + 3] = product.high();
+    sum += product.high();
+    size += CGAL::abs(product.high());
+    is_exact = is_exact && u.low() == 0 && v.low() == 0 &&
+               CGAL::abs(u.high()) + CGAL::abs(v.high()) < 1e150 &&
+               (u.high() == 0 || v.high() == 0 || CGAL::abs(product.high()) > 1e-250);
+  }
+  if(CGAL::abs(sum) > 8 * std::numeric_limits<double>::epsilon() * size + 1e-250)
+    return CGAL::sign(sum);
+  return is_exact ? Uncertain<Sign>(sign_of_sum(terms)) : Uncertain<Sign>::indeterminate();
+}
+
+// Returns the sign of pi minus the sum of the angles at k and l opposite to ij. Most ties are right
+// angles.
+inline Sign compare_opposite_angles(const Position& i, const Position& j, const Position& k,
+                                    const Position& l)
+{
+  const Uncertain<Sign> sign_k = sign_of_cosine(i, k, j), sign_l = sign_of_cosine(i, l, j);
+  if(is_certain(sign_k) && is_certain(sign_l) && get_certain(sign_k) == get_certain(sign_l))
+    return get_certain(sign_k);
+  return compare_with_pi(corner_cosine<Exact_ring>(i, k, j), corner_cosine<Exact_ring>(i, l, j));
 }
 
 // the determinant of three vectors and the scalar product of the normals of two triangles at the
@@ -103,24 +183,27 @@ struct Hinge
   }
 };
 
-// Returns whether the two faces at the edge of `h` in T1 lie in one plane, side by side.
-inline bool is_flat_in_space(Halfedge_index h, const std::vector<std::array<double, 3>>& points,
-                             const Delta_complex& input)
+// Returns whether the triangles ijk and jil lie in one plane, side by side.
+inline bool is_flat_in_space(const Position& i, const Position& j, const Position& k,
+                             const Position& l)
 {
-  const auto &i = points[input.source(h)], &j = points[input.target(h)];
-  const auto& k = points[input.target(input.next(h))];
-  const auto& l = points[input.target(input.next(input.opposite(h)))];
   const auto hinge = [&](auto number) {
     typedef decltype(number) R;
     return Hinge<R>(vector_between<R>(i, j), vector_between<R>(i, k), vector_between<R>(i, l));
   };
-  const auto norm = [&](const std::array<double, 3>& p) {
+  const auto norm = [&](const Position& p) {
     return CGAL::abs(p[0] - i[0]) + CGAL::abs(p[1] - i[1]) + CGAL::abs(p[2] - i[2]);
   };
-  // the determinant has a relative error of less than 16 units of roundoff
+  // the determinant has a relative error of less than 16 units of roundoff, the product of 32
   const double error = 8 * std::numeric_limits<double>::epsilon() * norm(j) * norm(k) * norm(l);
-  if(CGAL::abs(hinge(double()).volume) > error + (std::numeric_limits<double>::min)())
+  const Hinge<double> rounded = hinge(double());
+  if(CGAL::abs(rounded.volume) > error + (std::numeric_limits<double>::min)())
     return false;
+  bool is_axial = false;
+  for(std::size_t c = 0; c < 3; ++c)
+    is_axial = is_axial || (i[c] == j[c] && i[c] == k[c] && i[c] == l[c]);
+  if(is_axial && rounded.cosine > 2 * error * norm(j) + 1e-250)
+    return true;
   const auto exact = hinge(Exact_ring());
   return CGAL::is_zero(exact.volume) && CGAL::is_positive(exact.cosine);
 }

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -49,31 +50,33 @@ public:
     const Halfedge_index h = m_mesh.halfedge(e);
     if(!m_tri.can_be_turned(h))
       return true;
-    const Uncertain<bool> by_lengths = m_by_lengths(diamond(m_tri.length_map(), h, m_mesh));
-    return is_certain(by_lengths) ? get_certain(by_lengths)
-                                  : m_decisions.Delaunay_sign(h) != NEGATIVE;
+    return m_decisions.is_Delaunay(h, is_straight_in_space(greatest_error_around(h)));
   }
 
   // returns true: it is always possible
   bool flip(Halfedge_index h)
   {
-    const Bounded_length flipped =
-      flipped_length(diamond(m_tri.length_map(), h, m_mesh), greatest_error_around(h));
+    const double error = greatest_error_around(h);
+    const Bounded_length flipped = flipped_length(diamond(m_tri.length_map(), h, m_mesh), error);
     const Edge_index e = m_mesh.edge(h);
+    const bool is_straight = is_straight_in_space(error) && lies_in_plane(h, flipped.length);
     m_tri.turn(h, [&] {
-      return flipped.is_good() && !m_tri.coordinates().is_shared(e) ? flipped.length
-                                                                    : m_decisions.length(h);
+      return m_tri.coordinates().is_shared(e) ? m_tri.shared_length(h)
+             : is_straight       ? distance_in_space(m_mesh.source(h), m_mesh.target(h))
+             : flipped.is_good() ? flipped.length
+                                 : m_decisions.length(h);
     });
     m_error[e.idx()] =
-      static_cast<float>(flipped.is_good() ? 2 * flipped.error : certified_length_error());
+      static_cast<float>(is_straight || m_decisions.is_input_edge(h) ? input_length_error()
+                         : flipped.is_good()                         ? 2 * flipped.error
+                                                                     : certified_length_error());
     return true;
   }
 
   // Computes all lengths anew.
   void recompute_lengths()
   {
-    for(Edge_index e : m_mesh.edges())
-      m_tri.m_length[e] = m_decisions.length(m_mesh.halfedge(e));
+    m_tri.set_lengths([&](Halfedge_index h) { return m_decisions.length(h); });
   }
 
 private:
@@ -83,6 +86,30 @@ private:
     for(Edge_index e : edges_around(h, m_mesh))
       error = (std::max)(error, m_error[e.idx()]);
     return double(error);
+  }
+
+  // Whether edges are straight lines in space, or edges of T1, as those with the least error are.
+  static bool is_straight_in_space(double error) { return error == float(input_length_error()); }
+
+  // Whether the faces at the edge of `h`, whose sides are straight in space, lie in one plane. There
+  // the ends of the other diagonal are as far apart as on the surface.
+  bool lies_in_plane(Halfedge_index h, double flipped_length)
+  {
+    if(m_tri.input_metric().points.empty())
+      return false;
+    if(!m_tri.coordinates().is_shared(m_mesh.edge(h)))
+      return true;
+    const double distance = distance_in_space(m_mesh.target(m_mesh.next(h)),
+                                              m_mesh.target(m_mesh.next(m_mesh.opposite(h))));
+    return std::abs(distance - flipped_length) < 1e-6 * distance &&
+           m_decisions.is_flat(m_tri.input_halfedge(h));
+  }
+
+  double distance_in_space(Vertex_index v, Vertex_index w) const
+  {
+    const auto& points = m_tri.input_metric().points;
+    const auto u = vector_between<double>(points[v], points[w]);
+    return std::hypot(u[0], u[1], u[2]);
   }
 
   Triangulation& m_tri;

@@ -30,13 +30,13 @@ struct Refinement_limits
 };
 
 template <typename Traits, typename = void>
-struct Layout_of_
+struct Layout_selection
 {
   typedef Layout_by_lengths<typename Intrinsic_triangulation<Traits>::Edge_length_map> type;
 };
 
 template <typename Traits>
-struct Layout_of_<Traits, std::enable_if_t<Is_exact<Traits>::value>>
+struct Layout_selection<Traits, std::enable_if_t<Is_exact<Traits>::value>>
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef Layout_by_decisions<typename Exact_insertion<Traits>::Decisions,
@@ -46,7 +46,7 @@ struct Layout_of_<Traits, std::enable_if_t<Is_exact<Traits>::value>>
 
 // how faces of T2 are laid out
 template <typename Traits>
-using Layout_of = typename Layout_of_<Traits>::type;
+using Layout_of = typename Layout_selection<Traits>::type;
 
 // Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted,
 // or the boundary or constrained edge that hides it is split and circumcenters near by are removed

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_DEVELOPED_FACE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_DEVELOPED_FACE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DEVELOPED_FACE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DEVELOPED_FACE_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -13,8 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 
-#include <CGAL/number_utils.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,13 +21,14 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // A face ijk of T2 in the plane, i at the origin, with the edges of T1 that cross ij and ik laid out
 // along these. So the relative error of a place is that of its vector from i, however thin the face
-// and the regions are. `N` is a floating point type; its errors are not tracked.
-template <typename Traits, typename Crossings, typename N>
+// and the regions are. Errors are not tracked.
+template <typename Traits, typename Crossings>
 class Developed_face
 {
   typedef Triangulation_pair<Traits> Pair;
-  typedef Input_metric_of<Traits> Metric;
-  typedef Rounded_corners<N, Metric, decltype(std::declval<Pair>().input())> Corners;
+  typedef Double_double N;
+  typedef Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>
+    Corners;
   typedef Development<Traits, Crossings, Corners> Layout;
   typedef typename Layout::Placed_side Placed_side;
   typedef typename Layout::Complex Complex;
@@ -44,17 +43,16 @@ public:
   };
 
   // `h` leads from i to j
-  Developed_face(const Pair& pair, const Crossings& crossings, Halfedge_index h)
+  Developed_face(const Pair& pair, const Crossings& crossings, Corners& corners, Halfedge_index h)
     : m_pair(pair),
       m_input(pair.input_mesh()),
-      m_corners(pair.input_metric(), pair.input()),
-      m_layout(pair, crossings, m_corners),
+      m_layout(pair, crossings, corners),
       m_is_inserted(pair.is_inserted(pair.mesh().source(h))),
       m_regions({crossings.count(h), crossings.count(pair.mesh().next(h)),
                  crossings.count(pair.mesh().prev(h))}),
       m_ij(m_layout.strip(h)),
       m_ik(m_layout.strip(opposite(pair.mesh().prev(h)), m_layout.following_side(h, m_ij.first))),
-      m_unit(CGAL::to_double(m_corners.length(m_ij.first.halfedge).x))
+      m_unit(to_double(corners.length(m_ij.first.halfedge).x))
   {}
 
   // those of the face with ij as side 0
@@ -90,7 +88,7 @@ public:
     double sum = 0;
     for(std::size_t c = 0; c < 3; ++c) {
       const Complex &from = corner[c], &to = corner[(c + 1) % 3];
-      const double area = CGAL::to_double(cross(to - from, p - from));
+      const double area = to_double(cross(to - from, p - from));
       sum += result.weight[(c + 2) % 3] = area;
       result.distance[c] = m_unit * area / (to - from).norm();
     }
@@ -158,7 +156,6 @@ private:
 
   const Pair& m_pair;
   const Delta_complex& m_input;
-  Corners m_corners;
   Layout m_layout;
   bool m_is_inserted;
   Face_regions m_regions;
@@ -168,4 +165,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_DEVELOPED_FACE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DEVELOPED_FACE_H

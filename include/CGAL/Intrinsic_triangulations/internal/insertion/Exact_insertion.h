@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_EXACT_INSERTION_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_EXACT_INSERTION_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_EXACT_INSERTION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_EXACT_INSERTION_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -11,8 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
-#include <CGAL/Intrinsic_triangulations/internal/refinement/Developed_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 
 #include <algorithm>
@@ -46,12 +46,7 @@ public:
   bool is_Delaunay(Edge_index e)
   {
     const Halfedge_index h = m_mesh.halfedge(e);
-    if(!m_tri.can_be_turned(h))
-      return true;
-    const auto by_lengths =
-      m_tri.traits().is_locally_Delaunay_object()(diamond(m_tri.length_map(), h, m_mesh));
-    return is_certain(by_lengths) ? get_certain(by_lengths)
-                                  : m_decisions.Delaunay_sign(h) != NEGATIVE;
+    return !m_tri.can_be_turned(h) || m_decisions.is_Delaunay(h);
   }
 
   // returns whether the union of the faces of `h` is strictly convex at its ends, or flat at the
@@ -89,17 +84,7 @@ public:
   }
 
 private:
-#ifdef CGAL_USE_MPFR
-  typedef Gmpfr N;
-  typedef Gmpfr_precision Precision;
-#else
-  typedef double N;
-  struct Precision
-  {
-    explicit Precision(long) {}
-  };
-#endif
-  typedef Developed_face<Traits, Crossings, N> Face;
+  typedef Developed_face<Traits, Crossings> Face;
 
   // An edge of T1 on the boundary of a region, by its halfedge that leaves the face, and by the number
   // of that side of the triangle of T1.
@@ -117,9 +102,8 @@ private:
     const std::size_t s = static_cast<std::size_t>(
       std::max_element(p.second.begin(), p.second.end()) - p.second.begin());
     const Halfedge_index h = sides(p.first, m_mesh)[s];
-    [[maybe_unused]] const Precision precision(128);
     const Crossings crossings(m_lists);
-    const Face face(m_tri, crossings, h);
+    const Face face(m_tri, crossings, m_decisions.extended_corners(), h);
     const auto point = face.point(p.second[(s + 1) % 3], p.second[(s + 2) % 3]);
     const std::size_t region = face.region_of(point);
     const typename Face::Place place = face.place(point, region);
@@ -251,4 +235,4 @@ using Exact_insertion_of =
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_EXACT_INSERTION_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_EXACT_INSERTION_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_RECENT_VALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_RECENT_VALUES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Values of a function of numbers, kept until others take their places. So a single value costs
+// little, and few are computed twice.
+template <typename Value>
+class Recent_values
+{
+public:
+  // returns the value of `key`, which `compute()` returns if it is not here
+  template <typename Compute>
+  Value operator()(std::size_t key, const Compute& compute)
+  {
+    if(m_entries.empty() || (m_entries[place(key)].key != key && ++m_misses > m_entries.size()))
+      grow();
+    Entry& entry = m_entries[place(key)];
+    if(entry.key != key) {
+      entry.value = compute();
+      entry.key = key;
+    }
+    return entry.value;
+  }
+
+private:
+  struct Entry
+  {
+    std::size_t key = (std::numeric_limits<std::size_t>::max)();
+    Value value{};
+  };
+
+  // a power of two
+  std::size_t place(std::size_t key) const { return key & (m_entries.size() - 1); }
+
+  // A table that is too small is filled again, which at most doubles the cost. One of full size
+  // stays.
+  void grow()
+  {
+    m_misses = 0;
+    const std::size_t size = m_entries.empty() ? 16 : 2 * m_entries.size();
+    if(size <= 1 << 14)
+      m_entries = std::vector<Entry>(size);
+  }
+
+  std::vector<Entry> m_entries;
+  std::size_t m_misses = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_RECENT_VALUES_H
