@@ -212,7 +212,8 @@ public:
                           const Visit& visit) const
   {
     for(Halfedge_index h : mesh.halfedges()) {
-      if(mesh.is_border(h))
+      // a boundary edge is shared
+      if(!(m_n[edge_of(mesh.next(h))] > 0))
         continue;
       const Integer leaving = curves_leaving(mesh.next(h), mesh);
       for(Integer k(0); k < leaving; ++k)

@@ -83,20 +83,20 @@ private:
     }
   }
 
-  // Returns whether the faces at an inserted vertex have positive area and lie around it once. The
+  // Returns whether the faces at an inserted vertex lie the right way round and around it once. The
   // sum of the angles is a multiple of a full turn (of a half turn on the boundary): rounding
   // does not matter.
   bool is_turned_around_once(Vertex_index v)
   {
     double sum = 0;
-    bool is_positive = true;
+    bool is_oriented = true;
     for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
       if(m_mesh.is_border(h))
         return;
-      is_positive = is_positive && m_decisions.orientation(h) == POSITIVE;
+      is_oriented = is_oriented && m_decisions.is_oriented(h);
       sum += m_decisions.rounded_angle(h);
     });
-    return is_positive && std::lround(sum / pi<double>()) == (m_mesh.is_border(v) ? 1 : 2);
+    return is_oriented && std::lround(sum / pi<double>()) == (m_mesh.is_border(v) ? 1 : 2);
   }
 
   const Pair& m_pair;

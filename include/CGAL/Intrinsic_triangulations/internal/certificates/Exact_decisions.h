@@ -66,7 +66,8 @@ public:
       m_metric(pair.input_metric()),
       m_crossings(crossings),
       m_double(m_metric, pair.input()),
-      m_extended(m_metric, pair.input())
+      m_extended(m_metric, pair.input()),
+      m_exact(m_metric, pair.input())
 #ifdef CGAL_USE_MPFR
       ,
       m_big(m_metric, pair.input())
@@ -141,13 +142,23 @@ public:
     return decide([&](const auto& development) { return sign_of_imaginary(development.angle(h)); });
   }
 
+  // Returns whether the face of `h` is oriented as those of T1 in which it lies. It may have no area
+  // only where they have none.
+  bool is_oriented(Halfedge_index h)
+  {
+    const Sign sign = orientation(h);
+    return sign == POSITIVE ||
+           (sign == ZERO && !passes_triangle(h, true) && !passes_triangle(m_mesh.next(h), true) &&
+            !passes_triangle(m_mesh.prev(h), true));
+  }
+
   // Returns whether the edge of `h`, laid out straight, passes between the ends of the edges of T1
   // that it crosses. It may touch an end only where triangles of T1 have no area.
   bool is_straight(Halfedge_index h)
   {
     const Sign sign =
       decide([&](const auto& development) { return straightness(development.strip(h)); });
-    return sign == POSITIVE || (sign == ZERO && passes_face_without_area(h));
+    return sign == POSITIVE || (sign == ZERO && passes_triangle(h, false));
   }
 
   // Returns the sign of the place on the halfedge `h` where it crosses an edge of T1 as crossing `m`,
@@ -173,12 +184,11 @@ public:
   {
     const Delta_complex& input = m_pair.input_mesh();
     const auto length = [&](Halfedge_index h) { return m_pair.input_length(input.edge(h)); };
-    Exact corners(m_metric, m_pair.input(), 1);
     for(Face_index f : input.faces()) {
       const Halfedge_index h = input.halfedge(f);
       const double a = length(h), b = length(input.next(h)), c = length(input.prev(h));
       if((std::min)({b + c - a, c + a - b, a + b - c}) <= rounding_unit<double>() * (a + b + c) &&
-         corners.area_sign(h) == NEGATIVE)
+         m_exact.area_sign(h) == NEGATIVE)
         throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()) +
                             " by less than rounding");
     }
@@ -263,7 +273,8 @@ public:
 private:
   bool has_inserted_end(Halfedge_index h) const
   {
-    return m_pair.is_inserted(m_mesh.source(h)) || m_pair.is_inserted(m_mesh.target(h));
+    return m_mesh.num_vertices() > m_pair.input_mesh().num_vertices() &&
+           (m_pair.is_inserted(m_mesh.source(h)) || m_pair.is_inserted(m_mesh.target(h)));
   }
 
   // Whether the squared length of the edge of `h` is known without roots: it is an edge of T1, or a
@@ -312,9 +323,9 @@ private:
   template <typename Predicate>
   Uncertain<Sign> sign_by_roots(const Predicate& predicate, std::size_t maximum)
   {
-    Exact corners(m_metric, m_pair.input(), maximum);
-    const Uncertain<Sign> sign = predicate(development(corners));
-    if(corners.has_too_many_roots())
+    m_exact.restart(maximum);
+    const Uncertain<Sign> sign = predicate(development(m_exact));
+    if(m_exact.has_too_many_roots())
       return Uncertain<Sign>::indeterminate();
     ++m_count.exact;
     return sign;
@@ -434,14 +445,22 @@ private:
 
   // ---- Squared lengths ----
 
-  bool passes_face_without_area(Halfedge_index h)
+  // Whether the halfedge `h` leads through triangles of T1, or along one on its left, that have an
+  // area, or that have none.
+  bool passes_triangle(Halfedge_index h, bool has_area) const
   {
+    const auto is_one = [&](Halfedge_index side) {
+      return (m_exact.area_sign(side) != ZERO) == has_area;
+    };
+    const Halfedge_index spoke = m_pair.input_spoke_before(h);
     const Delta_complex& input = m_pair.input_mesh();
-    Exact corners(m_metric, m_pair.input(), 1);
+    if(is_one(spoke.is_valid()
+                ? spoke
+                : input.halfedge(m_pair.inserted_vertex(m_mesh.source(h)).location.first)))
+      return true;
     for(std::size_t m = 0; m < m_crossings.count(h); ++m)
-      for(Halfedge_index side : {m_crossings(h, m), input.opposite(m_crossings(h, m))})
-        if(corners.area_sign(side) == ZERO)
-          return true;
+      if(is_one(m_crossings(h, m)))
+        return true;
     return false;
   }
 
@@ -475,6 +494,7 @@ private:
 #ifdef CGAL_USE_MPFR
   mutable Rounded<Gmpfr> m_big;
 #endif
+  Exact m_exact;
   Recent_values<bool> m_is_flat;
   Decision_count m_count;
 };

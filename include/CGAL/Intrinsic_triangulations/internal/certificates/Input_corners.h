@@ -204,10 +204,15 @@ class Exact_corners
 public:
   typedef Root_complex<K> Complex;
 
-  // A decision is left open if it involves more than `maximum` independent roots.
-  Exact_corners(const Metric& metric, const Surface& input, std::size_t maximum)
-    : m_metric(metric), m_input(input), m_tower(maximum)
-  {}
+  Exact_corners(const Metric& metric, const Surface& input) : m_metric(metric), m_input(input) {}
+
+  // Begins a decision, which is left open if it involves more than `maximum` independent roots.
+  void restart(std::size_t maximum)
+  {
+    m_tower = Root_tower<K>(maximum);
+    m_has_too_many_roots = false;
+    ++m_decisions;
+  }
 
   Complex number(int x) const { return real(K(x)); }
   template <typename Lazy_number>
@@ -218,7 +223,7 @@ public:
 
   Complex scaled(const Complex& z, Halfedge_index h)
   {
-    return z * real(K(2) * triangle(h).square[side_number(h, m_input.mesh())]);
+    return z * K(K(2) * triangle(h).square[side_number(h, m_input.mesh())]);
   }
 
   // returns numbers that are not negative; they need not be divided by their sum
@@ -248,7 +253,9 @@ private:
   struct Triangle
   {
     Squares square;
-    typename Complex::Element root; // of the squared area, which all corners have in common
+    K squared_quadrupled_area;
+    typename Complex::Element root; // of that, which all corners have in common
+    std::size_t decision;           // for which it is
   };
 
   // Returns the squared lengths of the sides, beginning with `h`, up to a common factor: coordinates
@@ -277,14 +284,19 @@ private:
   // Lengths that exceed the triangle inequality by rounding are those of a flat triangle.
   const Triangle& triangle(Halfedge_index h)
   {
-    const auto [place, is_new] = m_triangle.try_emplace(m_input.mesh().face(h));
+    const Face_index f = m_input.mesh().face(h);
+    auto place = m_triangle.find(f);
+    if(place == m_triangle.end()) {
+      const Squares square = squares(m_input.mesh().halfedge(f));
+      const K area = (std::max)(Corner_products<K>(square).squared_quadrupled_area, K(0));
+      place = m_triangle.insert({f, Triangle{square, area, {}, 0}}).first;
+    }
     Triangle& triangle = place->second;
-    if(is_new) {
-      triangle.square = squares(m_input.mesh().halfedge(m_input.mesh().face(h)));
-      const auto root =
-        m_tower.root((std::max)(Corner_products<K>(triangle.square).squared_quadrupled_area, K(0)));
+    if(triangle.decision != m_decisions) {
+      const auto root = m_tower.root(triangle.squared_quadrupled_area);
       m_has_too_many_roots = m_has_too_many_roots || !root;
       triangle.root = root.value_or(typename Complex::Element{K(0)});
+      triangle.decision = m_decisions;
     }
     return triangle;
   }
@@ -304,6 +316,7 @@ private:
   Root_tower<K> m_tower;
   std::unordered_map<Face_index, Triangle> m_triangle;
   bool m_has_too_many_roots = false;
+  std::size_t m_decisions = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

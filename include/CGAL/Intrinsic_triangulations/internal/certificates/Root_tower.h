@@ -49,7 +49,7 @@ class Root_tower
 public:
   typedef std::vector<K> Element;
 
-  explicit Root_tower(std::size_t maximum) : m_maximum(maximum) {}
+  explicit Root_tower(std::size_t maximum = 0) : m_maximum(maximum) {}
 
   // Returns the root of `square`, which is added to the field unless it is a multiple in `K` of one
   // that is there; nothing if there are too many.
@@ -82,6 +82,16 @@ public:
     for(K& x : a)
       x = -x;
     return a;
+  }
+
+  static Element multiple(const Element& a, const K& factor)
+  {
+    if(factor == K(0))
+      return {factor};
+    Element result(a);
+    for(K& x : result)
+      x *= factor;
+    return result;
   }
 
   Element product(const Element& a, const Element& b) const
@@ -121,13 +131,6 @@ private:
     Element e(std::size_t(2) << b, K(0));
     e[std::size_t(1) << b] = factor;
     return e;
-  }
-
-  static Element multiple(Element a, const K& factor)
-  {
-    for(K& x : a)
-      x *= factor;
-    return a;
   }
 
   // the parts without and with the last root
@@ -182,6 +185,10 @@ struct Root_complex
     const auto times = [&](const Element& p, const Element& q) { return a.tower->product(p, q); };
     return {a.tower, Root_tower<K>::sum(times(a.x, b.x), Root_tower<K>::negative(times(a.y, b.y))),
             Root_tower<K>::sum(times(a.x, b.y), times(a.y, b.x))};
+  }
+  friend Root_complex operator*(const Root_complex& a, const K& factor)
+  {
+    return {a.tower, Root_tower<K>::multiple(a.x, factor), Root_tower<K>::multiple(a.y, factor)};
   }
   friend Root_complex conj(const Root_complex& a)
   {
