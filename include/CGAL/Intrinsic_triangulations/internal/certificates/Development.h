@@ -221,7 +221,8 @@ private:
     const bool is_next = exit == m_input.next(h);
     const Complex to_apex = is_next ? -(side.vector * at_target(h)) : side.vector * at_source(h);
     const Complex end = scaled(is_next ? side.target : side.source, h);
-    const Complex corner = is_next == is_apex_near_source(h) ? apex(side) : end + to_apex;
+    const Complex corner =
+      Corners::is_rounded && is_next == is_apex_near_source(h) ? apex(side) : end + to_apex;
     return is_next ? Placed_side{exit, end, corner, to_apex}
                    : Placed_side{exit, corner, end, -to_apex};
   }

@@ -82,6 +82,7 @@ class Rounded_corners
 
 public:
   typedef Ball<N> Complex;
+  static constexpr bool is_rounded = true;
 
   Rounded_corners(const Metric& metric, const Surface& input) : m_metric(metric), m_input(input) {}
 
@@ -203,6 +204,7 @@ class Exact_corners
 
 public:
   typedef Root_complex<K> Complex;
+  static constexpr bool is_rounded = false;
 
   Exact_corners(const Metric& metric, const Surface& input) : m_metric(metric), m_input(input) {}
 

@@ -57,24 +57,24 @@ public:
   {
     if(const auto r = root_in_field(square))
       return Element{*r};
-    std::size_t b = 0;
-    for(; b < m_squares.size(); ++b)
-      if(const auto r = root_in_field(K(square / m_squares[b])))
-        return multiple_of_root(b, *r);
-    if(b == m_maximum)
+    const std::size_t size = m_squares.size();
+    for(std::size_t place = 1; place < size; place *= 2)
+      if(const auto r = root_in_field(K(square / m_squares[place])))
+        return multiple_of_root(place, *r);
+    if(size == std::size_t(1) << m_maximum)
       return {};
-    m_squares.push_back(square);
-    return multiple_of_root(b, K(1));
+    for(std::size_t i = 0; i < size; ++i)
+      m_squares.push_back(m_squares[i] * square);
+    return multiple_of_root(size, K(1));
   }
 
-  static Element sum(const Element& a, const Element& b)
+  static Element sum(Element a, const Element& b)
   {
     if(a.size() < b.size())
-      return sum(b, a);
-    Element result(a);
+      a.resize(b.size(), K(0));
     for(std::size_t i = 0; i < b.size(); ++i)
-      result[i] += b[i];
-    return result;
+      a[i] += b[i];
+    return a;
   }
 
   static Element negative(Element a)
@@ -84,30 +84,26 @@ public:
     return a;
   }
 
-  static Element multiple(const Element& a, const K& factor)
+  static Element multiple(Element a, const K& factor)
   {
-    if(factor == K(0))
-      return {factor};
-    Element result(a);
-    for(K& x : result)
+    for(K& x : a)
       x *= factor;
-    return result;
+    return a;
   }
 
+  // Roots that both have make their squares.
   Element product(const Element& a, const Element& b) const
   {
-    if(a.size() == 1)
-      return multiple(b, a[0]);
-    if(b.size() == 1)
-      return multiple(a, b[0]);
-    const auto [a0, a1] = parts(a);
-    const auto [b0, b1] = parts(b);
-    if(a.size() != b.size()) // the longer has the last root
-      return a.size() > b.size() ? joined(product(a0, b), product(a1, b))
-                                 : joined(product(a, b0), product(a, b1));
-    const std::size_t last = a0.size();
-    return joined(sum(product(a0, b0), multiple(product(a1, b1), square_at(last))),
-                  sum(product(a0, b1), product(a1, b0)));
+    Element result((std::max)(a.size(), b.size()), K(0));
+    for(std::size_t i = 0; i < a.size(); ++i)
+      for(std::size_t j = 0; j < b.size() && a[i] != K(0); ++j)
+        if(b[j] != K(0)) {
+          K term = a[i] * b[j];
+          if((i & j) != 0)
+            term *= m_squares[i & j];
+          result[i ^ j] += term;
+        }
+    return result;
   }
 
   // the sign of a + b sqrt(c), by recursion
@@ -115,51 +111,26 @@ public:
   {
     if(e.size() == 1)
       return CGAL::sign(e[0]);
-    const auto [a, b] = parts(e);
+    const auto middle = e.begin() + static_cast<std::ptrdiff_t>(e.size() / 2);
+    const Element a(e.begin(), middle), b(middle, e.end());
     const Sign sign_a = sign(a), sign_b = sign(b);
     if(sign_a == sign_b || sign_b == ZERO)
       return sign_a;
     if(sign_a == ZERO)
       return sign_b;
-    return sign_a *
-           sign(sum(product(a, a), negative(multiple(product(b, b), square_at(a.size())))));
+    return sign_a * sign(sum(product(a, a), multiple(product(b, b), K(-m_squares[a.size()]))));
   }
 
 private:
-  static Element multiple_of_root(std::size_t b, const K& factor)
+  static Element multiple_of_root(std::size_t place, const K& factor)
   {
-    Element e(std::size_t(2) << b, K(0));
-    e[std::size_t(1) << b] = factor;
+    Element e(2 * place, K(0));
+    e[place] = factor;
     return e;
   }
 
-  // the parts without and with the last root
-  static std::pair<Element, Element> parts(const Element& e)
-  {
-    const auto middle = e.begin() + static_cast<std::ptrdiff_t>(e.size() / 2);
-    return {Element(e.begin(), middle), Element(middle, e.end())};
-  }
-
-  static Element joined(Element a, Element b)
-  {
-    const std::size_t n = (std::max)(a.size(), b.size());
-    a.resize(n, K(0));
-    b.resize(n, K(0));
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-  }
-
-  // of the root whose bit is `place`
-  const K& square_at(std::size_t place) const
-  {
-    std::size_t b = 0;
-    while((std::size_t(1) << b) < place)
-      ++b;
-    return m_squares[b];
-  }
-
   std::size_t m_maximum;
-  std::vector<K> m_squares;
+  std::vector<K> m_squares{K(1)}; // of all products of roots
 };
 
 // a complex number over such a field
