@@ -14,13 +14,13 @@
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
 
 #include <array>
@@ -247,15 +247,7 @@ public:
   /// After an exception nothing has changed.
   void recompute_lengths()
   {
-    const internal::Input_crossings crossings(m_coordinates, m_mesh, m_spokes);
-    if constexpr(internal::Is_exact<Traits>::value) {
-      const internal::Exact_decisions<Traits, internal::Input_crossings> decisions(*this,
-                                                                                   crossings);
-      set_lengths([&](Halfedge_index h) { return decisions.length(h); });
-    } else {
-      typename Traits::Geodesic_strip strip;
-      set_lengths([&](Halfedge_index h) { return length_of_strip(h, crossings, strip); });
-    }
+    internal::with_lengths_in_strips(*this, [&](auto&& length) { set_lengths(length); });
   }
 
   /// turns \f$T_2\f$ back into \f$T_1\f$ by flips that follow the integer coordinates alone
@@ -504,36 +496,13 @@ private:
 
   // Sets all lengths. If `length()` throws, nothing has changed.
   template <typename Length>
-  void set_lengths(const Length& length)
+  void set_lengths(Length& length)
   {
     std::vector<FT> lengths(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges())
       lengths[e] = length(first_halfedge(e));
     for(Edge_index e : m_mesh.edges())
       m_length[e] = lengths[e];
-  }
-
-  FT length_of_strip(Halfedge_index h, const internal::Input_crossings& crossings,
-                     typename Traits::Geodesic_strip& strip) const
-  {
-    const std::size_t n = crossings.count(h);
-    const auto exit = [&](std::size_t m) { return m_input.opposite(crossings(h, m)); };
-    const FT length = m_coordinates.is_shared(m_mesh.edge(h)) ? shared_length(h)
-                      : n == 0                                ? length_in_face(h)
-                                                              : lay_out(strip, h, exit, n);
-    if(!m_traits.is_length_object()(length))
-      throw Numerical_error("the strip of edge " + std::to_string(m_mesh.edge(h).idx()) +
-                            " has no positive finite length");
-    return length;
-  }
-
-  // of an edge inside a face of T1; 0, which is no length, if no vertices can be inserted
-  FT length_in_face([[maybe_unused]] Halfedge_index h) const
-  {
-    if constexpr(internal::Has_distance<Traits>::value)
-      return distance(input_location(h), input_location(m_mesh.opposite(h)));
-    else
-      return FT(0);
   }
 
   void set_edge(Halfedge_index h, const FT& length, bool is_constrained)

@@ -63,6 +63,17 @@ struct Rounding<Gmpfr>
   static double unit() { return std::ldexp(1.0, -Gmpfr_precision::bits); }
 };
 
+typedef Gmpfr Many_digits;
+typedef Gmpfr_precision Many_digits_precision;
+
+#else
+
+typedef Double_double Many_digits;
+struct Many_digits_precision
+{
+  ~Many_digits_precision() {}
+};
+
 #endif // CGAL_USE_MPFR
 
 // A complex number that is known up to an error: it lies in a disk. Operations are rounded to

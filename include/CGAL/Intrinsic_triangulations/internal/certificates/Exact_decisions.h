@@ -21,6 +21,7 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -67,11 +68,8 @@ public:
       m_crossings(crossings),
       m_double(m_metric, pair.input()),
       m_extended(m_metric, pair.input()),
+      m_long(m_metric, pair.input()),
       m_exact(m_metric, pair.input())
-#ifdef CGAL_USE_MPFR
-      ,
-      m_big(m_metric, pair.input())
-#endif
   {}
 
   // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
@@ -94,16 +92,13 @@ public:
              : compare_with_pi(m_mesh.prev(h), m_mesh.prev(m_mesh.opposite(h)));
   }
 
-  // \copydoc Delaunay_sign
-  // \pre the squared lengths of the edge and those around it are known without roots
+  // Returns this sign where the edge and those around it are edges of T1 or straight lines in space.
   Sign Delaunay_sign_by_squares(Halfedge_index h)
   {
     ++m_count.exact;
     if(!m_metric.points.empty()) {
-      const auto place = [&](Vertex_index v) -> const Position& { return m_metric.points[v]; };
-      return compare_opposite_angles(place(m_mesh.source(h)), place(m_mesh.target(h)),
-                                     place(m_mesh.target(m_mesh.next(h))),
-                                     place(m_mesh.target(m_mesh.next(m_mesh.opposite(h)))));
+      const auto [i, j, k, l] = corner_positions(h, m_mesh);
+      return compare_opposite_angles(i, j, k, l);
     }
     return m_metric.squared_lengths.empty() ? sign_by_squares<Exact_ring>(h)
                                             : sign_by_squares<K>(h);
@@ -123,16 +118,13 @@ public:
            convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
   }
 
-  // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side. \pre the
-  // input has positions
+  // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side.
+  // \pre the input has positions
   bool is_flat(Halfedge_index input)
   {
-    const Delta_complex& mesh = m_pair.input_mesh();
-    return m_is_flat(std::size_t(mesh.edge(input).idx()), [&] {
-      const auto place = [&](Vertex_index v) -> const Position& { return m_metric.points[v]; };
-      return is_flat_in_space(place(mesh.source(input)), place(mesh.target(input)),
-                              place(mesh.target(mesh.next(input))),
-                              place(mesh.target(mesh.next(mesh.opposite(input)))));
+    return m_is_flat(std::size_t(Edge_index(input).idx()), [&] {
+      const auto [i, j, k, l] = corner_positions(input, m_pair.input_mesh());
+      return is_flat_in_space(i, j, k, l);
     });
   }
 
@@ -291,6 +283,14 @@ private:
     return true;
   }
 
+  // those of a diamond, without inserted vertices
+  std::array<Position, 4> corner_positions(Halfedge_index h, const Delta_complex& mesh) const
+  {
+    const auto& points = m_metric.points;
+    return {points[mesh.source(h)], points[mesh.target(h)], points[mesh.target(mesh.next(h))],
+            points[mesh.target(mesh.next(mesh.opposite(h)))]};
+  }
+
   // what lengths say about the other diagonal of two faces of T1; `rounding_unit()` covers them
   Straight_edge other_diagonal(Halfedge_index input) const
   {
@@ -314,10 +314,8 @@ private:
   {
     if(attempt(m_double) || attempt(m_extended))
       return;
-#ifdef CGAL_USE_MPFR
-    const Gmpfr_precision precision;
-    attempt(m_big);
-#endif
+    const Many_digits_precision precision;
+    attempt(m_long);
   }
 
   template <typename Predicate>
@@ -491,9 +489,7 @@ private:
   Delaunay_by_lengths m_by_lengths;
   mutable Rounded<double> m_double;
   mutable Rounded<Double_double> m_extended;
-#ifdef CGAL_USE_MPFR
-  mutable Rounded<Gmpfr> m_big;
-#endif
+  mutable Rounded<Many_digits> m_long;
   Exact m_exact;
   Recent_values<bool> m_is_flat;
   Decision_count m_count;

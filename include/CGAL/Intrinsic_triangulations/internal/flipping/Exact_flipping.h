@@ -76,7 +76,8 @@ public:
   // Computes all lengths anew.
   void recompute_lengths()
   {
-    m_tri.set_lengths([&](Halfedge_index h) { return m_decisions.length(h); });
+    const auto length = [this](Halfedge_index h) { return m_decisions.length(h); };
+    m_tri.set_lengths(length);
   }
 
 private:
