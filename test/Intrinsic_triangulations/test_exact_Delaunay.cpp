@@ -14,6 +14,7 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -32,7 +33,13 @@ using IT::Delaunay_certificate;
 
 // ---- Numbers ----
 
-using Double_ball = IT::internal::Ball<double>;
+using IT::internal::Double_double;
+
+Exact_rational exact_number(double x) { return Exact_rational(x); }
+Exact_rational exact_number(Double_double x)
+{
+  return Exact_rational(x.high()) + Exact_rational(x.low());
+}
 
 struct Exact_complex
 {
@@ -52,23 +59,26 @@ struct Exact_complex
   }
 };
 
-bool contains(const Double_ball& ball, const Exact_complex& z)
+template <typename N>
+bool contains(const IT::internal::Ball<N>& ball, const Exact_complex& z)
 {
-  const Exact_rational dx = z.x - Exact_rational(ball.x), dy = z.y - Exact_rational(ball.y);
+  const Exact_rational dx = z.x - exact_number(ball.x), dy = z.y - exact_number(ball.y);
   const Exact_rational radius(ball.radius);
   return dx * dx + dy * dy <= radius * radius;
 }
 
-TEST(Exact_Delaunay, balls_contain_the_exact_number)
+template <typename N>
+void expect_that_balls_contain_the_exact_number()
 {
+  using Ball = IT::internal::Ball<N>;
   Portable_random random(1);
   const auto number = [&] { return std::ldexp(random.get_double(-1, 1), random.get_int(-30, 30)); };
   for(int trial = 0; trial < 300; ++trial) {
-    Double_ball ball{number(), number(), 0};
-    Exact_complex exact{ball.x, ball.y};
+    Ball ball{number(), number(), 0};
+    Exact_complex exact{exact_number(ball.x), exact_number(ball.y)};
     for(int step = 0; step < 20; ++step) {
-      const Double_ball other{number(), number(), 0};
-      const Exact_complex exact_other{other.x, other.y};
+      const Ball other{number(), number(), 0};
+      const Exact_complex exact_other{exact_number(other.x), exact_number(other.y)};
       switch(random.get_int(0, 3)) {
         case 0: ball = ball + other, exact = exact + exact_other; break;
         case 1: ball = ball - other, exact = exact - exact_other; break;
@@ -76,8 +86,72 @@ TEST(Exact_Delaunay, balls_contain_the_exact_number)
       }
       ASSERT_TRUE(contains(ball, exact));
     }
+    EXPECT_LE(ball.radius, 1000 * IT::internal::Rounding<N>::unit() * ball.norm() * 1e6);
   }
 }
+
+TEST(Exact_Delaunay, balls_contain_the_exact_number)
+{
+  expect_that_balls_contain_the_exact_number<double>();
+  expect_that_balls_contain_the_exact_number<Double_double>();
+}
+
+// ---- Positions ----
+
+using IT::internal::Position;
+
+// Points with few digits, which have ties; or with many, or far from the origin, or near the ends of
+// the range.
+std::array<Position, 4> random_diamond(Portable_random& random)
+{
+  const int kind = random.get_int(0, 4);
+  const double scale = std::ldexp(kind == 0 ? 1 : 0.1, random.get_int(-1, 2) * 500 * (kind == 1));
+  const double offset = kind == 2 ? 1e9 : 0;
+  std::array<Position, 4> p;
+  for(Position& q : p)
+    for(double& x : q)
+      x = offset + scale * (kind == 3 ? random.get_double(-2, 2) : random.get_int(-1, 2));
+  return p;
+}
+
+TEST(Exact_Delaunay, positions_decide_as_squared_lengths_do)
+{
+  Portable_random random(2);
+  std::array<int, 3> signs{};
+  for(int trial = 0; trial < 5000; ++trial) {
+    const auto [i, j, k, l] = random_diamond(random);
+    const auto square = [](const Position& p, const Position& q) {
+      return IT::internal::squared_distance<Exact_rational>(p, q);
+    };
+    const IT::Diamond<Exact_rational> squares{square(i, j), square(j, k), square(k, i),
+                                              square(i, l), square(l, j)};
+    const CGAL::Sign expected = IT::internal::compare_opposite_angles(squares);
+    ASSERT_EQ(IT::internal::compare_opposite_angles(i, j, k, l), expected) << trial;
+    ++signs[std::size_t(expected + 1)];
+  }
+  EXPECT_GT(*std::min_element(signs.begin(), signs.end()), 200);
+}
+
+TEST(Exact_Delaunay, planes_are_found_exactly)
+{
+  Portable_random random(3);
+  int flat = 0;
+  for(int trial = 0; trial < 5000; ++trial) {
+    auto [i, j, k, l] = random_diamond(random);
+    if(random.get_int(0, 2) == 0)
+      i[1] = j[1] = k[1] = l[1];
+    const auto vector = [&](const Position& p) {
+      return IT::internal::vector_between<Exact_rational>(i, p);
+    };
+    const IT::internal::Hinge<Exact_rational> hinge(vector(j), vector(k), vector(l));
+    const bool expected = hinge.volume == 0 && hinge.cosine > 0;
+    ASSERT_EQ(IT::internal::is_flat_in_space(i, j, k, l), expected) << trial;
+    flat += expected;
+  }
+  EXPECT_GT(flat, 500);
+}
+
+// ---- Roots ----
 
 using Tower = IT::internal::Root_tower<Exact_rational>;
 

@@ -25,14 +25,15 @@ struct Delaunay_certificate
   std::vector<Edge_index> non_Delaunay_edges;
   /// the edges that are no straight segments in the strips that their integer coordinates name.
   std::vector<Edge_index> bent_edges;
-  /// the inserted vertices around which the faces do not lie once, each with positive area.
+  /// the inserted vertices around which the faces do not lie once, each with positive area unless it
+  /// lies in faces of \f$T_1\f$ without area.
   std::vector<Vertex_index> folded_vertices;
 
   /// the number of edges that are Delaunay whatever the rounding of lengths.
   std::size_t decided_by_lengths = 0;
   /// the number of decisions in floating point, with error bounds, on triangles that were laid out.
   std::size_t decided_in_floating_point = 0;
-  /// the number of decisions with more digits.
+  /// the number of decisions with more digits, in sums of two `double` or in MPFR.
   std::size_t decided_in_multiprecision = 0;
   /// the number of decisions in exact arithmetic.
   std::size_t decided_exactly = 0;
