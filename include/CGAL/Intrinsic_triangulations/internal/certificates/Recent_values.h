@@ -49,7 +49,7 @@ private:
   {
     m_misses = 0;
     const std::size_t size = m_entries.empty() ? 16 : 2 * m_entries.size();
-    if(size <= 1 << 14)
+    if(size <= 1 << 12)
       m_entries = std::vector<Entry>(size);
   }
 

@@ -59,17 +59,17 @@ public:
     const double error = greatest_error_around(h);
     const Bounded_length flipped = flipped_length(diamond(m_tri.length_map(), h, m_mesh), error);
     const Edge_index e = m_mesh.edge(h);
-    const bool is_straight = is_straight_in_space(error) && lies_in_plane(h, flipped.length);
+    const double in_plane = is_straight_in_space(error) ? length_in_plane(h, flipped.length) : 0;
     m_tri.turn(h, [&] {
       return m_tri.coordinates().is_shared(e) ? m_tri.shared_length(h)
-             : is_straight       ? distance_in_space(m_mesh.source(h), m_mesh.target(h))
-             : flipped.is_good() ? flipped.length
-                                 : m_decisions.length(h);
+             : in_plane > 0                   ? in_plane
+             : flipped.is_good()              ? flipped.length
+                                              : m_decisions.length(h);
     });
     m_error[e.idx()] =
-      static_cast<float>(is_straight || m_decisions.is_input_edge(h) ? input_length_error()
-                         : flipped.is_good()                         ? 2 * flipped.error
-                                                                     : certified_length_error());
+      static_cast<float>(in_plane > 0 || m_decisions.is_input_edge(h) ? input_length_error()
+                         : flipped.is_good()                          ? 2 * flipped.error
+                                                                      : certified_length_error());
     return true;
   }
 
@@ -92,25 +92,21 @@ private:
   // Whether edges are straight lines in space, or edges of T1, as those with the least error are.
   static bool is_straight_in_space(double error) { return error == float(input_length_error()); }
 
-  // Whether the faces at the edge of `h`, whose sides are straight in space, lie in one plane. There
-  // the ends of the other diagonal are as far apart as on the surface.
-  bool lies_in_plane(Halfedge_index h, double flipped_length)
-  {
-    if(m_tri.input_metric().points.empty())
-      return false;
-    if(!m_tri.coordinates().is_shared(m_mesh.edge(h)))
-      return true;
-    const double distance = distance_in_space(m_mesh.target(m_mesh.next(h)),
-                                              m_mesh.target(m_mesh.next(m_mesh.opposite(h))));
-    return std::abs(distance - flipped_length) < 1e-6 * distance &&
-           m_decisions.is_flat(m_tri.input_halfedge(h));
-  }
-
-  double distance_in_space(Vertex_index v, Vertex_index w) const
+  // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are straight
+  // in space, lie in one plane, and 0 otherwise. There its ends are as far apart as on the surface.
+  // What could underflow is left out.
+  double length_in_plane(Halfedge_index h, double flipped_length)
   {
     const auto& points = m_tri.input_metric().points;
-    const auto u = vector_between<double>(points[v], points[w]);
-    return std::hypot(u[0], u[1], u[2]);
+    if(points.empty())
+      return 0;
+    const auto u = vector_between<double>(points[m_mesh.target(m_mesh.next(h))],
+                                          points[m_mesh.target(m_mesh.next(m_mesh.opposite(h)))]);
+    const double distance = std::sqrt(dot(u, u));
+    const bool is_in_plane = !m_tri.coordinates().is_shared(m_mesh.edge(h)) ||
+                             (std::abs(distance - flipped_length) < 1e-6 * distance &&
+                              m_decisions.is_flat(m_tri.input_halfedge(h)));
+    return is_in_plane && distance > 1e-100 ? distance : 0;
   }
 
   Triangulation& m_tri;
