@@ -176,23 +176,30 @@ std::size_t make_exactly_Delaunay(Intrinsic_triangulation<Traits>& tri, std::siz
   return flip_exactly(tri, limit, visitor);
 }
 
+struct Delaunay_flips
+{
+  std::size_t number;
+  bool are_exact; // whether flipping went on with exact decisions
+};
+
 // Goes on exactly where lengths of type `double` cannot carry the decisions: if there are far more
 // flips than edges, or edges that are still not Delaunay after two rounds. That needs a triangulation
 // whose edges are straight, as it is while no vertices with rounded places have been inserted.
 template <typename Traits, typename Visitor>
-std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
+Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                             Visitor& visitor)
 {
   const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
   const std::size_t expected = 10000000 + 1000 * std::size_t(tri.mesh().number_of_edges());
   const auto [flips, is_Delaunay] = flip_by_lengths(
     tri, can_be_exact ? (std::min)(limit, expected) : limit, can_be_exact ? 2 : 100, visitor);
   if(is_Delaunay)
-    return flips;
+    return {flips, false};
   check_flip_limit(flips == limit);
   if constexpr(has_metric<Traits>())
     if(can_be_exact) {
       visitor.before_exact_flips();
-      return flips + make_exactly_Delaunay(tri, limit - flips, visitor);
+      return {flips + make_exactly_Delaunay(tri, limit - flips, visitor), true};
     }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
@@ -262,7 +269,7 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
     if(internal::Is_exact<Traits>::value ||
        choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
       return internal::make_exactly_Delaunay(tri, limit, visitor);
-  return internal::make_Delaunay(tri, limit, visitor);
+  return internal::make_Delaunay(tri, limit, visitor).number;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

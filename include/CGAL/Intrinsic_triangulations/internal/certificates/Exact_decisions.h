@@ -163,7 +163,7 @@ public:
   double length(Halfedge_index h) const
   {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
-      return m_pair.shared_length(h);
+      return shared_length(h);
     double length = rounded_length<double>(h);
 #ifdef CGAL_USE_MPFR
     for(long bits = 128; bits <= 512 && std::isnan(length); bits *= 4) {
@@ -175,6 +175,12 @@ public:
       throw Numerical_error("edge " + std::to_string(m_mesh.edge(h).idx()) +
                             " has no positive finite length");
     return length;
+  }
+
+  // returns the length of the edge of `h`, which is shared; it may be too short to be positive
+  double shared_length(Halfedge_index h) const
+  {
+    return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
   }
 
   // returns the angle at the source of `h` in its face

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Developed_face.h>
@@ -48,8 +49,7 @@ public:
     const Halfedge_index h = m_mesh.halfedge(e);
     if(!m_tri.can_be_turned(h))
       return true;
-    const auto by_lengths =
-      m_tri.traits().is_locally_Delaunay_object()(diamond(m_tri.length_map(), h, m_mesh));
+    const auto by_lengths = m_by_lengths(diamond(m_tri.length_map(), h, m_mesh));
     return is_certain(by_lengths) ? get_certain(by_lengths)
                                   : m_decisions.Delaunay_sign(h) != NEGATIVE;
   }
@@ -68,6 +68,23 @@ public:
       m_lists.after_flip(h);
       return m_decisions.length(h);
     });
+  }
+
+  // Inserts a vertex at the part `t` of the shared edge of `h`, without the lengths of its edges.
+  Vertex_index split_shared_edge(Halfedge_index h, double t, const Edge_split<Integer>& n,
+                                 const Edge_split<Vertex_spokes::size_type>& r)
+  {
+    return m_tri.split_edge(h, n, r, m_tri.part_of_input_edge(h).place(t, m_tri.input_mesh()), {});
+  }
+
+  // computes the lengths of the edges at the inserted vertex `m`
+  void measure(Vertex_index m) { m_tri.measured(m, m_decisions); }
+
+  // computes the length of the edge of `h` if it is shared
+  void measure_if_shared(Halfedge_index h)
+  {
+    if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
+      m_tri.m_length[m_mesh.edge(h)] = m_decisions.length(h);
   }
 
   // Inserts a vertex at the point with coordinates `p`, or on an edge of T1 that is not farther away
@@ -227,7 +244,7 @@ private:
 
   bool is_straight(Halfedge_index h)
   {
-    return m_tri.coordinates().is_shared(m_mesh.edge(h)) ? m_tri.shared_length(h) > 0
+    return m_tri.coordinates().is_shared(m_mesh.edge(h)) ? m_decisions.shared_length(h) > 0
                                                          : m_decisions.is_straight(h);
   }
 
@@ -235,9 +252,10 @@ private:
   const Delta_complex& m_mesh;
   Crossing_lists<Traits>& m_lists;
   Decisions m_decisions;
+  Delaunay_by_lengths m_by_lengths;
 };
 
-// Nothing, where decisions are made by lengths.
+// Nothing, where decisions cannot be exact.
 struct No_exact_insertion
 {
   template <typename Triangulation, typename Lists>
@@ -247,7 +265,7 @@ struct No_exact_insertion
 
 template <typename Traits>
 using Exact_insertion_of =
-  std::conditional_t<Is_exact<Traits>::value, Exact_insertion<Traits>, No_exact_insertion>;
+  std::conditional_t<has_metric<Traits>(), Exact_insertion<Traits>, No_exact_insertion>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -32,8 +32,10 @@ class Narrow_vertices
   typedef typename Traits::FT FT;
 
 public:
-  explicit Narrow_vertices(const Triangulation& tri)
-    : m_tri(tri), m_is_narrow(tri.mesh().num_vertices(), false)
+  Narrow_vertices(const Triangulation& tri, bool has_exact_angles)
+    : m_tri(tri),
+      m_has_exact_angles(has_exact_angles),
+      m_is_narrow(tri.mesh().num_vertices(), false)
   {
     for(Vertex_index v : tri.mesh().vertices())
       m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < pi<FT>() / 3;
@@ -107,10 +109,10 @@ private:
 
   FT angle(Halfedge_index h) const
   {
-    if constexpr(Is_exact<Traits>::value)
-      return exact_decisions(m_tri).rounded_angle(h);
-    else
-      return angle_at_source(h, m_tri);
+    if constexpr(has_metric<Traits>())
+      if(m_has_exact_angles)
+        return exact_decisions(m_tri).rounded_angle(h);
+    return angle_at_source(h, m_tri);
   }
 
   // Returns the least of the angles between fixed edges, or the whole angle if there are fewer than
@@ -139,6 +141,7 @@ private:
   }
 
   const Triangulation& m_tri;
+  bool m_has_exact_angles;
   std::vector<char> m_is_narrow;
 };
 
