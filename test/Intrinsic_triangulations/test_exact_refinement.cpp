@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
+#include "equality.h"
 #include "hard_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -28,14 +30,16 @@ using IT::Remaining_reason;
 
 constexpr std::size_t insertion_limit = 60000;
 
-Refinement_result refined(Exact_triangulation& tri)
+template <typename Any_triangulation>
+Refinement_result refined(Any_triangulation& tri)
 {
   return IT::refine(tri, IT::parameters::maximum_number_of_insertions(insertion_limit));
 }
 
 // The least angle of a face from its sides in extended precision: they are certified up to 2^-40,
 // and faces that meet the bound are not thin.
-double least_angle(const Exact_triangulation& tri, Face_index f)
+template <typename Any_triangulation>
+double least_angle(const Any_triangulation& tri, Face_index f)
 {
   std::array<long double, 3> side;
   for(std::size_t s = 0; s < 3; ++s)
@@ -45,7 +49,8 @@ double least_angle(const Exact_triangulation& tri, Face_index f)
   return double(std::acos((b * b + c * c - a * a) / (2 * b * c)) * 180 / std::acos(-1.L));
 }
 
-void expect_bound(const Exact_triangulation& tri, const Refinement_result& result)
+template <typename Any_triangulation>
+void expect_bound(const Any_triangulation& tri, const Refinement_result& result)
 {
   std::set<Face_index> left;
   for(const IT::Remaining_face& f : result.remaining)
@@ -54,7 +59,8 @@ void expect_bound(const Exact_triangulation& tri, const Refinement_result& resul
     EXPECT_TRUE(left.count(f) > 0 || least_angle(tri, f) >= 25 - 1e-6) << f;
 }
 
-void expect_places(const Exact_triangulation& tri)
+template <typename Any_triangulation>
+void expect_places(const Any_triangulation& tri)
 {
   for(const auto& m : tri.inserted_vertices()) {
     EXPECT_TRUE(IT::internal::is_valid_place(m, tri.input_mesh()));
@@ -72,11 +78,9 @@ void expect_lengths(const Exact_triangulation& tri)
     EXPECT_NEAR(tri.length(e) / fresh.length(e), 1, 0x1p-39) << e;
 }
 
-void expect_refined(const std::string& name, const Mesh& mesh)
+template <typename Any_triangulation>
+void expect_certified(const Any_triangulation& tri, const Refinement_result& result)
 {
-  SCOPED_TRACE(name);
-  Exact_triangulation tri(mesh);
-  const Refinement_result result = refined(tri);
   EXPECT_NE(result.status, IT::Refinement_status::insertion_limit);
   EXPECT_TRUE(tri.is_valid(true));
   const IT::Delaunay_certificate certificate = IT::certify_Delaunay(tri);
@@ -88,6 +92,15 @@ void expect_refined(const std::string& name, const Mesh& mesh)
   EXPECT_TRUE(certificate.is_Delaunay() || has_flat_faces);
   expect_bound(tri, result);
   expect_places(tri);
+}
+
+void expect_refined(const std::string& name, const Mesh& mesh)
+{
+  SCOPED_TRACE(name);
+  Exact_triangulation tri(mesh);
+  const Refinement_result result = refined(tri);
+  EXPECT_TRUE(result.is_exact);
+  expect_certified(tri, result);
   expect_lengths(tri);
 }
 
@@ -102,6 +115,135 @@ TEST(Exact_refinement, ends_on_hard_meshes_with_a_certificate)
   else
     for(std::uint64_t seed = 0; seed < std::strtoull(all, nullptr, 10); ++seed)
       expect_refined(std::to_string(seed), hard_mesh(seed).mesh);
+}
+
+// Keeps the number of inserted vertices, and notes when they are gone.
+struct Insertion_counter : IT::Default_refinement_visitor
+{
+  template <typename Traits>
+  void after_insertion(Vertex_index, const IT::Vertex_inserter<Traits>&)
+  {
+    ++vertices;
+  }
+  void after_removal(Vertex_index, Face_index) { --vertices; }
+  void before_exact_flips() { has_exact_flips = true; }
+  void before_exact_refinement()
+  {
+    EXPECT_EQ(triangulation->number_of_inserted_vertices(), 0u);
+    ++restarts;
+    vertices = 0;
+  }
+
+  explicit Insertion_counter(const Triangulation& tri) : triangulation(&tri) {}
+
+  const Triangulation* triangulation;
+  std::size_t vertices = 0;
+  int restarts = 0;
+  bool has_exact_flips = false;
+};
+
+// In `double`, refinement does what exact traits do if it is in doubt, and otherwise needs about as
+// many vertices at most.
+void expect_refined_in_double(const std::string& name, const Mesh& mesh)
+{
+  SCOPED_TRACE(name);
+  Triangulation tri(mesh);
+  Insertion_counter counter(tri);
+  const Refinement_result result = IT::refine(
+    tri, IT::parameters::maximum_number_of_insertions(insertion_limit).visitor(std::ref(counter)));
+  EXPECT_EQ(counter.vertices, tri.number_of_inserted_vertices());
+  EXPECT_EQ(counter.vertices, result.insertions - result.removals);
+  EXPECT_EQ(result.is_exact, counter.restarts == 1 || counter.has_exact_flips);
+  Exact_triangulation exact(mesh);
+  const std::size_t expected = refined(exact).insertions;
+  if(!result.is_exact) {
+    EXPECT_NE(result.status, IT::Refinement_status::insertion_limit);
+    EXPECT_TRUE(tri.is_valid(true));
+    EXPECT_LE(double(result.insertions), 10 + 1.2 * double(expected));
+    return;
+  }
+  EXPECT_EQ(result.insertions, expected);
+  expect_certified(tri, result);
+  for(Edge_index e : tri.mesh().edges())
+    EXPECT_NEAR(tri.length(e) / exact.length(e), 1, 0x1p-39) << e;
+}
+
+TEST(Exact_refinement, in_double_goes_on_where_rounding_leaves_doubts)
+{
+  const char* all = std::getenv("EXACT_REFINEMENT_SEEDS");
+  if(all == nullptr)
+    for(std::uint64_t seed : {1, 4, 5, 9, 10, 13, 16, 21, 27, 48})
+      expect_refined_in_double(std::to_string(seed), hard_mesh(seed).mesh);
+  else
+    for(std::uint64_t seed = 0; seed < std::strtoull(all, nullptr, 10); ++seed)
+      expect_refined_in_double(std::to_string(seed), hard_mesh(seed).mesh);
+}
+
+// It is exact on request, too, and can go on from what has been refined exactly.
+TEST(Exact_refinement, in_double_on_request)
+{
+  Portable_random random(2);
+  for(int i = 0; i < 5; ++i) {
+    const Mesh mesh = hard_base(random);
+    Triangulation tri(mesh);
+    Exact_triangulation exact(mesh);
+    EXPECT_EQ(IT::refine(tri, IT::parameters::exact_decisions(true)).insertions,
+              refined(exact).insertions);
+    const Refinement_result result =
+      IT::refine(tri, IT::parameters::exact_decisions(true).minimum_angle(28));
+    EXPECT_TRUE(result.is_exact);
+    EXPECT_TRUE(IT::certify_Delaunay(tri).is_Delaunay()) << i;
+    for(Face_index f : tri.mesh().faces())
+      EXPECT_GE(least_angle(tri, f), result.remaining.empty() ? 28 - 1e-6 : 0);
+  }
+}
+
+// What stops the visitor at the restart leaves the input.
+TEST(Exact_refinement, can_be_stopped_before_exact_decisions)
+{
+  struct Stopped
+  {};
+  struct Visitor : IT::Default_refinement_visitor
+  {
+    void before_exact_refinement() { throw Stopped(); }
+  };
+  const Triangulation given(hard_mesh(5).mesh);
+  Triangulation tri = given;
+  Visitor visitor;
+  EXPECT_THROW(IT::refine(tri, IT::parameters::visitor(std::ref(visitor))), Stopped);
+  EXPECT_EQ(text_of(tri), text_of(given));
+}
+
+// Flips and inserted vertices are gone; constraints stay, also those of edges that were split.
+TEST(Exact_refinement, reset_gives_the_input)
+{
+  Portable_random random(4);
+  for(int i = 0; i < 5; ++i) {
+    Mesh mesh = hard_base(random);
+    auto is_constrained = mesh.add_property_map<Edge_index, bool>("e:constrained", false).first;
+    for(Edge_index e : mesh.edges())
+      is_constrained[e] = random.get_int(0, 5) == 0;
+    const Triangulation given(mesh, IT::parameters::edge_is_constrained_map(is_constrained));
+    Triangulation tri = given;
+    IT::refine(tri, IT::parameters::face_predicate([](Face_index) {
+                      return true;
+                    }).maximum_number_of_insertions(std::size_t(200)));
+    EXPECT_GT(tri.number_of_inserted_vertices(), 0u);
+    tri.reset_to_input();
+    EXPECT_EQ(text_of(tri), text_of(given));
+    EXPECT_TRUE(tri.is_valid(true));
+  }
+}
+
+TEST(Exact_refinement, faces_excused_are_those_at_narrow_vertices)
+{
+  for(Remaining_reason reason :
+      {Remaining_reason::at_narrow_vertex, Remaining_reason::beside_narrow_vertex,
+       Remaining_reason::insertion_limit, Remaining_reason::no_room, Remaining_reason::at_rounding,
+       Remaining_reason::no_area})
+    EXPECT_EQ(IT::is_excused({Face_index(0), reason, Vertex_index(0)}),
+              reason == Remaining_reason::at_narrow_vertex ||
+                reason == Remaining_reason::beside_narrow_vertex);
 }
 
 // The number of vertices is that which geometry needs: as in `double` where that has no doubt.
