@@ -20,6 +20,7 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -258,6 +259,79 @@ TEST(Exact_refinement, inserts_about_as_many_vertices_as_double_on_ordinary_mesh
     EXPECT_NEAR(double(refined(tri).insertions), expected, 10 + 0.2 * expected) << i;
     EXPECT_TRUE(IT::certify_Delaunay(tri).is_Delaunay()) << i;
   }
+}
+
+// the crossed edges that can be split
+template <typename Inserter>
+std::vector<Halfedge_index> crossed_edges(const Inserter& inserter)
+{
+  const Delta_complex& mesh = inserter.triangulation().mesh();
+  std::vector<Halfedge_index> result;
+  for(Halfedge_index h : mesh.halfedges())
+    if(inserter.crossing_lists().count(h) > 0 && inserter.can_be_split(h))
+      result.push_back(h);
+  return result;
+}
+
+template <typename Mesh_type>
+std::multiset<Vertex_index> neighbors(Vertex_index v, const Mesh_type& mesh)
+{
+  std::multiset<Vertex_index> result;
+  IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { result.insert(mesh.target(h)); });
+  return result;
+}
+
+// Splits crossed edges anywhere; nothing changes where that is not possible. Returns the number of
+// vertices.
+template <typename Any_triangulation>
+std::size_t expect_split_exactly(Any_triangulation tri, Portable_random& random, bool is_hard)
+{
+  IT::make_Delaunay(tri, IT::parameters::exact_decisions(true));
+  const bool is_geodesic = IT::certify_Delaunay(tri).is_geodesic();
+  std::size_t count = 0;
+  IT::Vertex_inserter<typename Any_triangulation::Traits> inserter(tri, true);
+  for(int i = 0; i < 20; ++i) {
+    const std::vector<Halfedge_index> crossed = crossed_edges(inserter);
+    if(crossed.empty())
+      break;
+    const Halfedge_index h = crossed[std::size_t(random.get_int(0, int(crossed.size())))];
+    const double t = std::ldexp(random.get_double(0.1, 1), i % 3 == 0 ? -i : 0);
+    const double length = tri.length(tri.mesh().edge(h));
+    const Vertex_index source = tri.mesh().source(h), target = tri.mesh().target(h);
+    const auto before = tri.mesh().number_of_edges();
+    try {
+      const Vertex_index m = inserter.split_edge(h, t, i % 2 == 0 ? 0 : 1e-3 * length);
+      EXPECT_EQ(tri.mesh().number_of_edges(), before + 3);
+      const auto around = neighbors(m, tri.mesh());
+      EXPECT_TRUE(around.count(source) > 0 && around.count(target) > 0);
+      EXPECT_TRUE(is_hard || around.size() == 4);
+      ++count;
+    } catch(const IT::Numerical_error&) {
+      EXPECT_EQ(tri.mesh().number_of_edges(), before);
+      EXPECT_EQ(tri.mesh().source(h), source);
+    }
+  }
+  tri.collect_garbage();
+  EXPECT_TRUE(tri.is_valid(true));
+  EXPECT_EQ(IT::certify_Delaunay(tri).is_geodesic(), is_geodesic);
+  return count;
+}
+
+TEST(Exact_refinement, crossed_edges_are_split)
+{
+  Portable_random random(5);
+  std::size_t count = 0;
+  for(std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Mesh mesh = hard_mesh(seed).mesh;
+    if(mesh.number_of_faces() > 300)
+      continue;
+    SCOPED_TRACE(seed);
+    count += expect_split_exactly(Exact_triangulation(mesh), random, true);
+    count += expect_split_exactly(Triangulation(mesh), random, true);
+  }
+  EXPECT_GT(count, 1000u);
+  for(int i = 0; i < 10; ++i)
+    expect_split_exactly(Exact_triangulation(hard_base(random)), random, false);
 }
 
 // A vertex that is pushed onto an edge of T1 near its target keeps its distance from there.

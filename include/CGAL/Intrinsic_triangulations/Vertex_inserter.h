@@ -108,18 +108,24 @@ public:
   }
 
   /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` leads on
-  /// from there. Complexity: linear in the crossings on the sides of its faces.
+  /// from there. With exact decisions, the rounded place of a vertex is not on an edge that is not
+  /// shared: it is inserted into the face beside it as by `insert()`, the edge is flipped if this is
+  /// possible, and `h` is the flipped edge. Complexity: linear in the crossings on the sides of its
+  /// faces.
   /// \param h the halfedge
   /// \param t the place
   /// \param closeness if the point is closer to a crossing, it is put there
   /// \returns the vertex
-  /// \throws Numerical_error if a new edge has no positive finite length; nothing has changed then.
+  /// \throws Numerical_error as `insert()`; nothing has changed then.
   /// \pre `can_be_split(h)` and \f$0 < t < 1\f$
   Vertex_index split_edge(Halfedge_index h, const FT& t, const FT& closeness = FT(0))
   {
-    const Vertex_index m = m_tri.coordinates().is_shared(m_tri.mesh().edge(h))
-                             ? split_shared_edge(h, t)
-                             : split_crossed_edge(h, t, closeness);
+    const bool is_shared = m_tri.coordinates().is_shared(m_tri.mesh().edge(h));
+    if constexpr(can_be_exact)
+      if(is_exact() && !is_shared)
+        return insert_beside(h, t, closeness);
+    const Vertex_index m =
+      is_shared ? split_shared_edge(h, t) : split_crossed_edge(h, t, closeness);
     update_split(h);
     if constexpr(can_be_exact)
       if(is_exact())
@@ -172,6 +178,15 @@ private:
   typedef internal::Local_marks<Traits> Marks;
   typedef internal::Face_map<FT, Marks> Face_map;
   typedef internal::Barycentric_coordinates<FT> Coordinates;
+
+  Vertex_index insert_beside(Halfedge_index h, const FT& t, const FT& closeness)
+  {
+    const Vertex_index m =
+      m_exact.insert(face_location(Edge_point<FT>{h, t}, m_tri.mesh()), closeness);
+    if(m_exact.can_be_flipped(h, false))
+      flip(h);
+    return m;
+  }
 
   Vertex_index split_face(const Face_location<FT>& p, const FT& closeness)
   {

@@ -183,11 +183,12 @@ public:
     return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
   }
 
-  // returns the angle at the source of `h` in its face
+  // Returns the angle at the source of `h` in its face, between 0 and pi: where it is near to one of
+  // them, rounding can make the corner clockwise.
   double rounded_angle(Halfedge_index h) const
   {
-    return std::arg(
-      rounded_corner(h, [](const std::complex<double>& corner) { return std::abs(corner); }));
+    return std::abs(std::arg(
+      rounded_corner(h, [](const std::complex<double>& corner) { return std::abs(corner); })));
   }
 
   // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j, its imaginary part
