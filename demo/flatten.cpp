@@ -147,6 +147,8 @@ private:
     add("multiprecision", rest.order.decided_in_multiprecision);
     add("exact", rest.on_C.decided_exactly + rest.order.decided_exactly);
     statistics["greatest_excess"] = rest.on_C.greatest_excess;
+    statistics["exchanged_crossings"] = rest.order.exchanged.size();
+    statistics["undecided_crossings"] = rest.order.undecided.size();
   }
 
   // Those that were placed and those of the file.

@@ -263,11 +263,15 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///
 /// That it ends in exact arithmetic is proven for angles of up to 30 degrees on closed surfaces
 /// without narrow vertices and constrained edges (Theorem 3). With boundary, constrained edges or
-/// narrow vertices this is an open question on surfaces; the manual has what was measured. With
-/// decisions in floating point it can insert vertices without end on nearly degenerate meshes,
-/// whatever the bound: only `maximum_number_of_insertions` guarantees an end.
+/// narrow vertices this is an open question on surfaces; the manual has what was measured. Only
+/// `maximum_number_of_insertions` guarantees an end.
 ///
-/// With `Exact_Euclidean_geometry_traits` it is decided exactly which edges are Delaunay, on which
+/// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
+/// circumcenter, a place or a length is lost, or a face is left that nothing excuses. Then \f$T_2\f$
+/// becomes \f$T_1\f$ again and refinement starts anew with exact decisions, unless it had inserted
+/// vertices at the start.
+///
+/// With exact decisions it is decided exactly which edges are Delaunay, on which
 /// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex gets
 /// coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if its
 /// edges are straight then and its faces positive; otherwise points farther inside the face are
@@ -297,6 +301,13 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{10,000,000}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{exact_decisions}
+///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of type
+///       `double`, too. If vertices have been inserted, `certify_Delaunay()` must find the edges
+///       straight.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the number of flips that are allowed before the first insertion, and
 ///       after each}
@@ -318,7 +329,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
-/// \post `tri` is Delaunay and has no garbage
+/// \post `tri` is Delaunay, exactly if decisions were exact, and has no garbage
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                          const NamedParameters& np = CGAL::parameters::default_values())
