@@ -173,7 +173,7 @@ TEST(Exact_refinement, in_double_goes_on_where_rounding_leaves_doubts)
 {
   const char* all = std::getenv("EXACT_REFINEMENT_SEEDS");
   if(all == nullptr)
-    for(std::uint64_t seed : {1, 4, 5, 9, 10, 13, 16, 21, 27, 48})
+    for(std::uint64_t seed : {1u, 4u, 5u, 9u, 10u, 13u, 16u, 21u, 27u, 48u})
       expect_refined_in_double(std::to_string(seed), hard_mesh(seed).mesh);
   else
     for(std::uint64_t seed = 0; seed < std::strtoull(all, nullptr, 10); ++seed)
