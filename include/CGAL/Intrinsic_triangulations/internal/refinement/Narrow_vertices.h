@@ -15,6 +15,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -111,8 +113,13 @@ private:
   {
     if constexpr(has_metric<Traits>())
       if(m_has_exact_angles)
-        return exact_decisions(m_tri).rounded_angle(h);
+        return exact_angle(h);
     return angle_at_source(h, m_tri);
+  }
+
+  BOOST_NOINLINE FT exact_angle(Halfedge_index h) const
+  {
+    return exact_decisions(m_tri).rounded_angle(h);
   }
 
   // Returns the least of the angles between fixed edges, or the whole angle if there are fewer than
