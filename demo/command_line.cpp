@@ -62,10 +62,11 @@ void add_save(CLI::App& command, Common_options& options)
   command.add_option("--save", options.save, "File for the intrinsic triangulation itself");
 }
 
-void add_exact(CLI::App& command, Common_options& options)
+void add_exact(
+  CLI::App& command, Common_options& options,
+  const char* what = "Decide exactly which edges are Delaunay, and certify the triangulation")
 {
-  command.add_flag("--exact", options.is_exact,
-                   "Decide exactly which edges are Delaunay, and certify the triangulation");
+  command.add_flag("--exact", options.is_exact, what);
 }
 
 void add_info(CLI::App& app, Options& options)
@@ -130,6 +131,8 @@ void add_refine(CLI::App& app, Options& options)
     app, "refine", "Insert vertices until all faces have a good shape", options.common.input);
   add_subdivision_options(command, options.refine, options.common);
   add_bounds(command, options.refine.bounds);
+  add_exact(command, options.common,
+            "Decide exactly about edges and inserted vertices, and certify the triangulation");
   command.footer(Help::refine);
 }
 
@@ -221,6 +224,10 @@ void add_flatten(CLI::App& app, Options& options)
     "--matrix", own.matrix,
     "Matrix Market file (.mtx) for the interpolation to the vertices of the output");
   add_common_options(command, options.common);
+  add_exact(
+    command, options.common,
+    "Decide exactly about the flips to the intrinsic Delaunay triangulation, and certify it, "
+    "the flat triangulation and the order of their crossings");
   command.footer(Help::flatten);
 }
 
@@ -316,6 +323,9 @@ void add_simplify(CLI::App& app, Options& options)
              "Refine to this angle in degrees before, so that there are vertices to choose from",
              CLI::Range(0., 30.));
   add_common_options(command, options.common);
+  add_exact(command, options.common,
+            "Decide exactly about the intrinsic Delaunay triangulation from which vertices are "
+            "removed, and about --refine, and certify it");
   command.footer(Help::simplify);
 }
 

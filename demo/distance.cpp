@@ -110,8 +110,8 @@ public:
       m_run("distance", common, {options.output, options.subdivision})
   {
     m_run.plan({delaunay_stages,
-                certificate_stages(common),
                 refinement_stages(options.minimum_angle),
+                certificate_stages(common),
                 {"solve"},
                 m_subdivision_format ? subdivision_stages : Stages{}});
   }

@@ -13,6 +13,7 @@
 #include "matrix_market.h"
 #include "triangulation_stages.h"
 
+#include <CGAL/Discrete_conformal_maps/certify.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
@@ -37,13 +38,15 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace {
 
 // Greedy, except for shapes that need no cones.
-Flatten_options with_defaults(Flatten_options options)
+Flatten_options with_defaults(Flatten_options options, bool is_exact)
 {
   check_boundary(options.boundary);
 #ifndef INTRINSIC_USE_CERES
   if(options.solver == "ceres")
     throw Program_error("--solver ceres: this program was built without the Ceres Solver");
 #endif
+  if(is_exact && options.solver == "cetm")
+    throw Program_error("--exact: --solver cetm makes no triangulation Delaunay");
   if(options.cones.empty())
     options.cones = is_shape(options.boundary[0]) ? "none" : "greedy";
   if(options.maximum_log_scale && options.cones != "greedy")
@@ -55,12 +58,12 @@ class Flatten_command
 {
 public:
   Flatten_command(const Common_options& common, const Flatten_options& options)
-    : m_options(with_defaults(options)),
+    : m_options(with_defaults(options, common.is_exact)),
       m_format(format_with_texture(options.output, options.format)),
       m_run("flatten", common, {options.output, options.matrix}),
       m_visitor{m_run}
   {
-    m_run.plan({{"build"}, map_stages(true)});
+    m_run.plan({{"build"}, map_stages(true), certificate_stages(common)});
   }
 
   void run()
@@ -70,6 +73,8 @@ public:
       return flattening_conditions(m_options, mesh());
     });
     const DCM::Planar_conformal_map map = solved();
+    if(m_run.options().is_exact)
+      certify(map);
     m_run.timed("write", [&] {
       if(!m_options.matrix.empty())
         m_run.add_output(m_options.matrix, matrix_market(interpolation_matrix(map, mesh()),
@@ -103,6 +108,7 @@ private:
                     .vertex_condition_map(conditions)
                     .maximum_log_scale(bound)
                     .flipping(flipping)
+                    .exact_decisions(m_run.options().is_exact)
                     .minimizer(minimizer)
                     .visitor(std::ref(m_visitor)));
   }
@@ -121,6 +127,28 @@ private:
     } catch(const IT::Invalid_input& e) {
       throw Program_error(m_run.options().input + ": " + e.what());
     }
+  }
+
+  // The triangulations of the map and the order of their crossings.
+  void certify(const DCM::Planar_conformal_map& map)
+  {
+    check_status(map);
+    const IT::Delaunay_certificate on_B = ::certify(m_run, map.Delaunay());
+    const DCM::Map_certificate rest = m_run.timed("certify", [&] { return DCM::certify(map); });
+    Statistics& statistics = m_run.statistics();
+    statistics["certified"] = on_B.is_Delaunay() && rest.is_certified();
+    statistics["ties"] = on_B.ties.size() + rest.on_C.ties.size() + rest.order.ties.size();
+    Statistics& decisions = statistics["decisions"];
+    const auto add = [&](const char* stage, std::size_t count) {
+      decisions[stage] = decisions[stage].get<std::size_t>() + count;
+    };
+    add("floating_point",
+        rest.on_C.decided_in_floating_point + rest.order.decided_in_floating_point);
+    add("multiprecision", rest.order.decided_in_multiprecision);
+    add("exact", rest.on_C.decided_exactly + rest.order.decided_exactly);
+    statistics["greatest_excess"] = rest.on_C.greatest_excess;
+    statistics["exchanged_crossings"] = rest.order.exchanged.size();
+    statistics["undecided_crossings"] = rest.order.undecided.size();
   }
 
   // Those that were placed and those of the file.

@@ -30,8 +30,12 @@ status, in the statistics and in the last line on standard error, says how:
   no_room                 floating point numbers are too coarse for the faces that are left
 On closed meshes without narrow vertices and sharp edges to keep, refinement to at most 30
 degrees is proven to end, in exact arithmetic; with boundary this is an open question, and 25
-degrees have worked on all ordinary meshes tried. On nearly degenerate meshes rounding can make it
-insert vertices without end, as can greater angles: set --max-insertions, or --mollify.
+degrees have worked on all ordinary meshes tried. Greater angles can make it insert vertices without
+end: set --max-insertions. Where rounding leaves doubts, on nearly degenerate meshes, refinement
+starts again with exact decisions; the last line and "exact_decisions" in the statistics say so.
+With --exact the decisions are exact from the beginning, and the result is certified: "certified" in
+the statistics says whether it is geodesic and exactly Delaunay, "ties" how many edges could be
+flipped as well, "decisions" how the certificate was reached.
 
 Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an
 input edge with an intrinsic edge, 2 inserted vertex.
@@ -96,6 +100,12 @@ interpolation.
 .ply and .vtp have for each vertex the input vertex (-1 if it is none), whether it is a cone and
 its logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat
 face or edge they are a part. Edges with is_seam 1 are cut open.
+
+With --exact, the flips to the intrinsic Delaunay triangulation are decided exactly, on the surface
+of the edge lengths, and the map is certified: "certified" in the statistics says whether this
+triangulation is Delaunay, the flat one is ideal Delaunay with the scale factors as they are, and
+all crossings are in order, without a tolerance. "greatest_excess", "exchanged_crossings" and
+"undecided_crossings" say what stands against it: ties of the surface are decided by rounding.
 
 Solvers:
   newton  Newton's method, to the last digits
@@ -181,6 +191,10 @@ Laplacian is moved too, so that more vertices stay where their gradients change.
 the last vertex whose cost is not above. Where vertices cannot be removed any more, simplification
 ends early, with exit code 0 and the status "nothing_removable" in the statistics. Vertices
 without faces stay; --vertices and --ratio do not count them.
+
+With --exact, refinement and the intrinsic Delaunay triangulation from which vertices are removed
+are decided exactly and certified, as by `intrinsic delaunay --exact`; removals change the surface,
+by rounded numbers, and are not.
 
 The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp
 faces have the properties "coarse_face" and "input_face", and a color by which adjacent coarse

@@ -21,11 +21,15 @@ Statistics defects_of(const IT::Input_diagnosis& diagnosis)
 {
   Statistics result = Statistics::array();
   for(const IT::Defect_description& d : IT::defect_descriptions)
-    if(diagnosis.count(d.kind) > 0)
+    if(diagnosis.count(d.kind) > 0) {
       result.push_back({{"kind", d.name},
                         {"is_fatal", d.is_fatal},
                         {"count", diagnosis.count(d.kind)},
                         {"message", diagnosis.message(d.kind)}});
+      if(d.element == IT::Defect_element::CORNER)
+        for(const auto& place : diagnosis.occurrences(d.kind))
+          result.back()["first"].push_back({{"vertex", place.vertices[0]}, {"face", place.face}});
+    }
   return result;
 }
 

@@ -79,7 +79,7 @@ int operators(const Common_options& common, const Operators_options& options)
 {
   const std::vector<std::string> paths = paths_of(options.prefix);
   Command_run run("operators", common, paths);
-  run.plan({delaunay_stages, certificate_stages(common), refinement_stages(options.minimum_angle)});
+  run.plan({delaunay_stages, refinement_stages(options.minimum_angle), certificate_stages(common)});
   Triangulation triangulation = make_delaunay_triangulation(run);
   refine_if_wanted(run, triangulation, options.minimum_angle);
   describe(run, triangulation);

@@ -28,7 +28,7 @@ int refine(const Common_options& common, const Refine_options& options)
 {
   const Mesh_format format = output_format(options.output, options.format);
   Command_run run("refine", common, {options.output});
-  run.plan({delaunay_stages, {"refine"}, subdivision_stages});
+  run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
   Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
   refine_triangulation(run, triangulation, options.bounds);
   describe(run, triangulation);

@@ -110,9 +110,10 @@ public:
       m_format(output_format(options.output, options.format)),
       m_run("simplify", common, outputs_of(options))
   {
-    const bool is_refined = options.minimum_angle > 0;
-    m_run.plan({is_refined ? delaunay_stages : Stages{"build"},
+    const bool is_flipped = options.minimum_angle > 0 || common.is_exact;
+    m_run.plan({is_flipped ? delaunay_stages : Stages{"build"},
                 refinement_stages(options.minimum_angle),
+                certificate_stages(common),
                 {"simplify", "map"}});
   }
 
@@ -121,8 +122,11 @@ public:
     read_functions();
     if(m_options.minimum_angle > 0)
       refine();
-    IS::Evolving_surface surface = m_run.timed("build", [&] { return built(); });
+    Triangulation start = m_run.timed("build", [&] { return built(); });
+    IS::Evolving_surface surface(start);
     m_levels.emplace_back(surface);
+    if(m_run.options().is_exact)
+      make_exactly_Delaunay(surface, start);
     m_run.timed("simplify", [&] { simplify(surface); });
     describe_levels();
     const auto [mesh, matrices] = m_run.timed("map", [&] {
@@ -155,8 +159,9 @@ private:
     m_run.statistics()["refinement_status"] = m_run.statistics()["status"];
   }
 
-  // The surface with positions of its vertices. Its faces are those of the input, or parts of them.
-  IS::Evolving_surface built()
+  // The fine level with positions of its vertices. Its faces are those of the input, or parts of
+  // them.
+  Triangulation built()
   {
     const auto& points = m_run.input().mesh.points();
     m_points.assign(points.begin(), points.end());
@@ -165,10 +170,15 @@ private:
       for(const IT::Vertex_index v : m_triangulation->mesh().vertices())
         if(m_triangulation->is_inserted(v))
           add_vertex(m_triangulation->inserted_vertex(v).location);
-      return IS::Evolving_surface(*m_triangulation);
+      return *m_triangulation;
     }
-    return IS::Evolving_surface(m_run.input().mesh,
-                                IT::parameters::edge_length_map(edge_lengths(m_run)));
+    return make_triangulation(m_run);
+  }
+
+  void make_exactly_Delaunay(IS::Evolving_surface& surface, Triangulation& start)
+  {
+    m_run.timed("flip", [&] { surface.make_exactly_Delaunay(start); });
+    certify(m_run, start);
   }
 
   std::size_t number_of_isolated_vertices()

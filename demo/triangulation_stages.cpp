@@ -42,41 +42,14 @@ Edge_bool_map constrained_edges(Mesh& mesh, double angle)
   return mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
 }
 
-Triangulation build(Command_run& run, double constrained_angle)
-{
-  Mesh& mesh = run.input().mesh;
-  const auto np =
-    IT::parameters::edge_is_constrained_map(constrained_edges(mesh, constrained_angle));
-  if(run.options().mollification > 0)
-    return Triangulation(mesh, np.edge_length_map(edge_lengths(run)));
-  return Triangulation(mesh, np);
-}
-
-IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds)
+IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds,
+                              bool is_exact)
 {
   return IT::refine(triangulation,
                     IT::parameters::minimum_angle(bounds.minimum_angle)
                       .maximum_circumradius(bounds.maximum_circumradius)
-                      .maximum_number_of_insertions(bounds.maximum_number_of_insertions));
-}
-
-bool is_excused(const IT::Remaining_face& f)
-{
-  return f.reason == IT::Remaining_reason::at_narrow_vertex ||
-         f.reason == IT::Remaining_reason::beside_narrow_vertex;
-}
-
-// Adds the certificate to the statistics.
-void certify(Command_run& run, const Triangulation& triangulation)
-{
-  const IT::Delaunay_certificate certificate = IT::certify_Delaunay(triangulation);
-  Statistics& statistics = run.statistics();
-  statistics["certified"] = certificate.is_Delaunay();
-  statistics["ties"] = certificate.ties.size();
-  statistics["decisions"] = {{"lengths", certificate.decided_by_lengths},
-                             {"floating_point", certificate.decided_in_floating_point},
-                             {"multiprecision", certificate.decided_in_multiprecision},
-                             {"exact", certificate.decided_exactly}};
+                      .maximum_number_of_insertions(bounds.maximum_number_of_insertions)
+                      .exact_decisions(is_exact));
 }
 
 } // namespace
@@ -91,16 +64,25 @@ Edge_length_map edge_lengths(Command_run& run)
   return lengths;
 }
 
+Triangulation make_triangulation(Command_run& run, double constrained_angle)
+{
+  Mesh& mesh = run.input().mesh;
+  const auto np =
+    IT::parameters::edge_is_constrained_map(constrained_edges(mesh, constrained_angle));
+  if(run.options().mollification > 0)
+    return Triangulation(mesh, np.edge_length_map(edge_lengths(run)));
+  return Triangulation(mesh, np);
+}
+
 Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle)
 {
-  Triangulation result = run.timed("build", [&] { return build(run, constrained_angle); });
+  Triangulation result =
+    run.timed("build", [&] { return make_triangulation(run, constrained_angle); });
   run.timed("flip", [&] {
     Flip_counter counter{run.progress()};
     run.statistics()["flips"] = IT::make_Delaunay(
       result, IT::parameters::visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
   });
-  if(run.options().is_exact)
-    run.timed("certify", [&] { certify(run, result); });
   return result;
 }
 
@@ -108,14 +90,16 @@ void refine_triangulation(Command_run& run, Triangulation& triangulation,
                           const Refinement_bounds& bounds)
 {
   const IT::Refinement_result result =
-    run.timed("refine", [&] { return refined(triangulation, bounds); });
+    run.timed("refine", [&] { return refined(triangulation, bounds, run.options().is_exact); });
   Statistics& statistics = run.statistics();
   statistics["flips"] = statistics["flips"].get<std::size_t>() + result.flips;
   statistics["inserted_vertices"] = triangulation.number_of_inserted_vertices();
   statistics["faces_below_bound"] = result.remaining.size();
   statistics["faces_excused"] =
-    std::count_if(result.remaining.begin(), result.remaining.end(), is_excused);
+    std::count_if(result.remaining.begin(), result.remaining.end(), IT::is_excused);
   statistics["status"] = IT::to_string(result.status);
+  if(result.is_exact && !run.options().is_exact)
+    statistics["exact_decisions"] = true;
 }
 
 void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle)
@@ -124,6 +108,20 @@ void refine_if_wanted(Command_run& run, Triangulation& triangulation, double min
   bounds.minimum_angle = minimum_angle;
   if(minimum_angle > 0)
     refine_triangulation(run, triangulation, bounds);
+}
+
+IT::Delaunay_certificate certify(Command_run& run, const Triangulation& triangulation)
+{
+  const IT::Delaunay_certificate certificate =
+    run.timed("certify", [&] { return IT::certify_Delaunay(triangulation); });
+  Statistics& statistics = run.statistics();
+  statistics["certified"] = certificate.is_Delaunay();
+  statistics["ties"] = certificate.ties.size();
+  statistics["decisions"] = {{"lengths", certificate.decided_by_lengths},
+                             {"floating_point", certificate.decided_in_floating_point},
+                             {"multiprecision", certificate.decided_in_multiprecision},
+                             {"exact", certificate.decided_exactly}};
+  return certificate;
 }
 
 void describe(Command_run& run, const Triangulation& triangulation)
@@ -141,7 +139,9 @@ void describe(Command_run& run, const Triangulation& triangulation)
   }
   const auto lengths = IT::parameters::edge_length_map(triangulation.length_map());
   Statistics& statistics = run.statistics();
-  statistics["is_delaunay"] = IT::is_Delaunay(triangulation);
+  statistics["is_delaunay"] = run.options().is_exact
+                                ? certify(run, triangulation).non_Delaunay_edges.empty()
+                                : IT::is_Delaunay(triangulation);
   statistics["shared_edges"] = shared;
   statistics["crossings"] = crossings;
   statistics["edge_length_sum"] = length;
@@ -181,6 +181,8 @@ std::string summary_of_changes(Command_run& run)
   text << s["flips"] << " flips, ";
   if(s.contains("status"))
     text << s["inserted_vertices"] << " vertices inserted (" << s["status"].get<std::string>()
+         << (s.contains("exact_decisions") ? ", after rounding left doubts, with exact decisions"
+                                           : "")
          << "), ";
   text << "smallest angle " << run.input().diagnosis.statistics().min_angle << " -> "
        << s["min_angle_degrees"].get<double>() << " degrees";

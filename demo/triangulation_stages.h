@@ -8,6 +8,7 @@
 #include "Command_run.h"
 #include "subdivision_mesh.h"
 
+#include <CGAL/Intrinsic_triangulations/Delaunay_certificate.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 #include <string>
@@ -34,9 +35,12 @@ inline Stages refinement_stages(double minimum_angle)
   return minimum_angle > 0 ? Stages{"refine"} : Stages{};
 }
 
-// The stages "build", "flip" and, if it is wanted, "certify": the intrinsic Delaunay triangulation of the input, mollified if
-// that is wanted. Edges at which the normals differ by `constrained_angle` degrees or more stay;
-// zero for none.
+// The triangulation T2 = T1 of the input, mollified if that is wanted. Edges at which the normals
+// differ by `constrained_angle` degrees or more stay; zero for none.
+Triangulation make_triangulation(Command_run& run, double constrained_angle = 0);
+
+// The stages "build" and "flip": the intrinsic Delaunay triangulation of the input, made
+// as by `make_triangulation()`.
 Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle = 0);
 
 // The stage "refine": inserts vertices until the faces obey the bounds; how it went in the
@@ -47,7 +51,11 @@ void refine_triangulation(Command_run& run, Triangulation& triangulation,
 // Refines with a bound on the angle alone, in degrees; nothing if it is zero.
 void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle);
 
-// Adds what the triangulation is to the statistics.
+// The stage "certify": the certificate, which is added to the statistics.
+CGAL::Intrinsic_triangulations::Delaunay_certificate certify(Command_run& run,
+                                                             const Triangulation& triangulation);
+
+// Adds what the triangulation is to the statistics, with the certificate if decisions are exact.
 void describe(Command_run& run, const Triangulation& triangulation);
 
 // The stages "trace" and "subdivide": the common subdivision in space, its size in the statistics.

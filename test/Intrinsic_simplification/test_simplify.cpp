@@ -5,11 +5,15 @@
 // The greedy simplification.
 
 #include "../Intrinsic_triangulations/data_meshes.h"
+#include "../Intrinsic_triangulations/hard_meshes.h"
 #include "evolving_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
@@ -161,6 +165,24 @@ TEST(Simplification, ends_where_nothing_can_be_removed)
       }
       EXPECT_EQ(result.skipped, skipped);
     }
+}
+
+// The surface follows the flips of the triangulation, and the history has them.
+TEST(Simplification, starts_from_an_exactly_Delaunay_triangulation)
+{
+  for(std::uint64_t seed : {0u, 1u, 2u, 3u, 5u, 9u, 13u, 25u, 26u}) {
+    SCOPED_TRACE(seed);
+    IT::Intrinsic_triangulation<> tri(hard_mesh(seed).mesh), alone = tri;
+    Evolving_surface s(tri);
+    s.make_exactly_Delaunay(tri);
+    EXPECT_EQ(s.history().size(), IT::make_Delaunay(alone, IT::parameters::exact_decisions(true)));
+    EXPECT_TRUE(IT::certify_Delaunay(tri).is_Delaunay());
+    for(Halfedge_index h : tri.mesh().halfedges()) {
+      EXPECT_EQ(s.mesh().target(h), tri.mesh().target(h));
+      EXPECT_EQ(s.mesh().next(h), tri.mesh().next(h));
+      EXPECT_EQ(s.surface().length(h), alone.length(tri.mesh().edge(h)));
+    }
+  }
 }
 
 TEST(Simplification, protected_vertices_stay)

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -13,6 +14,7 @@
 #include <CGAL/boost/graph/generators.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -30,6 +32,7 @@ using IT::Input_diagnosis;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Points = std::vector<Point>;
+using Rational = CGAL::Exact_rational;
 using Polygons = std::vector<std::vector<std::size_t>>;
 using Mesh = CGAL::Surface_mesh<Point>;
 
@@ -111,7 +114,8 @@ TEST(Diagnose, table_is_complete_and_in_order)
     EXPECT_NE(std::string(d.sentence), "");
     EXPECT_TRUE(names.insert(d.name).second) << d.name;
   }
-  EXPECT_EQ(static_cast<std::size_t>(Defect_kind::NEEDLE_FACE) + 1, IT::defect_descriptions.size());
+  EXPECT_EQ(static_cast<std::size_t>(Defect_kind::VERTEX_WITHIN_ROUNDING) + 1,
+            IT::defect_descriptions.size());
 }
 
 TEST(Diagnose, every_kind_has_a_message_of_its_own)
@@ -271,9 +275,71 @@ TEST(Diagnose, caps_and_needles_are_noted)
   const Points cap = {{0, 0, 0}, {0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}};
   expect_only(diagnose(cap, {{0, 1, 2}}), Defect_kind::DEGENERATE_FACE, 1);
   const Points nearly = {{0, 0, 0}, {0.1, 0.1, 0.1}, {0.3, 0.3, std::nextafter(0.3, 1)}};
-  expect_only(diagnose(nearly, {{0, 1, 2}}), Defect_kind::NEEDLE_FACE, 1);
+  const Input_diagnosis d = diagnose(nearly, {{0, 1, 2}});
+  EXPECT_EQ(d.count(Defect_kind::DEGENERATE_FACE), 0u);
+  EXPECT_EQ(d.count(Defect_kind::NEEDLE_FACE), 1u);
+  EXPECT_EQ(d.count(Defect_kind::VERTEX_WITHIN_ROUNDING), 1u);
   const Points needle = {{0, 0, 0}, {1, 0, 0}, {1, 0.01, 0}};
   expect_only(diagnose(needle, {{0, 1, 2}}), Defect_kind::NEEDLE_FACE, 1);
+}
+
+namespace {
+
+// the square of the least height over the square of the greatest coordinate
+Rational squared_relative_height(const std::array<Point, 3>& p)
+{
+  std::array<CGAL::Simple_cartesian<Rational>::Point_3, 3> q;
+  Rational greatest(0), base(0);
+  for(std::size_t i = 0; i < 3; ++i) {
+    q[i] = {p[i].x(), p[i].y(), p[i].z()};
+    for(int k = 0; k < 3; ++k)
+      greatest = (std::max)(greatest, Rational(CGAL::abs(q[i][k])));
+  }
+  for(std::size_t i = 0; i < 3; ++i)
+    base = (std::max)(base, Rational(CGAL::squared_distance(q[i], q[(i + 1) % 3])));
+  return 4 * CGAL::squared_area(q[0], q[1], q[2]) / (base * greatest * greatest);
+}
+
+} // namespace
+
+// Triangles with heights from far below to far above the rounding, in exact arithmetic.
+TEST(Diagnose, vertices_within_rounding_are_noted)
+{
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::array<int, 2> found{0, 0};
+  for(int i = 0; i < 3000; ++i) {
+    const auto vector = [&] {
+      return Kernel::Vector_3(uniform(random), uniform(random), uniform(random));
+    };
+    const double scale = std::ldexp(1., i % 100 - 50);
+    const Point a = Point(0, 0, 0) + scale * vector(),
+                b = a + std::ldexp(scale, -i % 40) * vector();
+    const Point c =
+      CGAL::barycenter(a, uniform(random), b) + std::ldexp(scale * epsilon, i % 9 - 4) * vector();
+    if(CGAL::collinear(a, b, c))
+      continue;
+    const Input_diagnosis d = diagnose({a, b, c}, {{0, 1, 2}});
+    const bool is_low = squared_relative_height({a, b, c}) <= Rational(epsilon) * Rational(epsilon);
+    EXPECT_EQ(d.count(Defect_kind::VERTEX_WITHIN_ROUNDING), is_low ? 1u : 0u) << i;
+    ++found[is_low];
+  }
+  EXPECT_GT((std::min)(found[0], found[1]), 300);
+}
+
+TEST(Diagnose, vertices_within_rounding_are_named)
+{
+  const double unit = std::ldexp(1., -52);
+  const Points points = {{0, 0, 0}, {1, 0, 0},        {0.25, unit / 4, 0},
+                         {1, 1, 0}, {1 + unit, 1, 0}, {1, 2, 0}};
+  const Input_diagnosis d = diagnose(points, {{0, 1, 2}, {1, 3, 0}, {3, 4, 5}});
+  EXPECT_EQ(d.count(Defect_kind::VERTEX_WITHIN_ROUNDING), 2u);
+  EXPECT_EQ(
+    d.message(Defect_kind::VERTEX_WITHIN_ROUNDING),
+    "vertex within rounding of an edge: 2, first at vertex 2 (face 0), at vertex 3 (face 2)");
+  EXPECT_TRUE(diagnose({{0, 0, 0}, {unit, 0, 0}, {0, unit, 0}}, {{0, 1, 2}})
+                .count(Defect_kind::VERTEX_WITHIN_ROUNDING) == 0); // small, but near the origin
 }
 
 TEST(Diagnose, moebius_strip_has_one_boundary)

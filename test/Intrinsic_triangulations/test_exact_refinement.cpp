@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
+#include "equality.h"
 #include "hard_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
@@ -16,8 +17,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -28,14 +31,16 @@ using IT::Remaining_reason;
 
 constexpr std::size_t insertion_limit = 60000;
 
-Refinement_result refined(Exact_triangulation& tri)
+template <typename Any_triangulation>
+Refinement_result refined(Any_triangulation& tri)
 {
   return IT::refine(tri, IT::parameters::maximum_number_of_insertions(insertion_limit));
 }
 
 // The least angle of a face from its sides in extended precision: they are certified up to 2^-40,
 // and faces that meet the bound are not thin.
-double least_angle(const Exact_triangulation& tri, Face_index f)
+template <typename Any_triangulation>
+double least_angle(const Any_triangulation& tri, Face_index f)
 {
   std::array<long double, 3> side;
   for(std::size_t s = 0; s < 3; ++s)
@@ -45,7 +50,8 @@ double least_angle(const Exact_triangulation& tri, Face_index f)
   return double(std::acos((b * b + c * c - a * a) / (2 * b * c)) * 180 / std::acos(-1.L));
 }
 
-void expect_bound(const Exact_triangulation& tri, const Refinement_result& result)
+template <typename Any_triangulation>
+void expect_bound(const Any_triangulation& tri, const Refinement_result& result)
 {
   std::set<Face_index> left;
   for(const IT::Remaining_face& f : result.remaining)
@@ -54,7 +60,8 @@ void expect_bound(const Exact_triangulation& tri, const Refinement_result& resul
     EXPECT_TRUE(left.count(f) > 0 || least_angle(tri, f) >= 25 - 1e-6) << f;
 }
 
-void expect_places(const Exact_triangulation& tri)
+template <typename Any_triangulation>
+void expect_places(const Any_triangulation& tri)
 {
   for(const auto& m : tri.inserted_vertices()) {
     EXPECT_TRUE(IT::internal::is_valid_place(m, tri.input_mesh()));
@@ -72,11 +79,9 @@ void expect_lengths(const Exact_triangulation& tri)
     EXPECT_NEAR(tri.length(e) / fresh.length(e), 1, 0x1p-39) << e;
 }
 
-void expect_refined(const std::string& name, const Mesh& mesh)
+template <typename Any_triangulation>
+void expect_certified(const Any_triangulation& tri, const Refinement_result& result)
 {
-  SCOPED_TRACE(name);
-  Exact_triangulation tri(mesh);
-  const Refinement_result result = refined(tri);
   EXPECT_NE(result.status, IT::Refinement_status::insertion_limit);
   EXPECT_TRUE(tri.is_valid(true));
   const IT::Delaunay_certificate certificate = IT::certify_Delaunay(tri);
@@ -85,6 +90,15 @@ void expect_refined(const std::string& name, const Mesh& mesh)
   EXPECT_TRUE(certificate.folded_vertices.empty());
   expect_bound(tri, result);
   expect_places(tri);
+}
+
+void expect_refined(const std::string& name, const Mesh& mesh)
+{
+  SCOPED_TRACE(name);
+  Exact_triangulation tri(mesh);
+  const Refinement_result result = refined(tri);
+  EXPECT_TRUE(result.is_exact);
+  expect_certified(tri, result);
   expect_lengths(tri);
 }
 
@@ -101,6 +115,135 @@ TEST(Exact_refinement, ends_on_hard_meshes_with_a_certificate)
       expect_refined(std::to_string(seed), hard_mesh(seed).mesh);
 }
 
+// Keeps the number of inserted vertices, and notes when they are gone.
+struct Insertion_counter : IT::Default_refinement_visitor
+{
+  template <typename Traits>
+  void after_insertion(Vertex_index, const IT::Vertex_inserter<Traits>&)
+  {
+    ++vertices;
+  }
+  void after_removal(Vertex_index, Face_index) { --vertices; }
+  void before_exact_flips() { has_exact_flips = true; }
+  void before_exact_refinement()
+  {
+    EXPECT_EQ(triangulation->number_of_inserted_vertices(), 0u);
+    ++restarts;
+    vertices = 0;
+  }
+
+  explicit Insertion_counter(const Triangulation& tri) : triangulation(&tri) {}
+
+  const Triangulation* triangulation;
+  std::size_t vertices = 0;
+  int restarts = 0;
+  bool has_exact_flips = false;
+};
+
+// In `double`, refinement does what exact traits do if it is in doubt, and otherwise needs about as
+// many vertices at most.
+void expect_refined_in_double(const std::string& name, const Mesh& mesh)
+{
+  SCOPED_TRACE(name);
+  Triangulation tri(mesh);
+  Insertion_counter counter(tri);
+  const Refinement_result result = IT::refine(
+    tri, IT::parameters::maximum_number_of_insertions(insertion_limit).visitor(std::ref(counter)));
+  EXPECT_EQ(counter.vertices, tri.number_of_inserted_vertices());
+  EXPECT_EQ(counter.vertices, result.insertions - result.removals);
+  EXPECT_EQ(result.is_exact, counter.restarts == 1 || counter.has_exact_flips);
+  Exact_triangulation exact(mesh);
+  const std::size_t expected = refined(exact).insertions;
+  if(!result.is_exact) {
+    EXPECT_NE(result.status, IT::Refinement_status::insertion_limit);
+    EXPECT_TRUE(tri.is_valid(true));
+    EXPECT_LE(double(result.insertions), 10 + 1.2 * double(expected));
+    return;
+  }
+  EXPECT_EQ(result.insertions, expected);
+  expect_certified(tri, result);
+  for(Edge_index e : tri.mesh().edges())
+    EXPECT_NEAR(tri.length(e) / exact.length(e), 1, 0x1p-39) << e;
+}
+
+TEST(Exact_refinement, in_double_goes_on_where_rounding_leaves_doubts)
+{
+  const char* all = std::getenv("EXACT_REFINEMENT_SEEDS");
+  if(all == nullptr)
+    for(std::uint64_t seed : {1u, 4u, 5u, 9u, 10u, 13u, 16u, 21u, 27u, 48u})
+      expect_refined_in_double(std::to_string(seed), hard_mesh(seed).mesh);
+  else
+    for(std::uint64_t seed = 0; seed < std::strtoull(all, nullptr, 10); ++seed)
+      expect_refined_in_double(std::to_string(seed), hard_mesh(seed).mesh);
+}
+
+// It is exact on request, too, and can go on from what has been refined exactly.
+TEST(Exact_refinement, in_double_on_request)
+{
+  Portable_random random(2);
+  for(int i = 0; i < 5; ++i) {
+    const Mesh mesh = hard_base(random);
+    Triangulation tri(mesh);
+    Exact_triangulation exact(mesh);
+    EXPECT_EQ(IT::refine(tri, IT::parameters::exact_decisions(true)).insertions,
+              refined(exact).insertions);
+    const Refinement_result result =
+      IT::refine(tri, IT::parameters::exact_decisions(true).minimum_angle(28));
+    EXPECT_TRUE(result.is_exact);
+    EXPECT_TRUE(IT::certify_Delaunay(tri).is_Delaunay()) << i;
+    for(Face_index f : tri.mesh().faces())
+      EXPECT_GE(least_angle(tri, f), result.remaining.empty() ? 28 - 1e-6 : 0);
+  }
+}
+
+// What stops the visitor at the restart leaves the input.
+TEST(Exact_refinement, can_be_stopped_before_exact_decisions)
+{
+  struct Stopped
+  {};
+  struct Visitor : IT::Default_refinement_visitor
+  {
+    void before_exact_refinement() { throw Stopped(); }
+  };
+  const Triangulation given(hard_mesh(5).mesh);
+  Triangulation tri = given;
+  Visitor visitor;
+  EXPECT_THROW(IT::refine(tri, IT::parameters::visitor(std::ref(visitor))), Stopped);
+  EXPECT_EQ(text_of(tri), text_of(given));
+}
+
+// Flips and inserted vertices are gone; constraints stay, also those of edges that were split.
+TEST(Exact_refinement, reset_gives_the_input)
+{
+  Portable_random random(4);
+  for(int i = 0; i < 5; ++i) {
+    Mesh mesh = hard_base(random);
+    auto is_constrained = mesh.add_property_map<Edge_index, bool>("e:constrained", false).first;
+    for(Edge_index e : mesh.edges())
+      is_constrained[e] = random.get_int(0, 5) == 0;
+    const Triangulation given(mesh, IT::parameters::edge_is_constrained_map(is_constrained));
+    Triangulation tri = given;
+    IT::refine(tri, IT::parameters::face_predicate([](Face_index) {
+                      return true;
+                    }).maximum_number_of_insertions(std::size_t(200)));
+    EXPECT_GT(tri.number_of_inserted_vertices(), 0u);
+    tri.reset_to_input();
+    EXPECT_EQ(text_of(tri), text_of(given));
+    EXPECT_TRUE(tri.is_valid(true));
+  }
+}
+
+TEST(Exact_refinement, faces_excused_are_those_at_narrow_vertices)
+{
+  for(Remaining_reason reason :
+      {Remaining_reason::at_narrow_vertex, Remaining_reason::beside_narrow_vertex,
+       Remaining_reason::insertion_limit, Remaining_reason::no_room, Remaining_reason::at_rounding,
+       Remaining_reason::no_area})
+    EXPECT_EQ(IT::is_excused({Face_index(0), reason, Vertex_index(0)}),
+              reason == Remaining_reason::at_narrow_vertex ||
+                reason == Remaining_reason::beside_narrow_vertex);
+}
+
 // The number of vertices is that which geometry needs: as in `double` where that has no doubt.
 TEST(Exact_refinement, inserts_about_as_many_vertices_as_double_on_ordinary_meshes)
 {
@@ -113,6 +256,79 @@ TEST(Exact_refinement, inserts_about_as_many_vertices_as_double_on_ordinary_mesh
     EXPECT_NEAR(double(refined(tri).insertions), expected, 10 + 0.2 * expected) << i;
     EXPECT_TRUE(IT::certify_Delaunay(tri).is_Delaunay()) << i;
   }
+}
+
+// the crossed edges that can be split
+template <typename Inserter>
+std::vector<Halfedge_index> crossed_edges(const Inserter& inserter)
+{
+  const Delta_complex& mesh = inserter.triangulation().mesh();
+  std::vector<Halfedge_index> result;
+  for(Halfedge_index h : mesh.halfedges())
+    if(inserter.crossing_lists().count(h) > 0 && inserter.can_be_split(h))
+      result.push_back(h);
+  return result;
+}
+
+template <typename Mesh_type>
+std::multiset<Vertex_index> neighbors(Vertex_index v, const Mesh_type& mesh)
+{
+  std::multiset<Vertex_index> result;
+  IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { result.insert(mesh.target(h)); });
+  return result;
+}
+
+// Splits crossed edges anywhere; nothing changes where that is not possible. Returns the number of
+// vertices.
+template <typename Any_triangulation>
+std::size_t expect_split_exactly(Any_triangulation tri, Portable_random& random, bool is_hard)
+{
+  IT::make_Delaunay(tri, IT::parameters::exact_decisions(true));
+  const bool is_geodesic = IT::certify_Delaunay(tri).is_geodesic();
+  std::size_t count = 0;
+  IT::Vertex_inserter<typename Any_triangulation::Traits> inserter(tri, true);
+  for(int i = 0; i < 20; ++i) {
+    const std::vector<Halfedge_index> crossed = crossed_edges(inserter);
+    if(crossed.empty())
+      break;
+    const Halfedge_index h = crossed[std::size_t(random.get_int(0, int(crossed.size())))];
+    const double t = std::ldexp(random.get_double(0.1, 1), i % 3 == 0 ? -i : 0);
+    const double length = tri.length(tri.mesh().edge(h));
+    const Vertex_index source = tri.mesh().source(h), target = tri.mesh().target(h);
+    const auto before = tri.mesh().number_of_edges();
+    try {
+      const Vertex_index m = inserter.split_edge(h, t, i % 2 == 0 ? 0 : 1e-3 * length);
+      EXPECT_EQ(tri.mesh().number_of_edges(), before + 3);
+      const auto around = neighbors(m, tri.mesh());
+      EXPECT_TRUE(around.count(source) > 0 && around.count(target) > 0);
+      EXPECT_TRUE(is_hard || around.size() == 4);
+      ++count;
+    } catch(const IT::Numerical_error&) {
+      EXPECT_EQ(tri.mesh().number_of_edges(), before);
+      EXPECT_EQ(tri.mesh().source(h), source);
+    }
+  }
+  tri.collect_garbage();
+  EXPECT_TRUE(tri.is_valid(true));
+  EXPECT_EQ(IT::certify_Delaunay(tri).is_geodesic(), is_geodesic);
+  return count;
+}
+
+TEST(Exact_refinement, crossed_edges_are_split)
+{
+  Portable_random random(5);
+  std::size_t count = 0;
+  for(std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Mesh mesh = hard_mesh(seed).mesh;
+    if(mesh.number_of_faces() > 300)
+      continue;
+    SCOPED_TRACE(seed);
+    count += expect_split_exactly(Exact_triangulation(mesh), random, true);
+    count += expect_split_exactly(Triangulation(mesh), random, true);
+  }
+  EXPECT_GT(count, 1000u);
+  for(int i = 0; i < 10; ++i)
+    expect_split_exactly(Exact_triangulation(hard_base(random)), random, false);
 }
 
 // A vertex that is pushed onto an edge of T1 near its target keeps its distance from there.

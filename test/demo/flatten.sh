@@ -119,6 +119,15 @@ is_conformal a.json
 claim "near(json('a.json').log_scale_min, log(2), 1e-12)" "near(flat_area(obj('a.obj')), 4, 1e-11)"
 
 # Components side by side; vertices without faces stay where they are.
+# Exact decisions: a map that is certified; where one is not, the statistics say why.
+expect 0 flatten "$shipped" -o a.obj --exact --stats a.json
+claim "s = json('a.json')" 's.certified' 's.greatest_excess == 0' 's.exchanged_crossings == 0' \
+  's.undecided_crossings == 0' 'sum(s.decisions.values()) >= 2 * s.edges'
+expect 0 flatten square.mesh.off -o a.obj --boundary rectangle --exact --stats a.json
+claim "s = json('a.json')" \
+  's.certified or s.greatest_excess > 0 or s.exchanged_crossings + s.undecided_crossings > 0'
+expect 2 flatten "$shipped" -o a.obj --exact --solver cetm
+says '--exact'
 expect 0 flatten two_components.mesh.off -o a.obj
 expect 0 flatten isolated.mesh.off -o a.obj
 [ "$(head -n 1 a.obj)" = 'v 9 9 9' ] || fail 'the isolated vertex lost its place'

@@ -57,6 +57,13 @@ says '"is_valid": false'
 expect 2 info index.mesh.obj --json
 says '"min_angle_degrees": null'
 
+# A vertex as near to the edge of a square as the rounding of its coordinates.
+off near '0 0 0,1 0 0,1 1 0,0 1 0,0.5 1e-16 0' '0 1 4,1 2 4,2 3 4,3 0 4'
+expect 0 info near.mesh.off
+says 'note: vertex within rounding of an edge: 1, first at vertex 4 (face 0) - '
+expect 0 info near.mesh.off --json
+says '"vertex": 4'
+
 expect 0 --help
 says 'Examples:'
 expect 0 delaunay --help

@@ -80,6 +80,28 @@ expect 0 refine slivers.mesh.off -o a.ply --stats a.json --max-insertions 0
 claim "json('a.json').inserted_vertices == 0"
 rm a.*
 
+# Exact decisions on request, with a certificate of the refined triangulation.
+expect 0 refine slivers.mesh.off -o a.ply --exact --stats a.json
+is_at_least 25 a.ply
+has_kinds a.ply a.json
+claim "s = json('a.json')" 's.certified' 's.is_delaunay' "s.status == 'bounds_met'" \
+  'sum(s.decisions.values()) >= s.vertices + s.inserted_vertices'
+rm a.*
+
+# Where rounding leaves doubts, the same without request: vertices as near to a corner of a square
+# as rounding allows.
+near="0 0 0,1 0 0,1 1 0,0 1 0,1e-16 3e-17 0,0.7 0.3 1e-15,0.7000000000000001 0.3 0"
+off doubtful "$near" "0 1 4,1 2 5,2 3 6,3 0 4,4 1 5,5 2 6,4 5 6,3 4 6"
+for options in '' --exact; do
+  expect 0 refine doubtful.mesh.off -o a.ply --stats a.json --max-insertions 20000 $options
+  claim "s = json('a.json')" "s.status != 'insertion_limit'" 's.is_delaunay'
+  has_kinds a.ply a.json
+done
+expect 0 refine doubtful.mesh.off -o a.ply --stats a.json
+says 'with exact decisions'
+claim "json('a.json').exact_decisions"
+rm a.*
+
 # Handled, not refused.
 expect 0 refine isolated.mesh.off -o -
 sed -n 3p out | grep -qx '9 9 9' || fail 'the isolated vertex lost its place'
@@ -114,6 +136,12 @@ claim "m = ply('a.ply')" "d = m.vertex['distance']" 'len(d) == 289' \
   "json('a.json').max_distance == max(d)" "ply('b.ply').vertex['distance'][:289] == d"
 is_at_least 30 b.ply
 rm a.* b.*
+
+# The certificate is that of the refined triangulation.
+expect 0 distance wide.mesh.off --source 144 -o a.ply --min-angle 30 --exact --stats a.json
+claim "s = json('a.json')" 's.certified' 's.inserted_vertices > 0' \
+  'sum(s.decisions.values()) >= s.edges + 3 * s.inserted_vertices'
+rm a.*
 
 # The sum of the masses is the area.
 expect 0 operators wide.mesh.off --prefix w --min-angle 25 --stats w.json

@@ -209,6 +209,17 @@ expect 0 simplify needle.mesh.off -o - --vertices 1
 expect 0 simplify zero_length.mesh.off -o - --vertices 3 --mollify 1e-6
 rm a.*
 
+# What vertices are removed from is certified; without doubts the result is what it is without.
+expect 0 simplify slivers.mesh.off -o a.ply --vertices 100
+for angle in '' '--refine 25'; do
+  expect 0 simplify slivers.mesh.off -o b.ply --vertices 100 $angle --exact --stats b.json
+  claim "m, s = ply('b.ply'), json('b.json')" 's.certified' 's.ties == 0' 's.coarse_vertices == 100' \
+    'sum(s.decisions.values()) >= s.edges' 'len(coarse_areas(m)) == s.coarse_faces'
+done
+expect 0 simplify cap.mesh.off -o b.ply --vertices 1 --exact --stats b.json
+claim "json('b.json').certified"
+rm a.* b.*
+
 # Wrong calls.
 expect 2 simplify slivers.mesh.off -o a.ply
 expect 2 simplify slivers.mesh.off --vertices 10

@@ -38,4 +38,8 @@ public:
   /// is called after the elements of the triangulation have got other numbers (see
   /// `CGAL::Intrinsic_triangulations::Intrinsic_triangulation::collect_garbage()`).
   void after_renumbering();
+
+  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, without flips and
+  /// without inserted vertices, and refinement starts anew with exact decisions.
+  void before_exact_refinement();
 };

@@ -252,7 +252,8 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   Doubled_problem problem(
     input, conditions,
-    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay));
+    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
+    choose_parameter(get_parameter(np, internal_np::exact_decisions), false));
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, input.mesh().num_faces(), visitor);
   flattening.start_from(log_scale);
@@ -312,6 +313,12 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
 ///                           is triangulated}
 ///     \cgalParamType{`Flipping`}
 ///     \cgalParamDefault{`Flipping::to_Delaunay`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{exact_decisions}
+///     \cgalParamDescription{whether the flips to \f$T^B\f$, the intrinsic Delaunay triangulation, are
+///                           decided exactly on the surface of the edge lengths}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{layout}
 ///     \cgalParamDescription{how flat faces are laid out}

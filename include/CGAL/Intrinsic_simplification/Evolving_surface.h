@@ -16,11 +16,13 @@
 #include <CGAL/Intrinsic_simplification/internal/operations/recorded_changes.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification {
@@ -91,6 +93,21 @@ public:
     flip_waiting_edges([](Vertex_index) {});
   }
 
+  /// flips edges until all are Delaunay by exact decisions about the metric of `tri`, the
+  /// triangulation that the surface was made from: makes both of them Delaunay by the same flips,
+  /// and takes the lengths of `tri`. Complexity: linear in the edges and flips.
+  /// \throws what `Intrinsic_triangulations::make_Delaunay()` throws. After an exception the surface
+  ///   is valid.
+  /// \pre the triangulation \f$T_2\f$ of `tri` is that of the surface, with the same indices
+  void make_exactly_Delaunay(Triangulation& tri)
+  {
+    Flip_follower follower{tri, *this};
+    Intrinsic_triangulations::make_Delaunay(
+      tri, Intrinsic_triangulations::parameters::visitor(std::ref(follower)).exact_decisions(true));
+    for(Edge_index e : mesh().edges())
+      m_surface.set_length(e, tri.length(e));
+  }
+
   /// removes the center of `star`: changes its scale, flips its edges until three are left, takes
   /// it away, and makes the edges Delaunay that have changed (Section 5.1). Complexity: linear in
   /// the degree of the center and the flips, for degrees that are bounded.
@@ -121,6 +138,23 @@ public:
   }
 
 private:
+  // Flips the edges of the surface that have been flipped in another triangulation.
+  struct Flip_follower : Intrinsic_triangulations::Default_flip_visitor
+  {
+    Flip_follower(const Triangulation& tri, Evolving_surface& surface) : tri(tri), surface(surface)
+    {}
+
+    void after_flip(Halfedge_index h)
+    {
+      internal::Flip_geometry geometry = internal::flip_geometry(surface.m_surface.diamond(h));
+      geometry.length = tri.length(tri.mesh().edge(h));
+      internal::flip(h, geometry, surface.m_surface, surface.m_history);
+    }
+
+    const Triangulation& tri;
+    Evolving_surface& surface;
+  };
+
   // With its loops flipped away, the star is that of a flat vertex.
   template <typename Touch>
   Removal_status remove_with_loops(const Flattened_star& star, const Touch& touch)

@@ -149,6 +149,9 @@ public:
   /// calls `recompute()`.
   void after_renumbering() { recompute(); }
 
+  /// calls `recompute()`.
+  void before_exact_refinement() { recompute(); }
+
 private:
   bool is_shared(Halfedge_index h) const
   {

@@ -34,7 +34,8 @@ enum class Defect_kind : std::size_t
   ISOLATED_VERTEX,
   SEVERAL_COMPONENTS,
   DEGENERATE_FACE,
-  NEEDLE_FACE
+  NEEDLE_FACE,
+  VERTEX_WITHIN_ROUNDING
 };
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
@@ -43,7 +44,8 @@ enum class Defect_element
 {
   VERTEX,
   EDGE,
-  FACE
+  FACE,
+  CORNER ///< a vertex in a face
 };
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
@@ -59,7 +61,7 @@ struct Defect_description
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
 /// all kinds of defects, in the order of their enumerators, the fatal ones first.
-inline constexpr std::array<Defect_description, 14> defect_descriptions = {{
+inline constexpr std::array<Defect_description, 15> defect_descriptions = {{
   {Defect_kind::NON_FINITE_COORDINATE, "non-finite coordinate", true, Defect_element::VERTEX,
    "a coordinate is infinite or not a number"},
   {Defect_kind::FACE_INDEX_OUT_OF_RANGE, "face index out of range", true, Defect_element::FACE,
@@ -88,6 +90,8 @@ inline constexpr std::array<Defect_description, 14> defect_descriptions = {{
    "the area of a face is zero"},
   {Defect_kind::NEEDLE_FACE, "needle face", false, Defect_element::FACE,
    "an angle is below one degree"},
+  {Defect_kind::VERTEX_WITHIN_ROUNDING, "vertex within rounding of an edge", false,
+   Defect_element::CORNER, "a face is not higher than the rounding of its coordinates"},
 }};
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
@@ -167,13 +171,17 @@ public:
   const Statistics& statistics() const { return m_statistics; }
 
   /// returns one sentence about all defects of kind `kind`, such as
-  /// "zero-length edge: 3, first between vertices 12 and 15 (face 7)".
+  /// "zero-length edge: 3, first between vertices 12 and 15 (face 7)". Of corners all occurrences
+  /// that are kept are named.
   /// \pre `count(kind) > 0`
   std::string message(Defect_kind kind) const
   {
     std::ostringstream out;
     out << defect_description(kind).name << ": " << count(kind) << ", first ";
-    write_place(out, defect_description(kind).element, occurrences(kind).front());
+    const Defect_element element = defect_description(kind).element;
+    write_place(out, element, occurrences(kind).front());
+    for(std::size_t i = 1; element == Defect_element::CORNER && i < occurrences(kind).size(); ++i)
+      write_place(out << ", ", element, occurrences(kind)[i]);
     return out.str();
   }
 
@@ -223,11 +231,11 @@ private:
   {
     if(element == Defect_element::FACE)
       out << "at face " << o.face;
-    else if(element == Defect_element::VERTEX)
+    else if(element == Defect_element::VERTEX || element == Defect_element::CORNER)
       out << "at vertex " << o.vertices[0];
     else
       out << "between vertices " << o.vertices[0] << " and " << o.vertices[1];
-    if(element == Defect_element::EDGE && o.face != none)
+    if((element == Defect_element::EDGE || element == Defect_element::CORNER) && o.face != none)
       out << " (face " << o.face << ")";
   }
 

@@ -297,6 +297,22 @@ public:
     return flips.size();
   }
 
+  /// turns \f$T_2\f$ back into \f$T_1\f$, with its elements and without inserted vertices. Edges of
+  /// \f$T_1\f$ of which a part was constrained are constrained. Complexity: linear.
+  void reset_to_input()
+  {
+    std::vector<Edge_index> constrained;
+    for(Edge_index e : m_mesh.edges())
+      if(is_constrained(e))
+        constrained.emplace_back(Base::input_spoke_before(m_mesh.halfedge(e)));
+    m_mesh = m_input;
+    m_inserted.clear();
+    attach();
+    m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
+    for(Edge_index e : constrained)
+      m_is_constrained[e] = true;
+  }
+
   /// @}
   /// \name Inserted Vertices
   /// Section 3.5. `Vertex_inserter` calls these operations with the right arguments. Vertices can

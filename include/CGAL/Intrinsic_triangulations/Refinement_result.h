@@ -77,6 +77,14 @@ struct Remaining_face
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
+/// returns whether a narrow vertex excuses `f`.
+inline bool is_excused(const Remaining_face& f)
+{
+  return f.reason == Remaining_reason::at_narrow_vertex ||
+         f.reason == Remaining_reason::beside_narrow_vertex;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
 /// describes what `refine()` has done.
 struct Refinement_result
 {
@@ -84,6 +92,7 @@ struct Refinement_result
   std::size_t insertions = 0;                               ///< the number of vertices inserted
   std::size_t removals = 0;                                 ///< the number of those removed again
   std::size_t flips = 0;                 ///< the number of flips, removals not counted
+  bool is_exact = false;                 ///< whether the decisions were exact
   std::vector<Remaining_face> remaining; ///< the faces that violate the bounds
 };
 

@@ -285,6 +285,21 @@ public:
     return part_length(start_on_spoke(h), start_on_spoke(m_mesh.opposite(h)));
   }
 
+  /// returns the part of an edge of \f$T_1\f$ that coincides with the halfedge `h` of \f$T_2\f$.
+  /// Its length and its places lose no digits, however near its ends are to each other.
+  /// \pre the edge of `h` is shared; `FT` is `double`
+  internal::Part_of_input_edge part_of_input_edge(Halfedge_index h) const
+  {
+    const Halfedge_index spoke = input_spoke_before(h), back = opposite(spoke);
+    const auto ends = [&](Halfedge_index along, Vertex_index v) -> std::array<double, 2> {
+      if(!is_inserted(v))
+        return {1, 0};
+      return {place_along(opposite(along), v), place_along(along, v)};
+    };
+    const auto start = ends(spoke, m_mesh.source(h)), end = ends(back, m_mesh.target(h));
+    return {spoke, start, {end[1], end[0]}};
+  }
+
   /// @}
 
 private:
@@ -299,19 +314,6 @@ private:
       m_inserted(std::move(inserted))
   {
     attach();
-  }
-
-  // the part of an edge of T1 that coincides with the halfedge `h` of T2
-  internal::Part_of_input_edge part_of_input_edge(Halfedge_index h) const
-  {
-    const Halfedge_index spoke = input_spoke_before(h), back = opposite(spoke);
-    const auto ends = [&](Halfedge_index along, Vertex_index v) -> std::array<double, 2> {
-      if(!is_inserted(v))
-        return {1, 0};
-      return {place_along(opposite(along), v), place_along(along, v)};
-    };
-    const auto start = ends(spoke, m_mesh.source(h)), end = ends(back, m_mesh.target(h));
-    return {spoke, start, {end[1], end[0]}};
   }
 
   Triangulation_pair(const Self& other)

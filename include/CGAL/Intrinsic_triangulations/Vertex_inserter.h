@@ -52,8 +52,13 @@ public:
   typedef typename Traits::Integer Integer;
 
   /// prepares changes of `tri`. Complexity: linear in the elements and crossings.
-  explicit Vertex_inserter(Triangulation& tri)
-    : m_tri(tri), m_lists(tri), m_marks(tri), m_exact(tri, m_lists)
+  /// \param tri the triangulation
+  /// \param exact_decisions whether decisions are exact, as they always are with exact traits.
+  ///   `Traits` is `Euclidean_geometry_traits<double>` then, edges are straight, and lengths are
+  ///   those that `make_Delaunay()` computes with exact decisions.
+  explicit Vertex_inserter(Triangulation& tri,
+                           bool exact_decisions = internal::Is_exact<Traits>::value)
+    : m_tri(tri), m_lists(tri), m_marks(tri), m_exact(tri, m_lists), m_is_exact(exact_decisions)
   {}
 
   Vertex_inserter(const Vertex_inserter&) = delete;
@@ -65,7 +70,10 @@ public:
   /// returns the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
   const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
 
-  /// returns the operations with exact decisions; nothing useful unless the traits are exact.
+  /// returns whether decisions are exact.
+  bool is_exact() const { return internal::has_metric<Traits>() && m_is_exact; }
+
+  /// returns the operations with exact decisions; nothing useful unless `is_exact()`.
   const internal::Exact_insertion_of<Traits>& exact() const { return m_exact; }
 
   /// inserts a vertex at the point `p` of \f$T_2\f$: into the face, or into an edge if one
@@ -75,7 +83,7 @@ public:
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
   /// \returns the vertex; one that was there already if two coordinates are zero
-  /// \throws Numerical_error if a new edge has no positive finite length, or with exact traits, if
+  /// \throws Numerical_error if a new edge has no positive finite length, or with exact decisions, if
   ///   no point near by has coordinates on \f$T_1\f$ that leave its edges straight and its faces
   ///   positive; nothing has changed then.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
@@ -87,7 +95,7 @@ public:
         return m_tri.mesh().source(side[s]);
       // a point that is rounded is not exactly on an edge, unless that is one of T1
       if(at_apex == 0 && p.second[s] > 0 && at_target > 0 && can_be_split(side[s]) &&
-         (!is_exact || m_tri.coordinates().is_shared(m_tri.mesh().edge(side[s]))))
+         (!is_exact() || m_tri.coordinates().is_shared(m_tri.mesh().edge(side[s]))))
         return split_edge(side[s], at_target, closeness);
     }
     return split_face(p, closeness);
@@ -100,19 +108,28 @@ public:
   }
 
   /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` leads on
-  /// from there. Complexity: linear in the crossings on the sides of its faces.
+  /// from there. With exact decisions, the rounded place of a vertex is not on an edge that is not
+  /// shared: it is inserted into the face beside it as by `insert()`, the edge is flipped if this is
+  /// possible, and `h` is the flipped edge. Complexity: linear in the crossings on the sides of its
+  /// faces.
   /// \param h the halfedge
   /// \param t the place
   /// \param closeness if the point is closer to a crossing, it is put there
   /// \returns the vertex
-  /// \throws Numerical_error if a new edge has no positive finite length; nothing has changed then.
+  /// \throws Numerical_error as `insert()`; nothing has changed then.
   /// \pre `can_be_split(h)` and \f$0 < t < 1\f$
   Vertex_index split_edge(Halfedge_index h, const FT& t, const FT& closeness = FT(0))
   {
-    const Vertex_index m = m_tri.coordinates().is_shared(m_tri.mesh().edge(h))
-                             ? split_shared_edge(h, t)
-                             : split_crossed_edge(h, t, closeness);
+    const bool is_shared = m_tri.coordinates().is_shared(m_tri.mesh().edge(h));
+    if constexpr(can_be_exact)
+      if(is_exact() && !is_shared)
+        return insert_beside(h, t, closeness);
+    const Vertex_index m =
+      is_shared ? split_shared_edge(h, t) : split_crossed_edge(h, t, closeness);
     update_split(h);
+    if constexpr(can_be_exact)
+      if(is_exact())
+        m_exact.measure(m);
     return m;
   }
 
@@ -120,18 +137,20 @@ public:
   /// crossings.
   void flip(Halfedge_index h)
   {
-    if constexpr(is_exact)
-      return m_exact.flip(h);
+    if constexpr(can_be_exact)
+      if(is_exact())
+        return m_exact.flip(h);
     m_tri.flip(h);
     m_lists.after_flip(h);
   }
 
   /// returns whether the edge `e` is Delaunay, see `Intrinsic_triangulation::is_Delaunay()`. With
-  /// exact traits this looks only at the crossings on its two faces.
+  /// exact decisions this looks only at the crossings on its two faces.
   bool is_Delaunay(Edge_index e)
   {
-    if constexpr(is_exact)
-      return m_exact.is_Delaunay(e);
+    if constexpr(can_be_exact)
+      if(is_exact())
+        return m_exact.is_Delaunay(e);
     return m_tri.is_Delaunay(e);
   }
 
@@ -155,15 +174,25 @@ public:
   }
 
 private:
-  static constexpr bool is_exact = internal::Is_exact<Traits>::value;
+  static constexpr bool can_be_exact = internal::has_metric<Traits>();
   typedef internal::Local_marks<Traits> Marks;
   typedef internal::Face_map<FT, Marks> Face_map;
   typedef internal::Barycentric_coordinates<FT> Coordinates;
 
+  Vertex_index insert_beside(Halfedge_index h, const FT& t, const FT& closeness)
+  {
+    const Vertex_index m =
+      m_exact.insert(face_location(Edge_point<FT>{h, t}, m_tri.mesh()), closeness);
+    if(m_exact.can_be_flipped(h, false))
+      flip(h);
+    return m;
+  }
+
   Vertex_index split_face(const Face_location<FT>& p, const FT& closeness)
   {
-    if constexpr(is_exact)
-      return m_exact.insert(p, closeness);
+    if constexpr(can_be_exact)
+      if(is_exact())
+        return m_exact.insert(p, closeness);
     m_marks.set_face(p.first, m_lists);
     const Face_map face_map(m_marks, m_tri.input_mesh());
     const std::size_t number = face_map.region_of(p.second);
@@ -290,9 +319,13 @@ private:
     const Halfedge_index o = m_tri.mesh().opposite(h);
     const auto forward = m_tri.number_of_inserted_spoke(m_tri.input_halfedge(h)),
                back = 1 - forward;
-    return m_tri.split_edge(
-      h, t, {Integer(-1), Integer(-1), crossings_to_apex(h, 0), crossings_to_apex(o, 0)},
-      {back, forward, back, forward}, m_tri.place_on_shared(h, t));
+    const Edge_split<Integer> n{Integer(-1), Integer(-1), crossings_to_apex(h, 0),
+                                crossings_to_apex(o, 0)};
+    const Edge_split<Vertex_spokes::size_type> r{back, forward, back, forward};
+    if constexpr(can_be_exact)
+      if(is_exact())
+        return m_exact.split_shared_edge(h, t, n, r);
+    return m_tri.split_edge(h, t, n, r, m_tri.place_on_shared(h, t));
   }
 
   Vertex_index split_crossed_edge(Halfedge_index h, const FT& t, const FT& closeness)
@@ -389,6 +422,7 @@ private:
   internal::Crossing_lists<Traits> m_lists;
   Marks m_marks;
   internal::Exact_insertion_of<Traits> m_exact;
+  bool m_is_exact;
   std::vector<Candidate> m_candidates;
 };
 
@@ -412,28 +446,28 @@ Halfedge_index Vertex_inserter<Traits>::edge_to_flip(Vertex_index v)
     const FT c = (std::max)(at_source, at_target), elsewhere = degree < 3 ? c : at_target;
     const bool is_loop = mesh.target(h) == mesh.source(h);
     const FT rank = is_loop ? c - 4 : elsewhere > -tolerance ? c + 4 : c; // loops first
-    if(is_exact || c < tolerance)
+    if(is_exact() || c < tolerance)
       m_candidates.push_back({rank, h});
   });
   return best_candidate(degree >= 3);
 }
 
-// With exact traits the rank only determines the order in which candidates are looked at.
+// With exact decisions the rank only determines the order in which candidates are looked at.
 template <typename Traits>
 Halfedge_index Vertex_inserter<Traits>::best_candidate([[maybe_unused]] bool is_flat_allowed)
 {
   const auto by_rank = [](const Candidate& a, const Candidate& b) { return a.first < b.first; };
-  if constexpr(is_exact) {
-    std::stable_sort(m_candidates.begin(), m_candidates.end(), by_rank);
-    const auto found =
-      std::find_if(m_candidates.begin(), m_candidates.end(), [&](const Candidate& c) {
+  auto best = m_candidates.begin();
+  if constexpr(can_be_exact)
+    if(is_exact()) {
+      std::stable_sort(m_candidates.begin(), m_candidates.end(), by_rank);
+      best = std::find_if(m_candidates.begin(), m_candidates.end(), [&](const Candidate& c) {
         return m_exact.can_be_flipped(c.second, is_flat_allowed);
       });
-    return found == m_candidates.end() ? Halfedge_index() : found->second;
-  } else {
-    const auto best = std::min_element(m_candidates.begin(), m_candidates.end(), by_rank);
-    return best == m_candidates.end() ? Halfedge_index() : best->second;
-  }
+    }
+  if(!is_exact())
+    best = std::min_element(m_candidates.begin(), m_candidates.end(), by_rank);
+  return best == m_candidates.end() ? Halfedge_index() : best->second;
 }
 
 template <typename Traits>
@@ -444,14 +478,18 @@ Face_index Vertex_inserter<Traits>::remove(Vertex_index v, const After_flip& aft
   const Delta_complex& mesh = m_tri.mesh();
   for(std::size_t flips = 0; removal_status(v, mesh) != Operation_status::possible; ++flips) {
     const Halfedge_index h = edge_to_flip(v);
-    if(!h.is_valid() || flips > (is_exact ? 500 : 10000))
+    if(!h.is_valid() || flips > (is_exact() ? 500 : 10000))
       return Delta_complex::null_face();
     flip(h);
     after_flip(h);
   }
   const Face_index f = m_tri.remove_degree_3_vertex(v);
-  for(Halfedge_index h : sides(f, mesh))
+  for(Halfedge_index h : sides(f, mesh)) {
     m_lists.set_if_shared(mesh.edge(h));
+    if constexpr(can_be_exact)
+      if(is_exact())
+        m_exact.measure_if_shared(h);
+  }
   return f;
 }
 

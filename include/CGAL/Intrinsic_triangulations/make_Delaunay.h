@@ -182,23 +182,30 @@ inline std::size_t flips_by_lengths(std::size_t number_of_edges)
   return 10000000 + 1000 * number_of_edges;
 }
 
+struct Delaunay_flips
+{
+  std::size_t number;
+  bool are_exact; // whether flipping went on with exact decisions
+};
+
 // Goes on exactly where lengths of type `double` cannot carry the decisions: after
 // `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. That needs a triangulation
 // whose edges are straight, as it is while no vertices with rounded places have been inserted.
 template <typename Traits, typename Visitor>
-std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
+Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                             Visitor& visitor)
 {
   const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
   const auto [flips, is_Delaunay] = flip_by_lengths(
     tri, can_be_exact ? (std::min)(limit, carried) : limit, can_be_exact ? 2 : 100, visitor);
   if(is_Delaunay)
-    return flips;
+    return {flips, false};
   check_flip_limit(flips == limit);
   if constexpr(has_metric<Traits>())
     if(can_be_exact) {
       visitor.before_exact_flips();
-      return flips + make_exactly_Delaunay(tri, limit - flips, visitor);
+      return {flips + make_exactly_Delaunay(tri, limit - flips, visitor), true};
     }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
@@ -268,7 +275,7 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
     if(internal::Is_exact<Traits>::value ||
        choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
       return internal::make_exactly_Delaunay(tri, limit, visitor);
-  return internal::make_Delaunay(tri, limit, visitor);
+  return internal::make_Delaunay(tri, limit, visitor).number;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -37,6 +37,9 @@ struct Default_refinement_visitor : Default_flip_visitor
   void after_removal(Vertex_index /* v */, Face_index /* f */) {}
   /// is called after elements have been renumbered.
   void after_renumbering() {}
+  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, and refinement
+  /// starts anew with exact decisions.
+  void before_exact_refinement() {}
 };
 
 namespace internal {
@@ -94,37 +97,31 @@ struct No_face
   bool operator()(Face_index) const { return false; }
 };
 
-inline bool is_excused(const Remaining_face& f)
-{
-  return f.reason == Remaining_reason::at_narrow_vertex ||
-         f.reason == Remaining_reason::beside_narrow_vertex;
-}
-
 // why a face that nothing excuses has not been refined
 template <typename Traits>
 Remaining_reason reason_left(const Intrinsic_triangulation<Traits>& tri, Face_index f,
-                             bool is_limited)
+                             const Refinement_result& result)
 {
-  if(is_limited)
+  if(result.status == Refinement_status::insertion_limit)
     return Remaining_reason::insertion_limit;
-  if constexpr(Is_exact<Traits>::value)
-    return exact_decisions(tri).orientation(tri.mesh().halfedge(f)) == POSITIVE
-             ? Remaining_reason::at_rounding
-             : Remaining_reason::no_area;
-  else
-    return Remaining_reason::no_room;
+  if constexpr(has_metric<Traits>())
+    if(result.is_exact)
+      return exact_decisions(tri).orientation(tri.mesh().halfedge(f)) == POSITIVE
+               ? Remaining_reason::at_rounding
+               : Remaining_reason::no_area;
+  return Remaining_reason::no_room;
 }
 
-// returns the faces that violate the bounds, with the reason
+// returns the faces that violate the bounds after a refinement that came to `result`
 template <typename Traits, typename Bounds>
 std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits>& tri,
-                                            const Bounds& bounds, bool is_limited)
+                                            const Bounds& bounds, const Refinement_result& result)
 {
-  const Narrow_vertices<Traits> narrow(tri);
+  const Narrow_vertices<Traits> narrow(tri, result.is_exact);
   const Crossing_lists<Traits> lists(tri);
   std::vector<Remaining_face> remaining;
   const auto unexcused = [&](Face_index f) {
-    return Remaining_face{f, reason_left(tri, f, is_limited), tri.mesh().null_vertex()};
+    return Remaining_face{f, reason_left(tri, f, result), tri.mesh().null_vertex()};
   };
   for(Face_index f : tri.mesh().faces()) {
     if(bounds.is_too_large(f))
@@ -142,24 +139,28 @@ template <typename Traits, typename Bounds>
 bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                     Refinement_result& result)
 {
-  const bool limited = result.status == Refinement_status::insertion_limit;
-  result.remaining = remaining_faces(tri, bounds, limited);
+  result.remaining = remaining_faces(tri, bounds, result);
   const bool all_excused =
     std::all_of(result.remaining.begin(), result.remaining.end(), is_excused);
-  if(!limited)
+  if(result.status != Refinement_status::insertion_limit)
     result.status = result.remaining.empty() ? Refinement_status::bounds_met
                     : all_excused            ? Refinement_status::bounds_met_but_excused
                                              : Refinement_status::no_room;
   return !all_excused;
 }
 
-// Inserts vertices and leaves no garbage, not even after an exception.
-template <typename Traits, typename Bounds, typename Visitor>
-void insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-                     const Refinement_limits& limits, Visitor& visitor, Refinement_result& result)
+// Inserts vertices and leaves no garbage, not even after an exception. Returns whether rounding has
+// left no doubt.
+template <bool is_exact, typename Traits, typename Bounds, typename Visitor>
+bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
+                     const Refinement_limits& limits, Visitor& visitor, bool stops_in_doubt,
+                     Refinement_result& result)
 {
+  bool is_certain = false;
   try {
-    Delaunay_refinement<Traits, Bounds, Visitor>(tri, bounds, limits, visitor).run(result);
+    is_certain =
+      Delaunay_refinement<Traits, Bounds, Visitor, is_exact>(tri, bounds, limits, visitor)
+        .run(stops_in_doubt, result);
   } catch(...) {
     tri.collect_garbage();
     throw;
@@ -168,28 +169,79 @@ void insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
     tri.collect_garbage();
     visitor.after_renumbering();
   }
+  return is_certain;
+}
+
+// Flips to Delaunay with lengths that are computed afresh, and returns whether that was possible.
+template <typename Traits, typename Visitor>
+bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
+                       Refinement_result& result)
+{
+  if(!has_recomputed_lengths(tri))
+    return false;
+  const Flipping_result flipping = flip_by_lengths(tri, limit, 100, visitor);
+  result.flips += flipping.flips;
+  check_flip_limit(!flipping.is_Delaunay && flipping.flips == limit);
+  return flipping.is_Delaunay;
 }
 
 // Lengths that come from many roundings are computed afresh; edges and faces that turn out to
-// violate their conditions are flipped and refined again.
+// violate their conditions are flipped and refined again. Returns whether rounding has left no
+// doubt; otherwise, with `stops_in_doubt`, this can end anywhere.
 template <typename Traits, typename Bounds, typename Visitor>
-Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-                         const Refinement_limits& limits, Visitor& visitor)
+bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
+                       const Refinement_limits& limits, Visitor& visitor, bool stops_in_doubt,
+                       Refinement_result& result)
 {
-  Refinement_result result;
-  result.flips = make_Delaunay(tri, limits.flips, visitor);
   for(int round = 0; round < 20; ++round) {
     const std::size_t before = result.insertions + result.flips;
-    insert_vertices(tri, bounds, limits, visitor, result);
-    if constexpr(Is_exact<Traits>::value) { // nothing has been rounded
-      note_remaining(tri, bounds, result);
-      return result;
+    if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_in_doubt, result) &&
+       stops_in_doubt)
+      return false;
+    if(!is_flipped_afresh(tri, limits.flips, visitor, result)) {
+      if(stops_in_doubt)
+        return false;
+      throw Numerical_error("rounding of the lengths keeps the refinement from becoming Delaunay");
     }
-    tri.recompute_lengths();
-    result.flips += make_Delaunay(tri, limits.flips, visitor);
     if(!note_remaining(tri, bounds, result) || result.insertions + result.flips == before ||
        result.status == Refinement_status::insertion_limit)
       break;
+  }
+  return result.status != Refinement_status::no_room;
+}
+
+template <typename Traits, typename Bounds, typename Visitor>
+Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
+                                 const Refinement_limits& limits, Visitor& visitor,
+                                 std::size_t flips_before = 0)
+{
+  Refinement_result result;
+  result.is_exact = true;
+  result.flips = flips_before + make_exactly_Delaunay(tri, limits.flips, visitor);
+  insert_vertices<true>(tri, bounds, limits, visitor, false, result);
+  note_remaining(tri, bounds, result);
+  return result;
+}
+
+// Starts anew with exact decisions where rounding leaves doubts. That needs a triangulation without
+// vertices that must stay, since the edges at those may not be straight.
+template <typename Traits, typename Bounds, typename Visitor>
+Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
+                                        const Refinement_limits& limits, Visitor& visitor)
+{
+  const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
+  const Delaunay_flips flips = make_Delaunay(tri, limits.flips, visitor);
+  if constexpr(has_metric<Traits>())
+    if(flips.are_exact)
+      return refine_exactly(tri, bounds, limits, visitor, flips.number);
+  Refinement_result result;
+  result.flips = flips.number;
+  if(refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result) || !can_be_exact)
+    return result;
+  if constexpr(has_metric<Traits>()) {
+    tri.reset_to_input();
+    visitor.before_exact_refinement();
+    result = refine_exactly(tri, bounds, limits, visitor);
   }
   return result;
 }
@@ -211,11 +263,15 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 ///
 /// That it ends in exact arithmetic is proven for angles of up to 30 degrees on closed surfaces
 /// without narrow vertices and constrained edges (Theorem 3). With boundary, constrained edges or
-/// narrow vertices this is an open question on surfaces; the manual has what was measured. With
-/// decisions in floating point it can insert vertices without end on nearly degenerate meshes,
-/// whatever the bound: only `maximum_number_of_insertions` guarantees an end.
+/// narrow vertices this is an open question on surfaces; the manual has what was measured. Only
+/// `maximum_number_of_insertions` guarantees an end.
 ///
-/// With `Exact_Euclidean_geometry_traits` it is decided exactly which edges are Delaunay, on which
+/// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
+/// circumcenter, a place or a length is lost, or a face is left that nothing excuses. Then \f$T_2\f$
+/// becomes \f$T_1\f$ again and refinement starts anew with exact decisions, unless it had inserted
+/// vertices at the start.
+///
+/// With exact decisions it is decided exactly which edges are Delaunay, on which
 /// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex gets
 /// coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if its
 /// edges are straight then and its faces positive; otherwise points farther inside the face are
@@ -245,6 +301,13 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{10,000,000}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{exact_decisions}
+///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of type
+///       `double`, too. If vertices have been inserted, `certify_Delaunay()` must find the edges
+///       straight.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the number of flips that are allowed before the first insertion, and
 ///       after each}
@@ -266,7 +329,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri, const Bounds& bou
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
-/// \post `tri` is Delaunay and has no garbage
+/// \post `tri` is Delaunay, exactly if decisions were exact, and has no garbage
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                          const NamedParameters& np = CGAL::parameters::default_values())
@@ -288,9 +351,15 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   Default_refinement_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
-  return internal::refine(
-    tri, internal::Face_bounds<Traits, decltype(predicate)>(tri, degrees, circumradius, predicate),
-    {insertions, flips}, visitor);
+  const internal::Face_bounds<Traits, decltype(predicate)> bounds(tri, degrees, circumradius,
+                                                                  predicate);
+  const internal::Refinement_limits limits{insertions, flips};
+  if constexpr(internal::has_metric<Traits>())
+    if(internal::Is_exact<Traits>::value ||
+       choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
+      return internal::refine_exactly(tri, bounds, limits, visitor);
+  if constexpr(!internal::Is_exact<Traits>::value)
+    return internal::refine_until_in_doubt(tri, bounds, limits, visitor);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

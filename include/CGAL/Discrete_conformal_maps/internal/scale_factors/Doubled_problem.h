@@ -53,9 +53,10 @@ public:
   typedef Intrinsic_triangulations::internal::Mesh_components Components;
   typedef Eigen::VectorXd Vector;
 
-  // `half` is the surface, `condition` has one entry for each of its vertices
+  // `half` is the surface, `condition` has one entry for each of its vertices; the flips to T^B can be
+  // decided exactly
   Doubled_problem(const Triangulation& half, const std::vector<Vertex_condition>& condition,
-                  Flipping flipping)
+                  Flipping flipping, bool has_exact_flips = false)
     : m_flipping(flipping),
       m_half(half.mesh()),
       m_double(m_half, faces_to_copy(m_half)),
@@ -66,7 +67,8 @@ public:
       m_value(Vector::Zero(Eigen::Index(m_is_fixed.size())))
   {
     if(flipping == Flipping::to_Delaunay)
-      m_number_of_flips = Intrinsic_triangulations::make_Delaunay(m_triangulation);
+      m_number_of_flips = Intrinsic_triangulations::make_Delaunay(
+        m_triangulation, Intrinsic_triangulations::parameters::exact_decisions(has_exact_flips));
     for(Vertex_index v : m_half.vertices()) {
       m_front[mirrored(v).idx()] = m_front[v.idx()] = v;
       set_condition(v, condition[v.idx()]);

@@ -208,7 +208,7 @@ public:
   double length(Halfedge_index h) const
   {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
-      return m_pair.shared_length(h);
+      return shared_length(h);
     double length = 0;
     try_with_more_digits([&](auto& corners) {
       length = rounded_length(development(corners).uncrossed_strip(h), corners);
@@ -220,7 +220,14 @@ public:
     return length;
   }
 
-  // Returns the angle at the source of `h` in its face, which lies the right way round.
+  // returns the length of the edge of `h`, which is shared; it may be too short to be positive
+  double shared_length(Halfedge_index h) const
+  {
+    return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
+  }
+
+  // Returns the angle at the source of `h` in its face, between 0 and pi: where it is near to one of
+  // them, rounding can make the corner clockwise.
   double rounded_angle(Halfedge_index h) const
   {
     const auto [corner, error] =

@@ -9,6 +9,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/diagnosis/diagnose_complex.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 #include <CGAL/number_utils.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -84,11 +86,53 @@ public:
     const std::size_t c = m_complex.first_corner[f];
     if(collinear(corner_point(c), corner_point(c + 1), corner_point(c + 2)))
       m_diagnosis.add(Defect_kind::DEGENERATE_FACE, m_complex.face(f));
-    else if(smallest_angle(sides) < needle_angle_in_degrees)
-      m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));
+    else {
+      if(smallest_angle(sides) < needle_angle_in_degrees)
+        m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));
+      check_height(f, sides);
+    }
   }
 
 private:
+  typedef std::array<std::array<double, 3>, 3> Corners;
+
+  void check_height(std::size_t f, const std::array<double, 3>& sides)
+  {
+    const std::size_t c = m_complex.first_corner[f];
+    Corners corners;
+    for(std::size_t i = 0; i < 3; ++i) {
+      const Exact_point p = corner_point(c + i);
+      corners[i] = {p.x(), p.y(), p.z()};
+    }
+    const auto longest = std::max_element(sides.begin(), sides.end());
+    if(!is_within_rounding(corners, sides, *longest))
+      return;
+    const std::size_t apex = c + static_cast<std::size_t>(longest - sides.begin() + 2) % 3;
+    m_diagnosis.add(Defect_kind::VERTEX_WITHIN_ROUNDING,
+                    {{m_complex.corner_vertex[apex], Input_diagnosis::none}, f});
+  }
+
+  // Whether the least height is at most a unit in the last place of the greatest coordinate. Lengths
+  // decide unless it is of the order of their rounding, or of its root.
+  static bool is_within_rounding(const Corners& p, const std::array<double, 3>& sides,
+                                 double longest)
+  {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    double greatest = 0;
+    for(const auto& corner : p)
+      for(double x : corner)
+        greatest = (std::max)(greatest, std::abs(x));
+    const double unit = epsilon * greatest;
+    const double height = quadrupled_area(sides[0], sides[1], sides[2]) / (2 * longest);
+    if(height > unit + 16 * std::sqrt(epsilon) * longest)
+      return false;
+    typedef Exact_ring R;
+    const auto normal = cross(vector_between<R>(p[0], p[1]), vector_between<R>(p[0], p[2]));
+    const R base = (std::max)({squared_distance<R>(p[0], p[1]), squared_distance<R>(p[1], p[2]),
+                               squared_distance<R>(p[2], p[0])});
+    return dot(normal, normal) <= R(unit) * R(unit) * base;
+  }
+
   Exact_point point(std::size_t v) const
   {
     const auto& p = m_points[v];

@@ -15,6 +15,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Changes of T2 with exact decisions, and with lengths that stay within `certified_length_error()`.
-// All of them read the crossings from lists.
+// All of them read the crossings from lists. None is inlined where decisions are rarely exact.
 template <typename Traits>
 class Exact_insertion
 {
@@ -43,7 +45,7 @@ public:
   Decisions& decisions() { return m_decisions; }
   const Decisions& decisions() const { return m_decisions; }
 
-  bool is_Delaunay(Edge_index e)
+  BOOST_NOINLINE bool is_Delaunay(Edge_index e)
   {
     const Halfedge_index h = m_mesh.halfedge(e);
     return !m_tri.can_be_turned(h) || m_decisions.is_Delaunay(h);
@@ -51,13 +53,13 @@ public:
 
   // returns whether the union of the faces of `h` is strictly convex at its ends, or flat at the
   // source if this is allowed
-  bool can_be_flipped(Halfedge_index h, bool is_flat_allowed)
+  BOOST_NOINLINE bool can_be_flipped(Halfedge_index h, bool is_flat_allowed)
   {
     return m_decisions.convexity_at_source(h) >= (is_flat_allowed ? ZERO : POSITIVE) &&
            m_decisions.convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
   }
 
-  void flip(Halfedge_index h)
+  BOOST_NOINLINE void flip(Halfedge_index h)
   {
     m_tri.turn(h, [&] {
       m_lists.after_flip(h);
@@ -65,11 +67,29 @@ public:
     });
   }
 
+  // Inserts a vertex at the part `t` of the shared edge of `h`, without the lengths of its edges.
+  BOOST_NOINLINE Vertex_index split_shared_edge(Halfedge_index h, double t,
+                                                const Edge_split<Integer>& n,
+                                                const Edge_split<Vertex_spokes::size_type>& r)
+  {
+    return m_tri.split_edge(h, n, r, m_tri.part_of_input_edge(h).place(t, m_tri.input_mesh()), {});
+  }
+
+  // computes the lengths of the edges at the inserted vertex `m`
+  BOOST_NOINLINE void measure(Vertex_index m) { m_tri.measured(m, m_decisions); }
+
+  // computes the length of the edge of `h` if it is shared
+  BOOST_NOINLINE void measure_if_shared(Halfedge_index h)
+  {
+    if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
+      m_tri.m_length[m_mesh.edge(h)] = m_decisions.length(h);
+  }
+
   // Inserts a vertex at the point with coordinates `p`, or on an edge of T1 that is not farther away
   // than `closeness`. Rounded to coordinates on T1, the point may lie outside of its region; then
   // points farther inside the face are tried.
   // \throws Numerical_error if the face is so small that this does not help; nothing has changed
-  Vertex_index insert(const Face_location<double>& p, double closeness)
+  BOOST_NOINLINE Vertex_index insert(const Face_location<double>& p, double closeness)
   {
     for(double inwards : {0., 0x1p-30, 0x1p-15, 0x1p-8, 0x1p-4, 0x1p-2}) {
       Face_location<double> moved = p;
@@ -211,7 +231,7 @@ private:
 
   bool is_straight(Halfedge_index h)
   {
-    return m_tri.coordinates().is_shared(m_mesh.edge(h)) ? m_tri.shared_length(h) > 0
+    return m_tri.coordinates().is_shared(m_mesh.edge(h)) ? m_decisions.shared_length(h) > 0
                                                          : m_decisions.is_straight(h);
   }
 
@@ -221,7 +241,7 @@ private:
   Decisions m_decisions;
 };
 
-// Nothing, where decisions are made by lengths.
+// Nothing, where decisions cannot be exact.
 struct No_exact_insertion
 {
   template <typename Triangulation, typename Lists>
@@ -231,7 +251,7 @@ struct No_exact_insertion
 
 template <typename Traits>
 using Exact_insertion_of =
-  std::conditional_t<Is_exact<Traits>::value, Exact_insertion<Traits>, No_exact_insertion>;
+  std::conditional_t<has_metric<Traits>(), Exact_insertion<Traits>, No_exact_insertion>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

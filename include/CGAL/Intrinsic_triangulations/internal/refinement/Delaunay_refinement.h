@@ -29,14 +29,14 @@ struct Refinement_limits
   std::size_t flips; // before the first insertion, and after each
 };
 
-template <typename Traits, typename = void>
+template <typename Traits, bool is_exact>
 struct Layout_selection
 {
   typedef Layout_by_lengths<typename Intrinsic_triangulation<Traits>::Edge_length_map> type;
 };
 
 template <typename Traits>
-struct Layout_selection<Traits, std::enable_if_t<Is_exact<Traits>::value>>
+struct Layout_selection<Traits, true>
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef Layout_by_decisions<typename Exact_insertion<Traits>::Decisions,
@@ -45,8 +45,8 @@ struct Layout_selection<Traits, std::enable_if_t<Is_exact<Traits>::value>>
 };
 
 // how faces of T2 are laid out
-template <typename Traits>
-using Layout_of = typename Layout_selection<Traits>::type;
+template <typename Traits, bool is_exact>
+using Layout_of = typename Layout_selection<Traits, is_exact>::type;
 
 // Chew's second algorithm on a surface (Algorithm 5): the circumcenter of a bad face is inserted,
 // or the boundary or constrained edge that hides it is split and circumcenters near by are removed
@@ -54,14 +54,14 @@ using Layout_of = typename Layout_selection<Traits>::type;
 //
 // `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused. The
 // visitor is notified of every change.
-template <typename Traits, typename Bounds, typename Visitor>
+template <typename Traits, typename Bounds, typename Visitor, bool is_exact>
 class Delaunay_refinement
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::FT FT;
   typedef typename Triangulation::Edge_length_map Edge_length_map;
-  static constexpr bool is_exact = Is_exact<Traits>::value;
-  typedef Circumcenter_walk<Edge_length_map, Layout_of<Traits>> Walk;
+  typedef Layout_of<Traits, is_exact> Layout;
+  typedef Circumcenter_walk<Edge_length_map, Layout> Walk;
 
   // a bad face, as it was when it was found; the greatest circumradius comes first
   struct Candidate
@@ -85,31 +85,33 @@ public:
       m_bounds(bounds),
       m_limits(limits),
       m_visitor(visitor),
-      m_inserter(tri),
-      m_narrow(tri),
+      m_inserter(tri, is_exact),
+      m_narrow(tri, is_exact),
       m_walk(tri.intrinsic(), layout()),
       m_ball(tri.intrinsic()),
       m_stack(m_mesh.num_edges())
   {}
 
   // Ends: every candidate that is taken from the queue leads to an insertion, of which there is a
-  // limited number, or changes nothing and is gone.
-  void run(Refinement_result& result)
+  // limited number, or changes nothing and is gone. Returns whether rounding has left no doubt; with
+  // `stops_in_doubt` it ends as soon as it has.
+  bool run(bool stops_in_doubt, Refinement_result& result)
   {
     m_result = &result;
     for(Face_index f : m_mesh.faces())
       push_if_bad(f);
-    while(!m_queue.empty()) {
+    while(!m_queue.empty() && !(m_is_in_doubt && stops_in_doubt)) {
       const Candidate c = m_queue.top();
       m_queue.pop();
       if(!is_current(c))
         continue;
       if(result.insertions == m_limits.insertions) {
         result.status = Refinement_status::insertion_limit;
-        return;
+        break;
       }
       refine(c.face);
     }
+    return !m_is_in_doubt;
   }
 
 private:
@@ -121,9 +123,9 @@ private:
   auto layout() const
   {
     if constexpr(is_exact)
-      return Layout_of<Traits>(m_inserter.exact().decisions(), m_tri.intrinsic());
+      return Layout(m_inserter.exact().decisions(), m_tri.intrinsic());
     else
-      return Layout_of<Traits>(m_tri.intrinsic());
+      return Layout(m_tri.intrinsic());
   }
 
   FT circumradius(Face_index f) const
@@ -170,6 +172,7 @@ private:
     } catch(const Numerical_error&) {
       if(m_is_visited)
         throw;
+      m_is_in_doubt = true;
     }
   }
 
@@ -185,24 +188,37 @@ private:
   {
     const auto is_fixed = [this](Halfedge_index h) { return this->is_fixed(h); };
     switch(m_walk.walk(f, is_fixed)) {
-      case Walk::End::inside:
-        return add_vertex(m_inserter.insert(m_walk.location(), m_walk.closeness()));
+      case Walk::End::inside: return insert_at_center(f);
       case Walk::End::on_edge:
         if(is_exact && !m_tri.coordinates().is_shared(m_mesh.edge(m_walk.halfedge())))
-          return add_vertex(m_inserter.insert(m_walk.location(), m_walk.closeness()));
-        return split(m_walk.halfedge(), m_walk.along());
+          return insert_at_center(f);
+        return split(m_walk.halfedge(), m_walk.along(), f);
       case Walk::End::blocked: return split_fixed(m_walk.halfedge(), f);
-      case Walk::End::lost: return;
+      case Walk::End::lost: m_is_in_doubt = true;
     }
   }
 
-  void split(Halfedge_index h, const FT& t)
+  void insert_at_center(Face_index f)
   {
-    if(m_inserter.can_be_split(h))
-      add_vertex(m_inserter.split_edge(h, t, m_walk.closeness()));
-    else
-      add_vertex(
-        m_inserter.insert(face_location(Edge_point<FT>{h, t}, m_mesh), m_walk.closeness()));
+    add_center(m_inserter.insert(m_walk.location(), m_walk.closeness()), f);
+  }
+
+  // A face does not outlive a vertex in its circumcircle, unless rounding has misplaced that, or
+  // makes a face that is not Delaunay pass for one.
+  void add_center(Vertex_index m, Face_index f)
+  {
+    const std::size_t before = version(f);
+    add_vertex(m);
+    m_is_in_doubt = m_is_in_doubt || version(f) == before;
+  }
+
+  void split(Halfedge_index h, const FT& t, Face_index f)
+  {
+    const FT& closeness = m_walk.closeness();
+    add_center(m_inserter.can_be_split(h)
+                 ? m_inserter.split_edge(h, t, closeness)
+                 : m_inserter.insert(face_location(Edge_point<FT>{h, t}, m_mesh), closeness),
+               f);
   }
 
   // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but its turn comes
@@ -300,6 +316,7 @@ private:
   Refinement_limits m_limits;
   Visitor& m_visitor;
   bool m_is_visited = false; // while the visitor is called
+  bool m_is_in_doubt = false;
   Vertex_inserter<Traits> m_inserter;
   Narrow_vertices<Traits> m_narrow;
   Walk m_walk;

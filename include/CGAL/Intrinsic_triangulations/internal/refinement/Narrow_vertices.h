@@ -15,6 +15,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -32,8 +34,10 @@ class Narrow_vertices
   typedef typename Traits::FT FT;
 
 public:
-  explicit Narrow_vertices(const Triangulation& tri)
-    : m_tri(tri), m_is_narrow(tri.mesh().num_vertices(), false)
+  Narrow_vertices(const Triangulation& tri, bool has_exact_angles)
+    : m_tri(tri),
+      m_has_exact_angles(has_exact_angles),
+      m_is_narrow(tri.mesh().num_vertices(), false)
   {
     for(Vertex_index v : tri.mesh().vertices())
       m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < pi<FT>() / 3;
@@ -107,10 +111,15 @@ private:
 
   FT angle(Halfedge_index h) const
   {
-    if constexpr(Is_exact<Traits>::value)
-      return exact_decisions(m_tri).rounded_angle(h);
-    else
-      return angle_at_source(h, m_tri);
+    if constexpr(has_metric<Traits>())
+      if(m_has_exact_angles)
+        return exact_angle(h);
+    return angle_at_source(h, m_tri);
+  }
+
+  BOOST_NOINLINE FT exact_angle(Halfedge_index h) const
+  {
+    return exact_decisions(m_tri).rounded_angle(h);
   }
 
   // Returns the least of the angles between fixed edges, or the whole angle if there are fewer than
@@ -139,6 +148,7 @@ private:
   }
 
   const Triangulation& m_tri;
+  bool m_has_exact_angles;
   std::vector<char> m_is_narrow;
 };
 
