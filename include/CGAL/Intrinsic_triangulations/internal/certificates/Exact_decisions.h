@@ -165,12 +165,10 @@ public:
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
       return m_pair.shared_length(h);
     double length = rounded_length<double>(h);
-#ifdef CGAL_USE_MPFR
     for(long bits = 128; bits <= 512 && std::isnan(length); bits *= 4) {
-      const Gmpfr_precision precision(bits);
-      length = rounded_length<Gmpfr>(h);
+      const Long_float_precision precision(bits);
+      length = rounded_length<Long_float>(h);
     }
-#endif
     if(!m_pair.traits().is_length_object()(length))
       throw Numerical_error("edge " + std::to_string(m_mesh.edge(h).idx()) +
                             " has no positive finite length");
@@ -211,6 +209,41 @@ public:
   }
 
   const Decision_count& count() const { return m_count; }
+
+  // Returns the sign `predicate(development)`, which is asked for with more and more digits. Roots
+  // of few numbers, as where many faces are coplanar, are faster than many digits.
+  template <typename Predicate>
+  Sign decide(const Predicate& predicate)
+  {
+    Uncertain<Sign> sign = sign_by_balls<double>(predicate, m_count.floating_point);
+    for(long bits : {128, 512}) {
+      if(is_certain(sign))
+        return get_certain(sign);
+      const Long_float_precision precision(bits);
+      sign = sign_by_balls<Long_float>(predicate, m_count.multiprecision);
+      if(!is_certain(sign) && bits == 128)
+        sign = sign_by_roots(predicate, 2);
+    }
+    if(!is_certain(sign))
+      sign = sign_by_roots(predicate, maximal_number_of_roots);
+    if(!is_certain(sign))
+      throw Numerical_error("an exact decision involves more than " +
+                            std::to_string(maximal_number_of_roots) + " independent square roots");
+    return get_certain(sign);
+  }
+
+  // its imaginary part is the height of the origin over a side, times the length of the side
+  template <typename Side>
+  static auto height(const Side& side)
+  {
+    return conj(side.source) * side.vector;
+  }
+
+  template <typename Side>
+  static auto squared_length(const Side& side)
+  {
+    return conj(side.vector) * side.vector;
+  }
 
 private:
   bool has_inserted_end(Halfedge_index h) const
@@ -253,29 +286,6 @@ private:
       return Uncertain<Sign>::indeterminate();
     ++m_count.exact;
     return sign;
-  }
-
-  // Roots of few numbers, as where many faces are coplanar, are faster than many digits.
-  template <typename Predicate>
-  Sign decide(const Predicate& predicate)
-  {
-    Uncertain<Sign> sign = sign_by_balls<double>(predicate, m_count.floating_point);
-#ifdef CGAL_USE_MPFR
-    for(long bits : {128, 512}) {
-      if(is_certain(sign))
-        return get_certain(sign);
-      const Gmpfr_precision precision(bits);
-      sign = sign_by_balls<Gmpfr>(predicate, m_count.multiprecision);
-      if(!is_certain(sign) && bits == 128)
-        sign = sign_by_roots(predicate, 2);
-    }
-#endif
-    if(!is_certain(sign))
-      sign = sign_by_roots(predicate, maximal_number_of_roots);
-    if(!is_certain(sign))
-      throw Numerical_error("an exact decision involves more than " +
-                            std::to_string(maximal_number_of_roots) + " independent square roots");
-    return get_certain(sign);
   }
 
   // ---- Predicates ----
@@ -326,19 +336,6 @@ private:
                                          : Uncertain<Sign>::indeterminate();
   }
 
-  // its imaginary part is the height of the origin over a side, times the length of the side
-  template <typename Side>
-  static auto height(const Side& side)
-  {
-    return conj(side.source) * side.vector;
-  }
-
-  template <typename Side>
-  static auto squared_length(const Side& side)
-  {
-    return conj(side.vector) * side.vector;
-  }
-
   template <typename N>
   double rounded_length(Halfedge_index h) const
   {
@@ -354,12 +351,10 @@ private:
     const auto is_accurate = [&] {
       return corner.second <= size(corner.first) * certified_length_error();
     };
-#ifdef CGAL_USE_MPFR
     for(long bits = 128; bits <= 512 && !is_accurate(); bits *= 4) {
-      const Gmpfr_precision precision(bits);
-      corner = corner_and_error<Gmpfr>(h);
+      const Long_float_precision precision(bits);
+      corner = corner_and_error<Long_float>(h);
     }
-#endif
     return corner.first;
   }
 

@@ -89,17 +89,7 @@ public:
   }
 
 private:
-#ifdef CGAL_USE_MPFR
-  typedef Gmpfr N;
-  typedef Gmpfr_precision Precision;
-#else
-  typedef double N;
-  struct Precision
-  {
-    explicit Precision(long) {}
-  };
-#endif
-  typedef Developed_face<Traits, Crossings, N> Face;
+  typedef Developed_face<Traits, Crossings, Long_float> Face;
 
   // An edge of T1 on the boundary of a region, by its halfedge that leaves the face, and by the number
   // of that side of the triangle of T1.
@@ -117,7 +107,7 @@ private:
     const std::size_t s = static_cast<std::size_t>(
       std::max_element(p.second.begin(), p.second.end()) - p.second.begin());
     const Halfedge_index h = sides(p.first, m_mesh)[s];
-    [[maybe_unused]] const Precision precision(128);
+    const Long_float_precision precision(128);
     const Crossings crossings(m_lists);
     const Face face(m_tri, crossings, h);
     const auto point = face.point(p.second[(s + 1) % 3], p.second[(s + 2) % 3]);
