@@ -276,12 +276,13 @@ TEST(Certified_places, elements_with_inserted_vertices)
     const auto count = check_elements(t, mesh, random);
     for(std::size_t k = 0; k < 3; ++k)
       sum[k] += count[k];
-    // inserted vertices themselves, from both faces of T1 at them
+    // and the inserted vertices themselves
     const Exact_correspondence c(t);
     for(Vertex_index v : t.mesh().vertices())
-      if(t.is_inserted(v))
+      if(t.is_inserted(v)) {
         EXPECT_EQ(IT::element_across(c, Side::input, t.inserted_vertex(v).location),
                   Surface_element(v));
+      }
   }
   for(std::size_t n : sum)
     EXPECT_GT(n, 50u);
@@ -303,8 +304,9 @@ TEST(Certified_places, elements_agree_with_points_across)
           x /= sum;
         const Location across = IT::point_across(c, side, p);
         const auto& b = across.second;
-        if((std::min)({b[0], b[1], b[2]}) > 1e-9)
+        if((std::min)({b[0], b[1], b[2]}) > 1e-9) {
           EXPECT_EQ(IT::element_across(c, side, p), Surface_element(across.first));
+        }
       }
   }
 }
