@@ -34,27 +34,13 @@ using IT::Delaunay_certificate;
 
 using Double_ball = IT::internal::Ball<double>;
 
-struct Exact_complex
-{
-  Exact_rational x, y;
-
-  friend Exact_complex operator+(const Exact_complex& a, const Exact_complex& b)
-  {
-    return {a.x + b.x, a.y + b.y};
-  }
-  friend Exact_complex operator-(const Exact_complex& a, const Exact_complex& b)
-  {
-    return {a.x - b.x, a.y - b.y};
-  }
-  friend Exact_complex operator*(const Exact_complex& a, const Exact_complex& b)
-  {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-  }
-};
+using Tower = IT::internal::Root_tower<Exact_rational>;
+using Exact_complex = IT::internal::Root_complex<Exact_rational>; // used without roots
 
 bool contains(const Double_ball& ball, const Exact_complex& z)
 {
-  const Exact_rational dx = z.x - Exact_rational(ball.x), dy = z.y - Exact_rational(ball.y);
+  const Exact_rational dx = z.x.front() - Exact_rational(ball.x),
+                       dy = z.y.front() - Exact_rational(ball.y);
   const Exact_rational radius(ball.radius);
   return dx * dx + dy * dy <= radius * radius;
 }
@@ -62,13 +48,17 @@ bool contains(const Double_ball& ball, const Exact_complex& z)
 TEST(Exact_Delaunay, balls_contain_the_exact_number)
 {
   Portable_random random(1);
+  const Tower tower(0);
+  const auto exactly = [&](const Double_ball& ball) {
+    return Exact_complex{&tower, {Exact_rational(ball.x)}, {Exact_rational(ball.y)}};
+  };
   const auto number = [&] { return std::ldexp(random.get_double(-1, 1), random.get_int(-30, 30)); };
   for(int trial = 0; trial < 300; ++trial) {
     Double_ball ball{number(), number(), 0};
-    Exact_complex exact{ball.x, ball.y};
+    Exact_complex exact = exactly(ball);
     for(int step = 0; step < 20; ++step) {
       const Double_ball other{number(), number(), 0};
-      const Exact_complex exact_other{other.x, other.y};
+      const Exact_complex exact_other = exactly(other);
       switch(random.get_int(0, 3)) {
         case 0: ball = ball + other, exact = exact + exact_other; break;
         case 1: ball = ball - other, exact = exact - exact_other; break;
@@ -79,7 +69,15 @@ TEST(Exact_Delaunay, balls_contain_the_exact_number)
   }
 }
 
-using Tower = IT::internal::Root_tower<Exact_rational>;
+TEST(Exact_Delaunay, balls_of_products_are_small)
+{
+  Portable_random random(2);
+  Double_ball ball{1, 0, 0};
+  for(int step = 0; step < 100; ++step) {
+    ball = ball * Double_ball{random.get_double(-1, 1), random.get_double(-1, 1), 0};
+    EXPECT_LE(ball.radius, (step + 1) * 1e-15 * ball.norm());
+  }
+}
 
 TEST(Exact_Delaunay, signs_of_sums_of_roots)
 {
@@ -313,7 +311,7 @@ TEST(Exact_Delaunay, octagon_with_lengths_in_an_extension)
     const Delaunay_certificate certificate = IT::certify_Delaunay(t);
     EXPECT_TRUE(certificate.is_Delaunay());
     EXPECT_EQ(certificate.ties.size(), 5u);
-    double sides = 0;
+    int sides = 0;
     for(Edge_index e : t.mesh().edges())
       sides += std::abs(t.length(e) - 1) < 1e-12;
     EXPECT_EQ(sides, 4);
