@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "hard_meshes.h"
+#include "exact_flips.h"
 #include "measuring.h"
 
 #include <CGAL/Exact_rational.h>
@@ -28,9 +28,7 @@ namespace {
 
 using namespace Test_surfaces;
 using Rational = CGAL::Exact_rational;
-using Exact_traits = IT::Exact_Euclidean_geometry_traits<>;
-using Exact_triangulation = IT::Intrinsic_triangulation<Exact_traits>;
-using Exact_correspondence = IT::Correspondence<Exact_traits>;
+using Exact_correspondence = IT::Correspondence<Exact_triangulation::Traits>;
 using Exact_kernel = CGAL::Simple_cartesian<Rational>;
 using Exact_point = Exact_kernel::Point_2;
 using Interval = CGAL::Interval_nt<>;
@@ -45,18 +43,6 @@ Mesh sheared(Mesh mesh, double shear)
     mesh.point(v) = Point(p.x() + shear * p.y(), p.y(), 0);
   }
   return mesh;
-}
-
-template <typename Triangulation>
-void shuffle(Triangulation& t, std::size_t flips, Portable_random& random)
-{
-  const int edges = static_cast<int>(t.mesh().number_of_edges());
-  for(std::size_t flip = 0; flip < flips; ++flip) {
-    const Halfedge_index h =
-      t.mesh().halfedge(Edge_index(static_cast<unsigned>(random.get_int(0, edges))));
-    if(t.is_flippable(h))
-      t.flip(h);
-  }
 }
 
 // A planar mesh: the places of the vertices of T2, in rational numbers.
