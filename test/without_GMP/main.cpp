@@ -46,15 +46,16 @@ Mesh tube(std::size_t n, double width)
   return mesh;
 }
 
-// Unit squares, each of them a tie, in a plane.
-Mesh squares(std::size_t n)
+// Rectangles, each of them a tie, in a plane.
+Mesh rectangles(std::size_t n, double width)
 {
   Mesh mesh;
   std::vector<Mesh::Vertex_index> v;
   for(std::size_t i = 0; i <= n; ++i)
-    for(std::size_t j = 0; j <= n; ++j)
-      v.push_back(mesh.add_vertex(Point(2 * double(i) - double(j), 2 * double(i) + 2 * double(j),
-                                        double(i) - 2 * double(j))));
+    for(std::size_t j = 0; j <= n; ++j) {
+      const double x = width * double(i), y = double(j);
+      v.push_back(mesh.add_vertex(Point(2 * x - y, 2 * x + 2 * y, x - 2 * y)));
+    }
   for(std::size_t i = 0; i < n; ++i)
     for(std::size_t j = 0; j < n; ++j) {
       const std::size_t k = i * (n + 1) + j;
@@ -67,7 +68,7 @@ Mesh squares(std::size_t n)
 void shuffle(Triangulation& t)
 {
   std::mt19937 random(1);
-  for(std::size_t i = 0; i < 5 * t.mesh().number_of_edges(); ++i) {
+  for(std::size_t i = 0; i < t.mesh().number_of_edges(); ++i) {
     const auto h = t.mesh().halfedge(
       IT::Edge_index(static_cast<unsigned int>(random() % t.mesh().number_of_edges())));
     if(t.is_flippable(h))
@@ -96,15 +97,22 @@ bool is_good(const Mesh& mesh, std::size_t ties, const char* name)
     const auto place = IT::enclose_crossing(correspondence, id).on_input.t;
     result = expect(place.sup() - place.inf() <= 0x1p-50, "width of a place") && result;
   }
-  IT::refine(t, IT::parameters::maximum_number_of_insertions(20));
-  return expect(IT::certify_Delaunay(t).is_Delaunay(), "refinement") && result;
+  return result;
+}
+
+bool is_refined(const Mesh& mesh)
+{
+  Triangulation t(mesh);
+  const IT::Refinement_result refined = IT::refine(t);
+  return expect(refined.status == IT::Refinement_status::bounds_met, "refinement") &&
+         expect(IT::certify_Delaunay(t).is_Delaunay(), "refined triangulation");
 }
 
 } // namespace
 
 int main()
 {
-  const bool result = is_good(squares(3), 9, "squares") && is_good(tube(6, 0.5), 0, "tube") &&
-                      is_good(tube(4, 1e-4), 0, "thin tube");
+  const bool result = is_good(rectangles(3, 1), 9, "squares") && is_good(tube(4, 0.5), 0, "tube") &&
+                      is_good(tube(4, 1e-4), 0, "thin tube") && is_refined(rectangles(1, 9));
   return result ? EXIT_SUCCESS : EXIT_FAILURE;
 }
