@@ -35,7 +35,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// between them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
 ///
 /// The object refers to the triangulation and is valid until that changes.
-/// Memory: about 85 bytes for each edge and 40 for each crossing (with `double`), 48 in a geometry
+/// Memory: about 45 bytes for each edge and 40 for each crossing (with `double`), 48 in a geometry
 /// where crossings have scales, and up to twice as many where vertices have been inserted.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
@@ -339,8 +339,8 @@ private:
     m_order_on_input.reserve(m_traced.size());
     for(size_type i : order)
       add_part(m_traced_parts[i].part);
-    m_traced = {};
-    m_traced_parts = {};
+    m_traced = std::vector<size_type>(); // frees the memory, as {} does not
+    m_traced_parts = std::vector<Traced_part>();
   }
 
   // Each part but the first starts where another ends.
