@@ -438,72 +438,72 @@ TEST(Conformal_barycenter, is_in_balance)
   }
 }
 
+typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
+
+// Compares both predicates with those of the kernel; returns the orientation.
+template <typename FT>
+int check_predicates(const std::array<std::array<FT, 2>, 4>& p,
+                     const std::array<Exact::Point_2, 4>& q)
+{
+  const DCM::internal::Plane_predicates<FT> predicates;
+  const int turn = int(CGAL::orientation(q[0], q[1], q[2]));
+  EXPECT_EQ(predicates.orientation(p[0], p[1], p[2]), turn);
+  if(turn != 0) {
+    EXPECT_EQ(predicates.in_circle(p[0], p[1], p[2], p[3]),
+              int(CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3])));
+  }
+  return turn;
+}
+
 TEST(Plane_predicates, are_exact)
 {
-  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
-  const DCM::internal::Plane_predicates<double> predicates;
-  const DCM::internal::Plane_predicates<Extended> extended;
   CGAL::Random random(1);
   for(int i = 0; i < 20000; ++i) {
     // a grid of few points a few roundings wide: most are degenerate
     std::array<std::array<double, 2>, 4> p;
     std::array<std::array<Extended, 2>, 4> e;
-    std::vector<Exact::Point_2> q;
+    std::array<Exact::Point_2, 4> q;
     for(std::size_t k = 0; k < 4; ++k) {
       for(std::size_t c = 0; c < 2; ++c) {
         p[k][c] = 0.1 + random.get_int(0, 4) * 1.4e-17 * (i % 2 == 0 ? 1 : 1e12);
         e[k][c] = Extended(p[k][c]);
       }
-      q.emplace_back(p[k][0], p[k][1]);
+      q[k] = {p[k][0], p[k][1]};
     }
-    const int turn = int(CGAL::orientation(q[0], q[1], q[2]));
-    EXPECT_EQ(predicates.orientation(p[0], p[1], p[2]), turn);
-    EXPECT_EQ(extended.orientation(e[0], e[1], e[2]), turn);
-    if(turn == 0)
-      continue;
-    const int side = int(CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3]));
-    EXPECT_EQ(predicates.in_circle(p[0], p[1], p[2], p[3]), side);
-    EXPECT_EQ(extended.in_circle(e[0], e[1], e[2], e[3]), side);
+    check_predicates(p, q);
+    check_predicates(e, q);
   }
 }
 
 // Exponents far apart, and second parts of `Extended`.
 TEST(Plane_predicates, have_all_digits)
 {
-  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
-  const DCM::internal::Plane_predicates<Extended> predicates;
   CGAL::Random random(2);
   int degenerate = 0;
   for(int i = 0; i < 5000; ++i) {
     std::array<std::array<Extended, 2>, 4> e;
-    std::vector<Exact::Point_2> q;
-    for(auto& p : e) {
-      Exact::FT exact[2];
+    std::array<Exact::Point_2, 4> q;
+    for(std::size_t k = 0; k < 4; ++k) {
+      std::array<Exact::FT, 2> exact;
       for(std::size_t c = 0; c < 2; ++c) {
         const double high = random.get_int(-1, 2) * std::ldexp(1., 60 * random.get_int(-3, 4)),
                      low = random.get_int(-1, 2) * std::ldexp(1., -400);
-        p[c] = Extended(high) + Extended(low);
-        exact[c] = Exact::FT(p[c].high()) + Exact::FT(p[c].low());
+        e[k][c] = Extended(high) + Extended(low);
+        exact[c] = Exact::FT(e[k][c].high()) + Exact::FT(e[k][c].low());
       }
-      q.emplace_back(exact[0], exact[1]);
+      q[k] = {exact[0], exact[1]};
     }
-    const int turn = int(CGAL::orientation(q[0], q[1], q[2]));
-    degenerate += turn == 0;
-    EXPECT_EQ(predicates.orientation(e[0], e[1], e[2]), turn);
-    if(turn == 0)
-      continue;
-    EXPECT_EQ(predicates.in_circle(e[0], e[1], e[2], e[3]),
-              int(CGAL::side_of_oriented_circle(q[0], q[1], q[2], q[3])));
+    degenerate += check_predicates(e, q) == 0;
   }
   EXPECT_GT(degenerate, 50);
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  const DCM::internal::Plane_predicates<Extended> predicates;
   EXPECT_EQ(predicates.orientation({nan, nan}, {1, 0}, {0, 1}), 0);
   EXPECT_EQ(predicates.in_circle({0, 0}, {1, 0}, {0, 1}, {nan, 1}), 0);
 }
 
 TEST(Plane_predicates, are_exact_in_space)
 {
-  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact;
   const DCM::internal::Plane_predicates<double> predicates;
   CGAL::Random random(3);
   int degenerate = 0;

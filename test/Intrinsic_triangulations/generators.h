@@ -341,9 +341,9 @@ Flat_surface flat_surface(const Sides& sides, const Place& place, const Vector& 
 }
 
 // m times n cells, each cut in two, their corners moved at random.
-inline Flat_surface flat_torus(int m, int n, unsigned int seed)
+inline Flat_surface flat_torus(int m, int n, unsigned int seed, const Vector& right = {1000, 130},
+                               const Vector& up = {-270, 900})
 {
-  const Vector right{1000, 130}, up{-270, 900};
   CGAL::Random random(seed);
   std::vector<Vector> shift;
   for(int i = 0; i < m * n; ++i)

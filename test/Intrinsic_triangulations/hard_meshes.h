@@ -18,9 +18,10 @@
 
 // Meshes at the limits of `double`: needles and caps down to 1e-16 of an edge, vertices as near as
 // the rounding of their coordinates, faces of zero area. They have 20 to 3000 faces, are manifold
-// and oriented, and no two vertices coincide, so that none have distance zero on the surface. None has a long and
-// narrow channel, on which large angles would need as many faces as it is longer than wide: teeth
-// are less than a row, struts and stretched surfaces are not thinner than 1/100, but flattened.
+// and oriented, and no two vertices coincide, so that none have distance zero on the surface. None
+// has a long and narrow channel, on which large angles would need as many faces as it is longer than
+// wide: teeth are less than a row, struts and stretched surfaces are not thinner than 1/100, but
+// flattened.
 namespace Test_surfaces {
 
 // Numbers that depend on the seed alone, not on the standard library.
@@ -271,32 +272,32 @@ inline void add_cascades(Mesh& mesh, double part, Portable_random& random)
 
 // ---- Families ----
 
-inline Mesh extreme_needles(Portable_random& random)
+inline Mesh spoilt(void (*spoil)(Mesh&, double, Portable_random&), double least_part,
+                   double greatest_part, Portable_random& random)
 {
   Mesh mesh = hard_base(random);
-  add_extreme_needles(mesh, random.get_double(0.02, 0.2), random);
+  spoil(mesh, random.get_double(least_part, greatest_part), random);
   return mesh;
+}
+
+inline Mesh extreme_needles(Portable_random& random)
+{
+  return spoilt(add_extreme_needles, 0.02, 0.2, random);
 }
 
 inline Mesh extreme_caps(Portable_random& random)
 {
-  Mesh mesh = hard_base(random);
-  add_extreme_caps(mesh, random.get_double(0.05, 0.8), random);
-  return mesh;
+  return spoilt(add_extreme_caps, 0.05, 0.8, random);
 }
 
 inline Mesh near_vertices(Portable_random& random)
 {
-  Mesh mesh = hard_base(random);
-  add_near_vertices(mesh, random.get_double(0.05, 0.5), random);
-  return mesh;
+  return spoilt(add_near_vertices, 0.05, 0.5, random);
 }
 
 inline Mesh almost_collapsed(Portable_random& random)
 {
-  Mesh mesh = hard_base(random);
-  collapse_almost(mesh, random.get_double(0.05, 0.4), random);
-  return mesh;
+  return spoilt(collapse_almost, 0.05, 0.4, random);
 }
 
 inline Mesh flat_faces(Portable_random& random)
@@ -307,12 +308,7 @@ inline Mesh flat_faces(Portable_random& random)
   return mesh;
 }
 
-inline Mesh cascades(Portable_random& random)
-{
-  Mesh mesh = hard_base(random);
-  add_cascades(mesh, random.get_double(0.01, 0.03), random);
-  return mesh;
-}
+inline Mesh cascades(Portable_random& random) { return spoilt(add_cascades, 0.01, 0.03, random); }
 
 // Bad faces are spoilt again.
 inline Mesh spoilt_twice(Portable_random& random)

@@ -61,8 +61,8 @@ TEST(Circumcenter_walk, moves_the_center_across_a_needle_only)
     Walk walk(needle.triangulation.intrinsic());
     ASSERT_EQ(walk.walk(Face_index(0), nothing_is_fixed), Walk::End::on_edge);
     const Plane_vector center = Needle::circumcenter(u, v);
-    EXPECT_LE(distance(needle.at(walk.halfedge(), walk.along()), center), walk.closeness() + 1e-6);
-    EXPECT_NEAR(walk.along(), 0.5, 1e-6);
+    EXPECT_LE(distance(needle.at(walk.halfedge(), walk.along()), center), walk.closeness());
+    EXPECT_NEAR(walk.along(), 0.5, 1e-9);
   }
 }
 

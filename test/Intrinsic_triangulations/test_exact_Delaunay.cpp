@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
+#include "exact_flips.h"
 #include "tied_meshes.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -27,8 +28,6 @@ namespace {
 
 using namespace Test_surfaces;
 using CGAL::Exact_rational;
-using Exact_traits = IT::Exact_Euclidean_geometry_traits<>;
-using Exact_triangulation = IT::Intrinsic_triangulation<Exact_traits>;
 using IT::Delaunay_certificate;
 
 // ---- Numbers ----
@@ -41,28 +40,14 @@ Exact_rational exact_number(Double_double x)
   return Exact_rational(x.high()) + Exact_rational(x.low());
 }
 
-struct Exact_complex
-{
-  Exact_rational x, y;
-
-  friend Exact_complex operator+(const Exact_complex& a, const Exact_complex& b)
-  {
-    return {a.x + b.x, a.y + b.y};
-  }
-  friend Exact_complex operator-(const Exact_complex& a, const Exact_complex& b)
-  {
-    return {a.x - b.x, a.y - b.y};
-  }
-  friend Exact_complex operator*(const Exact_complex& a, const Exact_complex& b)
-  {
-    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
-  }
-};
+using Tower = IT::internal::Root_tower<Exact_rational>;
+using Exact_complex = IT::internal::Root_complex<Exact_rational>; // used without roots
 
 template <typename N>
 bool contains(const IT::internal::Ball<N>& ball, const Exact_complex& z)
 {
-  const Exact_rational dx = z.x - exact_number(ball.x), dy = z.y - exact_number(ball.y);
+  const Exact_rational dx = z.x.front() - exact_number(ball.x),
+                       dy = z.y.front() - exact_number(ball.y);
   const Exact_rational radius(ball.radius);
   return dx * dx + dy * dy <= radius * radius;
 }
@@ -72,13 +57,17 @@ void expect_that_balls_contain_the_exact_number()
 {
   using Ball = IT::internal::Ball<N>;
   Portable_random random(1);
+  const Tower tower(0);
+  const auto exactly = [&](const Ball& ball) {
+    return Exact_complex{&tower, {exact_number(ball.x)}, {exact_number(ball.y)}};
+  };
   const auto number = [&] { return std::ldexp(random.get_double(-1, 1), random.get_int(-30, 30)); };
   for(int trial = 0; trial < 300; ++trial) {
     Ball ball{number(), number(), 0};
-    Exact_complex exact{exact_number(ball.x), exact_number(ball.y)};
+    Exact_complex exact = exactly(ball);
     for(int step = 0; step < 20; ++step) {
       const Ball other{number(), number(), 0};
-      const Exact_complex exact_other{exact_number(other.x), exact_number(other.y)};
+      const Exact_complex exact_other = exactly(other);
       switch(random.get_int(0, 3)) {
         case 0: ball = ball + other, exact = exact + exact_other; break;
         case 1: ball = ball - other, exact = exact - exact_other; break;
@@ -94,6 +83,16 @@ TEST(Exact_Delaunay, balls_contain_the_exact_number)
 {
   expect_that_balls_contain_the_exact_number<double>();
   expect_that_balls_contain_the_exact_number<Double_double>();
+}
+
+TEST(Exact_Delaunay, balls_of_products_are_small)
+{
+  Portable_random random(2);
+  IT::internal::Ball<double> ball{1, 0, 0};
+  for(int step = 0; step < 100; ++step) {
+    ball = ball * IT::internal::Ball<double>{random.get_double(-1, 1), random.get_double(-1, 1), 0};
+    EXPECT_LE(ball.radius, (step + 1) * 1e-15 * ball.norm());
+  }
 }
 
 // ---- Positions ----
@@ -153,8 +152,6 @@ TEST(Exact_Delaunay, planes_are_found_exactly)
 
 // ---- Roots ----
 
-using Tower = IT::internal::Root_tower<Exact_rational>;
-
 TEST(Exact_Delaunay, signs_of_sums_of_roots)
 {
   Tower tower(10);
@@ -181,81 +178,13 @@ TEST(Exact_Delaunay, too_many_roots_are_refused)
 
 // ---- Flat surfaces ----
 
-template <typename R>
-int side_of_circle(const std::array<R, 2>& a, const std::array<R, 2>& b, const std::array<R, 2>& c)
-{
-  const auto square = [](const std::array<R, 2>& v) { return R(v[0] * v[0] + v[1] * v[1]); };
-  const R determinant = a[0] * (b[1] * square(c) - c[1] * square(b)) -
-                        a[1] * (b[0] * square(c) - c[0] * square(b)) +
-                        square(a) * (b[0] * c[1] - b[1] * c[0]);
-  return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
-}
-
-// Keeps the vectors of the edges of a flat surface while they are flipped: the third side of a
-// triangle is minus the sum of the others.
-struct Vector_keeper : IT::Default_flip_visitor
-{
-  const Delta_complex& mesh;
-  std::vector<Vector> vector;
-
-  Vector_keeper(const Delta_complex& mesh, std::vector<Vector> vector)
-    : mesh(mesh), vector(std::move(vector))
-  {}
-
-  void after_flip(Halfedge_index h)
-  {
-    const Vector sum = vector[mesh.next(h)] + vector[mesh.prev(h)];
-    vector[h] = {-sum.x, -sum.y};
-    vector[mesh.opposite(h)] = sum;
-  }
-
-  // of the circle through the face of `h`, with the apex beyond; positive inside
-  int side_of_circle(Halfedge_index h) const
-  {
-    const auto exact = [](const Vector& v) {
-      return std::array<Exact_rational, 2>{Exact_rational(double(v.x)),
-                                           Exact_rational(double(v.y))};
-    };
-    const Vector ij = vector[h], ik = ij + vector[mesh.next(h)],
-                 il = vector[mesh.next(mesh.opposite(h))];
-    // relative to l
-    const Vector i{-il.x, -il.y}, j = ij + i, k = ik + i;
-    return ::side_of_circle(exact(i), exact(j), exact(k));
-  }
-};
-
-// Flips at random what stays convex, and keeps vectors.
-template <typename Triangulation>
-void shuffle(Triangulation& t, Vector_keeper& vectors, std::size_t flips, Portable_random& random)
-{
-  const int edges = static_cast<int>(t.mesh().number_of_edges());
-  for(std::size_t flip = 0; flip < flips; ++flip) {
-    const Halfedge_index h =
-      t.mesh().halfedge(Edge_index(static_cast<unsigned>(random.get_int(0, edges))));
-    if(t.is_flippable(h)) {
-      t.flip(h);
-      vectors.after_flip(h);
-    }
-  }
-}
-
-Exact_triangulation with_squared_lengths(const Flat_surface& surface)
-{
-  Delta_complex mesh = surface.mesh;
-  auto square = mesh.add_property_map<Edge_index, Exact_rational>("e:square").first;
-  for(Edge_index e : mesh.edges()) {
-    const Vector v = surface.vector[mesh.halfedge(e)];
-    square[e] = Exact_rational(double(dot(v, v)));
-  }
-  return Exact_triangulation(mesh, IT::parameters::squared_edge_length_map(square));
-}
-
 void check_flat_surface(const Flat_surface& surface, std::uint64_t seed)
 {
   Portable_random random(seed);
   Exact_triangulation t = with_squared_lengths(surface);
   Vector_keeper vectors(t.mesh(), surface.vector);
-  shuffle(t, vectors, 4 * t.mesh().number_of_edges(), random);
+  shuffle(t, 4 * t.mesh().number_of_edges(), random,
+          [&](Halfedge_index h) { vectors.after_flip(h); });
   IT::make_Delaunay(t, IT::parameters::visitor(std::ref(vectors)));
   const Delaunay_certificate certificate = IT::certify_Delaunay(t);
   EXPECT_TRUE(certificate.is_Delaunay());
@@ -312,8 +241,7 @@ TEST(Exact_Delaunay, finds_all_ties)
     EXPECT_EQ(IT::make_Delaunay(t), 0u); // ties keep the edge
     EXPECT_EQ(IT::certify_Delaunay(t).ties.size(), tied.ties);
     Portable_random random(seed);
-    Vector_keeper nothing(t.mesh(), std::vector<Vector>(t.mesh().number_of_halfedges()));
-    shuffle(t, nothing, 100 + 3 * t.mesh().number_of_edges(), random);
+    shuffle(t, 100 + 3 * t.mesh().number_of_edges(), random);
     IT::make_Delaunay(t);
     const Delaunay_certificate certificate = IT::certify_Delaunay(t);
     EXPECT_TRUE(certificate.is_Delaunay());
@@ -381,13 +309,12 @@ TEST(Exact_Delaunay, octagon_with_lengths_in_an_extension)
   EXPECT_EQ(IT::certify_Delaunay(t).ties.size(), 5u);
   for(std::uint64_t seed = 0; seed < 20; ++seed) {
     Portable_random random(seed);
-    Vector_keeper nothing(t.mesh(), std::vector<Vector>(t.mesh().number_of_halfedges()));
-    shuffle(t, nothing, 8, random);
+    shuffle(t, 8, random);
     IT::make_Delaunay(t);
     const Delaunay_certificate certificate = IT::certify_Delaunay(t);
     EXPECT_TRUE(certificate.is_Delaunay());
     EXPECT_EQ(certificate.ties.size(), 5u);
-    double sides = 0;
+    int sides = 0;
     for(Edge_index e : t.mesh().edges())
       sides += std::abs(t.length(e) - 1) < 1e-12;
     EXPECT_EQ(sides, 4);

@@ -29,8 +29,10 @@ public:
   /// loading asks for a floating point type.
   typedef unspecified_type FT;
 
-  /// the signed integer type of normal coordinates. If `std::numeric_limits<Integer>::is_bounded`,
-  /// values up to a sixteenth of its greatest are used, and overflow is reported.
+  /// the signed integer type of normal coordinates, with explicit conversions from and to built-in
+  /// integers. If `std::numeric_limits<Integer>::is_bounded`, values up to a sixteenth of its
+  /// greatest are used, and overflow is reported; otherwise it has arbitrary precision, as
+  /// `boost::multiprecision::cpp_int`.
   typedef unspecified_type Integer;
 
   /// a model of `GeodesicStrip` with the same `FT`.

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <utility>
+#include <variant>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -77,6 +78,10 @@ struct Surface_place
                         ///< null if it lies inside a face
   Face_location<FT> location; ///< its place in the face, or in that of `along`
 };
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// the vertex at which a point lies, or the edge or the face inside which it lies.
+typedef std::variant<Vertex_index, Edge_index, Face_index> Surface_element;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// where a vertex of \f$T_2\f$ that is no vertex of \f$T_1\f$ lies on \f$T_1\f$.

@@ -141,7 +141,8 @@ Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_
     Flipping_by_lengths<Traits> flipping(tri);
     const std::size_t before = result.flips;
     result = flip_to_Delaunay(tri.mesh(), flipping, limit - before, visitor);
-    const bool is_good = result.flips <= tri.mesh().number_of_edges() && !flipping.has_failed();
+    const bool is_good = !is_rounded<typename Traits::FT>() ||
+                         (result.flips <= tri.mesh().number_of_edges() && !flipping.has_failed());
     result.flips += before;
     if(result.is_Delaunay && is_good)
       return result;

@@ -8,15 +8,12 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
-
-#ifdef CGAL_USE_MPFR
-#include <CGAL/Gmpfr.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -26,55 +23,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The roundoff u of a number type.
-template <typename N>
-struct Rounding
-{
-  static constexpr double unit() { return std::numeric_limits<N>::epsilon() / 2; }
-};
-
 // that of quotients, the largest
 template <>
 struct Rounding<Double_double>
 {
   static constexpr double unit() { return 0x1p-102; }
 };
-
-#ifdef CGAL_USE_MPFR
-
-// Numbers of type Gmpfr have 512 bits while the object lives.
-class Gmpfr_precision
-{
-public:
-  static constexpr int bits = 512;
-
-  Gmpfr_precision() : m_before(Gmpfr::set_default_precision(bits)) {}
-  ~Gmpfr_precision() { Gmpfr::set_default_precision(m_before); }
-  Gmpfr_precision(const Gmpfr_precision&) = delete;
-  Gmpfr_precision& operator=(const Gmpfr_precision&) = delete;
-
-private:
-  Gmpfr::Precision_type m_before;
-};
-
-template <>
-struct Rounding<Gmpfr>
-{
-  static double unit() { return std::ldexp(1.0, -Gmpfr_precision::bits); }
-};
-
-typedef Gmpfr Many_digits;
-typedef Gmpfr_precision Many_digits_precision;
-
-#else
-
-typedef Double_double Many_digits;
-struct Many_digits_precision
-{
-  ~Many_digits_precision() {}
-};
-
-#endif // CGAL_USE_MPFR
 
 // A complex number that is known up to an error: it lies in a disk. Operations are rounded to
 // nearest; what they lose is added to the radius. That is computed in `double`, rounded, too, hence

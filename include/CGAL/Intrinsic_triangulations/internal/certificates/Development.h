@@ -131,7 +131,7 @@ public:
   Placed_side following_spoke(const Placed_side& side, bool is_inserted) const
   {
     if(is_inserted)
-      return {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
+      return beyond(side);
     const Complex end = side.vector * at_source(side.halfedge);
     return {m_input.opposite(m_input.prev(side.halfedge)), side.source, end, end};
   }
@@ -142,6 +142,25 @@ public:
     const Halfedge_index h = side.halfedge;
     return is_apex_near_source(h) ? scaled(side.source, h) + side.vector * at_source(h)
                                   : scaled(side.target, h) - side.vector * at_target(h);
+  }
+
+  // Returns the point of the triangle of `side` with the barycentric coordinates `w`, beginning
+  // with that of the source of `side`, divided by their sum.
+  Complex point(const Placed_side& side, const std::array<Complex, 3>& w) const
+  {
+    return scaled(w[0] * side.source + w[1] * side.target, side.halfedge) + w[2] * apex(side);
+  }
+
+  // the triangle on the other side of `side`
+  Placed_side beyond(const Placed_side& side) const
+  {
+    return {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
+  }
+
+  // returns barycentric coordinates divided by their sum, up to a common positive factor
+  std::array<Complex, 3> weights(const std::array<double, 3>& b) const
+  {
+    return m_corners.weights(b);
   }
 
 private:
@@ -157,7 +176,7 @@ private:
     for(std::size_t m = 0; m < n; ++m) {
       side = other_side(side, m_input.opposite(m_crossings(h, m)));
       pass(side);
-      side = {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
+      side = beyond(side);
     }
     return place(mesh.opposite(h), side);
   }
@@ -173,7 +192,7 @@ private:
   // the barycentric coordinates of a point from the source of `side` on; their sum is one, exactly
   std::array<Complex, 3> weights(Halfedge_index side, const Face_location<double>& p) const
   {
-    return m_corners.weights(coordinates_from(side, p, m_input));
+    return weights(coordinates_from(side, p, m_input));
   }
 
   // those of a vertex that was inserted on the edge of `side`: only the first two are not zero
@@ -239,10 +258,8 @@ private:
   // returns where the source of the halfedge `back` of T2, which leads into the triangle, lies
   Complex place(Halfedge_index back, const Placed_side& side) const
   {
-    if(m_pair.is_inserted(m_pair.mesh().source(back))) {
-      const auto w = weights_in_triangle(side.halfedge, back);
-      return scaled(w[0] * side.source + w[1] * side.target, side.halfedge) + w[2] * apex(side);
-    }
+    if(m_pair.is_inserted(m_pair.mesh().source(back)))
+      return point(side, weights_in_triangle(side.halfedge, back));
     const Halfedge_index spoke = m_pair.input_spoke_before(back);
     return spoke == side.halfedge                 ? side.source
            : spoke == m_input.next(side.halfedge) ? side.target

@@ -269,6 +269,42 @@ public:
   // the corners of T1 that are kept, with more digits than `double` has
   Rounded<Double_double>& extended_corners() const { return m_extended; }
 
+  // Returns the sign `predicate(development)`, which is asked for with more and more digits. Roots
+  // of few numbers, as where many faces are coplanar, are faster than many digits.
+  template <typename Predicate>
+  Sign decide(const Predicate& predicate)
+  {
+    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
+    try_with_more_digits([&](auto& corners) {
+      sign = predicate(development(corners));
+      const bool is_first = std::is_same_v<decltype(corners), Rounded<double>&>;
+      if(is_certain(sign))
+        ++(is_first ? m_count.floating_point : m_count.multiprecision);
+      else if(std::is_same_v<decltype(corners), Rounded<Double_double>&>)
+        sign = sign_by_roots(predicate, 2);
+      return is_certain(sign);
+    });
+    if(!is_certain(sign))
+      sign = sign_by_roots(predicate, maximal_number_of_roots);
+    if(!is_certain(sign))
+      throw Numerical_error("an exact decision involves more than " +
+                            std::to_string(maximal_number_of_roots) + " independent square roots");
+    return get_certain(sign);
+  }
+
+  // its imaginary part is the height of the origin over a side, times the length of the side
+  template <typename Side>
+  static auto height(const Side& side)
+  {
+    return conj(side.source) * side.vector;
+  }
+
+  template <typename Side>
+  static auto squared_length(const Side& side)
+  {
+    return conj(side.vector) * side.vector;
+  }
+
 private:
   bool has_inserted_end(Halfedge_index h) const
   {
@@ -321,7 +357,7 @@ private:
   {
     if(attempt(m_double) || attempt(m_extended))
       return;
-    const Many_digits_precision precision;
+    const Long_float_precision precision(512);
     attempt(m_long);
   }
 
@@ -334,28 +370,6 @@ private:
       return Uncertain<Sign>::indeterminate();
     ++m_count.exact;
     return sign;
-  }
-
-  // Roots of few numbers, as where many faces are coplanar, are faster than many digits.
-  template <typename Predicate>
-  Sign decide(const Predicate& predicate)
-  {
-    Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
-    try_with_more_digits([&](auto& corners) {
-      sign = predicate(development(corners));
-      const bool is_first = std::is_same_v<decltype(corners), Rounded<double>&>;
-      if(is_certain(sign))
-        ++(is_first ? m_count.floating_point : m_count.multiprecision);
-      else if(std::is_same_v<decltype(corners), Rounded<Double_double>&>)
-        sign = sign_by_roots(predicate, 2);
-      return is_certain(sign);
-    });
-    if(!is_certain(sign))
-      sign = sign_by_roots(predicate, maximal_number_of_roots);
-    if(!is_certain(sign))
-      throw Numerical_error("an exact decision involves more than " +
-                            std::to_string(maximal_number_of_roots) + " independent square roots");
-    return get_certain(sign);
   }
 
   // ---- Predicates ----
@@ -404,19 +418,6 @@ private:
       }
     return is_known || least == NEGATIVE ? Uncertain<Sign>(least)
                                          : Uncertain<Sign>::indeterminate();
-  }
-
-  // its imaginary part is the height of the origin over a side, times the length of the side
-  template <typename Side>
-  static auto height(const Side& side)
-  {
-    return conj(side.source) * side.vector;
-  }
-
-  template <typename Side>
-  static auto squared_length(const Side& side)
-  {
-    return conj(side.vector) * side.vector;
   }
 
   // Returns a corner and its error, which is small in comparison with `size(corner)` if more digits
@@ -496,7 +497,7 @@ private:
   Delaunay_by_lengths m_by_lengths;
   mutable Rounded<double> m_double;
   mutable Rounded<Double_double> m_extended;
-  mutable Rounded<Many_digits> m_long;
+  mutable Rounded<Long_float> m_long;
   Exact m_exact;
   Recent_values<bool> m_is_flat;
   Decision_count m_count;

@@ -66,7 +66,7 @@ struct Corner_products
   {}
 };
 
-// The shortest sides, by their squares, whose products do not underflow. With Gmpfr none do.
+// The shortest sides, by their squares, whose products do not underflow. With Long_float none do.
 template <typename N>
 constexpr double least_square()
 {

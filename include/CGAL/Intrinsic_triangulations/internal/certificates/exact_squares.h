@@ -11,17 +11,17 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 
-#include <CGAL/Mpzf.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
-#ifndef CGAL_HAS_MPZF
-#include <CGAL/MP_Float.h>
-#endif
 #ifdef CGAL_USE_GMP
 #include <CGAL/Gmpq.h>
+#include <CGAL/Mpzf.h>
 #else
 #include <CGAL/Exact_rational.h>
+#endif
+#ifndef CGAL_HAS_MPZF
+#include <CGAL/MP_Float.h>
 #endif
 
 #include <algorithm>

@@ -223,14 +223,8 @@ public:
   // returns the number of the region in which `p` lies
   std::size_t region_of(const Coordinates& p) const
   {
-    for(std::size_t s = 0; s < 3; ++s) {
-      const auto is_inside = [&](std::size_t j) { return is_at_corner(s, j, p); };
-      const std::size_t n = m_regions.around(s);
-      if(n > 0 && is_inside(n - 1))
-        return m_regions.around_corner(s, first_where(is_inside, n - 1));
-    }
-    const auto is_before = [&](std::size_t j) { return is_before_curve(j, p); };
-    return m_regions.first_of_rest() + first_where(is_before, m_regions.leaving());
+    return m_regions.find([&](std::size_t s, std::size_t j) { return is_at_corner(s, j, p); },
+                          [&](std::size_t j) { return is_before_curve(j, p); });
   }
 
   // returns the face of the other triangulation in which region `m` lies, and the map of the region
@@ -248,21 +242,6 @@ public:
   }
 
 private:
-  // returns the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
-  template <typename Condition>
-  static std::size_t first_where(const Condition& condition, std::size_t n)
-  {
-    std::size_t low = 0;
-    for(std::size_t high = n; low < high;) {
-      const std::size_t middle = low + (high - low) / 2;
-      if(condition(middle))
-        high = middle;
-      else
-        low = middle + 1;
-    }
-    return low;
-  }
-
   // returns whether `p` is on the side of corner `s` of curve `j` around it
   bool is_at_corner(std::size_t s, std::size_t j, const Coordinates& p) const
   {

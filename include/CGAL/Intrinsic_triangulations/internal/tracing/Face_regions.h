@@ -89,6 +89,22 @@ public:
   }
   std::size_t first_of_rest() const { return size() - 1 - m_leaving; }
 
+  // Returns the region of a point. `is_at_corner(s, j)` is whether it lies before curve `j` around
+  // corner `s`, as seen from the corner; `is_before_curve(j)` whether before curve `j` from the
+  // apex, as seen from the side after the apex. Each is asked a logarithmic number of times, also
+  // about both curves at the region.
+  template <typename At_corner, typename Before_curve>
+  std::size_t find(const At_corner& is_at_corner, const Before_curve& is_before_curve) const
+  {
+    for(std::size_t s = 0; s < 3; ++s) {
+      const auto is_inside = [&](std::size_t j) { return is_at_corner(s, j); };
+      const std::size_t n = m_around[s];
+      if(n > 0 && is_inside(n - 1))
+        return around_corner(s, first_where(is_inside, n - 1));
+    }
+    return first_of_rest() + first_where(is_before_curve, m_leaving);
+  }
+
   // returns the two marks of curve `j` around corner `s`: on the side after and before the corner
   std::array<Region_corner, 2> curve_around(std::size_t s, std::size_t j) const
   {
@@ -197,6 +213,21 @@ public:
   }
 
 private:
+  // returns the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
+  template <typename Condition>
+  static std::size_t first_where(const Condition& condition, std::size_t n)
+  {
+    std::size_t low = 0;
+    for(std::size_t high = n; low < high;) {
+      const std::size_t middle = low + (high - low) / 2;
+      if(condition(middle))
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    return low;
+  }
+
   // all curves around another corner lie beyond all those around `s`
   std::array<std::size_t, 3> crossings_from_corner_region(std::size_t s, std::size_t j) const
   {

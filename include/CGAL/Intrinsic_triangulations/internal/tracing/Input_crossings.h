@@ -12,26 +12,29 @@
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The numbers of the crossings on all edges of T2.
+// Throws if there are more crossings than can be numbered.
+template <typename Integer>
+Delta_complex::size_type countable(const Integer& crossings)
+{
+  const auto count = static_cast<Delta_complex::size_type>(crossings);
+  if(static_cast<Integer>(count) != crossings)
+    throw Overflow_error("more crossings than a mesh can number");
+  return count;
+}
+
 template <typename Integer>
 Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
                             const Delta_complex& mesh)
 {
-  typedef Delta_complex::size_type size_type;
-  std::vector<size_type> count(mesh.num_edges(), 0);
-  for(Edge_index e : mesh.edges()) {
-    const auto n = static_cast<std::uint64_t>(coordinates.crossings(first_halfedge(e)));
-    if(n > (std::numeric_limits<size_type>::max)())
-      throw Overflow_error("more crossings than a mesh can number");
-    count[e.idx()] = static_cast<size_type>(n);
-  }
+  std::vector<Delta_complex::size_type> count(mesh.num_edges(), 0);
+  for(Edge_index e : mesh.edges())
+    count[e.idx()] = countable(coordinates.crossings(first_halfedge(e)));
   return Edge_marks(std::move(count));
 }
 

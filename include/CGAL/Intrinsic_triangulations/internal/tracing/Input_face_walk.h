@@ -35,16 +35,23 @@ class Input_face_walk
   typedef Correspondence_marks<Traits> Marks;
   typedef Barycentric_coordinates<FT> Coordinates;
 
+public:
   // a region of a face of T2
   typedef std::pair<Face_index, std::size_t> Place;
 
-public:
   explicit Input_face_walk(const Correspondence<Traits>& correspondence)
     : m_correspondence(correspondence), m_mesh(correspondence.mesh(Side::intrinsic))
   {}
 
   // returns the place on T2 of the point `p` of a face of T1
   Face_location<FT> operator()(const Face_location<FT>& p) const
+  {
+    const Place place = place_of(p);
+    return {place.first, Face_of_place(place, *this).map.inverse()(p.second)};
+  }
+
+  // returns the region that has the point `p` of a face of T1, up to rounding
+  Place place_of(const Face_location<FT>& p) const
   {
     Place place = first_place(p.first);
     const Place start = place;
@@ -54,9 +61,32 @@ public:
         break;
       place = *next;
     }
-    if(squared_distance(place, p.second) > CGAL::square(region_tolerance<FT>()))
-      place = closest_place(start, p.second);
-    return {place.first, Face_of_place(place, *this).map.inverse()(p.second)};
+    return squared_distance(place, p.second) > CGAL::square(region_tolerance<FT>())
+             ? closest_place(start, p.second)
+             : place;
+  }
+
+  Region region(const Place& place) const { return regions_of(place.first)[place.second]; }
+
+  // Calls `visit(place)` for the regions of the face of T1 in which `start` lies, once each, until
+  // it returns true.
+  template <typename Visit>
+  void for_each_place(const Place& start, const Visit& visit) const
+  {
+    std::set<Place> seen{start};
+    std::vector<Place> waiting{start};
+    while(!waiting.empty()) {
+      const Place place = waiting.back();
+      waiting.pop_back();
+      if(visit(place))
+        return;
+      const Region corners = region(place);
+      for(std::size_t c = 0; c < corners.size(); ++c) {
+        const std::optional<Place> neighbor = beyond(corners[c], place);
+        if(neighbor && seen.insert(*neighbor).second)
+          waiting.push_back(*neighbor);
+      }
+    }
   }
 
 private:
@@ -102,16 +132,15 @@ private:
     Polygon_map<FT> map;
   };
 
-  // returns the region beyond the piece of a side of `face` after corner `c`; none beyond the face
-  // of T1
-  std::optional<Place> beyond(const Face_of_place& face, const Place& place, std::size_t c) const
+  // returns the region beyond the piece of a side after `corner`; none beyond the face of T1
+  std::optional<Place> beyond(const Region_corner& corner, const Place& place) const
   {
-    const Region_corner& corner = face.region[c];
     const Halfedge_index o = m_mesh.opposite(sides(place.first, m_mesh)[corner.side]);
     if(corner.arc_follows || m_correspondence.is_shared(Side::intrinsic, Edge_index(o)))
       return {};
     const std::size_t piece = corner.is_vertex() ? 0 : corner.mark + 1;
-    const std::size_t from_target = face.marks.crossings(corner.side) - piece;
+    const std::size_t from_target =
+      m_correspondence.number_of_crossings(Side::intrinsic, Edge_index(o)) - piece;
     return Place(m_mesh.face(o),
                  regions_of(m_mesh.face(o)).region_at_side(side_of(o), from_target));
   }
@@ -130,7 +159,7 @@ private:
       if((std::min)(right, left) >= best && right + left > 0 &&
          orientation(face.corner(c), face.corner(c + 1), p) < 0) {
         best = (std::min)(right, left);
-        result = beyond(face, place, c);
+        result = beyond(face.region[c], place);
       }
     }
     return result;
@@ -139,20 +168,11 @@ private:
   // Returns the region in the face of T1 that is closest to `p`. Each is looked at once.
   Place closest_place(const Place& start, const Coordinates& p) const
   {
-    std::set<Place> seen{start};
-    std::vector<Place> waiting{start};
     std::pair<FT, Place> best(squared_distance(start, p), start);
-    while(!waiting.empty()) {
-      const Place place = waiting.back();
-      waiting.pop_back();
+    for_each_place(start, [&](const Place& place) {
       best = (std::min)(best, std::make_pair(squared_distance(place, p), place));
-      const Face_of_place face(place, *this);
-      for(std::size_t c = 0; c < face.region.size(); ++c) {
-        const std::optional<Place> neighbor = beyond(face, place, c);
-        if(neighbor && seen.insert(*neighbor).second)
-          waiting.push_back(*neighbor);
-      }
-    }
+      return false;
+    });
     return best.second;
   }
 

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 
 #include <cstddef>
 
@@ -26,10 +27,7 @@ public:
   explicit Traced_crossings(const Pair& pair) : m_pair(pair) {}
 
   // returns the number of crossings on the edge of `h`
-  std::size_t count(Halfedge_index h) const
-  {
-    return static_cast<std::size_t>(m_pair.coordinates().crossings(h));
-  }
+  std::size_t count(Halfedge_index h) const { return countable(m_pair.coordinates().crossings(h)); }
 
   // returns the halfedge of T1 that crosses `h` as its number `m` from left to right
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const

@@ -1,0 +1,300 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "exact_flips.h"
+#include "measuring.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/element_across.h>
+#include <CGAL/Intrinsic_triangulations/enclose_crossing.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+#include <CGAL/Simple_cartesian.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using Rational = CGAL::Exact_rational;
+using Exact_correspondence = IT::Correspondence<Exact_triangulation::Traits>;
+using Exact_kernel = CGAL::Simple_cartesian<Rational>;
+using Exact_point = Exact_kernel::Point_2;
+using Interval = CGAL::Interval_nt<>;
+using IT::Surface_element;
+
+// ---- Planar meshes with whole coordinates ----
+
+Mesh sheared(Mesh mesh, double shear)
+{
+  for(Vertex_index v : mesh.vertices()) {
+    const Point p = mesh.point(v);
+    mesh.point(v) = Point(p.x() + shear * p.y(), p.y(), 0);
+  }
+  return mesh;
+}
+
+// A planar mesh: the places of the vertices of T2, in rational numbers.
+struct Plane
+{
+  const Exact_triangulation& t;
+  std::vector<Exact_point> point;
+
+  Plane(const Exact_triangulation& t, const Mesh& mesh) : t(t)
+  {
+    for(const Point& p : mesh.points())
+      point.emplace_back(p.x(), p.y());
+    for(const auto& m : t.inserted_vertices())
+      point.push_back(at(Side::input, m.location));
+  }
+
+  const Delta_complex& mesh(Side side) const { return t.surface(side).mesh(); }
+
+  const Exact_point& source(Side side, Halfedge_index h) const
+  {
+    return point[mesh(side).source(h)];
+  }
+
+  // of coordinates divided by their sum
+  Exact_point at(Side side, const Location& p) const
+  {
+    const auto h = IT::sides(p.first, mesh(side));
+    Rational x(0), y(0), sum(0);
+    for(std::size_t s = 0; s < 3; ++s) {
+      const Rational w(p.second[s]);
+      x += w * source(side, h[s]).x();
+      y += w * source(side, h[s]).y();
+      sum += w;
+    }
+    return {x / sum, y / sum};
+  }
+
+  // where the line of one halfedge crosses another, from its source (0) to its target (1)
+  Rational crossing(Side side, Halfedge_index h, Halfedge_index line) const
+  {
+    const Side across = other(side);
+    const Exact_point &p = source(side, h), &q = source(side, IT::opposite(h));
+    const Exact_point &a = source(across, line), &b = source(across, IT::opposite(line));
+    const auto height = [&](const Exact_point& r) { return CGAL::determinant(b - a, r - a); };
+    return height(p) / (height(p) - height(q));
+  }
+
+  // the vertex, edge or face that has `p`, by looking at all of them
+  Surface_element element(Side side, const Exact_point& p) const
+  {
+    for(Vertex_index v : mesh(side).vertices())
+      if(point[v] == p)
+        return v;
+    for(Edge_index e : mesh(side).edges()) {
+      const Halfedge_index h = mesh(side).halfedge(e);
+      if(CGAL::are_strictly_ordered_along_line(source(side, h), p, source(side, IT::opposite(h))))
+        return e;
+    }
+    for(Face_index f : mesh(side).faces()) {
+      const auto h = IT::sides(f, mesh(side));
+      bool is_inside = true;
+      for(std::size_t s = 0; s < 3; ++s)
+        is_inside =
+          is_inside && CGAL::left_turn(source(side, h[s]), source(side, h[(s + 1) % 3]), p);
+      if(is_inside)
+        return f;
+    }
+    ADD_FAILURE() << "outside";
+    return Face_index();
+  }
+};
+
+void expect_encloses(const Interval& interval, const Rational& place, double width)
+{
+  EXPECT_LE(Rational(interval.inf()), place);
+  EXPECT_GE(Rational(interval.sup()), place);
+  EXPECT_TRUE(interval.sup() - interval.inf() <= width ||
+              std::nextafter(std::nextafter(interval.inf(), 1), 1) >= interval.sup());
+}
+
+// ---- Crossings ----
+
+void check_crossings(const Exact_triangulation& t, const Mesh& mesh)
+{
+  const Plane plane(t, mesh);
+  const Exact_correspondence c(t);
+  for(unsigned int id = 0; id < c.number_of_crossings(); ++id) {
+    const auto rounded = c.crossing(id);
+    const Halfedge_index input = rounded.on_input.halfedge,
+                         intrinsic = rounded.on_intrinsic.halfedge;
+    for(double width : {1., 0x1p-40, 0x1p-50, 0.}) {
+      const auto place = IT::enclose_crossing(c, id, width);
+      EXPECT_EQ(place.on_input.halfedge, input);
+      EXPECT_EQ(place.on_intrinsic.halfedge, intrinsic);
+      expect_encloses(place.on_input.t, plane.crossing(Side::input, input, intrinsic), width);
+      expect_encloses(place.on_intrinsic.t, plane.crossing(Side::intrinsic, intrinsic, input),
+                      width);
+    }
+  }
+}
+
+TEST(Certified_places, crossings_on_planar_meshes)
+{
+  std::size_t crossings = 0;
+  for(unsigned int seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    Portable_random random(seed);
+    const Mesh mesh = sheared(planar_mesh(random_points(12 + seed, 1000, seed)),
+                              seed % 2 == 0 ? 0 : std::ldexp(1., 2 * static_cast<int>(seed)));
+    Exact_triangulation t(mesh);
+    shuffle(t, 100, random);
+    check_crossings(t, mesh);
+    IT::make_Delaunay(t);
+    check_crossings(t, mesh);
+    crossings += Exact_correspondence(t).number_of_crossings();
+  }
+  EXPECT_GT(crossings, 100u);
+}
+
+// Squared lengths alone: each triangle has a root of its own.
+TEST(Certified_places, crossings_on_abstract_surfaces)
+{
+  for(unsigned int seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    Portable_random random(seed);
+    Mesh mesh = planar_mesh(random_points(14, 300, seed));
+    auto square = mesh.add_property_map<Edge_index, Rational>("e:square").first;
+    for(Edge_index e : mesh.edges())
+      square[e] =
+        CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+    Exact_triangulation t(mesh, IT::parameters::squared_edge_length_map(square));
+    shuffle(t, 60, random);
+    check_crossings(t, mesh);
+  }
+}
+
+// Where faces are next to nothing, intervals are as narrow as asked, and next to each other as the
+// integers say.
+TEST(Certified_places, crossings_on_hard_meshes_are_in_order)
+{
+  for(std::uint64_t seed = 0; seed < 24; ++seed) {
+    SCOPED_TRACE(seed);
+    Exact_triangulation t(hard_mesh(seed).mesh);
+    IT::make_Delaunay(t);
+    const Exact_correspondence c(t);
+    for(Edge_index e : t.mesh().edges()) {
+      double least = 0;
+      for(unsigned int p = 0; p < c.number_of_crossings(Side::intrinsic, e); ++p) {
+        const unsigned int id = c.crossings_on_intrinsic().before(e) + p;
+        const Interval place = IT::enclose_crossing(c, id).on_intrinsic.t;
+        EXPECT_GE(place.sup(), least) << e;
+        least = (std::max)(least, place.inf());
+      }
+    }
+  }
+}
+
+// ---- Points ----
+
+// Small weights, some of them zero, so that many points lie on edges of the other side.
+Location random_place(const Delta_complex& mesh, Portable_random& random)
+{
+  Location p{
+    Face_index(static_cast<unsigned>(random.get_int(0, static_cast<int>(mesh.number_of_faces())))),
+    {0, 0, 0}};
+  while(p.second[0] + p.second[1] + p.second[2] == 0)
+    for(double& x : p.second)
+      x = random.get_int(0, 4);
+  return p;
+}
+
+// Returns how many were vertices, edges and faces.
+std::array<std::size_t, 3> check_elements(const Exact_triangulation& t, const Mesh& mesh,
+                                          Portable_random& random)
+{
+  const Plane plane(t, mesh);
+  const Exact_correspondence c(t);
+  std::array<std::size_t, 3> count{};
+  for(Side side : both_sides)
+    for(int i = 0; i < 100; ++i) {
+      const Location p = random_place(t.surface(side).mesh(), random);
+      const Surface_element found = IT::element_across(c, side, p);
+      EXPECT_EQ(found, plane.element(other(side), plane.at(side, p)));
+      ++count[found.index()];
+    }
+  return count;
+}
+
+TEST(Certified_places, elements_on_planar_meshes)
+{
+  std::array<std::size_t, 3> sum{};
+  for(unsigned int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Portable_random random(seed);
+    const Mesh mesh =
+      sheared(planar_mesh(random_points(5 + seed, 12 + static_cast<int>(seed), seed)), seed % 5);
+    Exact_triangulation t(mesh);
+    shuffle(t, 10 * seed, random);
+    const auto count = check_elements(t, mesh, random);
+    for(std::size_t k = 0; k < 3; ++k)
+      sum[k] += count[k];
+  }
+  for(std::size_t n : sum)
+    EXPECT_GT(n, 200u);
+}
+
+TEST(Certified_places, elements_with_inserted_vertices)
+{
+  std::array<std::size_t, 3> sum{};
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Portable_random random(seed);
+    const Mesh mesh = sheared(planar_mesh(random_points(6 + seed, 20, seed)), seed % 3);
+    Exact_triangulation t(mesh);
+    IT::refine(t, IT::parameters::maximum_number_of_insertions(20));
+    ASSERT_TRUE(IT::certify_Delaunay(t).is_geodesic());
+    const auto count = check_elements(t, mesh, random);
+    for(std::size_t k = 0; k < 3; ++k)
+      sum[k] += count[k];
+    // and the inserted vertices themselves
+    const Exact_correspondence c(t);
+    for(Vertex_index v : t.mesh().vertices())
+      if(t.is_inserted(v)) {
+        EXPECT_EQ(IT::element_across(c, Side::input, t.inserted_vertex(v).location),
+                  Surface_element(v));
+      }
+  }
+  for(std::size_t n : sum)
+    EXPECT_GT(n, 50u);
+}
+
+// The point that is computed in `double` lies in that face, where this is in no doubt.
+TEST(Certified_places, elements_agree_with_points_across)
+{
+  Portable_random random(1);
+  for(int mesh = 0; mesh < 20; ++mesh) {
+    Exact_triangulation t(hard_base(random));
+    IT::make_Delaunay(t);
+    const Exact_correspondence c(t);
+    for(Side side : both_sides)
+      for(int i = 0; i < 50; ++i) {
+        Location p = random_place(t.surface(side).mesh(), random);
+        const double sum = p.second[0] + p.second[1] + p.second[2];
+        for(double& x : p.second)
+          x /= sum;
+        const Location across = IT::point_across(c, side, p);
+        const auto& b = across.second;
+        if((std::min)({b[0], b[1], b[2]}) > 1e-9) {
+          EXPECT_EQ(IT::element_across(c, side, p), Surface_element(across.first));
+        }
+      }
+  }
+}
+
+} // namespace
