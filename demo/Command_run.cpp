@@ -58,7 +58,7 @@ void Command_run::finish(const std::string& summary)
       throw std::logic_error("the stage '" + stage + "' has not come");
   m_statistics["seconds"] = m_seconds;
   m_statistics["peak_memory_bytes"] = peak_memory_in_bytes();
-  m_output.add(m_options.statistics, text_of(m_statistics));
+  add_output(m_options.statistics, text_of(m_statistics));
   m_progress.clear();
   m_output.commit();
   if(!m_options.is_quiet)

@@ -6,6 +6,7 @@
 #define INTRINSIC_COMMAND_RUN_H
 
 #include "Input_mesh.h"
+#include "Mesh_writer.h"
 #include "Output.h"
 #include "Progress_bar.h"
 #include "Statistics.h"
@@ -58,7 +59,11 @@ public:
   // Nothing if the path is empty.
   void add_output(const std::string& path, const std::string& content)
   {
-    m_output.add(path, content);
+    m_output.add(path, [&](Text& text) { text << content; });
+  }
+  void add_output(const std::string& path, const Output_mesh& mesh, Mesh_format format)
+  {
+    m_output.add(path, [&](Text& text) { write(text, mesh, format); });
   }
 
   // Adds the statistics to the files, makes these appear and prints the summary.

@@ -5,7 +5,6 @@
 #include "Mesh_writer.h"
 
 #include "Program_error.h"
-#include "Text.h"
 #include "file_extension.h"
 
 #include <algorithm>
@@ -13,46 +12,27 @@
 #include <filesystem>
 #include <map>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace {
-
-Text& operator<<(Text& text, const Attribute::Value& value)
-{
-  std::visit([&](auto x) { text << x; }, value);
-  return text;
-}
 
 Text& operator<<(Text& text, const Point& p)
 {
   return text << p.x() << ' ' << p.y() << ' ' << p.z();
 }
 
-void add_polygon(Text& text, const std::vector<std::size_t>& polygon)
+void write_off(Text& text, const Output_mesh& mesh)
 {
-  text << polygon.size();
-  for(const std::size_t i : polygon)
-    text << ' ' << i;
-}
-
-void add_values(Text& text, const std::vector<Attribute>& data, std::size_t i)
-{
-  for(const Attribute& a : data)
-    text << ' ' << a.values[i];
-  text << '\n';
-}
-
-std::string off(const Output_mesh& mesh)
-{
-  Text text;
   text << "OFF\n" << mesh.points.size() << ' ' << mesh.polygons.size() << " 0\n";
   for(const Point& p : mesh.points)
     text << p << '\n';
-  for(const std::vector<std::size_t>& polygon : mesh.polygons) {
-    add_polygon(text, polygon);
+  for(const Polygons::Polygon& polygon : mesh.polygons) {
+    text << polygon.size();
+    for(const Polygons::Index i : polygon)
+      text << ' ' << i;
     text << '\n';
   }
-  return text.take();
 }
 
 void add_coordinates(Text& text, const Texture& texture, std::size_t i)
@@ -64,17 +44,17 @@ void add_coordinates(Text& text, const Texture& texture, std::size_t i)
 void add_obj_face(Text& text, const Output_mesh& mesh, std::size_t i)
 {
   text << 'f';
-  for(std::size_t k = 0; k < mesh.polygons[i].size(); ++k) {
-    text << ' ' << mesh.polygons[i][k] + 1;
+  const Polygons::Polygon polygon = mesh.polygons[i];
+  for(std::size_t k = 0; k < polygon.size(); ++k) {
+    text << ' ' << polygon[k] + 1;
     if(mesh.texture.dimension > 0)
       text << '/' << mesh.texture.polygons[i][k] + 1;
   }
   text << '\n';
 }
 
-std::string obj(const Output_mesh& mesh)
+void write_obj(Text& text, const Output_mesh& mesh)
 {
-  Text text;
   for(const Point& p : mesh.points)
     text << "v " << p << '\n';
   for(std::size_t i = 0; i < mesh.texture.coordinates.size(); ++i) {
@@ -84,7 +64,6 @@ std::string obj(const Output_mesh& mesh)
   }
   for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
     add_obj_face(text, mesh, i);
-  return text.take();
 }
 
 const char* name_of(const Texture& texture)
@@ -92,65 +71,150 @@ const char* name_of(const Texture& texture)
   return texture.dimension == 3 ? "homogeneous_texcoord" : "texcoord";
 }
 
-void add_ply_texture(Text& text, const Texture& texture, std::size_t i)
+// Viewers know colors by their names and this type.
+bool is_color(const Attribute& a)
 {
-  if(texture.dimension == 0)
-    return;
-  text << ' ' << texture.dimension * texture.polygons[i].size();
-  for(const std::size_t c : texture.polygons[i])
-    add_coordinates(text, texture, c);
+  return a.name == "red" || a.name == "green" || a.name == "blue";
 }
 
-// Viewers know colors by their names and this type.
 const char* ply_type(const Attribute& a)
 {
-  if(a.name == "red" || a.name == "green" || a.name == "blue")
+  if(is_color(a))
     return "uchar";
   return a.has_integers() ? "int" : "double";
 }
 
-void add_ply_properties(Text& text, const std::vector<Attribute>& data)
+class Ply_writer
 {
-  for(const Attribute& a : data)
-    text << "property " << ply_type(a) << ' ' << a.name << '\n';
-}
+public:
+  Ply_writer(Text& text, const Output_mesh& mesh, bool is_binary)
+    : m_text(text), m_mesh(mesh), m_is_binary(is_binary), m_is_texture_small(is_texture_small())
+  {}
 
-void add_ply_header(Text& text, const Output_mesh& mesh)
-{
-  text << "ply\nformat ascii 1.0\nelement vertex " << mesh.points.size()
-       << "\nproperty double x\nproperty double y\nproperty double z\n";
-  add_ply_properties(text, mesh.point_data);
-  text << "element face " << mesh.polygons.size() << "\nproperty list uint int vertex_indices\n";
-  if(mesh.texture.dimension > 0)
-    text << "property list uchar double " << name_of(mesh.texture) << '\n';
-  add_ply_properties(text, mesh.polygon_data);
-  if(!mesh.edges.empty()) {
-    text << "element edge " << mesh.edges.size()
-         << "\nproperty int vertex1\nproperty int vertex2\n";
-    add_ply_properties(text, mesh.edge_data);
+  void operator()()
+  {
+    add_header();
+    for(std::size_t i = 0; i < m_mesh.points.size(); ++i) {
+      for(int k = 0; k < 3; ++k)
+        add(m_mesh.points[i][k]);
+      end_row(m_mesh.point_data, i);
+    }
+    for(std::size_t i = 0; i < m_mesh.polygons.size(); ++i) {
+      add_polygon(i);
+      end_row(m_mesh.polygon_data, i);
+    }
+    for(std::size_t i = 0; i < m_mesh.edges.size(); ++i) {
+      for(const Polygons::Index v : m_mesh.edges[i])
+        add(static_cast<std::int32_t>(v));
+      end_row(m_mesh.edge_data, i);
+    }
   }
-  text << "end_header\n";
-}
 
-std::string ply(const Output_mesh& mesh)
-{
-  Text text;
-  add_ply_header(text, mesh);
-  for(std::size_t i = 0; i < mesh.points.size(); ++i) {
-    text << mesh.points[i];
-    add_values(text, mesh.point_data, i);
+private:
+  // ---- Header ----
+
+  void add_header()
+  {
+    m_text << "ply\nformat " << (m_is_binary ? "binary_little_endian" : "ascii")
+           << " 1.0\nelement vertex " << m_mesh.points.size()
+           << "\nproperty double x\nproperty double y\nproperty double z\n";
+    add_properties(m_mesh.point_data);
+    m_text << "element face " << m_mesh.polygons.size()
+           << "\nproperty list uint int vertex_indices\n";
+    if(m_mesh.texture.dimension > 0)
+      m_text << "property list " << (m_is_texture_small ? "uchar" : "uint") << " double "
+             << name_of(m_mesh.texture) << '\n';
+    add_properties(m_mesh.polygon_data);
+    if(!m_mesh.edges.empty()) {
+      m_text << "element edge " << m_mesh.edges.size()
+             << "\nproperty int vertex1\nproperty int vertex2\n";
+      add_properties(m_mesh.edge_data);
+    }
+    m_text << "end_header\n";
   }
-  for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
-    add_polygon(text, mesh.polygons[i]);
-    add_ply_texture(text, mesh.texture, i);
-    add_values(text, mesh.polygon_data, i);
+
+  void add_properties(const std::vector<Attribute>& data)
+  {
+    for(const Attribute& a : data)
+      m_text << "property " << ply_type(a) << ' ' << a.name << '\n';
   }
-  for(std::size_t i = 0; i < mesh.edges.size(); ++i) {
-    text << mesh.edges[i][0] << ' ' << mesh.edges[i][1];
-    add_values(text, mesh.edge_data, i);
+
+  // Whether the number of coordinates of each polygon fits into one byte, as viewers expect it.
+  bool is_texture_small() const
+  {
+    return std::all_of(
+      m_mesh.texture.polygons.begin(), m_mesh.texture.polygons.end(),
+      [this](const Polygons::Polygon& p) { return m_mesh.texture.dimension * p.size() < 256; });
   }
-  return text.take();
-}
+
+  // ---- Rows of numbers ----
+
+  template <class Number>
+  void add(Number x)
+  {
+    if(m_is_binary)
+      m_text.add_bytes(x);
+    else
+      add_word(x);
+  }
+
+  template <class Number>
+  void add_word(Number x)
+  {
+    typedef std::conditional_t<std::is_floating_point_v<Number>, double, std::int64_t> Written;
+    if(m_is_in_row)
+      m_text << ' ';
+    m_text << static_cast<Written>(x);
+    m_is_in_row = true;
+  }
+
+  void add_value(const Attribute& a, std::size_t i)
+  {
+    if(const auto* integers = std::get_if<0>(&a.values); integers == nullptr)
+      add(std::get<1>(a.values)[i]);
+    else if(is_color(a))
+      add(static_cast<std::uint8_t>((*integers)[i]));
+    else
+      add(static_cast<std::int32_t>((*integers)[i]));
+  }
+
+  void end_row(const std::vector<Attribute>& data, std::size_t i)
+  {
+    for(const Attribute& a : data)
+      add_value(a, i);
+    if(!m_is_binary)
+      m_text << '\n';
+    m_is_in_row = false;
+  }
+
+  void add_polygon(std::size_t i)
+  {
+    const Polygons::Polygon polygon = m_mesh.polygons[i];
+    add(static_cast<std::uint32_t>(polygon.size()));
+    for(const Polygons::Index v : polygon)
+      add(static_cast<std::int32_t>(v));
+    if(m_mesh.texture.dimension > 0)
+      add_texture(m_mesh.texture.polygons[i]);
+  }
+
+  void add_texture(const Polygons::Polygon& polygon)
+  {
+    const std::size_t n = m_mesh.texture.dimension * polygon.size();
+    if(m_is_texture_small)
+      add(static_cast<std::uint8_t>(n));
+    else
+      add(static_cast<std::uint32_t>(n));
+    for(const Polygons::Index c : polygon)
+      for(std::size_t k = 0; k < m_mesh.texture.dimension; ++k)
+        add(m_mesh.texture.coordinates[c][k]);
+  }
+
+  Text& m_text;
+  const Output_mesh& m_mesh;
+  bool m_is_binary;
+  bool m_is_texture_small;
+  bool m_is_in_row = false;
+};
 
 // `add(i)` adds the text of entry i.
 template <class Add>
@@ -167,10 +231,11 @@ void add_vtp_array(Text& text, std::string_view attributes, std::size_t n, const
 void add_vtp_data(Text& text, const std::vector<Attribute>& data)
 {
   for(const Attribute& a : data)
-    add_vtp_array(text,
-                  (a.has_integers() ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") +
-                    a.name + "\"",
-                  a.values.size(), [&](std::size_t i) { text << a.values[i]; });
+    add_vtp_array(
+      text,
+      (a.has_integers() ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") + a.name + "\"",
+      a.size(),
+      [&](std::size_t i) { std::visit([&](const auto& values) { text << values[i]; }, a.values); });
 }
 
 // The points have the texture coordinates with their numbers.
@@ -192,10 +257,12 @@ public:
   explicit Texture_splitting(const Output_mesh& mesh)
     : m_mesh(mesh), m_coordinate(mesh.points.size(), none)
   {
-    m_mesh.texture.polygons.clear();
-    for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
+    m_mesh.texture.polygons = m_mesh.polygons = Polygons();
+    for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
       for(std::size_t k = 0; k < mesh.polygons[i].size(); ++k)
-        m_mesh.polygons[i][k] = point_with(mesh.texture.polygons[i][k], mesh.polygons[i][k]);
+        m_mesh.polygons.add_corner(point_with(mesh.texture.polygons[i][k], mesh.polygons[i][k]));
+      m_mesh.polygons.close();
+    }
     set_coordinates(mesh.texture.coordinates);
   }
 
@@ -221,7 +288,8 @@ private:
     m_coordinate.push_back(coordinate);
     m_mesh.points.push_back(Point(m_mesh.points[point]));
     for(Attribute& a : m_mesh.point_data)
-      a.values.push_back(Attribute::Value(a.values[point]));
+      std::visit([point](auto& values) { values.insert(values.end(), 1, values[point]); },
+                 a.values);
   }
 
   // isolated points are at the origin
@@ -246,14 +314,13 @@ void add_vtp_points(Text& text, const Output_mesh& mesh)
 }
 
 // Nothing if there are none.
-void add_vtp_cells(Text& text, std::string_view kind,
-                   const std::vector<std::vector<std::size_t>>& cells)
+void add_vtp_cells(Text& text, std::string_view kind, const Polygons& cells)
 {
   if(cells.empty())
     return;
   text << '<' << kind << ">\n";
   add_vtp_array(text, "type=\"Int64\" Name=\"connectivity\"", cells.size(), [&](std::size_t i) {
-    for(const std::size_t v : cells[i])
+    for(const Polygons::Index v : cells[i])
       text << v << ' ';
   });
   std::size_t offset = 0;
@@ -262,36 +329,36 @@ void add_vtp_cells(Text& text, std::string_view kind,
   text << "</" << kind << ">\n";
 }
 
-// `n` times -1, of the type that `like` has.
-std::vector<Attribute::Value> missing_values(const Attribute& like, std::size_t n)
+// Adds -1 for each of `n` elements before the others, or behind them.
+void pad(Attribute& a, std::size_t n, bool is_before)
 {
-  typedef Attribute::Value Value;
-  return std::vector<Value>(n, like.has_integers() ? Value(std::int64_t(-1)) : Value(-1.));
+  std::visit([&](auto& v) { v.insert(is_before ? v.begin() : v.end(), n, -1); }, a.values);
 }
 
 // Those of lines, then those of polygons.
 std::vector<Attribute> vtp_cell_data(const Output_mesh& mesh)
 {
-  std::vector<Attribute> result;
-  for(const Attribute& a : mesh.line_data) {
-    result.push_back(a);
-    const std::vector<Attribute::Value> rest = missing_values(a, mesh.polygons.size());
-    result.back().values.insert(result.back().values.end(), rest.begin(), rest.end());
-  }
+  std::vector<Attribute> result = mesh.line_data;
+  for(Attribute& a : result)
+    pad(a, mesh.polygons.size(), false);
   for(const Attribute& a : mesh.polygon_data) {
-    auto both = std::find_if(result.begin(), result.end(),
-                             [&](const Attribute& b) { return b.name == a.name; });
-    if(both == result.end())
-      both = result.insert(both, {a.name, missing_values(a, mesh.lines.size() + a.values.size())});
-    std::copy(a.values.begin(), a.values.end(),
-              both->values.end() - std::ptrdiff_t(a.values.size()));
+    const auto both = std::find_if(result.begin(), result.end(),
+                                   [&](const Attribute& b) { return b.name == a.name; });
+    if(both == result.end()) {
+      result.push_back(a);
+      pad(result.back(), mesh.lines.size(), true);
+      continue;
+    }
+    const auto copy_to_end = [](const auto& from, auto& to) {
+      std::copy(from.begin(), from.end(), to.end() - std::ptrdiff_t(from.size()));
+    };
+    std::visit(copy_to_end, a.values, both->values);
   }
   return result;
 }
 
-std::string vtp_with_point_texture(const Output_mesh& mesh)
+void write_vtp_with_point_texture(Text& text, const Output_mesh& mesh)
 {
-  Text text;
   text << "<?xml version=\"1.0\"?>\n"
        << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
        << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfVerts=\"0\" "
@@ -307,53 +374,54 @@ std::string vtp_with_point_texture(const Output_mesh& mesh)
   add_vtp_cells(text, "Lines", mesh.lines);
   add_vtp_cells(text, "Polys", mesh.polygons);
   text << "</Piece>\n</PolyData>\n</VTKFile>\n";
-  return text.take();
 }
 
-std::string vtp(const Output_mesh& mesh)
+void write_vtp(Text& text, const Output_mesh& mesh)
 {
   if(mesh.texture.dimension == 0)
-    return vtp_with_point_texture(mesh);
-  return vtp_with_point_texture(Texture_splitting(mesh).mesh());
+    write_vtp_with_point_texture(text, mesh);
+  else
+    write_vtp_with_point_texture(text, Texture_splitting(mesh).mesh());
 }
 
-struct Format_description
-{
-  std::string_view name;
-  Mesh_format format;
-  std::string (*text_of)(const Output_mesh&);
-};
-
-constexpr std::array<Format_description, 4> formats = {{{"off", Mesh_format::OFF, off},
-                                                        {"obj", Mesh_format::OBJ, obj},
-                                                        {"ply", Mesh_format::PLY, ply},
-                                                        {"vtp", Mesh_format::VTP, vtp}}};
+constexpr std::array<std::string_view, 4> names = {"off", "obj", "ply", "vtp"};
 
 // By its name or extension, with or without dot, in any case.
 Mesh_format mesh_format(const std::string& name)
 {
   const std::string key = lower_case(name.substr(name.compare(0, 1, ".") == 0 ? 1 : 0));
-  for(const Format_description& f : formats)
-    if(f.name == key)
-      return f.format;
+  for(std::size_t i = 0; i < names.size(); ++i)
+    if(names[i] == key)
+      return static_cast<Mesh_format>(i);
   throw Program_error("no such output format: '" + name + "' (there are off, obj, ply and vtp)");
 }
 
 } // namespace
 
-Mesh_format output_format(const std::string& path, const std::string& name)
+Mesh_format output_format(const std::string& path, const Output_options& options)
 {
-  return mesh_format(path == "-" ? name : std::filesystem::path(path).extension().string());
+  const Mesh_format format =
+    mesh_format(path == "-" ? options.format : std::filesystem::path(path).extension().string());
+  if(!options.is_binary)
+    return format;
+  if(format != Mesh_format::PLY)
+    throw Program_error(path + ": this format cannot be binary (.ply can)");
+  return Mesh_format::BINARY_PLY;
 }
 
 bool has_attributes(Mesh_format format)
 {
-  return format == Mesh_format::PLY || format == Mesh_format::VTP;
+  return format != Mesh_format::OFF && format != Mesh_format::OBJ;
 }
 
 bool has_texture(Mesh_format format) { return format != Mesh_format::OFF; }
 
-std::string text_of(const Output_mesh& mesh, Mesh_format format)
+void write(Text& text, const Output_mesh& mesh, Mesh_format format)
 {
-  return formats[static_cast<std::size_t>(format)].text_of(mesh);
+  switch(format) {
+    case Mesh_format::OFF: return write_off(text, mesh);
+    case Mesh_format::OBJ: return write_obj(text, mesh);
+    case Mesh_format::VTP: return write_vtp(text, mesh);
+    default: return Ply_writer(text, mesh, format == Mesh_format::BINARY_PLY)();
+  }
 }

@@ -6,10 +6,12 @@
 #define INTRINSIC_MESH_WRITER_H
 
 #include "Output_mesh.h"
+#include "Text.h"
+#include "commands.h"
 
 #include <string>
 
-// Text formats; PLY and VTP carry the attributes, all but OFF the texture. PLY has the edges, VTP
+// All but one are text. PLY and VTP carry the attributes, all but OFF the texture. PLY has the edges, VTP
 // the lines; in VTP, lines come before polygons, and what only one kind has is -1 for the other.
 // The texture:
 // - OBJ as vt, at the corners of faces;
@@ -22,12 +24,13 @@ enum class Mesh_format
   OFF,
   OBJ,
   PLY,
-  VTP
+  VTP,
+  BINARY_PLY
 };
 
-// The format of the file `path`, by its extension; on standard output (-) the one with the name
-// `name`. Throws Program_error if there is none.
-Mesh_format output_format(const std::string& path, const std::string& name);
+// The format of the file `path`, by its extension; on standard output (-) the one that is wanted
+// there. Throws Program_error if there is none, or it shall be binary and cannot.
+Mesh_format output_format(const std::string& path, const Output_options& options);
 
 // Whether a file carries the attributes of points and polygons.
 bool has_attributes(Mesh_format format);
@@ -35,7 +38,7 @@ bool has_attributes(Mesh_format format);
 // Whether a file carries a texture.
 bool has_texture(Mesh_format format);
 
-// The mesh as text; coordinates are the shortest that are read back as the same numbers.
-std::string text_of(const Output_mesh& mesh, Mesh_format format);
+// Adds the mesh; coordinates are the shortest that are read back as the same numbers.
+void write(Text& text, const Output_mesh& mesh, Mesh_format format);
 
 #endif // INTRINSIC_MESH_WRITER_H

@@ -50,16 +50,19 @@ Output::Output(const fs::path& input, const std::vector<std::string>& paths)
   }
 }
 
-void Output::add(const std::string& path, const std::string& content)
+void Output::add(const std::string& path, const std::function<void(Text&)>& write)
 {
   if(path.empty())
     return;
   if(path == "-") {
-    m_standard_output += content;
+    Text text;
+    write(text);
+    m_standard_output += text.take();
     return;
   }
   m_files.push_back(std::make_unique<Atomic_file>(path));
-  m_files.back()->stream() << content;
+  Text text(m_files.back()->stream());
+  write(text);
 }
 
 void Output::commit()

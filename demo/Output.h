@@ -6,8 +6,10 @@
 #define INTRINSIC_OUTPUT_H
 
 #include "Atomic_file.h"
+#include "Text.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,8 +24,9 @@ public:
   // Throws Program_error if not.
   Output(const std::filesystem::path& input, const std::vector<std::string>& paths);
 
-  // Throws std::runtime_error if the file cannot be written.
-  void add(const std::string& path, const std::string& content);
+  // `write(text)` adds the content to a text. Throws std::runtime_error if the file cannot be
+  // written.
+  void add(const std::string& path, const std::function<void(Text&)>& write);
 
   // Throws std::runtime_error if not everything could be written.
   void commit();

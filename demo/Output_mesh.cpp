@@ -11,11 +11,7 @@ Output_mesh points_and_polygons(const Mesh& mesh, const Faces& faces)
 {
   Output_mesh result;
   result.points.assign(mesh.points().begin(), mesh.points().end());
-  for(const Mesh::Face_index f : faces) {
-    result.polygons.emplace_back();
-    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      result.polygons.back().push_back(v);
-  }
+  result.polygons = polygons_of(mesh, faces);
   return result;
 }
 
@@ -26,6 +22,7 @@ Output_mesh output_mesh(const Mesh& mesh) { return points_and_polygons(mesh, mes
 Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces)
 {
   Output_mesh result = points_and_polygons(mesh, faces);
+  result.edges.reserve(mesh.number_of_edges());
   for(const Mesh::Edge_index e : mesh.edges())
     result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
   return result;

@@ -11,28 +11,35 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 // One number per vertex, edge, face or line: all of them integers or all of them not.
 struct Attribute
 {
-  typedef std::variant<std::int64_t, double> Value;
-
   std::string name;
-  std::vector<Value> values;
+  std::variant<std::vector<std::int64_t>, std::vector<double>> values;
 
-  bool has_integers() const { return values.empty() || values.front().index() == 0; }
+  std::size_t size() const
+  {
+    return std::visit([](const auto& v) { return v.size(); }, values);
+  }
+
+  bool has_integers() const { return values.index() == 0 || size() == 0; }
 };
 
 // One value per element of `range`.
 template <class Range, class Value>
 Attribute attribute(const char* name, const Range& range, const Value& value)
 {
-  Attribute result{name, {}};
+  typedef std::is_floating_point<decltype(value(*range.begin()))> Is_real;
+  std::vector<std::conditional_t<Is_real::value, double, std::int64_t>> values;
+  values.reserve(range.size());
   for(const auto element : range)
-    result.values.push_back(value(element));
-  return result;
+    values.push_back(value(element));
+  return {name, std::move(values)};
 }
 
 // Of an element of a mesh; -1 for none.
@@ -47,16 +54,16 @@ struct Texture
 {
   std::size_t dimension = 0; // zero if there is no texture; 2, the third being 1; 3 if homogeneous
   std::vector<std::array<double, 3>> coordinates;
-  std::vector<std::vector<std::size_t>> polygons; // with coordinates in place of points
+  Polygons polygons; // with coordinates in place of points
 };
 
 // A mesh with what is known about its elements, ready to be written.
 struct Output_mesh
 {
   std::vector<Point> points;
-  std::vector<std::array<std::size_t, 2>> edges;
-  std::vector<std::vector<std::size_t>> polygons;
-  std::vector<std::vector<std::size_t>> lines; // through points, as polygons are but open
+  std::vector<std::array<Polygons::Index, 2>> edges;
+  Polygons polygons;
+  Polygons lines; // through points, as polygons are but open
   std::vector<Attribute> point_data;
   std::vector<Attribute> edge_data;
   std::vector<Attribute> polygon_data;

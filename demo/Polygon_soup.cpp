@@ -4,20 +4,144 @@
 
 #include "Polygon_soup.h"
 
-#include <CGAL/boost/graph/Euler_operations.h>
+#include <algorithm>
+#include <array>
 
-Mesh mesh_of(const Polygon_soup& soup)
+namespace {
+
+typedef Mesh::size_type Index;
+
+// Numbers the edges, then sets all of the connectivity at once.
+class Mesh_builder
 {
-  Mesh mesh;
-  for(const Point& p : soup.points)
-    mesh.add_vertex(p);
-  std::vector<std::vector<Mesh::Vertex_index>> faces;
-  faces.reserve(soup.polygons.size());
-  for(const std::vector<std::size_t>& polygon : soup.polygons) {
-    faces.emplace_back();
-    for(const std::size_t i : polygon)
-      faces.back().emplace_back(static_cast<Mesh::size_type>(i));
+public:
+  explicit Mesh_builder(const Polygon_soup& soup)
+    : m_soup(soup), m_halfedge(soup.polygons.number_of_corners())
+  {}
+
+  Mesh operator()()
+  {
+    number_ascending_sides();
+    sort_edges();
+    number_descending_sides();
+    m_mesh.resize(static_cast<Index>(m_soup.points.size()), static_cast<Index>(m_edges.size()),
+                  static_cast<Index>(m_soup.polygons.size()));
+    std::copy(m_soup.points.begin(), m_soup.points.end(), m_mesh.points().begin());
+    set_ends();
+    set_faces();
+    link_border();
+    return std::move(m_mesh);
   }
-  CGAL::Euler::add_faces(faces, mesh);
-  return mesh;
-}
+
+private:
+  typedef std::array<Index, 2> Edge; // from the smaller vertex to the larger
+
+  static Mesh::Halfedge_index halfedge(std::size_t edge, bool is_descending)
+  {
+    return Mesh::Halfedge_index(static_cast<Index>(2 * edge + is_descending));
+  }
+
+  void number_ascending_sides()
+  {
+    std::size_t corner = 0;
+    for(const Polygons::Polygon& p : m_soup.polygons)
+      for(std::size_t i = 0; i < p.size(); ++i, ++corner) {
+        const Edge side = {p[i], p[i + 1 == p.size() ? 0 : i + 1]};
+        if(side[0] < side[1]) {
+          m_halfedge[corner] = halfedge(m_edges.size(), false);
+          m_edges.push_back(side);
+        }
+      }
+  }
+
+  // By the smaller vertex in linear time, then by the larger one.
+  void sort_edges()
+  {
+    m_first.assign(m_soup.points.size() + 2, 0);
+    for(const Edge& e : m_edges)
+      ++m_first[e[0] + 2];
+    for(std::size_t v = 2; v < m_first.size(); ++v)
+      m_first[v] += m_first[v - 1];
+    m_sorted.resize(m_edges.size());
+    for(Index e = 0; e < m_edges.size(); ++e)
+      m_sorted[m_first[m_edges[e][0] + 1]++] = e;
+    for(std::size_t v = 0; v < m_soup.points.size(); ++v)
+      std::sort(m_sorted.begin() + m_first[v], m_sorted.begin() + m_first[v + 1],
+                [this](Index a, Index b) { return m_edges[a][1] < m_edges[b][1]; });
+  }
+
+  // The number of an edge from the smaller vertex `v` to `w`; a new one if no face ascends there.
+  Index edge(Index v, Index w)
+  {
+    const auto end = m_sorted.begin() + m_first[v + 1];
+    const auto e = std::lower_bound(m_sorted.begin() + m_first[v], end, w,
+                                    [this](Index a, Index x) { return m_edges[a][1] < x; });
+    if(e != end && m_edges[*e][1] == w)
+      return *e;
+    m_edges.push_back({v, w});
+    return static_cast<Index>(m_edges.size() - 1);
+  }
+
+  // The last side of each face comes first.
+  void number_descending_sides()
+  {
+    std::size_t corner = 0;
+    for(const Polygons::Polygon& p : m_soup.polygons) {
+      for(std::size_t i = 0; i < p.size(); ++i) {
+        const std::size_t from = i == 0 ? p.size() - 1 : i - 1;
+        if(p[i] < p[from])
+          m_halfedge[corner + from] = halfedge(edge(p[i], p[from]), true);
+      }
+      corner += p.size();
+    }
+  }
+
+  // The halfedge of a vertex is on the first edge that has it.
+  void set_ends()
+  {
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      for(const bool is_descending : {true, false}) {
+        const Mesh::Vertex_index target(m_edges[e][is_descending ? 0 : 1]);
+        m_mesh.set_target(halfedge(e, is_descending), target);
+        if(!m_mesh.halfedge(target).is_valid())
+          m_mesh.set_halfedge(target, halfedge(e, is_descending));
+      }
+  }
+
+  void set_faces()
+  {
+    auto first = m_halfedge.begin();
+    for(Index f = 0; f < m_soup.polygons.size(); ++f) {
+      const auto end = first + static_cast<std::ptrdiff_t>(m_soup.polygons[f].size());
+      Mesh::Halfedge_index previous = *(end - 1);
+      m_mesh.set_halfedge(Mesh::Face_index(f), previous);
+      for(; first != end; previous = *first++) {
+        m_mesh.set_face(*first, Mesh::Face_index(f));
+        m_mesh.set_next(previous, *first);
+      }
+    }
+  }
+
+  // At most one border halfedge leaves a vertex.
+  void link_border()
+  {
+    std::vector<Mesh::Halfedge_index> leaving(m_soup.points.size());
+    for(const Mesh::Halfedge_index h : m_mesh.halfedges())
+      if(m_mesh.is_border(h))
+        leaving[m_mesh.source(h)] = h;
+    for(const Mesh::Halfedge_index h : leaving)
+      if(h.is_valid())
+        m_mesh.set_next(h, leaving[m_mesh.target(h)]);
+  }
+
+  const Polygon_soup& m_soup;
+  Mesh m_mesh;
+  std::vector<Mesh::Halfedge_index> m_halfedge; // that leaves each corner
+  std::vector<Edge> m_edges;
+  std::vector<Index> m_first;  // of each smaller vertex, in the next
+  std::vector<Index> m_sorted; // those edges along which a face ascends
+};
+
+} // namespace
+
+Mesh mesh_of(const Polygon_soup& soup) { return Mesh_builder(soup)(); }

@@ -5,6 +5,8 @@
 #ifndef INTRINSIC_POLYGON_SOUP_H
 #define INTRINSIC_POLYGON_SOUP_H
 
+#include "Polygons.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -19,12 +21,28 @@ using Mesh = CGAL::Surface_mesh<Point>;
 struct Polygon_soup
 {
   std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
+  Polygons polygons;
   std::size_t merged_corners = 0; // of a format that has no indices
 };
 
-// Vertices and faces keep their indices, isolated vertices too.
-// Precondition: the diagnosis of the soup is valid.
+// Vertices and faces keep their indices, isolated vertices too. Edges are numbered in the order of
+// faces: first those that a face runs along from the smaller to the larger index, then the others.
+// The first halfedge of an edge leads to the larger index.
+// Precondition: the diagnosis of the soup is valid, but for faces that are no triangles.
 Mesh mesh_of(const Polygon_soup& soup);
+
+// The corners of a face in the order of its halfedges, from the target of the first one.
+template <class Any_mesh, class Faces>
+Polygons polygons_of(const Any_mesh& mesh, const Faces& faces)
+{
+  Polygons result;
+  result.reserve(faces.size(), 3 * faces.size());
+  for(const typename Any_mesh::Face_index f : faces) {
+    for(const typename Any_mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      result.add_corner(v);
+    result.close();
+  }
+  return result;
+}
 
 #endif // INTRINSIC_POLYGON_SOUP_H

@@ -15,14 +15,19 @@ namespace {
 class Soup_repairer
 {
 public:
-  explicit Soup_repairer(Polygon_soup& soup) : m_soup(soup) {}
+  explicit Soup_repairer(Polygon_soup& soup) : m_soup(soup)
+  {
+    for(const Polygons::Polygon& p : soup.polygons)
+      m_polygons.emplace_back(p.begin(), p.end());
+  }
 
   Repair_report operator()()
   {
     note("points merged with an equal one",
-         PMP::merge_duplicate_points_in_polygon_soup(m_soup.points, m_soup.polygons));
+         PMP::merge_duplicate_points_in_polygon_soup(m_soup.points, m_polygons));
     clean();
     orient();
+    m_soup.polygons = polygons();
     if(has_polygons())
       triangulate();
     return m_report;
@@ -45,24 +50,26 @@ private:
       m_report.emplace_back(what, count);
   }
 
-  std::size_t number_of_corners() const
+  Polygons polygons() const
   {
-    std::size_t n = 0;
-    for(const std::vector<std::size_t>& polygon : m_soup.polygons)
-      n += polygon.size();
-    return n;
+    Polygons result;
+    for(const std::vector<std::size_t>& polygon : m_polygons)
+      result.push_back(polygon);
+    return result;
   }
+
+  std::size_t number_of_corners() const { return polygons().number_of_corners(); }
 
   void clean()
   {
     note("isolated points removed",
-         PMP::remove_isolated_points_in_polygon_soup(m_soup.points, m_soup.polygons));
+         PMP::remove_isolated_points_in_polygon_soup(m_soup.points, m_polygons));
     const std::size_t points = m_soup.points.size();
-    const std::size_t faces = m_soup.polygons.size();
+    const std::size_t faces = m_polygons.size();
     const std::size_t corners = number_of_corners();
-    PMP::repair_polygon_soup(m_soup.points, m_soup.polygons);
+    PMP::repair_polygon_soup(m_soup.points, m_polygons);
     // A pinched polygon becomes several.
-    const std::size_t left = m_soup.polygons.size();
+    const std::size_t left = m_polygons.size();
     note("degenerate or duplicate faces removed", left < faces ? faces - left : 0);
     note("faces added by splitting pinched ones", left > faces ? left - faces : 0);
     note("corners of faces simplified", left == faces ? corners - number_of_corners() : 0);
@@ -73,7 +80,7 @@ private:
   {
     const std::size_t points = m_soup.points.size();
     std::size_t reversals = 0;
-    PMP::orient_polygon_soup(m_soup.points, m_soup.polygons,
+    PMP::orient_polygon_soup(m_soup.points, m_polygons,
                              CGAL::parameters::visitor(Reversal_counter(reversals)));
     note("faces reversed", reversals);
     note("points duplicated to make the surface manifold", m_soup.points.size() - points);
@@ -81,10 +88,7 @@ private:
 
   bool has_polygons() const
   {
-    for(const std::vector<std::size_t>& polygon : m_soup.polygons)
-      if(polygon.size() > 3)
-        return true;
-    return false;
+    return m_soup.polygons.number_of_corners() > 3 * m_soup.polygons.size();
   }
 
   void triangulate()
@@ -92,16 +96,12 @@ private:
     const std::size_t faces = m_soup.polygons.size();
     Mesh mesh = mesh_of(m_soup);
     PMP::triangulate_faces(mesh);
-    m_soup.polygons.clear();
-    for(const Mesh::Face_index f : mesh.faces()) {
-      m_soup.polygons.emplace_back();
-      for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-        m_soup.polygons.back().push_back(v);
-    }
+    m_soup.polygons = polygons_of(mesh, mesh.faces());
     note("triangles added by splitting polygons", m_soup.polygons.size() - faces);
   }
 
   Polygon_soup& m_soup;
+  std::vector<std::vector<std::size_t>> m_polygons; // as CGAL wants them
   Repair_report m_report;
 };
 

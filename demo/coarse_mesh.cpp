@@ -94,9 +94,10 @@ void add_coarse_edges(const Coarse_subdivision& subdivision, Output_mesh& result
   const auto edges = subdivision.level(IS::Level::coarse).mesh().edges();
   for(const IS::Edge_index e : edges) {
     const auto parts = subdivision.parts_of_coarse_edge(e);
-    result.lines.push_back({mesh.source(*parts.begin())});
+    result.lines.add_corner(mesh.source(*parts.begin()));
     for(const Mesh::Halfedge_index h : parts)
-      result.lines.back().push_back(mesh.target(h));
+      result.lines.add_corner(mesh.target(h));
+    result.lines.close();
   }
   const auto black = [](IS::Edge_index) { return std::int64_t(0); };
   result.line_data = {

@@ -28,14 +28,14 @@ CLI::App& add_command(CLI::App& app, const char* name, const char* description, 
   return command;
 }
 
-// Adds the output of a command, and its format on standard output.
-template <class Own_options>
-void add_output(CLI::App& command, Own_options& options, const std::string& what,
+// Adds the output of a command, and its format.
+void add_output(CLI::App& command, Output_options& options, const std::string& what,
                 const std::string& formats)
 {
   command.add_option("-o,--output", options.output, what + "; - for standard output)")->required();
   command.add_option("--format", options.format, "Format on standard output: " + formats)
     ->capture_default_str();
+  command.add_flag("--binary", options.is_binary, "Write .ply with binary numbers");
 }
 
 // Adds an option with a number in a range.

@@ -34,10 +34,20 @@ struct Common_options
   bool is_quiet = false;
 };
 
-struct Delaunay_options
+// The output of a command that is a mesh.
+struct Output_options
 {
+  explicit Output_options(const char* default_format) : format(default_format) {}
+
   std::string output;
-  std::string format = "off";   // on standard output
+  std::string format; // on standard output
+  bool is_binary = false;
+};
+
+struct Delaunay_options : Output_options
+{
+  Delaunay_options() : Output_options("off") {}
+
   double constrained_angle = 0; // in degrees; 0 for none
 };
 
@@ -53,10 +63,10 @@ struct Refinement_bounds
   std::size_t maximum_number_of_insertions = 10000000;
 };
 
-struct Refine_options
+struct Refine_options : Output_options
 {
-  std::string output;
-  std::string format = "off";   // on standard output
+  Refine_options() : Output_options("off") {}
+
   double constrained_angle = 0; // in degrees; 0 for none
   Refinement_bounds bounds;
 };
@@ -65,11 +75,11 @@ struct Refine_options
 // writes its common subdivision with the input. Returns the exit code.
 int refine(const Common_options& common, const Refine_options& options);
 
-struct Distance_options
+struct Distance_options : Output_options
 {
-  std::string output;
+  Distance_options() : Output_options("ply") {}
+
   std::string subdivision;
-  std::string format = "ply"; // on standard output
   std::vector<std::int64_t> sources;
   double time_step_factor = 1;
   double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
@@ -90,10 +100,10 @@ struct Operators_options
 int operators(const Common_options& common, const Operators_options& options);
 
 // Of the commands whose output has a texture.
-struct Texture_options
+struct Texture_options : Output_options
 {
-  std::string output;
-  std::string format = "obj"; // on standard output
+  Texture_options() : Output_options("obj") {}
+
   bool is_homogeneous = false;
 };
 
@@ -127,22 +137,22 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options);
 // code.
 int uniformize(const Common_options& common, const Hyperbolic_options& options);
 
-struct Sphere_options
+struct Sphere_options : Output_options
 {
-  std::string output;
-  std::string format = "ply"; // on standard output
-  std::string precise;        // positions in all digits; empty if not wanted
+  Sphere_options() : Output_options("ply") {}
+
+  std::string precise; // positions in all digits; empty if not wanted
 };
 
 // Maps the surface to the sphere or a hemisphere, discretely conformally, and writes the common
 // subdivision of its three triangulations there. Returns the exit code.
 int sphere(const Common_options& common, const Sphere_options& options);
 
-struct Simplify_options
+struct Simplify_options : Output_options
 {
-  std::string output;
+  Simplify_options() : Output_options("ply") {}
+
   std::string prolongation;
-  std::string format = "ply"; // on standard output
   // one of these is given
   std::optional<std::size_t> number_of_vertices;
   std::optional<double> ratio; // of the number of vertices

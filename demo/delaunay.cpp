@@ -5,7 +5,6 @@
 #include "commands.h"
 
 #include "Command_run.h"
-#include "Mesh_writer.h"
 #include "triangulation_stages.h"
 
 namespace {
@@ -21,14 +20,14 @@ std::string summary_of(Command_run& run)
 
 int delaunay(const Common_options& common, const Delaunay_options& options)
 {
-  const Mesh_format format = output_format(options.output, options.format);
+  const Mesh_format format = output_format(options.output, options);
   Command_run run("delaunay", common, {options.output});
   run.plan({delaunay_stages, certificate_stages(common), subdivision_stages});
   const Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
-    run.add_output(options.output, text_of(subdivision_mesh(subdivision), format));
+    run.add_output(options.output, subdivision_mesh(subdivision), format);
     save(run, triangulation);
   });
   run.finish(summary_of(run));

@@ -25,9 +25,9 @@ namespace {
 
 constexpr double unreachable = -1;
 
-Mesh_format format_with_attributes(const std::string& path, const std::string& format_name)
+Mesh_format format_with_attributes(const std::string& path, const Output_options& options)
 {
-  const Mesh_format format = output_format(path, format_name);
+  const Mesh_format format = output_format(path, options);
   if(!has_attributes(format))
     throw Program_error(path + ": this format cannot carry distances (.ply and .vtp can)");
   return format;
@@ -84,10 +84,10 @@ void describe_distances(Statistics& statistics, const Distance_options& options,
   statistics["unreachable_vertices"] = std::count(values.begin(), values.end(), unreachable);
 }
 
-std::string text_of(Output_mesh mesh, const std::vector<double>& distance, Mesh_format format)
+Output_mesh with_distances(Output_mesh mesh, std::vector<double> distances)
 {
-  mesh.point_data.push_back({"distance", {distance.begin(), distance.end()}});
-  return text_of(mesh, format);
+  mesh.point_data.push_back({"distance", std::move(distances)});
+  return mesh;
 }
 
 std::string summary_of(Command_run& run)
@@ -105,7 +105,7 @@ class Distance_command
 public:
   Distance_command(const Common_options& common, const Distance_options& options)
     : m_options(options),
-      m_format(format_with_attributes(options.output, options.format)),
+      m_format(format_with_attributes(options.output, options)),
       m_subdivision_format(subdivision_format(options)),
       m_run("distance", common, {options.output, options.subdivision})
   {
@@ -142,7 +142,7 @@ private:
   {
     if(options.subdivision.empty())
       return std::nullopt;
-    return format_with_attributes(options.subdivision, options.format);
+    return format_with_attributes(options.subdivision, options);
   }
 
   std::optional<Subdivision> subdivide_if_wanted(const Triangulation& triangulation)
@@ -156,12 +156,13 @@ private:
              const Triangulation& triangulation)
   {
     m_run.add_output(m_options.output,
-                     text_of(output_mesh(m_run.input().mesh), at_input_vertices(values), m_format));
+                     with_distances(output_mesh(m_run.input().mesh), at_input_vertices(values)),
+                     m_format);
     if(subdivision)
       m_run.add_output(m_options.subdivision,
-                       text_of(subdivision_mesh(*subdivision),
-                               interpolated(values, *subdivision, triangulation),
-                               *m_subdivision_format));
+                       with_distances(subdivision_mesh(*subdivision),
+                                      interpolated(values, *subdivision, triangulation)),
+                       *m_subdivision_format);
     save(m_run, triangulation);
   }
 

@@ -106,12 +106,12 @@ private:
   void add_polygon(Face_index f)
   {
     m_result.polygons.push_back(polygon(f));
-    m_result.texture.polygons.emplace_back();
     for(const Halfedge_index h : CGAL::halfedges_around_face(mesh().halfedge(f), mesh())) {
       if(m_corner[h.idx()] == none)
         add_coordinates(h);
-      m_result.texture.polygons.back().push_back(m_corner[h.idx()]);
+      m_result.texture.polygons.add_corner(m_corner[h.idx()]);
     }
+    m_result.texture.polygons.close();
   }
 
   // Of the corner at the target of `h` and those beside it, up to seams: rounding has made them a
@@ -197,7 +197,7 @@ void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
     return Kernel::Point_2(z[0] / z[2], z[1] / z[2]);
   };
   for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
-    const auto &p = mesh.polygons[i], &t = mesh.texture.polygons[i];
+    const Polygons::Polygon p = mesh.polygons[i], t = mesh.texture.polygons[i];
     for(std::size_t k = 2; k < p.size(); ++k) {
       if(!has_area(mesh.points[p[0]], mesh.points[p[k - 1]], mesh.points[p[k]]))
         continue;

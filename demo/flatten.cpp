@@ -59,7 +59,7 @@ class Flatten_command
 public:
   Flatten_command(const Common_options& common, const Flatten_options& options)
     : m_options(with_defaults(options, common.is_exact)),
-      m_format(format_with_texture(options.output, options.format)),
+      m_format(format_with_texture(options)),
       m_run("flatten", common, {options.output, options.matrix}),
       m_visitor{m_run}
   {
@@ -204,7 +204,7 @@ void finish(Command_run& run, const Texture_options& options, Mesh_format format
   run.timed("write", [&] {
     const Output_mesh result = flat_mesh(map, run.input().mesh, cones, options.is_homogeneous);
     describe(run, map, result, iterations, cones.size());
-    run.add_output(options.output, text_of(result, format));
+    run.add_output(options.output, result, format);
   });
   run.finish(summary_of(run.statistics()));
 }

@@ -103,9 +103,8 @@ void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format for
   check_status(map);
   run.timed("write", [&] {
     describe(run, map, cones);
-    run.add_output(
-      options.output,
-      text_of(flat_mesh(map, run.input().mesh, cones, options.is_homogeneous), format));
+    run.add_output(options.output, flat_mesh(map, run.input().mesh, cones, options.is_homogeneous),
+                   format);
     if(!options.picture.empty())
       run.add_output(options.picture, disk_picture(map, options.depth));
   });
@@ -114,7 +113,7 @@ void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format for
 
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
 {
-  const Mesh_format format = format_with_texture(options.output, options.format);
+  const Mesh_format format = format_with_texture(options);
   Command_run run("hyperbolic", common, {options.output, options.picture});
   run.plan({{"build"}, map_stages(false)});
   const Mesh& mesh = run.input().mesh;

@@ -42,11 +42,11 @@ Stages map_stages(bool has_cones)
 
 void Stage_visitor::start(DCM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
 
-Mesh_format format_with_texture(const std::string& path, const std::string& format_name)
+Mesh_format format_with_texture(const Output_options& options)
 {
-  const Mesh_format format = output_format(path, format_name);
+  const Mesh_format format = output_format(options.output, options);
   if(!has_texture(format))
-    throw Program_error(path +
+    throw Program_error(options.output +
                         ": this format cannot carry texture coordinates (.obj, .ply and .vtp can)");
   return format;
 }

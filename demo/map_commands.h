@@ -41,7 +41,7 @@ struct Stage_visitor
 Stages map_stages(bool has_cones);
 
 // Throws Program_error if the format has no texture coordinates.
-Mesh_format format_with_texture(const std::string& path, const std::string& format_name);
+Mesh_format format_with_texture(const Output_options& options);
 
 // Throws std::runtime_error, with the errors that are left, if a map is no success.
 void check_status(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);

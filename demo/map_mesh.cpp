@@ -11,7 +11,7 @@
 using CGAL::Discrete_conformal_maps::Layer;
 
 Map_mesh_builder::Map_mesh_builder(const Any_map& map, const Mesh& input)
-  : m_map(map), m_input(input), m_number(mesh().number_of_vertices(), none)
+  : m_map(map), m_input(input), m_number(mesh().number_of_vertices(), Polygons::none)
 {
   choose_elements();
 }
@@ -28,7 +28,7 @@ void Map_mesh_builder::choose_elements()
     is_used[mesh().target(h).idx()] |= is_front(h);
   for(const Vertex_index v : mesh().vertices())
     if(is_used[v.idx()] || is_of_input(v)) {
-      m_number[v.idx()] = m_vertices.size();
+      m_number[v.idx()] = static_cast<Polygons::Index>(m_vertices.size());
       m_vertices.push_back(v);
     }
   for(const Edge_index e : mesh().edges())
@@ -49,9 +49,9 @@ Point Map_mesh_builder::input_point(Vertex_index v) const
   return CGAL::ORIGIN + result;
 }
 
-std::vector<std::size_t> Map_mesh_builder::polygon(Face_index f) const
+std::vector<Polygons::Index> Map_mesh_builder::polygon(Face_index f) const
 {
-  std::vector<std::size_t> result;
+  std::vector<Polygons::Index> result;
   for(const Halfedge_index h : CGAL::halfedges_around_face(mesh().halfedge(f), mesh()))
     result.push_back(m_number[mesh().target(h).idx()]);
   return result;

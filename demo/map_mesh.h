@@ -65,7 +65,7 @@ protected:
 
   // ---- The result ----
 
-  std::vector<std::size_t> polygon(Face_index f) const;
+  std::vector<Polygons::Index> polygon(Face_index f) const;
   void add_edges();
   void add_input_vertices();
   // `name` is that of the last triangulation
@@ -79,7 +79,7 @@ private:
 
   const Any_map& m_map;
   const Mesh& m_input;
-  std::vector<std::size_t> m_number; // in the result, of each vertex
+  std::vector<Polygons::Index> m_number; // in the result, of each vertex
   std::vector<Vertex_index> m_vertices;
   std::vector<Edge_index> m_edges;
   std::vector<Face_index> m_faces;

@@ -26,7 +26,7 @@ std::string summary_of(Command_run& run)
 
 int refine(const Common_options& common, const Refine_options& options)
 {
-  const Mesh_format format = output_format(options.output, options.format);
+  const Mesh_format format = output_format(options.output, options);
   Command_run run("refine", common, {options.output});
   run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
   Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
@@ -34,7 +34,7 @@ int refine(const Common_options& common, const Refine_options& options)
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
-    run.add_output(options.output, text_of(subdivision_mesh(subdivision), format));
+    run.add_output(options.output, subdivision_mesh(subdivision), format);
     save(run, triangulation);
   });
   run.finish(summary_of(run));

@@ -107,7 +107,7 @@ public:
   Simplify_command(const Common_options& common, const Simplify_options& options)
     : m_options(options),
       m_weights(options.weights),
-      m_format(output_format(options.output, options.format)),
+      m_format(output_format(options.output, options)),
       m_run("simplify", common, outputs_of(options))
   {
     const bool is_flipped = options.minimum_angle > 0 || common.is_exact;
@@ -133,7 +133,7 @@ public:
       return std::pair(common_mesh(surface.history()), prolongations(surface.history()));
     });
     m_run.timed("write", [&, &mesh = mesh, &matrices = matrices] {
-      m_run.add_output(m_options.output, text_of(mesh, m_format));
+      m_run.add_output(m_options.output, mesh, m_format);
       for(std::size_t n = 0; n < matrices.size(); ++n)
         m_run.add_output(matrix_paths(m_options)[n], matrices[n]);
       save(surface.history());

@@ -66,7 +66,7 @@ void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
   run.timed("write", [&] {
     const Output_mesh result = sphere_mesh(map, run.input().mesh);
     describe(run, map, result);
-    run.add_output(options.output, text_of(result, format));
+    run.add_output(options.output, result, format);
     if(!options.precise.empty())
       run.add_output(options.precise, precise_positions(map, run.input().mesh));
   });
@@ -75,7 +75,7 @@ void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
 
 int sphere(const Common_options& common, const Sphere_options& options)
 {
-  const Mesh_format format = output_format(options.output, options.format);
+  const Mesh_format format = output_format(options.output, options);
   Command_run run("sphere", common, {options.output, options.precise});
   run.plan({{"build"}, map_stages(false)});
   finish(run, options, format, mapped(run));

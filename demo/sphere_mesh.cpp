@@ -61,7 +61,7 @@ private:
   {
     m_result.polygons.push_back(polygon(f));
     if(m_map.is_disk())
-      m_result.texture.polygons.push_back(m_result.polygons.back());
+      m_result.texture.polygons.push_back(polygon(f));
   }
 
   void add_point_data()

@@ -28,7 +28,7 @@ DCM::Uniformization uniformized(Command_run& run)
 
 int uniformize(const Common_options& common, const Hyperbolic_options& options)
 {
-  const Mesh_format format = format_with_texture(options.output, options.format);
+  const Mesh_format format = format_with_texture(options);
   Command_run run("uniformize", common, {options.output, options.picture});
   const DCM::Surface_type type = DCM::surface_type(run.input().mesh);
   run.statistics()["surface_type"] = DCM::to_string(type);
@@ -39,9 +39,11 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
   const DCM::Uniformization result = uniformized(run);
   if(result.hyperbolic)
     finish(run, options, format, *result.hyperbolic, {});
-  else if(result.spherical)
-    finish(run, Sphere_options{options.output, options.format, ""}, format, *result.spherical);
-  else {
+  else if(result.spherical) {
+    Sphere_options sphere;
+    sphere.output = options.output;
+    finish(run, sphere, format, *result.spherical);
+  } else {
     run.statistics()["modulus"] = {result.modulus.real(), result.modulus.imag()};
     finish(run, options, format, *result.flat, result.flat->minimization().iterations, {});
   }

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_POLYGONS_H
+#define INTRINSIC_POLYGONS_H
+
+#include <boost/iterator/iterator_facade.hpp>
+#include <boost/range/iterator_range_core.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+// Polygons, or lines, as indices of points: all in one array.
+class Polygons
+{
+public:
+  typedef std::uint32_t Index;
+  typedef boost::iterator_range<const Index*> Polygon;
+
+  class Iterator
+    : public boost::iterator_facade<Iterator, Polygon, boost::forward_traversal_tag, Polygon>
+  {
+  public:
+    Iterator(const Polygons& polygons, std::size_t i) : m_polygons(&polygons), m_i(i) {}
+
+  private:
+    friend class boost::iterator_core_access;
+
+    Polygon dereference() const { return (*m_polygons)[m_i]; }
+    bool equal(const Iterator& other) const { return m_i == other.m_i; }
+    void increment() { ++m_i; }
+
+    const Polygons* m_polygons;
+    std::size_t m_i;
+  };
+
+  // No point has this index.
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  std::size_t size() const { return m_ends.size() - 1; }
+  bool empty() const { return size() == 0; }
+  std::size_t number_of_corners() const { return m_indices.size(); }
+
+  Polygon operator[](std::size_t i) const
+  {
+    return {m_indices.data() + m_ends[i], m_indices.data() + m_ends[i + 1]};
+  }
+
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size()}; }
+
+  void reserve(std::size_t polygons, std::size_t corners)
+  {
+    m_ends.reserve(polygons + 1);
+    m_indices.reserve(corners);
+  }
+
+  // Adds a corner to the polygon that is not closed yet.
+  void add_corner(std::size_t index)
+  {
+    m_indices.push_back(index < none ? static_cast<Index>(index) : none);
+  }
+
+  // Throws std::length_error if there are more corners than numbers for them.
+  void close()
+  {
+    if(m_indices.size() >= none)
+      throw std::length_error("too many corners");
+    m_ends.push_back(static_cast<Index>(m_indices.size()));
+  }
+
+  template <class Range>
+  void push_back(const Range& polygon)
+  {
+    for(const auto index : polygon)
+      add_corner(index);
+    close();
+  }
+
+private:
+  std::vector<Index> m_indices;
+  std::vector<Index> m_ends = {0};
+};
+
+#endif // INTRINSIC_POLYGONS_H

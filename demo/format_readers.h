@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_FORMAT_READERS_H
+#define INTRINSIC_FORMAT_READERS_H
+
+#include "Mesh_reader.h"
+#include "Scanner.h"
+
+// The readers of the formats add what the scanner has to the soup, and to the functions unless
+// these are null. They throw Program_error if the file does not follow the format. Memory is taken
+// for what was read, not for what a file announces.
+
+void read_obj(Scanner& in, Polygon_soup& soup);
+void read_stl(Scanner& in, Polygon_soup& soup);
+void read_off(Scanner& in, Polygon_soup& soup, Vertex_functions* functions);
+void read_ply(Scanner& in, Polygon_soup& soup, Vertex_functions* functions);
+
+#endif // INTRINSIC_FORMAT_READERS_H

@@ -1,0 +1,328 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "format_readers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace {
+
+enum class Number_type
+{
+  INT8,
+  UINT8,
+  INT16,
+  UINT16,
+  INT32,
+  UINT32,
+  FLOAT,
+  DOUBLE
+};
+
+struct Type_description
+{
+  std::string_view name, other_name;
+  std::size_t bytes;
+};
+
+constexpr std::array<Type_description, 8> types = {{{"char", "int8", 1},
+                                                    {"uchar", "uint8", 1},
+                                                    {"short", "int16", 2},
+                                                    {"ushort", "uint16", 2},
+                                                    {"int", "int32", 4},
+                                                    {"uint", "uint32", 4},
+                                                    {"float", "float32", 4},
+                                                    {"double", "float64", 8}}};
+
+struct Property
+{
+  std::string name;
+  Number_type type;
+  std::optional<Number_type> type_of_size; // of a list
+};
+
+struct Element
+{
+  std::string name;
+  std::size_t count;
+  std::vector<Property> properties;
+
+  // The position of the property with one of these names, or of none.
+  template <class... Names>
+  std::size_t position(const Names&... names) const
+  {
+    const auto has_name = [&](const Property& p) { return ((p.name == names) || ...); };
+    return static_cast<std::size_t>(std::find_if(properties.begin(), properties.end(), has_name) -
+                                    properties.begin());
+  }
+
+  bool has(std::size_t position, bool is_list) const
+  {
+    return position < properties.size() && properties[position].type_of_size.has_value() == is_list;
+  }
+};
+
+// Strips are sequences of corners, of which each after the second makes a triangle with the two
+// before; the orientation alternates, and a negative index ends a strip.
+class Strip_splitter
+{
+public:
+  explicit Strip_splitter(Polygons& polygons) : m_polygons(polygons) {}
+
+  void add_corner(std::size_t index)
+  {
+    if(index == Polygons::none) {
+      m_corners = 0;
+      return;
+    }
+    if(m_corners >= 2)
+      add_triangle(index, m_corners % 2 == 1);
+    m_last = {m_last[1], index};
+    ++m_corners;
+  }
+
+private:
+  // One without area leads from one part of a strip to another.
+  void add_triangle(std::size_t index, bool is_reversed)
+  {
+    if(m_last[0] != m_last[1] && m_last[0] != index && m_last[1] != index)
+      m_polygons.push_back(
+        std::array{m_last[is_reversed ? 1 : 0], m_last[is_reversed ? 0 : 1], index});
+  }
+
+  Polygons& m_polygons;
+  std::size_t m_corners = 0;
+  std::array<std::size_t, 2> m_last{};
+};
+
+class Ply_reader
+{
+public:
+  Ply_reader(Scanner& in, Polygon_soup& soup, Vertex_functions* functions)
+    : m_in(in), m_soup(soup), m_functions(functions)
+  {}
+
+  void operator()()
+  {
+    read_header();
+    for(const Element& element : m_elements)
+      read_element(element);
+  }
+
+private:
+  // ---- Header ----
+
+  void read_header()
+  {
+    if(!m_in.accept("ply"))
+      m_in.fail("'ply' expected");
+    m_in.skip_line();
+    read_format();
+    for(; !m_in.accept("end_header"); m_in.skip_line())
+      read_header_line();
+    m_in.skip_line();
+    if(m_is_binary)
+      m_in.set_binary();
+  }
+
+  void read_format()
+  {
+    while(is_comment())
+      m_in.skip_line();
+    if(!m_in.accept("format"))
+      m_in.fail("'format' expected");
+    m_is_big_endian = m_in.accept("binary_big_endian");
+    m_is_binary = m_is_big_endian || m_in.accept("binary_little_endian");
+    if(!m_is_binary && !m_in.accept("ascii"))
+      m_in.fail("the format is none of ascii, binary_little_endian and binary_big_endian");
+    m_in.skip_line();
+  }
+
+  bool is_comment() { return m_in.accept("comment") || m_in.accept("obj_info"); }
+
+  void read_header_line()
+  {
+    if(m_in.accept("element")) {
+      std::string name(m_in.word());
+      m_elements.push_back({std::move(name), m_in.count(), {}});
+    } else if(m_in.accept("property"))
+      read_property();
+    else if(!is_comment())
+      m_in.fail("'element', 'property', 'comment' or 'end_header' expected");
+  }
+
+  void read_property()
+  {
+    if(m_elements.empty())
+      m_in.fail("a property comes before any element");
+    Property p;
+    if(m_in.accept("list")) {
+      p.type_of_size = read_type();
+      if(*p.type_of_size >= Number_type::FLOAT)
+        m_in.fail("the size of a list is an integer");
+    }
+    p.type = read_type();
+    p.name = m_in.word();
+    m_elements.back().properties.push_back(std::move(p));
+  }
+
+  Number_type read_type()
+  {
+    for(std::size_t t = 0; t < types.size(); ++t)
+      if(m_in.accept(types[t].name) || m_in.accept(types[t].other_name))
+        return static_cast<Number_type>(t);
+    m_in.fail("there is no such type of numbers");
+  }
+
+  // ---- Numbers ----
+
+  // All types are exact in `double`.
+  double read_number(Number_type type)
+  {
+    if(!m_is_binary) {
+      m_in.skip_space();
+      return type == Number_type::FLOAT ? static_cast<double>(m_in.number<float>())
+                                        : m_in.number<double>();
+    }
+    switch(type) {
+      case Number_type::INT8: return m_in.binary<std::int8_t>(m_is_big_endian);
+      case Number_type::UINT8: return m_in.binary<std::uint8_t>(m_is_big_endian);
+      case Number_type::INT16: return m_in.binary<std::int16_t>(m_is_big_endian);
+      case Number_type::UINT16: return m_in.binary<std::uint16_t>(m_is_big_endian);
+      case Number_type::INT32: return m_in.binary<std::int32_t>(m_is_big_endian);
+      case Number_type::UINT32: return m_in.binary<std::uint32_t>(m_is_big_endian);
+      case Number_type::FLOAT: return static_cast<double>(m_in.binary<float>(m_is_big_endian));
+      default: return m_in.binary<double>(m_is_big_endian);
+    }
+  }
+
+  // None if the number is no index.
+  std::size_t read_index(Number_type type)
+  {
+    const double x = read_number(type);
+    return x >= 0 && x < Polygons::none && x == std::floor(x) ? static_cast<std::size_t>(x)
+                                                              : Polygons::none;
+  }
+
+  std::size_t read_size(Number_type type)
+  {
+    const std::size_t size = read_index(type);
+    if(size == Polygons::none)
+      m_in.fail("the size of a list is negative or not an integer");
+    if(size > m_in.remaining())
+      m_in.fail_as_a_whole("ends too early");
+    return size;
+  }
+
+  // The number, or the size of the list that was left out.
+  double read_or_skip(const Property& property)
+  {
+    if(!property.type_of_size)
+      return read_number(property.type);
+    const std::size_t size = read_size(*property.type_of_size);
+    for(std::size_t k = 0; k < size; ++k)
+      read_number(property.type);
+    return static_cast<double>(size);
+  }
+
+  // ---- Elements ----
+
+  // Each number takes a byte or more.
+  std::size_t expected_count(const Element& element) const
+  {
+    return (std::min)(element.count,
+                      m_in.remaining() / (std::max)(element.properties.size(), std::size_t(1)));
+  }
+
+  void read_element(const Element& element)
+  {
+    if(element.name == "vertex" || element.name == "vertices")
+      read_vertices(element);
+    else if(element.name == "face" || element.name == "faces") {
+      m_soup.polygons.reserve(expected_count(element), 3 * expected_count(element));
+      read_lists(element, [this](std::size_t size, Number_type type) {
+        for(std::size_t k = 0; k < size; ++k)
+          m_soup.polygons.add_corner(read_index(type));
+        m_soup.polygons.close();
+      });
+    } else if(element.name == "tristrips")
+      read_lists(element, [this](std::size_t size, Number_type type) {
+        Strip_splitter splitter(m_soup.polygons);
+        for(std::size_t k = 0; k < size; ++k)
+          splitter.add_corner(read_index(type));
+      });
+    else
+      skip(element);
+  }
+
+  void skip(const Element& element)
+  {
+    if(!element.properties.empty())
+      for(std::size_t i = 0; i < element.count; ++i)
+        for(const Property& p : element.properties)
+          read_or_skip(p);
+  }
+
+  // `read_list(size, type)` reads the indices of vertices of an element.
+  template <class Read_list>
+  void read_lists(const Element& element, const Read_list& read_list)
+  {
+    const std::size_t list = element.position("vertex_indices", "vertex_index");
+    if(!element.has(list, true))
+      m_in.fail_as_a_whole("has no list 'vertex_indices' of element '" + element.name + "'");
+    for(std::size_t i = 0; i < element.count; ++i)
+      for(std::size_t p = 0; p < element.properties.size(); ++p) {
+        const Property& property = element.properties[p];
+        if(p == list)
+          read_list(read_size(*property.type_of_size), property.type);
+        else
+          read_or_skip(property);
+      }
+  }
+
+  void read_vertices(const Element& element)
+  {
+    std::array<std::size_t, 3> axes;
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::string name(1, "xyz"[k]);
+      axes[k] = element.position(name);
+      if(!element.has(axes[k], false))
+        m_in.fail_as_a_whole("vertices have no coordinate '" + name + "'");
+    }
+    m_soup.points.reserve(m_soup.points.size() + expected_count(element));
+    std::vector<double> row(element.properties.size());
+    for(std::size_t i = 0; i < element.count; ++i) {
+      for(std::size_t p = 0; p < row.size(); ++p)
+        row[p] = read_or_skip(element.properties[p]);
+      m_soup.points.emplace_back(row[axes[0]], row[axes[1]], row[axes[2]]);
+      if(m_functions != nullptr)
+        add_values(element, row);
+    }
+  }
+
+  void add_values(const Element& element, const std::vector<double>& row)
+  {
+    for(std::size_t p = 0; p < row.size(); ++p)
+      if(element.has(p, false))
+        (*m_functions)[element.properties[p].name].push_back(row[p]);
+  }
+
+  Scanner& m_in;
+  Polygon_soup& m_soup;
+  Vertex_functions* m_functions;
+  bool m_is_binary = false, m_is_big_endian = false;
+  std::vector<Element> m_elements;
+};
+
+} // namespace
+
+void read_ply(Scanner& in, Polygon_soup& soup, Vertex_functions* functions)
+{
+  Ply_reader(in, soup, functions)();
+}
