@@ -94,20 +94,16 @@ public:
   void operator()()
   {
     add_header();
-    for(std::size_t i = 0; i < m_mesh.points.size(); ++i) {
+    add_rows(m_mesh.points.size(), m_mesh.point_data, [this](std::size_t i) {
       for(int k = 0; k < 3; ++k)
         add(m_mesh.points[i][k]);
-      end_row(m_mesh.point_data, i);
-    }
-    for(std::size_t i = 0; i < m_mesh.polygons.size(); ++i) {
-      add_polygon(i);
-      end_row(m_mesh.polygon_data, i);
-    }
-    for(std::size_t i = 0; i < m_mesh.edges.size(); ++i) {
+    });
+    add_rows(m_mesh.polygons.size(), m_mesh.polygon_data,
+             [this](std::size_t i) { add_polygon(i); });
+    add_rows(m_mesh.edges.size(), m_mesh.edge_data, [this](std::size_t i) {
       for(const Polygons::Index v : m_mesh.edges[i])
         add(static_cast<std::int32_t>(v));
-      end_row(m_mesh.edge_data, i);
-    }
+    });
   }
 
 private:
@@ -168,23 +164,41 @@ private:
     m_is_in_row = true;
   }
 
-  void add_value(const Attribute& a, std::size_t i)
+  // The values of an attribute; one of the two is null.
+  struct Column
   {
-    if(const auto* integers = std::get_if<0>(&a.values); integers == nullptr)
-      add(std::get<1>(a.values)[i]);
-    else if(is_color(a))
-      add(static_cast<std::uint8_t>((*integers)[i]));
+    explicit Column(const Attribute& a)
+      : integers(std::get_if<0>(&a.values)), reals(std::get_if<1>(&a.values)), is_byte(is_color(a))
+    {}
+
+    const std::vector<std::int64_t>* integers;
+    const std::vector<double>* reals;
+    bool is_byte;
+  };
+
+  void add_value(const Column& column, std::size_t i)
+  {
+    if(column.reals != nullptr)
+      add((*column.reals)[i]);
+    else if(column.is_byte)
+      add(static_cast<std::uint8_t>((*column.integers)[i]));
     else
-      add(static_cast<std::int32_t>((*integers)[i]));
+      add(static_cast<std::int32_t>((*column.integers)[i]));
   }
 
-  void end_row(const std::vector<Attribute>& data, std::size_t i)
+  // `add_element(i)` adds what an element is; attributes follow.
+  template <class Add_element>
+  void add_rows(std::size_t n, const std::vector<Attribute>& data, const Add_element& add_element)
   {
-    for(const Attribute& a : data)
-      add_value(a, i);
-    if(!m_is_binary)
-      m_text << '\n';
-    m_is_in_row = false;
+    const std::vector<Column> columns(data.begin(), data.end());
+    for(std::size_t i = 0; i < n; ++i) {
+      add_element(i);
+      for(const Column& c : columns)
+        add_value(c, i);
+      if(!m_is_binary)
+        m_text << '\n';
+      m_is_in_row = false;
+    }
   }
 
   void add_polygon(std::size_t i)

@@ -7,7 +7,7 @@
 
 #include "byte_order.h"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -31,15 +31,12 @@ public:
 
   Text& operator<<(std::string_view s)
   {
-    m_text += s;
+    std::copy(s.begin(), s.end(), room(s.size()));
+    m_size += s.size();
     return *this;
   }
 
-  Text& operator<<(char c)
-  {
-    m_text += c;
-    return *this;
-  }
+  Text& operator<<(char c) { return *this << std::string_view(&c, 1); }
 
   Text& operator<<(double x) { return add_number(x); }
   Text& operator<<(std::size_t n) { return add_number(n); }
@@ -51,39 +48,54 @@ public:
   void add_bytes(Number x)
   {
     const Bytes_of<Number> bytes = bytes_of(x, false);
-    m_text.append(bytes.data(), bytes.size());
-    flush_if_large();
+    *this << std::string_view(bytes.data(), bytes.size());
   }
 
   // Leaves nothing. Precondition: there is no stream.
-  std::string take() { return std::exchange(m_text, {}); }
+  std::string take()
+  {
+    m_buffer.resize(std::exchange(m_size, 0));
+    return std::exchange(m_buffer, {});
+  }
 
 private:
   template <class Number>
   Text& add_number(Number x)
   {
-    std::array<char, 32> digits;
-    const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + 32, x);
-    m_text.append(digits.data(), end.ptr);
-    flush_if_large();
+    constexpr std::size_t most = 32;
+    char* const digits = room(most);
+    m_size += static_cast<std::size_t>(std::to_chars(digits, digits + most, x).ptr - digits);
     return *this;
   }
 
-  void flush_if_large()
+  // Place for `n` characters more.
+  char* room(std::size_t n)
   {
-    if(m_text.size() > (std::size_t(1) << 20) && m_stream != nullptr)
+    if(m_buffer.size() - m_size < n)
+      make_room(n);
+    return m_buffer.data() + m_size;
+  }
+
+  void make_room(std::size_t n)
+  {
+    if(m_size >= piece)
       flush();
+    m_buffer.resize((std::max)({2 * m_size, m_size + n, m_stream == nullptr ? n : 2 * piece}));
   }
 
   void flush()
   {
-    if(m_stream != nullptr)
-      m_stream->write(m_text.data(), static_cast<std::streamsize>(m_text.size()));
-    m_text.clear();
+    if(m_stream == nullptr)
+      return;
+    m_stream->write(m_buffer.data(), static_cast<std::streamsize>(m_size));
+    m_size = 0;
   }
 
+  static constexpr std::size_t piece = std::size_t(1) << 19;
+
   std::ostream* m_stream = nullptr;
-  std::string m_text;
+  std::string m_buffer;
+  std::size_t m_size = 0; // of it is the text
 };
 
 #endif // INTRINSIC_TEXT_H

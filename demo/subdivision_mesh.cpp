@@ -4,6 +4,8 @@
 
 #include "subdivision_mesh.h"
 
+#include <utility>
+
 namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
@@ -28,19 +30,20 @@ IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Sid
           IT::place_on_first_halfedge(IT::edge_point(p.along, p.location, subdivision.mesh(side)))};
 }
 
-// The edge inside which each vertex is; -1 for none.
-Attribute crossed_edges(const Subdivision& subdivision, const char* name, IT::Side side)
+// Adds the edge of `side` inside which each vertex is, -1 for none, and the place of the vertex on
+// that edge, between 0 and 1.
+void add_places(const Subdivision& subdivision, const std::string& name, IT::Side side,
+                std::vector<Attribute>& data)
 {
-  return attribute(name, subdivision.mesh().vertices(), [&](IT::Vertex_index v) {
-    return number_of(IT::Edge_index(place_inside_edge(subdivision, side, v).halfedge));
-  });
-}
-
-// The place of each vertex on that edge, between 0 and 1; 0 for none.
-Attribute coordinates(const Subdivision& subdivision, const char* name, IT::Side side)
-{
-  return attribute(name, subdivision.mesh().vertices(),
-                   [&](IT::Vertex_index v) { return place_inside_edge(subdivision, side, v).t; });
+  std::vector<std::int64_t> edges;
+  std::vector<double> coordinates;
+  for(const IT::Vertex_index v : subdivision.mesh().vertices()) {
+    const IT::Edge_point<double> place = place_inside_edge(subdivision, side, v);
+    edges.push_back(number_of(IT::Edge_index(place.halfedge)));
+    coordinates.push_back(place.t);
+  }
+  data.push_back({name + "_edge", std::move(edges)});
+  data.push_back({name + "_coordinate", std::move(coordinates)});
 }
 
 std::vector<Attribute> point_data(const Subdivision& subdivision)
@@ -49,13 +52,13 @@ std::vector<Attribute> point_data(const Subdivision& subdivision)
   const auto input_vertex = [&](IT::Vertex_index v) {
     return subdivision.is_vertex(IT::Side::input, v) ? number_of(v) : -1;
   };
-  return {attribute("kind", vertices,
-                    [&](IT::Vertex_index v) { return std::int64_t(kind(subdivision, v)); }),
-          attribute("input_vertex", vertices, input_vertex),
-          crossed_edges(subdivision, "input_edge", IT::Side::input),
-          coordinates(subdivision, "input_coordinate", IT::Side::input),
-          crossed_edges(subdivision, "intrinsic_edge", IT::Side::intrinsic),
-          coordinates(subdivision, "intrinsic_coordinate", IT::Side::intrinsic)};
+  std::vector<Attribute> result = {
+    attribute("kind", vertices,
+              [&](IT::Vertex_index v) { return std::int64_t(kind(subdivision, v)); }),
+    attribute("input_vertex", vertices, input_vertex)};
+  add_places(subdivision, "input", IT::Side::input, result);
+  add_places(subdivision, "intrinsic", IT::Side::intrinsic, result);
+  return result;
 }
 
 Attribute parent_edges(const Subdivision& subdivision, const char* name, IT::Side side)

@@ -8,6 +8,7 @@ expression in the names below, is true; "NAME = EXPRESSION" gives a value a name
 
 import json as json_format
 import re
+import struct
 import sys
 from collections import Counter, defaultdict
 from math import atan2, degrees, dist, fsum, hypot, log, pi, sin, sqrt
@@ -48,24 +49,44 @@ class Mesh:
         self.texture, self.texture_faces = [], []
         self.vertex, self.face, self.edge = (defaultdict(list) for _ in range(3))
 
-def ply(path):
-    lines = iter(lines_of(path))
-    elements, mesh = [], Mesh()
-    for line in lines:
-        words = line.split()
-        if words[0] == "element":
+    def __eq__(self, other):
+        return vars(self) == vars(other)
+
+
+def ply_header(file):
+    """The elements, as names, numbers and properties, which are names and types; of lists, those of
+    the size, too. And whether numbers are binary."""
+    elements = []
+    for words in map(str.split, map(bytes.decode, file)):
+        if words[0] == "format":
+            is_binary = words[1] == "binary_little_endian"
+        elif words[0] == "element":
             elements.append((words[1], int(words[2]), []))
         elif words[0] == "property":
-            elements[-1][2].append((words[-1], words[1] == "list"))
+            elements[-1][2].append((words[-1], [w for w in words[1:-1] if w != "list"]))
         elif words[0] == "end_header":
-            break
+            return elements, is_binary
+
+
+def ply(path):
+    file, mesh = open(path, "rb"), Mesh()
+    elements, is_binary = ply_header(file)
+    words = iter([] if is_binary else file.read().decode().split())
+
+    def read(type):
+        if not is_binary:
+            return number(next(words))
+        code = "<" + {"uchar": "B", "int": "i", "uint": "I", "double": "d"}[type]
+        return struct.unpack(code, file.read(struct.calcsize(code)))[0]
+
     for element, count, properties in elements:
         values = getattr(mesh, element)
         for _ in range(count):
-            words = iter(next(lines).split())
-            for name, is_list in properties:
-                value = number(next(words))
-                values[name].append([number(next(words)) for _ in range(value)] if is_list else value)
+            for name, types in properties:
+                value = read(types[0])
+                if len(types) > 1:
+                    value = [read(types[1]) for _ in range(value)]
+                values[name].append(value)
     mesh.points = list(zip(*(mesh.vertex[x] for x in "xyz")))
     mesh.faces = mesh.face.get("vertex_indices", [])
     mesh.edges = list(zip(mesh.edge["vertex1"], mesh.edge["vertex2"]))

@@ -85,7 +85,9 @@ An index that is negative counts as out of range. Positions are rounded to `doub
 \param polygons the faces, as indices of points
 \returns the defects found and numbers about the surface
 
-Takes time linear in the size of the soup, but for the inverse of Ackermann's function.
+Takes time linear in the size of the soup, but for sorting the edges at each vertex and for the
+inverse of Ackermann's function.
+\throws std::length_error if there are \f$2^{32}-1\f$ points or corners of faces, or more
 */
 template <class PointRange, class PolygonRange>
 Input_diagnosis diagnose_polygon_soup(const PointRange& points, const PolygonRange& polygons)

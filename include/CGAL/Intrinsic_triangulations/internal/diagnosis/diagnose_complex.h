@@ -18,6 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -27,22 +30,25 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // `forward` states whether that side runs from the first to the second end of its edge.
 struct Edge_side
 {
-  std::size_t corner;
+  std::uint32_t corner;
   bool forward;
 };
 
 // Faces glued along edges in any way whatever: any number of faces at an edge, any orientation.
 // Faces that cannot take part in it have no corner.
+// Indices have 32 bits, as those of `Surface_mesh` have.
 struct Diagnosis_complex
 {
+  typedef std::uint32_t Index;
+
   std::size_t number_of_vertices = 0;
-  std::vector<std::size_t> first_corner = {0}; // of each face, and the end
-  std::vector<std::size_t> corner_vertex;
-  std::vector<std::size_t> corner_face;
-  std::vector<std::array<std::size_t, 2>> edge_ends;
-  std::vector<std::size_t> first_side = {0}; // of each edge, and the end
-  std::vector<Edge_side> sides;              // grouped by edge
-  std::vector<bool> is_mentioned;            // vertices named by a face, valid or not
+  std::vector<Index> first_corner = {0}; // of each face, and the end
+  std::vector<Index> corner_vertex;
+  std::vector<Index> corner_face;
+  std::vector<std::array<Index, 2>> edge_ends;
+  std::vector<Index> first_side = {0}; // of each edge, and the end
+  std::vector<Edge_side> sides;        // grouped by edge
+  std::vector<bool> is_mentioned;      // vertices named by a face, valid or not
 
   std::size_t number_of_faces() const { return first_corner.size() - 1; }
   std::size_t number_of_edges() const { return edge_ends.size(); }
@@ -74,45 +80,59 @@ struct Diagnosis_complex
   Input_diagnosis::Occurrence edge(std::size_t e) const
   {
     const bool has_face = sides_of(e) > 0;
-    return {edge_ends[e],
+    return {{edge_ends[e][0], edge_ends[e][1]},
             has_face ? corner_face[sides[first_side[e]].corner] : Input_diagnosis::none};
+  }
+
+  // Throws std::length_error if there are more than indices.
+  static void check_number(std::size_t n)
+  {
+    if(n >= (std::numeric_limits<Index>::max)())
+      throw std::length_error("the surface has too many elements");
   }
 
   void add_vertices(std::size_t n)
   {
+    check_number(n);
     number_of_vertices = n;
     is_mentioned.assign(n, false);
   }
 
   void add_corner(std::size_t v)
   {
-    corner_vertex.push_back(v);
-    corner_face.push_back(number_of_faces());
+    corner_vertex.push_back(static_cast<Index>(v));
+    corner_face.push_back(static_cast<Index>(number_of_faces()));
     is_mentioned[v] = true;
   }
 
-  void close_face() { first_corner.push_back(corner_vertex.size()); }
+  void close_face()
+  {
+    check_number(corner_vertex.size());
+    first_corner.push_back(static_cast<Index>(corner_vertex.size()));
+  }
 
   void add_edge(std::size_t u, std::size_t v)
   {
-    edge_ends.push_back({u, v});
-    first_side.push_back(sides.size());
+    edge_ends.push_back({static_cast<Index>(u), static_cast<Index>(v)});
+    first_side.push_back(static_cast<Index>(sides.size()));
     is_mentioned[u] = is_mentioned[v] = true;
   }
 
   void add_side_of_last_edge(std::size_t corner, bool forward)
   {
-    sides.push_back({corner, forward});
-    first_side.back() = sides.size();
+    sides.push_back({static_cast<Index>(corner), forward});
+    first_side.back() = static_cast<Index>(sides.size());
   }
 };
 
 // Faces given by vertex indices become a complex whose edges are pairs of vertices.
 class Soup_complex_builder
 {
+  typedef Diagnosis_complex::Index Index;
+
 public:
   Soup_complex_builder(std::size_t number_of_points, Input_diagnosis& diagnosis)
-    : m_diagnosis(diagnosis), m_last_face(number_of_points, Input_diagnosis::none)
+    : m_diagnosis(diagnosis), m_last_face(number_of_points, (std::numeric_limits<Index>::max)())
   {
     m_complex.add_vertices(number_of_points);
   }
@@ -120,13 +140,34 @@ public:
   template <class PolygonRange>
   Diagnosis_complex operator()(const PolygonRange& polygons)
   {
+    reserve(polygons);
     for(const auto& polygon : polygons)
       add_face(polygon);
+    sort_sides();
     add_edges();
     return std::move(m_complex);
   }
 
 private:
+  // An edge of a face, named by the larger end and the corner that it leaves.
+  struct Side
+  {
+    Index larger_end, corner;
+  };
+
+  template <class PolygonRange>
+  void reserve(const PolygonRange& polygons)
+  {
+    std::size_t faces = 0, corners = 0;
+    for(const auto& polygon : polygons) {
+      ++faces;
+      corners += polygon.size();
+    }
+    m_complex.first_corner.reserve(faces + 1);
+    m_complex.corner_vertex.reserve(corners);
+    m_complex.corner_face.reserve(corners);
+  }
+
   template <class Polygon>
   void add_face(const Polygon& polygon)
   {
@@ -139,7 +180,7 @@ private:
   template <class Polygon>
   bool is_usable(const Polygon& polygon)
   {
-    const std::size_t f = m_complex.number_of_faces();
+    const Index f = static_cast<Index>(m_complex.number_of_faces());
     bool in_range = true, distinct = true;
     for(const auto& index : polygon) {
       const std::size_t v = static_cast<std::size_t>(index);
@@ -160,51 +201,71 @@ private:
     return in_range && distinct;
   }
 
-  std::size_t smaller_end(std::size_t corner) const
+  // `function(smaller, larger, corner)` with the ends of the side that leaves each corner.
+  template <class Function>
+  void for_each_side(const Function& function) const
   {
-    return (std::min)(m_complex.corner_vertex[corner],
-                      m_complex.corner_vertex[m_complex.next(corner)]);
+    for(std::size_t f = 0; f < m_complex.number_of_faces(); ++f) {
+      const Index first = m_complex.first_corner[f], end = m_complex.first_corner[f + 1];
+      for(Index corner = first; corner < end; ++corner) {
+        const Index v = m_complex.corner_vertex[corner];
+        const Index w = m_complex.corner_vertex[corner + 1 == end ? first : corner + 1];
+        function((std::min)(v, w), (std::max)(v, w), corner);
+      }
+    }
   }
 
-  std::size_t larger_end(std::size_t corner) const
+  // By the smaller end, in linear time, then by the larger one.
+  void sort_sides()
   {
-    return (std::max)(m_complex.corner_vertex[corner],
-                      m_complex.corner_vertex[m_complex.next(corner)]);
-  }
-
-  // Counting sort: linear also at vertices of high degree, and stable.
-  template <class Key>
-  std::vector<std::size_t> sorted_by(const Key& key, const std::vector<std::size_t>& order) const
-  {
-    std::vector<std::size_t> position(m_complex.number_of_vertices + 1, 0);
-    for(const std::size_t corner : order)
-      ++position[key(corner) + 1];
+    m_first_side.assign(m_complex.number_of_vertices + 2, 0);
+    for_each_side([this](Index u, Index, Index) { ++m_first_side[u + 2]; });
+    for(std::size_t v = 2; v < m_first_side.size(); ++v)
+      m_first_side[v] += m_first_side[v - 1];
+    m_sides.resize(m_complex.corner_vertex.size());
+    for_each_side([this](Index u, Index w, Index corner) {
+      m_sides[m_first_side[u + 1]++] = {w, corner};
+    });
+    const auto comes_before = [](const Side& a, const Side& b) {
+      return a.larger_end != b.larger_end ? a.larger_end < b.larger_end : a.corner < b.corner;
+    };
     for(std::size_t v = 0; v < m_complex.number_of_vertices; ++v)
-      position[v + 1] += position[v];
-    std::vector<std::size_t> result(order.size());
-    for(const std::size_t corner : order)
-      result[position[key(corner)]++] = corner;
-    return result;
+      std::sort(m_sides.begin() + m_first_side[v], m_sides.begin() + m_first_side[v + 1],
+                comes_before);
+  }
+
+  bool starts_edge(std::size_t v, Index side) const
+  {
+    return side == m_first_side[v] || m_sides[side].larger_end != m_sides[side - 1].larger_end;
+  }
+
+  template <class Function>
+  void for_each_sorted_side(const Function& function) const
+  {
+    for(Index v = 0; v < m_complex.number_of_vertices; ++v)
+      for(Index i = m_first_side[v]; i < m_first_side[v + 1]; ++i)
+        function(v, m_sides[i], starts_edge(v, i));
   }
 
   void add_edges()
   {
-    std::vector<std::size_t> order(m_complex.corner_vertex.size());
-    for(std::size_t c = 0; c < order.size(); ++c)
-      order[c] = c;
-    order = sorted_by([this](std::size_t c) { return larger_end(c); }, order);
-    order = sorted_by([this](std::size_t c) { return smaller_end(c); }, order);
-    for(const std::size_t corner : order) {
-      const std::array<std::size_t, 2> ends = {smaller_end(corner), larger_end(corner)};
-      if(m_complex.edge_ends.empty() || m_complex.edge_ends.back() != ends)
-        m_complex.add_edge(ends[0], ends[1]);
-      m_complex.add_side_of_last_edge(corner, m_complex.corner_vertex[corner] == ends[0]);
-    }
+    std::size_t edges = 0;
+    for_each_sorted_side([&](Index, const Side&, bool is_new) { edges += is_new; });
+    m_complex.edge_ends.reserve(edges);
+    m_complex.first_side.reserve(edges + 1);
+    m_complex.sides.reserve(m_sides.size());
+    for_each_sorted_side([this](Index v, const Side& side, bool is_new) {
+      if(is_new)
+        m_complex.add_edge(v, side.larger_end);
+      m_complex.add_side_of_last_edge(side.corner, m_complex.corner_vertex[side.corner] == v);
+    });
   }
 
   Input_diagnosis& m_diagnosis;
   Diagnosis_complex m_complex;
-  std::vector<std::size_t> m_last_face; // that named the vertex
+  std::vector<Index> m_last_face;  // that named the vertex
+  std::vector<Index> m_first_side; // of each smaller end, in the next
+  std::vector<Side> m_sides;
 };
 
 // Edges come from the halfedges, so that loops and parallel edges keep their identity.

@@ -81,13 +81,13 @@ public:
   }
 
   // Lengths of collinear points may miss equality by rounding; the points themselves do not.
-  void check_shape(std::size_t f, const std::array<double, 3>& sides)
+  void check_shape(std::size_t f, const std::array<double, 3>& sides, double angle)
   {
     const std::size_t c = m_complex.first_corner[f];
     if(collinear(corner_point(c), corner_point(c + 1), corner_point(c + 2)))
       m_diagnosis.add(Defect_kind::DEGENERATE_FACE, m_complex.face(f));
     else {
-      if(smallest_angle(sides) < needle_angle_in_degrees)
+      if(angle < needle_angle_in_degrees)
         m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));
       check_height(f, sides);
     }
@@ -170,7 +170,7 @@ public:
 
   bool is_measurable(std::size_t) const { return true; }
 
-  void check_shape(std::size_t f, const std::array<double, 3>& sides)
+  void check_shape(std::size_t f, const std::array<double, 3>& sides, double angle)
   {
     const double excess = triangle_inequality_excess(sides);
     const double rounding = rounding_unit<double>();
@@ -178,7 +178,7 @@ public:
       m_diagnosis.add(Defect_kind::TRIANGLE_INEQUALITY_VIOLATED, m_complex.face(f));
     else if(excess >= -rounding)
       m_diagnosis.add(Defect_kind::DEGENERATE_FACE, m_complex.face(f));
-    else if(smallest_angle(sides) < needle_angle_in_degrees)
+    else if(angle < needle_angle_in_degrees)
       m_diagnosis.add(Defect_kind::NEEDLE_FACE, m_complex.face(f));
   }
 
@@ -244,8 +244,9 @@ private:
     if(!std::all_of(sides.begin(), sides.end(), [](double l) { return is_length(l) && l > 0; }))
       return;
     Input_diagnosis::Statistics& s = m_diagnosis.statistics();
-    s.min_angle = (std::min)(s.min_angle, smallest_angle(sides));
-    m_metric.check_shape(f, sides);
+    const double angle = smallest_angle(sides);
+    s.min_angle = (std::min)(s.min_angle, angle);
+    m_metric.check_shape(f, sides, angle);
   }
 
   const Diagnosis_complex& m_complex;

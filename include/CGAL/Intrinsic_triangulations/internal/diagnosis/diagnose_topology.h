@@ -10,17 +10,57 @@
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
 #include <CGAL/Intrinsic_triangulations/internal/diagnosis/diagnose_complex.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Disjoint sets of the numbers below `n`, in little memory.
+class Disjoint_sets
+{
+  typedef Diagnosis_complex::Index Index;
+
+public:
+  explicit Disjoint_sets(std::size_t n) : m_parent(n), m_rank(n, 0)
+  {
+    std::iota(m_parent.begin(), m_parent.end(), Index(0));
+  }
+
+  std::size_t find_set(std::size_t x)
+  {
+    while(m_parent[x] != x)
+      x = m_parent[x] = m_parent[m_parent[x]];
+    return x;
+  }
+
+  void union_set(std::size_t x, std::size_t y) { link(find_set(x), find_set(y)); }
+
+  // Precondition: `a` and `b` represent their sets.
+  void link(std::size_t a, std::size_t b)
+  {
+    if(a == b)
+      return;
+    if(m_rank[a] < m_rank[b])
+      std::swap(a, b);
+    m_parent[b] = static_cast<Index>(a);
+    if(m_rank[a] == m_rank[b])
+      ++m_rank[a];
+  }
+
+private:
+  std::vector<Index> m_parent;
+  std::vector<unsigned char> m_rank;
+};
+
 // What can be said without knowing a length.
 class Topology_diagnoser
 {
-  using Sets = boost::disjoint_sets_with_storage<>;
+  using Index = Diagnosis_complex::Index;
+
+  static constexpr Index no_edge = (std::numeric_limits<Index>::max)();
 
 public:
   Topology_diagnoser(const Diagnosis_complex& complex, Input_diagnosis& diagnosis)
@@ -79,7 +119,7 @@ private:
 
   void check_vertices()
   {
-    std::vector<std::size_t> umbrellas(m_complex.number_of_vertices, 0);
+    std::vector<Index> umbrellas(m_complex.number_of_vertices, 0);
     for(std::size_t c = 0; c < m_complex.corner_vertex.size(); ++c)
       if(m_umbrellas.find_set(c) == c)
         ++umbrellas[m_complex.corner_vertex[c]];
@@ -121,8 +161,8 @@ private:
   // Two boundary edges follow one another where they bound the same umbrella.
   std::size_t count_boundary_loops()
   {
-    std::vector<std::size_t> boundary_corner(m_complex.corner_vertex.size(), Input_diagnosis::none);
-    Sets loops(m_complex.number_of_edges());
+    std::vector<Index> boundary_corner(m_complex.corner_vertex.size(), no_edge);
+    Disjoint_sets loops(m_complex.number_of_edges());
     std::size_t n = 0;
     for(std::size_t e = 0; e < m_complex.number_of_edges(); ++e)
       if(m_complex.sides_of(e) == 1) {
@@ -135,11 +175,11 @@ private:
   }
 
   // Returns 1 if the edge was joined with another loop.
-  static std::size_t join_at(std::size_t umbrella, std::size_t e, std::vector<std::size_t>& edge_at,
-                             Sets& loops)
+  static std::size_t join_at(std::size_t umbrella, std::size_t e, std::vector<Index>& edge_at,
+                             Disjoint_sets& loops)
   {
-    if(edge_at[umbrella] == Input_diagnosis::none)
-      edge_at[umbrella] = e;
+    if(edge_at[umbrella] == no_edge)
+      edge_at[umbrella] = static_cast<Index>(e);
     const std::size_t a = loops.find_set(e), b = loops.find_set(edge_at[umbrella]);
     if(a == b)
       return 0;
@@ -149,8 +189,8 @@ private:
 
   const Diagnosis_complex& m_complex;
   Input_diagnosis& m_diagnosis;
-  Sets m_umbrellas;  // corners around a vertex, joined across edges
-  Sets m_components; // faces, joined across edges
+  Disjoint_sets m_umbrellas;  // corners around a vertex, joined across edges
+  Disjoint_sets m_components; // faces, joined across edges
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,277 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Runs the program on damaged files: fuzz.py PROGRAM DATA [--runs N] [--first I] [--jobs J]
+[--keep DIRECTORY]. Run i is always the same: a small mesh of CGAL's data directory, in one of the
+formats that are read, with a few changes, and one of the commands. The program must end in a minute
+with the exit code 0, 1 or 2, say something unless that is 0, and leave no file after a failure.
+Files that fail are kept."""
+
+import argparse
+import os
+import random
+import resource
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+SEEDS = """tetrahedron cube octahedron icosahedron 3torus cube-ouvert open_cube small_cube hedra P
+    quad triangle star degtri_sliding mesh_with_colors torus_quad fold quint_tris
+    reference_tetrahedron cross sphere""".split()
+
+WORDS = """-1 0 1 2 3 255 256 65536 2147483647 2147483648 4294967295 4294967296 99999999999
+    18446744073709551615 99999999999999999999999 -99999999999 1e308 -1e308 1e309 1e-320 1e-400 nan
+    -inf inf 0x10 1.5 1,5 .5 5. + - . e +-1 1e 1/2/3 -1//2 / # 3#3 OFF COFF NOFF STOFF 4OFF nOFF
+    CN4nOFF SKEL BINARY ply end_header element property list vertex face tristrips uchar float double
+    int x y z red vertex_indices ascii binary_little_endian binary_big_endian v vt vn f l o solid
+    facet endfacet endsolid vertex""".split() + ["", "\0", "\r", "\n", "\n\n", "\xff\xfe", "9" * 400]
+
+
+# ---- Seeds ----
+
+
+def read_off(path):
+    lines = [words for line in open(path) if (words := line.split("#")[0].split())]
+    vertices, faces = map(int, lines[1][:2])
+    points = [[float(x) for x in words[:3]] for words in lines[2:vertices + 2]]
+    return points, [[int(i) for i in words[1:int(words[0]) + 1]]
+                    for words in lines[vertices + 2:vertices + faces + 2]]
+
+
+def rows(values):
+    return "".join(" ".join(map(str, row)) + "\n" for row in values)
+
+
+def off(points, faces):
+    return f"OFF\n{len(points)} {len(faces)} 0\n" + rows(points) + rows([len(f)] + f for f in faces)
+
+
+def colored_off(points, faces):
+    colors = [[7 * i % 256, 90, 200] for i in range(len(points))]
+    return (f"# colors\nCNOFF\n{len(points)} {len(faces)} 0\r\n"
+            + rows(p + [0, 0, 1] + c for p, c in zip(points, colors))
+            + rows([len(f)] + f + [0.5, 0.1, 0.9] for f in faces))
+
+
+def obj(points, faces):
+    return ("# mesh\nmtllib a.mtl\n" + rows(["v"] + p for p in points) + "vt 0 0\nvn 0 0 1\ng a\n"
+            + rows(["f"] + [f"{i - len(points)}/1/1" if i % 2 else f"{i + 1}//1" for i in f]
+                   for f in faces))
+
+
+def ply_header(form, points, faces):
+    return (f"ply\nformat {form} 1.0\ncomment a mesh\nelement vertex {len(points)}\n"
+            "property float x\nproperty float y\nproperty double z\nproperty uchar red\n"
+            "property uchar green\nproperty uchar blue\nproperty double quality\n"
+            f"element face {len(faces)}\nproperty uchar flags\n"
+            "property list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+            "end_header\n")
+
+
+def ply(points, faces):
+    return (ply_header("ascii", points, faces)
+            + rows(p + [3, 2, i % 256, i / 7] for i, p in enumerate(points))
+            + rows([1, len(f)] + f + [2, 0.5, 0.25] for f in faces))
+
+
+def binary_ply(order, form):
+    def write(points, faces):
+        result = ply_header(form, points, faces).encode()
+        for i, p in enumerate(points):
+            result += struct.pack(order + "ffdBBBd", *p, 3, 2, i % 256, i / 7)
+        for f in faces:
+            result += struct.pack(f"{order}BB{len(f)}iB2f", 1, len(f), *f, 2, 0.5, 0.25)
+        return result
+    return write
+
+
+def strips(points, faces):
+    strip = [i for f in faces for i in f + [-1]]
+    return (f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty float x\n"
+            "property float y\nproperty float z\nelement tristrips 1\n"
+            "property list int int vertex_indices\nend_header\n" + rows(points)
+            + rows([[len(strip)] + strip]))
+
+
+def binary_off(points, faces):
+    result = b"OFF BINARY\n" + struct.pack(">3i", len(points), len(faces), 0)
+    for p in points:
+        result += struct.pack(">3f", *p)
+    for f in faces:
+        result += struct.pack(f">{len(f) + 2}i", len(f), *f, 0)
+    return result
+
+
+def corners(points, faces):
+    return [[points[i] for i in f[:3]] for f in faces]
+
+
+def stl(points, faces):
+    facets = ("facet normal 0 0 1\nouter loop\n" + rows(["vertex"] + p for p in t)
+              + "endloop\nendfacet\n" for t in corners(points, faces))
+    return "solid a\n" + "".join(facets) + "endsolid a\n"
+
+
+def binary_stl(points, faces):
+    all = corners(points, faces)
+    return (b"\0" * 80 + struct.pack("<I", len(all))
+            + b"".join(struct.pack("<12fH", 0, 0, 1, *sum(t, []), 0) for t in all))
+
+
+FORMATS = [("off", off), ("off", colored_off), ("off", binary_off), ("obj", obj), ("ply", ply),
+           ("ply", binary_ply("<", "binary_little_endian")), ("ply", strips),
+           ("ply", binary_ply(">", "binary_big_endian")), ("stl", stl), ("stl", binary_stl)]
+
+
+def all_seeds(data):
+    """Pairs of an extension and the bytes of a file; polygons are split in all meshes but some."""
+    result = []
+    for name in SEEDS:
+        points, faces = read_off(f"{data}/meshes/{name}.off")
+        if name not in ("hedra", "torus_quad", "P"):
+            faces = [[f[0], f[k - 1], f[k]] for f in faces for k in range(2, len(f))]
+        for extension, write in FORMATS:
+            content = write(points, faces)
+            result.append((extension, content.encode() if isinstance(content, str) else content))
+    return result
+
+
+# ---- Damage ----
+
+
+def place(dice, content):
+    """Half of them in the header."""
+    end = min(len(content), 400) if dice.random() < 0.5 else len(content)
+    return dice.randrange(end + 1)
+
+
+def damaged(dice, content, others):
+    for _ in range(dice.choice([0, 1, 1, 1, 1, 2, 2, 3, 5, 8])):
+        i, j = place(dice, content), place(dice, content)
+        i, j = min(i, j), min(max(i, j), min(i, j) + dice.choice([1, 4, 20, 1000]))
+        word = dice.choice(WORDS).encode("latin-1")
+        kind = dice.randrange(9)
+        if kind == 0:
+            content = content[:i] + dice.randbytes(dice.choice([1, 1, 4])) + content[j:]
+        elif kind == 1:
+            content = content[:i] + content[j:]
+        elif kind == 2:
+            content = content[:j] + content[i:]
+        elif kind == 3:
+            content = content[:i] + b" " + word + b" " + content[i:]
+        elif kind == 4:
+            content = content[:i]
+        elif kind == 5:
+            other = dice.choice(others)[1]
+            content = content[:i] + other[place(dice, other):]
+        elif kind == 6:
+            lines = content.split(b"\n")
+            a, b = dice.randrange(len(lines)), dice.randrange(len(lines))
+            lines[a] = lines[b]
+            content = b"\n".join(lines)
+        else:  # another word in place of one
+            words = content.split(b" ") if kind == 7 else content.split(b"\n")
+            words[dice.randrange(min(len(words), dice.choice([30, 10**6])))] = word
+            content = (b" " if kind == 7 else b"\n").join(words)
+    return content
+
+
+# ---- Runs ----
+
+
+def arguments(dice, mesh):
+    command = dice.choice("info delaunay refine distance flatten hyperbolic uniformize sphere simplify"
+                          " operators".split())
+    result = [command, mesh]
+    if command == "info":
+        return result + dice.choice([[], ["--json"]])
+    formats = {"distance": ["ply", "vtp"], "hyperbolic": ["obj", "ply", "vtp"],
+               "flatten": ["obj", "ply", "vtp"], "uniformize": ["obj", "ply", "vtp"]}
+    output = "o." + dice.choice(formats.get(command, ["off", "obj", "ply", "vtp"]))
+    result += ["--prefix", "o"] if command == "operators" else ["-o", output]
+    if output == "o.ply" and command != "operators":
+        result += dice.choice([[], ["--binary"]])
+    result += {"refine": ["--max-insertions", "300"], "distance": ["--source", "0"],
+               "simplify": ["--ratio", "0.5", "--prolongation", "o.mtx"]}.get(command, [])
+    if command == "simplify":
+        result += dice.choice([[], ["--weight", "color=1"], ["--weight", "quality=2"]])
+    result += dice.choice([[], ["--repair"], ["--mollify", "1e-6"]])
+    return result + ["--stats", "o.json"]
+
+
+def limit_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+
+
+def is_sanitized(program):
+    with open(program, "rb") as file:
+        return b"__asan_init" in file.read()
+
+
+def complaint(call, result, directory, mesh):
+    """What is wrong with a run; nothing is None."""
+    text = result.stdout + result.stderr
+    left = [name for name in os.listdir(directory) if name != mesh]
+    if result.returncode not in (0, 1, 2) or b"Sanitizer" in text or b"runtime error" in text:
+        return f"exit code {result.returncode}: {text[-3000:].decode(errors='replace')}"
+    if result.returncode != 0 and not text.strip():
+        return "no message"
+    if result.returncode != 0 and left or any(name.endswith(".part") for name in left):
+        return f"files are left: {left}"
+    return None
+
+
+def run(i, options, seeds, scratch):
+    """Whether run i went well, and how it ended."""
+    dice = random.Random(i)
+    extension, content = dice.choice(seeds)
+    mesh = "mesh." + extension
+    call = arguments(dice, mesh)
+    directory = f"{scratch}/{i}"
+    os.mkdir(directory)
+    with open(f"{directory}/{mesh}", "wb") as file:
+        file.write(damaged(dice, content, seeds))
+    try:
+        result = subprocess.run([options.program] + call, cwd=directory, capture_output=True,
+                                timeout=60, env=options.environment, stdin=subprocess.DEVNULL,
+                                preexec_fn=None if options.is_sanitized else limit_memory)
+        wrong, code = complaint(call, result, directory, mesh), result.returncode
+    except subprocess.TimeoutExpired:
+        wrong, code = "more than a minute", "late"
+    if wrong:
+        print(f"FAILED: run {i}: intrinsic {' '.join(call)}: {wrong}", flush=True)
+        if options.keep:
+            os.makedirs(options.keep, exist_ok=True)
+            shutil.copy(f"{directory}/{mesh}", f"{options.keep}/{i}.{extension}")
+    shutil.rmtree(directory)
+    return not wrong, code
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", type=os.path.abspath)
+    parser.add_argument("data", type=os.path.abspath)
+    parser.add_argument("--runs", type=int, default=600)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--keep")
+    options = parser.parse_args()
+    options.is_sanitized = is_sanitized(options.program)
+    sanitizer = "exitcode=99:detect_leaks=0:max_allocation_size_mb=2000:print_stacktrace=1"
+    options.environment = dict(os.environ, ASAN_OPTIONS=sanitizer, UBSAN_OPTIONS=sanitizer)
+    seeds = all_seeds(options.data)
+    with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(options.jobs) as pool:
+        numbers = range(options.first, options.first + options.runs)
+        ends = list(pool.map(lambda i: run(i, options, seeds, scratch), numbers))
+    codes = [code for _, code in ends]
+    print(f"{len(ends)} runs, exit codes: "
+          + ", ".join(f"{c}: {codes.count(c)}" for c in sorted(set(codes), key=str)))
+    sys.exit(0 if all(good for good, _ in ends) else 1)
+
+
+if __name__ == "__main__":
+    main()
