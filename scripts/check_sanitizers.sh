@@ -4,8 +4,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Builds the program and the unit tests with the sanitizers for addresses and undefined behaviour,
-# and runs the tests; arguments are passed to ctest (-R Refine). Slow. Dynamic types are not
-# checked, since CGAL's arrangements, which tests compare with, cast faces to another class.
+# and runs the tests; arguments are passed to ctest (-R Refine). Then the program reads FUZZ_RUNS
+# damaged files, 100,000 if that is not set; those on which it fails are left in build/sanitizers/fuzz.
+# Slow. Dynamic types are not checked, since CGAL's arrangements, which tests compare with, cast faces
+# to another class.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -18,3 +20,5 @@ cmake --build build/sanitizers --target intrinsic unit_tests
 # The other tests build or check text.
 UBSAN_OPTIONS=print_stacktrace=1 ctest --test-dir build/sanitizers --output-on-failure -j2 \
   -E '^(headers|clang[._].*|consumer[.].*|doc)$' "$@"
+python3 test/demo/fuzz.py build/sanitizers/intrinsic build/cgal_data --runs "${FUZZ_RUNS:-100000}" \
+  --keep build/sanitizers/fuzz

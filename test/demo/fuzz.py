@@ -6,7 +6,7 @@
 [--keep DIRECTORY]. Run i is always the same: a small mesh of CGAL's data directory, in one of the
 formats that are read, with a few changes, and one of the commands. The program must end in a minute
 with the exit code 0, 1 or 2, say something unless that is 0, and leave no file after a failure.
-Files that fail are kept."""
+Files that fail are kept in the directory, if there is one. Exit code 77 without data."""
 
 import argparse
 import os
@@ -154,7 +154,7 @@ def damaged(dice, content, others):
         i, j = place(dice, content), place(dice, content)
         i, j = min(i, j), min(max(i, j), min(i, j) + dice.choice([1, 4, 20, 1000]))
         word = dice.choice(WORDS).encode("latin-1")
-        kind = dice.randrange(9)
+        kind = dice.randrange(12)
         if kind == 0:
             content = content[:i] + dice.randbytes(dice.choice([1, 1, 4])) + content[j:]
         elif kind == 1:
@@ -173,6 +173,10 @@ def damaged(dice, content, others):
             a, b = dice.randrange(len(lines)), dice.randrange(len(lines))
             lines[a] = lines[b]
             content = b"\n".join(lines)
+        elif kind > 8:  # another digit in place of one
+            digits = [k for k, c in enumerate(content) if 48 <= c <= 57] or [0]
+            i = dice.choice(digits)
+            content = content[:i] + b"%d" % dice.randrange(10) + content[i + 1:]
         else:  # another word in place of one
             words = content.split(b" ") if kind == 7 else content.split(b"\n")
             words[dice.randrange(min(len(words), dice.choice([30, 10**6])))] = word
@@ -263,6 +267,8 @@ def main():
     options.is_sanitized = is_sanitized(options.program)
     sanitizer = "exitcode=99:detect_leaks=0:max_allocation_size_mb=2000:print_stacktrace=1"
     options.environment = dict(os.environ, ASAN_OPTIONS=sanitizer, UBSAN_OPTIONS=sanitizer)
+    if not os.path.isdir(f"{options.data}/meshes"):
+        sys.exit(77)
     seeds = all_seeds(options.data)
     with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(options.jobs) as pool:
         numbers = range(options.first, options.first + options.runs)
