@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace {
 
@@ -34,7 +35,8 @@ public:
   }
 
 private:
-  typedef std::array<Index, 2> Edge; // from the smaller vertex to the larger
+  typedef std::array<Index, 2> Edge;            // from the smaller vertex to the larger
+  typedef std::pair<Index, Index> Numbered_end; // the larger vertex and the edge
 
   static Mesh::Halfedge_index halfedge(std::size_t edge, bool is_descending)
   {
@@ -64,20 +66,18 @@ private:
       m_first[v] += m_first[v - 1];
     m_sorted.resize(m_edges.size());
     for(Index e = 0; e < m_edges.size(); ++e)
-      m_sorted[m_first[m_edges[e][0] + 1]++] = e;
+      m_sorted[m_first[m_edges[e][0] + 1]++] = {m_edges[e][1], e};
     for(std::size_t v = 0; v < m_soup.points.size(); ++v)
-      std::sort(m_sorted.begin() + m_first[v], m_sorted.begin() + m_first[v + 1],
-                [this](Index a, Index b) { return m_edges[a][1] < m_edges[b][1]; });
+      std::sort(m_sorted.begin() + m_first[v], m_sorted.begin() + m_first[v + 1]);
   }
 
   // The number of an edge from the smaller vertex `v` to `w`; a new one if no face ascends there.
   Index edge(Index v, Index w)
   {
     const auto end = m_sorted.begin() + m_first[v + 1];
-    const auto e = std::lower_bound(m_sorted.begin() + m_first[v], end, w,
-                                    [this](Index a, Index x) { return m_edges[a][1] < x; });
-    if(e != end && m_edges[*e][1] == w)
-      return *e;
+    const auto e = std::lower_bound(m_sorted.begin() + m_first[v], end, Numbered_end(w, 0));
+    if(e != end && e->first == w)
+      return e->second;
     m_edges.push_back({v, w});
     return static_cast<Index>(m_edges.size() - 1);
   }
@@ -138,8 +138,8 @@ private:
   Mesh m_mesh;
   std::vector<Mesh::Halfedge_index> m_halfedge; // that leaves each corner
   std::vector<Edge> m_edges;
-  std::vector<Index> m_first;  // of each smaller vertex, in the next
-  std::vector<Index> m_sorted; // those edges along which a face ascends
+  std::vector<Index> m_first;         // of each smaller vertex, in the next
+  std::vector<Numbered_end> m_sorted; // of those edges along which a face ascends
 };
 
 } // namespace

@@ -23,8 +23,10 @@ Vertex_kind kind(const Subdivision& subdivision, IT::Vertex_index v)
 IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Side side,
                                          IT::Vertex_index v)
 {
+  if(subdivision.is_vertex(side, v))
+    return {IT::Halfedge_index(), 0};
   const IT::Surface_place<double> p = subdivision.place(side, v);
-  if(subdivision.is_vertex(side, v) || !p.along.is_valid())
+  if(!p.along.is_valid())
     return {IT::Halfedge_index(), 0};
   return {IT::first_halfedge(IT::Edge_index(p.along)),
           IT::place_on_first_halfedge(IT::edge_point(p.along, p.location, subdivision.mesh(side)))};
@@ -37,6 +39,8 @@ void add_places(const Subdivision& subdivision, const std::string& name, IT::Sid
 {
   std::vector<std::int64_t> edges;
   std::vector<double> coordinates;
+  edges.reserve(subdivision.mesh().number_of_vertices());
+  coordinates.reserve(subdivision.mesh().number_of_vertices());
   for(const IT::Vertex_index v : subdivision.mesh().vertices()) {
     const IT::Edge_point<double> place = place_inside_edge(subdivision, side, v);
     edges.push_back(number_of(IT::Edge_index(place.halfedge)));
