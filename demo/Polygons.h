@@ -6,7 +6,6 @@
 #define INTRINSIC_POLYGONS_H
 
 #include <boost/iterator/iterator_facade.hpp>
-#include <boost/range/iterator_range_core.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +18,21 @@ class Polygons
 {
 public:
   typedef std::uint32_t Index;
-  typedef boost::iterator_range<const Index*> Polygon;
+
+  class Polygon
+  {
+  public:
+    Polygon(const Index* begin, const Index* end) : m_begin(begin), m_end(end) {}
+
+    const Index* begin() const { return m_begin; }
+    const Index* end() const { return m_end; }
+    std::size_t size() const { return static_cast<std::size_t>(m_end - m_begin); }
+    Index operator[](std::size_t i) const { return m_begin[i]; }
+
+  private:
+    const Index* m_begin;
+    const Index* m_end;
+  };
 
   class Iterator
     : public boost::iterator_facade<Iterator, Polygon, boost::forward_traversal_tag, Polygon>
