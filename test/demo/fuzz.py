@@ -221,7 +221,7 @@ def complaint(call, result, directory, mesh):
     text = result.stdout + result.stderr
     left = [name for name in os.listdir(directory) if name != mesh]
     if result.returncode not in (0, 1, 2) or b"Sanitizer" in text or b"runtime error" in text:
-        return f"exit code {result.returncode}: {text[-3000:].decode(errors='replace')}"
+        return f"exit code {result.returncode}: {text[:2000].decode(errors='replace')}"
     if result.returncode != 0 and not text.strip():
         return "no message"
     if result.returncode != 0 and left or any(name.endswith(".part") for name in left):
