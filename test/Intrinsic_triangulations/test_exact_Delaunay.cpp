@@ -136,15 +136,15 @@ TEST(Exact_Delaunay, planes_are_found_exactly)
   Portable_random random(3);
   int flat = 0;
   for(int trial = 0; trial < 5000; ++trial) {
-    auto [i, j, k, l] = random_diamond(random);
+    std::array<Position, 4> p = random_diamond(random);
     if(random.get_int(0, 2) == 0)
-      i[1] = j[1] = k[1] = l[1];
-    const auto vector = [&](const Position& p) {
-      return IT::internal::vector_between<Exact_rational>(i, p);
+      p[0][1] = p[1][1] = p[2][1] = p[3][1];
+    const auto vector = [&](std::size_t n) {
+      return IT::internal::vector_between<Exact_rational>(p[0], p[n]);
     };
-    const IT::internal::Hinge<Exact_rational> hinge(vector(j), vector(k), vector(l));
+    const IT::internal::Hinge<Exact_rational> hinge(vector(1), vector(2), vector(3));
     const bool expected = hinge.volume == 0 && hinge.cosine > 0;
-    ASSERT_EQ(IT::internal::is_flat_in_space(i, j, k, l), expected) << trial;
+    ASSERT_EQ(IT::internal::is_flat_in_space(p[0], p[1], p[2], p[3]), expected) << trial;
     flat += expected;
   }
   EXPECT_GT(flat, 500);
