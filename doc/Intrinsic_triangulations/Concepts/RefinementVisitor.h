@@ -23,7 +23,8 @@ public:
   /// `h` leads along the new edge.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
-  /// is called if lengths leave too much in doubt, before flipping goes on with exact decisions.
+  /// is called if lengths leave too much in doubt: \f$T_2\f$ has become \f$T_1\f$ again, and flipping
+  /// starts anew with exact decisions.
   void before_exact_flips();
 
   /// is called after the vertex `v` has been inserted by `inserter`, before any edge is flipped.

@@ -114,8 +114,8 @@ public:
     set_angle(m_tri.mesh().opposite(h));
   }
 
-  /// does nothing: how flips are decided does not matter here.
-  void before_exact_flips() {}
+  /// calls `recompute()`.
+  void before_exact_flips() { recompute(); }
 
   /// computes the angles of all edges at `v`, which has just been inserted. The direction of one of
   /// them comes from the triangles of \f$T_1\f$ that it passes: a shared one, one that passes a

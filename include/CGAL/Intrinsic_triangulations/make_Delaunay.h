@@ -26,7 +26,7 @@ struct Default_flip_visitor
 {
   /// is called after the edge of `h` has been flipped.
   void after_flip(Halfedge_index /* h */) {}
-  /// is called if lengths leave too much in doubt, before flipping goes on with exact decisions.
+  /// is called if lengths leave too much in doubt, before flipping starts anew with exact decisions.
   void before_exact_flips() {}
 };
 
@@ -189,9 +189,10 @@ struct Delaunay_flips
   bool are_exact; // whether flipping went on with exact decisions
 };
 
-// Goes on exactly where lengths of type `double` cannot carry the decisions: after
-// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. That needs a triangulation
-// whose edges are straight, as it is while no vertices with rounded places have been inserted.
+// Starts anew from T1 with exact decisions where lengths of type `double` cannot carry these: after
+// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2 may
+// be bent, and exact decisions are about straight ones. That needs a triangulation without inserted
+// vertices.
 template <typename Traits, typename Visitor>
 Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                              Visitor& visitor)
@@ -205,6 +206,7 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
   check_flip_limit(flips == limit);
   if constexpr(has_metric<Traits>())
     if(can_be_exact) {
+      tri.reset_to_input();
       visitor.before_exact_flips();
       return {flips + make_exactly_Delaunay(tri, limit - flips, visitor), true};
     }
@@ -219,9 +221,9 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// With `Exact_Euclidean_geometry_traits` every decision is exact. With lengths of type `double`, if
 /// there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths are
 /// recomputed from \f$T_1\f$ and flipping goes on; if that is not enough, or there were more than ten
-/// million flips and a thousand for each edge, and no vertices have been inserted, it goes on with
-/// exact decisions.
-/// The result is then exactly Delaunay.
+/// million flips and a thousand for each edge, and no vertices have been inserted, \f$T_2\f$ becomes
+/// \f$T_1\f$ again and flipping starts anew with exact decisions. The result is then exactly
+/// Delaunay.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
