@@ -17,8 +17,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The numbers of the crossings on all edges of T2.
-// Throws if there are more crossings than can be numbered.
+// Returns a number of crossings. \throws Overflow_error if a mesh cannot number as many.
 template <typename Integer>
 Delta_complex::size_type countable(const Integer& crossings)
 {
@@ -28,6 +27,7 @@ Delta_complex::size_type countable(const Integer& crossings)
   return count;
 }
 
+// The numbers of the crossings on all edges of T2.
 template <typename Integer>
 Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
                             const Delta_complex& mesh)
