@@ -21,4 +21,5 @@ install(FILES
   "${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake"
   cmake/CHOLMOD.cmake
   cmake/Ceres.cmake
+  cmake/TBB.cmake
   DESTINATION "${package_dir}")

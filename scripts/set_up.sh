@@ -11,7 +11,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(
   g++ clang clang-format cmake ninja-build ccache doxygen libjs-mathjax
   libcgal-dev libcgal-demo libeigen3-dev libgmp-dev libmpfr-dev
-  libceres-dev libsuitesparse-dev libopenblas0-serial libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev python3)
+  libceres-dev libsuitesparse-dev libopenblas0-serial libtbb-dev libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev python3)
 data_archive=/usr/share/doc/libcgal-dev/data.tar.gz
 data_dir=build/cgal_data
 log=$PWD/build/set_up.log

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
@@ -60,7 +61,10 @@ int main()
   CGAL::Intrinsic_triangulations::Intrinsic_triangulation<> tri(mesh);
   const auto flips = CGAL::Intrinsic_triangulations::make_Delaunay(tri);
   std::cout << flips << " flip\n";
-  const bool good =
-    flips == 1 && CGAL::Intrinsic_triangulations::is_Delaunay(tri) && is_flattened(mesh);
+  const CGAL::Intrinsic_triangulations::Correspondence<> correspondence(
+    tri, CGAL::Intrinsic_triangulations::parameters::concurrency_tag(
+           CGAL::Parallel_if_available_tag()));
+  const bool good = flips == 1 && CGAL::Intrinsic_triangulations::is_Delaunay(tri) &&
+                    correspondence.number_of_crossings() == 1 && is_flattened(mesh);
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

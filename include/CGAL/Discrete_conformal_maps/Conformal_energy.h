@@ -78,6 +78,11 @@ public:
   /// returns the number of variables, one for each vertex.
   std::size_t size() const;
 
+  /// sets whether several threads are used: `CGAL::Sequential_tag`, as at first, `CGAL::Parallel_tag`
+  /// or `CGAL::Parallel_if_available_tag`. All values stay bitwise the same.
+  template <typename ConcurrencyTag>
+  void set_concurrency(const ConcurrencyTag& tag);
+
   /// moves to the point `x`; where a scaled length is too great or small for a number, the gradient
   /// is NaN. Complexity: linear in the vertices, edges and flips.
   void evaluate(const Vector& x);
@@ -128,7 +133,7 @@ private:
     std::vector<internal::Angle_difference<FT>> defect(
       m_target_defect.data(), m_target_defect.data() + m_target_defect.size());
     for(Halfedge_index h : mesh().halfedges())
-      defect[mesh().source(h).idx()].subtract(Base::corner(h));
+      defect[mesh().source(h).idx()].subtract(Base::corner(h), Base::rounded_angle(h));
     for(Vertex_index v : mesh().vertices())
       Base::set_gradient(v, defect[v.idx()].value());
   }

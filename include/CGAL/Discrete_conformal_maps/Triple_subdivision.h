@@ -198,7 +198,8 @@ public:
 
   void build()
   {
-    m_result.resize(m_result.m_first_crossing_of_ac, m_numbers.number_of_pieces(), 0);
+    m_result.resize_mesh(m_result.m_first_crossing_of_ac, m_numbers.number_of_pieces(), 0);
+    m_result.resize_parents(m_numbers.number_of_pieces(), 0);
     resize_places();
     for(Halfedge_index h : m_b.halfedges())
       set_pieces(h);

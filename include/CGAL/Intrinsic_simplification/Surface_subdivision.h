@@ -318,7 +318,8 @@ public:
 private:
   void make_edges()
   {
-    m_result.resize(m_edges.number_of_vertices(), m_rotation.number_of_edges(), 0);
+    m_result.resize_mesh(m_edges.number_of_vertices(), m_rotation.number_of_edges(), 0);
+    m_result.resize_parents(m_rotation.number_of_edges(), 0);
     for(Edge_index e : m_fine.edges()) {
       const Halfedge_index h = Intrinsic_triangulations::first_halfedge(e);
       for(size_type p = 0; p < m_edges.kept().number_of_pieces(e); ++p)

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/assemble_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 
 #include <Eigen/SparseCore>
@@ -27,23 +27,41 @@ namespace CGAL::Intrinsic_simplification {
 ///
 /// Its transpose takes integrals against hat functions of the fine level to those of the coarse
 /// level.
-inline Eigen::SparseMatrix<double> prolongation_matrix(const Surface_map& map)
+/// \tparam NamedParameters a sequence of named parameters
+/// \param map the map between the levels
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads are used; see \ref is_parallel}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Eigen::SparseMatrix<double>
+prolongation_matrix(const Surface_map& map,
+                    const NamedParameters& np = CGAL::parameters::default_values())
 {
   const Delta_complex &fine = map.fine().mesh(), &coarse = map.coarse().mesh();
-  Intrinsic_triangulations::internal::Sparse_assembly<double> assembly(std::size_t(3) *
-                                                                       fine.num_vertices());
-  for(Vertex_index v : fine.vertices()) {
-    if(fine.is_isolated(v)) {
-      assembly.add(v, map.coarse().level_vertex(map.fine().surface_vertex(v)), 1);
-      continue;
-    }
+  const auto collect = [&](std::size_t i, auto& entries) {
+    const Vertex_index v(static_cast<Vertex_index::size_type>(i));
+    const auto add = [&entries](Vertex_index w, double value) {
+      entries.emplace_back(static_cast<int>(w.idx()), value);
+    };
+    if(fine.is_isolated(v))
+      return add(map.coarse().level_vertex(map.fine().surface_vertex(v)), 1);
     const auto [f, coordinates] = image_of_vertex(v, map);
     const auto sides = Intrinsic_triangulations::sides(f, coarse);
     for(std::size_t s = 0; s < 3; ++s)
       if(coordinates[s] != 0)
-        assembly.add(v, coarse.source(sides[s]), coordinates[s]);
-  }
-  return assembly.matrix(fine.num_vertices(), coarse.num_vertices());
+        add(coarse.source(sides[s]), coordinates[s]);
+  };
+  Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows;
+  Intrinsic_triangulations::internal::assemble_in_chunks(
+    Intrinsic_triangulations::internal::concurrency_of(np), fine.num_vertices(),
+    coarse.num_vertices(), collect, by_rows);
+  return by_rows;
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef

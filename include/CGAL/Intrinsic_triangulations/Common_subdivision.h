@@ -10,9 +10,12 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/set_halfedges_of_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -47,11 +50,24 @@ public:
   typedef typename Base::size_type size_type;
 
   /// builds the subdivision. Complexity: linear in the vertices, edges and crossings.
-  explicit Common_subdivision(const Correspondence<Traits>& correspondence)
+  /// \tparam NamedParameters a sequence of named parameters
+  /// \param correspondence the crossings
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{concurrency_tag}
+  ///     \cgalParamDescription{whether several threads are used; see \ref it_parallel}
+  ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+  ///                    `CGAL::Parallel_if_available_tag`}
+  ///     \cgalParamDefault{`CGAL::Sequential_tag`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Common_subdivision(const Correspondence<Traits>& correspondence,
+                              const NamedParameters& np = CGAL::parameters::default_values())
     : Base({&correspondence.mesh(Side::input), &correspondence.mesh(Side::intrinsic)}),
       m_tri(&correspondence.triangulation())
   {
-    Builder(correspondence, *this).build();
+    Builder(correspondence, internal::concurrency_of(np), *this).build();
   }
 
   /// returns the place of `v` on `side`. That of an isolated vertex has no face. Complexity:
@@ -81,8 +97,10 @@ template <typename Traits, typename Point>
 class Common_subdivision<Traits, Point>::Builder
 {
 public:
-  Builder(const Correspondence<Traits>& correspondence, Common_subdivision& result)
-    : m_correspondence(correspondence),
+  Builder(const Correspondence<Traits>& correspondence, internal::Concurrency concurrency,
+          Common_subdivision& result)
+    : m_concurrency(concurrency),
+      m_correspondence(correspondence),
       m_intrinsic(correspondence.mesh(Side::intrinsic)),
       m_input(correspondence.mesh(Side::input)),
       m_marks(correspondence.crossings_on_intrinsic()),
@@ -92,19 +110,30 @@ public:
 
   void build()
   {
-    m_result.resize(m_intrinsic.number_of_vertices() + m_correspondence.number_of_crossings(),
-                    m_correspondence.number_of_input_pieces() + m_marks.number_of_pieces(),
-                    count_regions());
-    set_parent_edges();
-    set_places();
-    for(Face_index f : m_intrinsic.faces())
-      add_regions(f);
-    link_border();
-    internal::set_halfedges_of_vertices(m_mesh);
+    const size_type vertices =
+                      m_intrinsic.number_of_vertices() + m_correspondence.number_of_crossings(),
+                    edges = m_correspondence.number_of_input_pieces() + m_marks.number_of_pieces();
+    const size_type faces = number_regions();
+    internal::run_together(
+      m_concurrency, [&] { m_result.resize_mesh(vertices, edges, faces); },
+      [&] {
+        m_result.resize_parents(edges, faces);
+        set_parents();
+        set_places();
+      });
+    for_each<Face_index>(m_intrinsic, [this](Face_index f) { add_regions(f); });
+    for_each<Halfedge_index>(m_intrinsic, [this](Halfedge_index h) { link_border(h); });
+    internal::set_halfedges_of_vertices(m_mesh, m_concurrency);
   }
 
 private:
   typedef std::array<Halfedge_index, 3> Sides;
+
+  template <typename Index, typename Function>
+  void for_each(const Delta_complex& mesh, const Function& f) const
+  {
+    internal::for_each_in_chunks<Index>(m_concurrency, mesh, f);
+  }
 
   // piece `p` of the halfedge `h` of T2, counted from its source
   Halfedge_index intrinsic_piece(Halfedge_index h, size_type p) const
@@ -121,44 +150,62 @@ private:
     return internal::Face_regions(crossings);
   }
 
-  size_type count_regions() const
+  // Numbers the regions face by face, and returns how many there are.
+  size_type number_regions()
   {
+    m_first_region.assign(m_intrinsic.num_faces(), 0);
+    for_each<Face_index>(m_intrinsic, [this](Face_index f) {
+      m_first_region[f.idx()] = static_cast<size_type>(regions(sides(f, m_intrinsic)).size());
+    });
     size_type count = 0;
-    for(Face_index f : m_intrinsic.faces())
-      count += static_cast<size_type>(regions(sides(f, m_intrinsic)).size());
+    for(size_type& n : m_first_region)
+      count += std::exchange(n, count);
     return count;
   }
 
-  void set_parent_edges()
+  void set_parents()
   {
-    for(Edge_index e : m_input.edges())
-      for(size_type i = 0; i < m_correspondence.number_of_parts(e); ++i) {
-        const auto& part = m_correspondence.part(e, i);
-        for(size_type p = 0; !part.is_shared && p <= part.count; ++p)
-          m_result.set_parent(Side::input, first_halfedge(Edge_index(part.first_piece + p)),
-                              first_halfedge(e));
-      }
-    for(Edge_index e : m_intrinsic.edges()) {
-      const Halfedge_index h = first_halfedge(e);
-      for(size_type p = 0; p < m_marks.number_of_pieces(e); ++p)
-        m_result.set_parent(Side::intrinsic, intrinsic_piece(h, p), h);
-      if(m_correspondence.is_shared(Side::intrinsic, e))
-        m_result.set_parent(Side::input, intrinsic_piece(h, 0),
-                            m_correspondence.spoke_before(Side::intrinsic, h));
+    for_each<Edge_index>(m_input, [this](Edge_index e) { set_input_parents(e); });
+    for_each<Edge_index>(m_intrinsic, [this](Edge_index e) { set_intrinsic_parents(e); });
+  }
+
+  void set_input_parents(Edge_index e)
+  {
+    for(size_type i = 0; i < m_correspondence.number_of_parts(e); ++i) {
+      const auto& part = m_correspondence.part(e, i);
+      for(size_type p = 0; !part.is_shared && p <= part.count; ++p)
+        m_result.set_parent(Side::input, first_halfedge(Edge_index(part.first_piece + p)),
+                            first_halfedge(e));
     }
+  }
+
+  void set_intrinsic_parents(Edge_index e)
+  {
+    const Halfedge_index h = first_halfedge(e);
+    for(size_type p = 0; p < m_marks.number_of_pieces(e); ++p)
+      m_result.set_parent(Side::intrinsic, intrinsic_piece(h, p), h);
+    if(m_correspondence.is_shared(Side::intrinsic, e))
+      m_result.set_parent(Side::input, intrinsic_piece(h, 0),
+                          m_correspondence.spoke_before(Side::intrinsic, h));
   }
 
   void set_places()
   {
     const auto& tri = m_correspondence.triangulation();
-    m_result.m_place.resize(m_mesh.number_of_vertices());
-    for(Vertex_index v : m_intrinsic.vertices())
-      if(!m_intrinsic.is_isolated(v)) {
-        const Halfedge_index spoke = first_spoke(v, m_intrinsic);
-        m_result.m_place[v] = {tri.start_on_spoke(spoke), {spoke, FT(0)}};
-      }
-    for(size_type c = 0; c < m_correspondence.number_of_crossings(); ++c)
-      m_result.m_place[crossing_vertex(c)] = m_correspondence.crossing(c);
+    m_result.m_place.resize(m_intrinsic.number_of_vertices() +
+                            m_correspondence.number_of_crossings());
+    for_each<Vertex_index>(m_intrinsic, [&](Vertex_index v) {
+      if(m_intrinsic.is_isolated(v))
+        return;
+      const Halfedge_index spoke = first_spoke(v, m_intrinsic);
+      m_result.m_place[v] = {tri.start_on_spoke(spoke), {spoke, FT(0)}};
+    });
+    internal::for_each_chunk(m_concurrency, m_correspondence.number_of_crossings(),
+                             [&](std::size_t begin, std::size_t end) {
+                               for(auto c = static_cast<size_type>(begin); c < end; ++c)
+                                 m_result.m_place[crossing_vertex(c)] =
+                                   m_correspondence.crossing(c);
+                             });
   }
 
   Vertex_index crossing_vertex(size_type id) const
@@ -185,7 +232,7 @@ private:
     const Sides side = sides(parent, m_intrinsic);
     const internal::Face_regions face_regions = regions(side);
     for(std::size_t m = 0; m < face_regions.size(); ++m) {
-      const Face_index f(m_number_of_faces++);
+      const Face_index f(m_first_region[parent.idx()] + static_cast<size_type>(m));
       m_result.set_parent(Side::intrinsic, f, parent);
       add_region(f, face_regions[m], side);
     }
@@ -234,23 +281,23 @@ private:
   }
 
   // edges on the boundary are shared, hence one piece each
-  void link_border()
+  void link_border(Halfedge_index h)
   {
-    for(Halfedge_index h : m_intrinsic.halfedges())
-      if(m_intrinsic.is_border(h)) {
-        const Halfedge_index x = intrinsic_piece(h, 0);
-        m_mesh.set_next(x, intrinsic_piece(m_intrinsic.next(h), 0));
-        m_mesh.set_target(x, m_intrinsic.target(h));
-      }
+    if(!m_intrinsic.is_border(h))
+      return;
+    const Halfedge_index x = intrinsic_piece(h, 0);
+    m_mesh.set_next(x, intrinsic_piece(m_intrinsic.next(h), 0));
+    m_mesh.set_target(x, m_intrinsic.target(h));
   }
 
+  internal::Concurrency m_concurrency;
   const Correspondence<Traits>& m_correspondence;
   const Delta_complex& m_intrinsic;
   const Delta_complex& m_input;
   const Edge_marks& m_marks; // the crossings on the edges of T2
   Common_subdivision& m_result;
   typename Base::Mesh& m_mesh;
-  size_type m_number_of_faces = 0;
+  std::vector<size_type> m_first_region; // of each face of T2
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -14,11 +14,12 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Part_starts.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -76,24 +77,29 @@ public:
 
   /// traces all edges of \f$T_1\f$ over \f$T_2\f$.
   /// Complexity: linear in the vertices, edges and crossings, whatever the degrees.
+  /// \tparam NamedParameters a sequence of named parameters
+  /// \param tri the triangulation
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{concurrency_tag}
+  ///     \cgalParamDescription{whether several threads are used; see \ref it_parallel}
+  ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+  ///                    `CGAL::Parallel_if_available_tag`}
+  ///     \cgalParamDefault{`CGAL::Sequential_tag`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   /// \throws Numerical_error if the layout of an edge has no positive finite length
   /// \throws Overflow_error if there are more crossings than a `Surface_mesh` can number
   /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
-  explicit Correspondence(const Triangulation& tri)
-    : m_tri(tri),
-      m_spoke_before(tri.input_mesh().num_halfedges()),
-      m_on_intrinsic(internal::number_crossings(tri.coordinates(), tri.mesh())),
-      m_records(m_on_intrinsic.size()),
-      m_scale(internal::Has_scale<Traits>::value ? m_records.size() : 0)
-  {
-    CGAL_precondition(!tri.mesh().has_garbage());
-    trace_all();
-    order_along_intrinsic();
-    order_along_input();
-    note_inserted();
-  }
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Correspondence(const Triangulation& tri,
+                          const NamedParameters& np = CGAL::parameters::default_values())
+    : Correspondence(tri, internal::concurrency_of(np))
+  {}
 
   Correspondence(Triangulation&&) = delete; // it would refer to what is gone
+  template <typename NamedParameters>
+  Correspondence(Triangulation&&, const NamedParameters&) = delete;
 
   /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
@@ -199,6 +205,30 @@ public:
   }
 
 private:
+  typedef internal::Concurrency Concurrency;
+
+  Correspondence(const Triangulation& tri, Concurrency concurrency) : m_tri(tri)
+  {
+    CGAL_precondition(!tri.mesh().has_garbage());
+    std::optional<internal::Part_starts<Traits>> starts;
+    internal::run_together(
+      concurrency,
+      [&] {
+        starts.emplace(tri);
+        m_parts.resize(starts->numbers().size());
+      },
+      [&] {
+        m_on_intrinsic = internal::number_crossings(tri.coordinates(), tri.mesh(), concurrency);
+        m_spoke_before.resize(tri.input_mesh().num_halfedges());
+        m_records.resize(m_on_intrinsic.size());
+        m_order_on_input.resize(m_records.size());
+        m_scale.resize(internal::Has_scale<Traits>::value ? m_records.size() : 0);
+      });
+    starts->find(m_spoke_before, concurrency);
+    trace_all(*starts, concurrency);
+    note_inserted();
+  }
+
   struct Record
   {
     Halfedge_index input; // leaves the face of the first halfedge of the intrinsic edge
@@ -255,143 +285,116 @@ private:
     return part.first_piece + (part.is_shared ? 0 : part.count + 1);
   }
 
-  // a part as it is met: `first` is in the order of tracing
-  struct Traced_part
+  // What a chunk of edges of T1 crosses, in order, and how many pieces that makes.
+  struct Chunk
   {
-    Edge_index edge;
-    Vertex_index start;
-    Part part;
+    std::vector<size_type> crossings;
+    size_type pieces = 0;
   };
 
   // Every curve is met at both its ends; it is traced along the first halfedge of its edge.
-  void trace_all()
+  void trace_all(const internal::Part_starts<Traits>& starts, Concurrency concurrency)
   {
-    const Delta_complex& mesh = m_tri.mesh();
-    const auto& coordinates = m_tri.coordinates();
-    m_traced.reserve(m_records.size());
-    m_traced_parts.reserve(m_tri.input_mesh().num_edges());
-    for(Halfedge_index h : mesh.halfedges())
-      if(coordinates.is_shared(mesh.edge(h)))
-        note_shared(h);
-    internal::Edge_tracer<Traits> tracer(m_tri);
-    coordinates.for_each_curve_end(mesh, m_tri.spokes(),
-                                   [&](Halfedge_index h, const Integer& k, Halfedge_index start) {
-                                     note_spoke(start, h);
-                                     if(is_first_halfedge(start)) {
-                                       tracer.trace(h, k);
-                                       record(start, mesh.source(h), tracer);
-                                     }
-                                   });
+    m_part_numbers = starts.numbers();
+    const std::size_t edges = m_tri.input_mesh().num_edges();
+    std::vector<Chunk> chunks(internal::number_of_chunks(edges));
+    internal::for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
+      internal::Edge_tracer<Traits> tracer(m_tri);
+      for(std::size_t e = begin; e < end; ++e)
+        trace(Edge_index(static_cast<size_type>(e)), starts, tracer,
+              chunks[begin / internal::chunk_size]);
+    });
+    internal::for_each_in_chunks<Edge_index>(concurrency, m_tri.mesh(),
+                                             [this](Edge_index e) { order_along_intrinsic(e); });
+    order_along_input(chunks, concurrency);
   }
 
-  void note_spoke(Halfedge_index input, Halfedge_index intrinsic)
+  // Each part but the first starts where another ends.
+  void trace(Edge_index e, const internal::Part_starts<Traits>& starts,
+             internal::Edge_tracer<Traits>& tracer, Chunk& chunk)
   {
-    if(!m_tri.is_inserted(m_tri.mesh().source(intrinsic)))
-      m_spoke_before[input.idx()] = intrinsic;
+    const Halfedge_index h = first_halfedge(e);
+    Vertex_index v = m_tri.input_mesh().source(h);
+    for(size_type i = 0; i < number_of_parts(e); ++i) {
+      const auto& start = starts(e, v);
+      Part& part = m_parts[m_part_numbers.before(e) + i];
+      part = {static_cast<size_type>(chunk.crossings.size()), 0, chunk.pieces, start.is_shared(),
+              m_tri.mesh().target(start.spoke)};
+      if(!part.is_shared) {
+        tracer.trace(start.spoke, start.k);
+        part.end = m_tri.mesh().target(tracer.last_spoke());
+        record(internal::part_of_edge(h, v, part.end, m_tri), h, tracer, chunk);
+        part.count = static_cast<size_type>(chunk.crossings.size()) - part.first;
+      }
+      chunk.pieces = end_of_pieces(part);
+      v = part.end;
+    }
   }
 
-  void note_shared(Halfedge_index h)
+  void record(const internal::Part_of_edge<FT>& part, Halfedge_index input,
+              const internal::Edge_tracer<Traits>& tracer, Chunk& chunk)
   {
-    const Halfedge_index input = m_tri.input_halfedge(h);
-    note_spoke(input, h);
-    if(is_first_halfedge(input))
-      m_traced_parts.push_back(
-        {Edge_index(input), m_tri.mesh().source(h), {0, 0, 0, true, m_tri.mesh().target(h)}});
-  }
-
-  void record(Halfedge_index start, Vertex_index v, const internal::Edge_tracer<Traits>& tracer)
-  {
-    const Vertex_index end = m_tri.mesh().target(tracer.last_spoke());
-    const auto part = internal::part_of_edge(start, v, end, m_tri);
-    m_traced_parts.push_back({Edge_index(start),
-                              v,
-                              {static_cast<size_type>(m_traced.size()),
-                               static_cast<size_type>(tracer.size()), 0, false, end}});
     for(std::size_t m = 0; m < tracer.size(); ++m) {
       const auto& c = tracer.crossing(m);
       const auto& position = tracer.position(m);
       const size_type id = m_on_intrinsic(c.halfedge, static_cast<size_type>(c.number));
-      m_records[id] = {directed_as(c.halfedge, start), Edge_index(c.halfedge), 0,
+      m_records[id] = {directed_as(c.halfedge, input), Edge_index(c.halfedge), 0,
                        part(position.along_line), edge_point(c.halfedge, position.along_edge).t};
       if constexpr(internal::Has_scale<Traits>::value)
         m_scale[id] = position.scale;
-      m_traced.push_back(id);
+      chunk.crossings.push_back(id);
     }
   }
 
-  // Brings the parts into the order of the edges of T1, and along these.
-  void order_along_input()
+  // Numbers crossings and pieces from the first chunk on.
+  void order_along_input(const std::vector<Chunk>& chunks, Concurrency concurrency)
   {
-    std::vector<size_type> count(m_tri.input_mesh().num_edges(), 0);
-    for(const Traced_part& t : m_traced_parts)
-      ++count[t.edge.idx()];
-    m_part_numbers = Edge_marks(count);
-    std::vector<size_type> order(m_traced_parts.size());
-    for(size_type i = 0; i < order.size(); ++i) {
-      const Edge_index e = m_traced_parts[i].edge;
-      order[m_part_numbers.before(e) + number_of_parts(e) - count[e.idx()]--] = i;
+    std::vector<size_type> first{0}, first_piece{0};
+    for(const Chunk& chunk : chunks) {
+      first.push_back(first.back() + static_cast<size_type>(chunk.crossings.size()));
+      first_piece.push_back(first_piece.back() + chunk.pieces);
     }
-    for(Edge_index e : m_tri.input_mesh().edges()) {
-      const auto begin = order.begin() + m_part_numbers.before(e);
-      order_parts(begin, begin + number_of_parts(e));
-    }
-    m_parts.reserve(order.size());
-    m_order_on_input.reserve(m_traced.size());
-    for(size_type i : order)
-      add_part(m_traced_parts[i].part);
-    m_traced = std::vector<size_type>(); // frees the memory, as {} does not
-    m_traced_parts = std::vector<Traced_part>();
-  }
-
-  // Each part but the first starts where another ends.
-  template <typename Iterator>
-  void order_parts(Iterator begin, Iterator end) const
-  {
-    if(end - begin < 2)
-      return;
-    const auto start = [this](size_type i) { return m_traced_parts[i].start; };
-    std::sort(begin, end, [&](size_type a, size_type b) { return start(a) < start(b); });
-    const std::vector<size_type> parts(begin, end);
-    Vertex_index v = m_tri.input_mesh().source(first_halfedge(m_traced_parts[*begin].edge));
-    for(; begin != end; ++begin) {
-      *begin = *std::lower_bound(parts.begin(), parts.end(), v,
-                                 [&](size_type i, Vertex_index w) { return start(i) < w; });
-      v = m_traced_parts[*begin].part.end;
-    }
-  }
-
-  void add_part(Part part)
-  {
-    const auto begin = m_traced.begin() + part.first;
-    part.first = static_cast<size_type>(m_order_on_input.size());
-    part.first_piece = number_of_input_pieces();
-    for(auto id = begin; id != begin + part.count; ++id) {
-      Record& r = m_records[*id];
-      if(!m_order_on_input.empty()) {
-        const Record& last = m_records[m_order_on_input.back()];
-        if(Edge_index(last.input) == Edge_index(r.input))
-          r.s = (std::max)(r.s, last.s);
-      }
-      r.order = static_cast<size_type>(m_order_on_input.size());
-      m_order_on_input.push_back(*id);
-    }
-    m_parts.push_back(part);
+    internal::for_each_chunk(
+      concurrency, m_tri.input_mesh().num_edges(), [&](std::size_t begin, std::size_t end) {
+        const std::size_t c = begin / internal::chunk_size;
+        order_along_input(chunks[c].crossings, first[c]);
+        const size_type last = end == m_tri.input_mesh().num_edges()
+                                 ? m_part_numbers.size()
+                                 : m_part_numbers.before(Edge_index(static_cast<size_type>(end)));
+        for(size_type i = m_part_numbers.before(Edge_index(static_cast<size_type>(begin)));
+            i < last; ++i) {
+          m_parts[i].first += first[c];
+          m_parts[i].first_piece += first_piece[c];
+        }
+      });
   }
 
   // Rounding may move a crossing, but never past another.
-  void order_along_intrinsic()
+  void order_along_input(const std::vector<size_type>& crossings, size_type first)
   {
-    for(Edge_index e : m_tri.mesh().edges()) {
-      FT t(0), moved(0);
-      for(size_type p = 0; p < m_on_intrinsic.size(e); ++p) {
-        const size_type id = m_on_intrinsic.before(e) + p;
-        moved = (std::max)(moved, FT(t - m_records[id].t));
-        m_records[id].t = t = (std::max)(m_records[id].t, t);
-      }
-      if constexpr(internal::Has_distance<Traits>::value)
-        if(moved > rounding_unit<FT>())
-          place_along_intrinsic(e);
+    const Record* last = nullptr;
+    for(size_type id : crossings) {
+      Record& r = m_records[id];
+      if(last != nullptr && Edge_index(last->input) == Edge_index(r.input))
+        r.s = (std::max)(r.s, last->s);
+      last = &r;
+      r.order = first;
+      m_order_on_input[first++] = id;
     }
+  }
+
+  // Rounding may move a crossing, but never past another.
+  void order_along_intrinsic(Edge_index e)
+  {
+    FT t(0), moved(0);
+    for(size_type p = 0; p < m_on_intrinsic.size(e); ++p) {
+      const size_type id = m_on_intrinsic.before(e) + p;
+      moved = (std::max)(moved, FT(t - m_records[id].t));
+      m_records[id].t = t = (std::max)(m_records[id].t, t);
+    }
+    if constexpr(internal::Has_distance<Traits>::value)
+      if(moved > rounding_unit<FT>())
+        place_along_intrinsic(e);
   }
 
   // Edges of T1 at a face without area can run along `e`, and each crosses it where rounding says.
@@ -413,8 +416,6 @@ private:
   }
 
   const Triangulation& m_tri;
-  std::vector<Traced_part> m_traced_parts; // until they are in order
-  std::vector<size_type> m_traced;
   Edge_marks m_part_numbers; // of the parts of the edges of T1
   std::vector<Part> m_parts;
   std::vector<size_type> m_order_on_input; // crossings along each edge of T1

@@ -204,21 +204,19 @@ public:
                            wrap(m_r[spoke] + along + static_cast<size_type>(k), spokes.degree(v)));
   }
 
-  /// calls `visit(spoke, k, start)` for every end of every curve that is no edge of \f$T_2\f$: it
-  /// is number `k` in the corner of `spoke` and runs along the spoke `start` of \f$T_1\f$.
-  /// Complexity: linear, whatever the degrees.
+  /// calls `visit(k, start)` for every curve that starts inside the corner at the source of `spoke`:
+  /// it is number `k` there and runs along the spoke `start` of \f$T_1\f$. Complexity: linear in
+  /// their number.
   template <typename Visit>
-  void for_each_curve_end(const Delta_complex& mesh, const Vertex_spokes& spokes,
-                          const Visit& visit) const
+  void for_each_curve_end(Halfedge_index spoke, const Delta_complex& mesh,
+                          const Vertex_spokes& spokes, const Visit& visit) const
   {
-    for(Halfedge_index h : mesh.halfedges()) {
-      // a boundary edge is shared
-      if(!(m_n[edge_of(mesh.next(h))] > 0))
-        continue;
-      const Integer leaving = curves_leaving(mesh.next(h), mesh);
-      for(Integer k(0); k < leaving; ++k)
-        visit(h, k, spoke_in_corner(h, k, mesh, spokes));
-    }
+    // a boundary edge is shared
+    if(!(m_n[edge_of(mesh.next(spoke))] > 0))
+      return;
+    const Integer leaving = curves_leaving(mesh.next(spoke), mesh);
+    for(Integer k(0); k < leaving; ++k)
+      visit(k, spoke_in_corner(spoke, k, mesh, spokes));
   }
 
   /// returns the halfedge of \f$T_1\f$ that coincides with `h`. \pre `is_shared(edge(h))`

@@ -168,10 +168,13 @@ protected:
 
   // ---- For builders ----
 
-  void resize(size_type vertices, size_type edges, size_type faces)
+  void resize_mesh(size_type vertices, size_type edges, size_type faces)
   {
-    m_mesh = Mesh();
     m_mesh.resize(vertices, edges, faces);
+  }
+
+  void resize_parents(size_type edges, size_type faces)
+  {
     for(auto& parents : m_parent_halfedge)
       parents.assign(edges, Halfedge_index());
     for(auto& parents : m_parent_face)

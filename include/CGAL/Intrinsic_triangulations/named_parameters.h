@@ -15,6 +15,7 @@
   DO(edge_length_map)                                                                              \
   DO(squared_edge_length_map)                                                                      \
   DO(exact_decisions)                                                                              \
+  DO(concurrency_tag)                                                                              \
   DO(time_step_factor)                                                                             \
   DO(minimum_angle)                                                                                \
   DO(maximum_circumradius)                                                                         \
@@ -62,6 +63,13 @@ auto squared_edge_length_map(const Map& map);
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// names whether all decisions about Delaunay edges are exact.
 auto exact_decisions(bool value);
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// names whether several threads are used: `CGAL::Sequential_tag`, which is the default everywhere,
+/// `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag`. Results are bitwise the same with
+/// each of them, and with any number of threads.
+template <typename ConcurrencyTag>
+auto concurrency_tag(const ConcurrencyTag& tag);
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// names the time for which heat flows, in squared mean edge lengths of the component. Less follows

@@ -20,15 +20,6 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Where an edge of T1 starts on T2: as curve number `k` in the corner of `spoke`, or along `spoke`.
-template <typename Integer>
-struct Curve_start
-{
-  Halfedge_index spoke;
-  Integer k;
-  bool is_shared;
-};
-
 // A trace with the scales of its points: how many times the vector on T2 that on T1 is.
 template <typename Traits>
 struct Scaled_trace
@@ -70,9 +61,9 @@ Curve_start<typename Traits::Integer> find_curve(Halfedge_index h, Vertex_index 
     const Integer passed(number >= r ? number - r : number + degree - r);
     const bool along = coordinates.is_shared(mesh.edge(spoke));
     if(along && passed == 0)
-      return {spoke, Integer(0), true};
+      return {spoke, Integer(-1)};
     if(passed < coordinates.spokes_from(spoke, mesh))
-      return {spoke, passed - Integer(along ? 1 : 0), false};
+      return {spoke, passed - Integer(along ? 1 : 0)};
     spoke = next_spoke(spoke, mesh);
   }
 }
@@ -89,12 +80,12 @@ Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& t
   Halfedge_index last = start.spoke;
   if(trace.points.empty())
     trace.add({{h, FT(0)}, {start.spoke, FT(0)}});
-  if(!start.is_shared) {
+  if(!start.is_shared()) {
     tracer.trace(start.spoke, start.k);
     last = tracer.last_spoke();
   }
   const Part_of_edge<FT> part = part_of_edge(h, v, mesh.target(last), tri);
-  for(std::size_t m = 0; !start.is_shared && m < tracer.size(); ++m) {
+  for(std::size_t m = 0; !start.is_shared() && m < tracer.size(); ++m) {
     const auto& position = tracer.position(m);
     trace.add({{h, part(position.along_line)}, {tracer.crossing(m).halfedge, position.along_edge}},
               scale_of<Traits>(position));

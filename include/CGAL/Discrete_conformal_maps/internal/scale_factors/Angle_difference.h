@@ -29,11 +29,14 @@ public:
       m_turned = {cos(FT(angle)), sin(FT(angle))};
   }
 
+  // returns what is needed of a corner besides itself
+  static double rounded_angle(const Corner<FT>& corner) { return corner.rounded_angle(); }
+
   // Complex numbers are multiplied: that takes much less time than an inverse tangent of high
   // precision.
-  void subtract(const Corner<FT>& corner)
+  void subtract(const Corner<FT>& corner, double rounded_angle)
   {
-    m_rest -= corner.rounded_angle();
+    m_rest -= rounded_angle;
     m_turned = (m_turned * corner).scaled();
   }
 
@@ -44,9 +47,9 @@ public:
   }
 
   // adds what half a turn exceeds the angle
-  void add_supplement(const Corner<FT>& corner)
+  void add_supplement(const Corner<FT>& corner, double rounded_angle)
   {
-    m_rest += pi() - corner.rounded_angle();
+    m_rest += pi() - rounded_angle;
     m_turned = (m_turned * Corner<FT>{-corner.cosine, -corner.sine}).scaled();
   }
 
@@ -70,9 +73,11 @@ class Angle_difference<double>
 public:
   explicit Angle_difference(double angle) : m_angle(angle), m_rest(2 * pi()) {}
 
-  void subtract(const Corner<double>& corner) { m_rest -= corner.angle(); }
+  static double rounded_angle(const Corner<double>& corner) { return corner.angle(); }
+
+  void subtract(const Corner<double>& /* corner */, double angle) { m_rest -= angle; }
   void subtract_half_turn() { m_rest -= pi(); }
-  void add_supplement(const Corner<double>& corner) { m_rest += pi() - corner.angle(); }
+  void add_supplement(const Corner<double>& /* corner */, double angle) { m_rest += pi() - angle; }
 
   double value() const { return m_rest - m_angle; }
 

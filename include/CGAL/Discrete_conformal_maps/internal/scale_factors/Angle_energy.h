@@ -8,9 +8,11 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/assemble_columns.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_difference.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/assemble_in_chunks.h>
 
 #include <Eigen/SparseCore>
 
@@ -37,6 +39,16 @@ public:
 
   std::size_t size() const { return m_origin.size(); }
 
+  void set_concurrency(Intrinsic_triangulations::internal::Concurrency concurrency)
+  {
+    m_concurrency = concurrency;
+  }
+  template <typename ConcurrencyTag>
+  void set_concurrency(const ConcurrencyTag& tag)
+  {
+    set_concurrency(Intrinsic_triangulations::internal::Concurrency(tag));
+  }
+
   // Where a scaled length is no length, the gradient is NaN.
   void evaluate(const Vector& x)
   {
@@ -50,8 +62,7 @@ public:
       return;
     }
     measure_faces();
-    for(Vertex_index v : mesh().vertices())
-      m_gradient_error = (std::max)(m_gradient_error, m_error[v.idx()]);
+    add_errors();
     derived().sum_angles();
   }
 
@@ -71,8 +82,12 @@ public:
   const Matrix& Hessian() const
   {
     if(!m_has_Hessian)
-      assemble_columns(
-        mesh(), [this](Vertex_index v, auto& entries) { collect_column(v, entries); }, m_Hessian);
+      Intrinsic_triangulations::internal::assemble_in_chunks(
+        m_concurrency, size(), size(),
+        [this](std::size_t v, auto& entries) {
+          collect_column(Vertex_index(static_cast<Delta_complex::size_type>(v)), entries);
+        },
+        m_Hessian);
     m_has_Hessian = true;
     return m_Hessian;
   }
@@ -85,12 +100,16 @@ protected:
       m_scale_factor(mesh().num_vertices(), FT(0)),
       m_origin(mesh().num_vertices(), FT(0)),
       m_corner(mesh().num_halfedges()),
+      m_rounded_angle(mesh().num_halfedges()),
       m_cotangent(mesh().num_halfedges()),
+      m_error(mesh().num_faces()),
+      m_is_flat(mesh().num_faces()),
       m_gradient(Vector::Zero(Eigen::Index(mesh().num_vertices())))
   {}
 
   const Delta_complex& mesh() const { return m_surface.mesh(); }
   const Corner<FT>& corner(Halfedge_index h) const { return m_corner[h.idx()]; }
+  double rounded_angle(Halfedge_index h) const { return m_rounded_angle[h.idx()]; }
   std::size_t flat_faces() const { return m_flat_faces; }
 
   void set_gradient(Vertex_index v, double defect)
@@ -110,30 +129,45 @@ private:
 
   void measure_faces()
   {
-    m_error.assign(m_origin.size(), 0.);
-    m_gradient_error = 0;
-    m_flat_faces = 0;
-    for(Face_index f : mesh().faces()) {
-      const auto side = Intrinsic_triangulations::sides(f, mesh());
-      if(derived().is_remaining(f))
-        measure(side);
-      else
-        for(Halfedge_index h : side)
-          m_cotangent[h.idx()] = 0;
+    Intrinsic_triangulations::internal::for_each_in_chunks<Face_index>(
+      m_concurrency, mesh(), [this](Face_index f) {
+        const auto side = Intrinsic_triangulations::sides(f, mesh());
+        m_error[f.idx()] = 0;
+        m_is_flat[f.idx()] = 0;
+        if(derived().is_remaining(f))
+          measure(f, side);
+        else
+          for(Halfedge_index h : side)
+            m_cotangent[h.idx()] = 0;
+      });
+  }
+
+  void measure(Face_index f, const std::array<Halfedge_index, 3>& side)
+  {
+    const Triangle face = triangle(side);
+    m_is_flat[f.idx()] = face.is_flat();
+    const bool is_linear = m_is_fixed && face.is_flat();
+    m_error[f.idx()] = is_linear ? 0 : static_cast<double>(face.angle_error());
+    for(std::size_t s = 0; s < 3; ++s) {
+      m_corner[side[s].idx()] = face.corner(s);
+      m_rounded_angle[side[s].idx()] = Angle_difference<FT>::rounded_angle(face.corner(s));
+      m_cotangent[side[s].idx()] = is_linear ? 0 : static_cast<double>(face.cotangent((s + 2) % 3));
     }
   }
 
-  void measure(const std::array<Halfedge_index, 3>& side)
+  // Sums are in the order of faces.
+  void add_errors()
   {
-    const Triangle face = triangle(side);
-    m_flat_faces += face.is_flat();
-    const bool is_linear = m_is_fixed && face.is_flat();
-    for(std::size_t s = 0; s < 3; ++s) {
-      m_corner[side[s].idx()] = face.corner(s);
-      m_cotangent[side[s].idx()] = is_linear ? 0 : static_cast<double>(face.cotangent((s + 2) % 3));
-      m_error[mesh().source(side[s]).idx()] +=
-        is_linear ? 0 : static_cast<double>(face.angle_error());
+    std::vector<double> error(size(), 0.);
+    m_gradient_error = 0;
+    m_flat_faces = 0;
+    for(Face_index f : mesh().faces()) {
+      m_flat_faces += m_is_flat[f.idx()];
+      for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh()))
+        error[mesh().source(h).idx()] += m_error[f.idx()];
     }
+    for(Vertex_index v : mesh().vertices())
+      m_gradient_error = (std::max)(m_gradient_error, error[v.idx()]);
   }
 
   // half the sum of the cotangents opposite to the edge
@@ -144,7 +178,8 @@ private:
 
   // The second derivative along x is the sum over all edges that remain of
   //   weight ((x_i - x_j)^2 + tanh^2 (x_i + x_j)^2).
-  void collect_column(Vertex_index v, Column_entries& entries) const
+  template <typename Entries>
+  void collect_column(Vertex_index v, Entries& entries) const
   {
     if(mesh().is_isolated(v))
       return;
@@ -163,11 +198,14 @@ private:
   }
 
   bool m_is_fixed;
+  Intrinsic_triangulations::internal::Concurrency m_concurrency;
   Surface m_surface;
   std::vector<FT> m_scale_factor, m_origin;
   std::vector<Corner<FT>> m_corner; // at the source of each halfedge
-  std::vector<double> m_cotangent;  // of the angle opposite to each halfedge
-  std::vector<double> m_error;      // of the sum of angles, for each vertex
+  std::vector<double> m_rounded_angle;
+  std::vector<double> m_cotangent; // of the angle opposite to each halfedge
+  std::vector<double> m_error;     // of an angle of each face
+  std::vector<char> m_is_flat;
   Vector m_gradient;
   double m_gradient_error = 0;
   std::size_t m_flat_faces = 0;

@@ -59,7 +59,7 @@ private:
     for(Halfedge_index h : mesh().halfedges()) {
       const Vertex_index v = mesh().source(h);
       if(is_remaining(mesh().face(h)))
-        defect[v.idx()].add_supplement(Base::corner(h));
+        defect[v.idx()].add_supplement(Base::corner(h), Base::rounded_angle(h));
       if(is_remaining(Edge_index(h)))
         defect[v.idx()].subtract_half_turn();
     }

@@ -18,6 +18,17 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Where an edge of T1 starts on T2: as curve number `k` in the corner of `spoke`; along `spoke`, if
+// `k` is -1.
+template <typename Integer>
+struct Curve_start
+{
+  Halfedge_index spoke;
+  Integer k;
+
+  bool is_shared() const { return k < 0; }
+};
+
 // The places on a halfedge of T1 from one vertex of T2 on it to the next.
 template <typename FT>
 struct Part_of_edge

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 
 #include <cstddef>
 #include <utility>
@@ -30,11 +31,12 @@ Delta_complex::size_type countable(const Integer& crossings)
 // The numbers of the crossings on all edges of T2.
 template <typename Integer>
 Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
-                            const Delta_complex& mesh)
+                            const Delta_complex& mesh, Concurrency concurrency)
 {
   std::vector<Delta_complex::size_type> count(mesh.num_edges(), 0);
-  for(Edge_index e : mesh.edges())
+  for_each_in_chunks<Edge_index>(concurrency, mesh, [&](Edge_index e) {
     count[e.idx()] = countable(coordinates.crossings(first_halfedge(e)));
+  });
   return Edge_marks(std::move(count));
 }
 
@@ -47,14 +49,15 @@ class Input_crossings
 public:
   template <typename Integer>
   Input_crossings(const Integer_coordinates<Integer>& coordinates, const Delta_complex& mesh,
-                  const Vertex_spokes& spokes)
-    : m_marks(number_crossings(coordinates, mesh)), m_crossing(m_marks.size())
+                  const Vertex_spokes& spokes, Concurrency concurrency = Concurrency())
+    : m_marks(number_crossings(coordinates, mesh, concurrency)), m_crossing(m_marks.size())
   {
-    coordinates.for_each_curve_end(
-      mesh, spokes, [&](Halfedge_index h, const Integer& k, Halfedge_index start) {
+    for_each_in_chunks<Halfedge_index>(concurrency, mesh, [&](Halfedge_index h) {
+      coordinates.for_each_curve_end(h, mesh, spokes, [&](const Integer& k, Halfedge_index start) {
         if(is_first_halfedge(start))
           record(start, coordinates, coordinates.first_crossing(h, k, mesh), mesh);
       });
+    });
   }
 
   // returns the number of crossings on the edge `e` of T2

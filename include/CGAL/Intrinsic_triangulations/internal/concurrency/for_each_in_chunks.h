@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_FOR_EACH_IN_CHUNKS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_FOR_EACH_IN_CHUNKS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Whether loops may use several threads.
+class Concurrency
+{
+public:
+  Concurrency() = default;
+
+  template <typename Tag>
+  explicit Concurrency(const Tag&) : m_is_parallel(std::is_convertible_v<Tag, Parallel_tag>)
+  {
+#ifndef CGAL_LINKED_WITH_TBB
+    static_assert(!std::is_convertible_v<Tag, Parallel_tag>,
+                  "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  }
+
+  bool is_parallel() const { return m_is_parallel; }
+
+private:
+  bool m_is_parallel = false;
+};
+
+template <typename NamedParameters>
+Concurrency concurrency_of(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return Concurrency(
+    choose_parameter(get_parameter(np, internal_np::concurrency_tag), Sequential_tag()));
+}
+
+// Chunks do not depend on the number of threads, and what is computed for one depends on no other.
+constexpr std::size_t chunk_size = 1024;
+
+inline std::size_t number_of_chunks(std::size_t n) { return (n + chunk_size - 1) / chunk_size; }
+
+#ifdef CGAL_LINKED_WITH_TBB
+// The exception of the first chunk that throws one. Those before it have all been run.
+class First_exception
+{
+public:
+  explicit First_exception(std::size_t chunks) : m_chunk(chunks) {}
+
+  template <typename Function>
+  void run(std::size_t chunk, const Function& f)
+  {
+    if(chunk > m_chunk.load(std::memory_order_relaxed))
+      return;
+    try {
+      f();
+    } catch(...) {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if(chunk < m_chunk.load(std::memory_order_relaxed)) {
+        m_chunk.store(chunk, std::memory_order_relaxed);
+        m_exception = std::current_exception();
+      }
+    }
+  }
+
+  void rethrow() const
+  {
+    if(m_exception)
+      std::rethrow_exception(m_exception);
+  }
+
+private:
+  std::atomic<std::size_t> m_chunk;
+  std::mutex m_mutex;
+  std::exception_ptr m_exception;
+};
+#endif
+
+// Calls `f(begin, end)` for the chunks of 0, ..., n - 1, in any order and at the same time if
+// `concurrency` is parallel; otherwise one after the other. If calls throw, then the exception of
+// the first chunk comes out.
+template <typename Function>
+void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
+{
+  const auto run = [&](std::size_t chunk) {
+    f(chunk * chunk_size, (std::min)(n, (chunk + 1) * chunk_size));
+  };
+  const std::size_t chunks = number_of_chunks(n);
+#ifdef CGAL_LINKED_WITH_TBB
+  if(concurrency.is_parallel()) {
+    First_exception exception(chunks);
+    tbb::parallel_for(std::size_t(0), chunks,
+                      [&](std::size_t chunk) { exception.run(chunk, [&] { run(chunk); }); });
+    exception.rethrow();
+    return;
+  }
+#endif
+  (void)concurrency;
+  for(std::size_t chunk = 0; chunk < chunks; ++chunk)
+    run(chunk);
+}
+
+// Calls `f()` and `g()`, at the same time if `concurrency` is parallel.
+template <typename F, typename G>
+void run_together(Concurrency concurrency, const F& f, const G& g)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(concurrency.is_parallel()) {
+    First_exception exception(2);
+    tbb::parallel_invoke([&] { exception.run(0, f); }, [&] { exception.run(1, g); });
+    exception.rethrow();
+    return;
+  }
+#endif
+  (void)concurrency;
+  f();
+  g();
+}
+
+template <typename Index, typename Mesh>
+std::size_t number_of_indices(const Mesh& mesh)
+{
+  if constexpr(std::is_same_v<Index, Vertex_index>)
+    return mesh.num_vertices();
+  else if constexpr(std::is_same_v<Index, Edge_index>)
+    return mesh.num_edges();
+  else if constexpr(std::is_same_v<Index, Halfedge_index>)
+    return mesh.num_halfedges();
+  else
+    return mesh.num_faces();
+}
+
+// Calls `f(x)` for the elements x of a type of a mesh, chunk by chunk.
+template <typename Index, typename Mesh, typename Function>
+void for_each_in_chunks(Concurrency concurrency, const Mesh& mesh, const Function& f)
+{
+  const bool has_garbage = mesh.has_garbage();
+  const auto run = [&](std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i) {
+      const Index x(static_cast<typename Mesh::size_type>(i));
+      if(!has_garbage || !mesh.is_removed(x))
+        f(x);
+    }
+  };
+  for_each_chunk(concurrency, number_of_indices<Index>(mesh), run);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_FOR_EACH_IN_CHUNKS_H

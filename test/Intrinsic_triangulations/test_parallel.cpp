@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "more_generators.h"
+#include "refined_meshes.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/function_transfer.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <string>
+
+#include "results.h" // after Eigen
+
+namespace {
+
+using namespace Test_surfaces;
+using IT::Side;
+
+constexpr IT::Side sides[] = {Side::input, Side::intrinsic};
+
+// ---- Loops ----
+
+// Every index is visited once, and what is written does not depend on the number of threads.
+TEST(Parallel, loops)
+{
+  for(std::size_t n : {0u, 1u, 1023u, 1024u, 1025u, 100000u})
+    for(std::size_t threads : {1u, 2u, 3u, 7u}) {
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      std::vector<int> visits(n, 0);
+      IT::internal::for_each_chunk(IT::internal::Concurrency(CGAL::Parallel_tag()), n,
+                                   [&](std::size_t begin, std::size_t end) {
+                                     EXPECT_EQ(begin % IT::internal::chunk_size, 0u);
+                                     for(std::size_t i = begin; i < end; ++i)
+                                       ++visits[i];
+                                   });
+      EXPECT_EQ(visits, std::vector<int>(n, 1));
+    }
+}
+
+TEST(Parallel, the_first_exception_comes_out)
+{
+  const std::size_t n = 300 * IT::internal::chunk_size;
+  for(std::size_t threads : {1u, 2u, 3u, 7u})
+    for(unsigned int seed = 0; seed < 20; ++seed) {
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      CGAL::Random random(seed);
+      std::vector<char> fails(300, 0);
+      for(int k = 0; k < 20; ++k)
+        fails[static_cast<std::size_t>(random.get_int(0, 300))] = 1;
+      const auto first =
+        static_cast<std::size_t>(std::find(fails.begin(), fails.end(), 1) - fails.begin());
+      std::atomic<std::size_t> before(0);
+      const auto f = [&](std::size_t begin, std::size_t) {
+        const std::size_t chunk = begin / IT::internal::chunk_size;
+        if(fails[chunk])
+          throw std::runtime_error(std::to_string(chunk));
+        before += chunk < first;
+      };
+      try {
+        IT::internal::for_each_chunk(IT::internal::Concurrency(CGAL::Parallel_tag()), n, f);
+        ADD_FAILURE() << "no exception";
+      } catch(const std::runtime_error& e) {
+        EXPECT_EQ(e.what(), std::to_string(first));
+      }
+      EXPECT_EQ(before, first); // all chunks before it have been run
+    }
+}
+
+// ---- Triangulations ----
+
+Mesh large_torus()
+{
+  return perturbed(embedded_torus(60, 50), 0.05, 3);
+}
+
+// with several boundary loops
+Mesh large_square()
+{
+  return punctured(unit_square(55, 4), {1000, 3000, 5000});
+}
+
+Triangulation Delaunay(const Mesh& mesh)
+{
+  Triangulation tri(mesh);
+  IT::make_Delaunay(tri);
+  return tri;
+}
+
+Triangulation refined(const Mesh& mesh)
+{
+  Triangulation tri(mesh);
+  IT::refine(tri, IT::parameters::minimum_angle(30).maximum_circumradius(0.9 * longest_input_edge(tri)));
+  EXPECT_GT(tri.number_of_inserted_vertices(), 100u);
+  return tri;
+}
+
+Triangulation flipped(const Mesh& mesh)
+{
+  Triangulation tri(mesh);
+  flip_at_random(tri, 4 * mesh.number_of_edges(), 5);
+  return tri;
+}
+
+std::vector<Named_triangulation> large_triangulations()
+{
+  std::vector<Named_triangulation> result;
+  for(const auto& [name, mesh] :
+      {std::pair<std::string, Mesh>{"torus", large_torus()}, {"square", large_square()}}) {
+    result.push_back({name + ", Delaunay", Delaunay(mesh)});
+    result.push_back({name + ", refined", refined(mesh)});
+    result.push_back({name + ", flipped at random", flipped(mesh)});
+  }
+  return result;
+}
+
+template <typename Traits>
+Results results(const IT::Correspondence<Traits>& c)
+{
+  Results results;
+  results.add(c.number_of_input_pieces());
+  for(typename IT::Correspondence<Traits>::size_type id = 0; id < c.number_of_crossings(); ++id) {
+    const auto p = c.crossing(id);
+    results.add(p.on_input.halfedge.idx());
+    results.add(p.on_input.t);
+    results.add(p.on_intrinsic.halfedge.idx());
+    results.add(p.on_intrinsic.t);
+    results.add(c.scale(id));
+  }
+  for(Side side : sides)
+    for(IT::Halfedge_index h : c.mesh(side).halfedges()) {
+      results.add(c.spoke_before(side, h).idx());
+      for(unsigned int p = 0; p < c.number_of_crossings(side, Edge_index(h)); ++p)
+        results.add(c.crossing(side, h, p).id);
+    }
+  for(Edge_index e : c.mesh(Side::input).edges())
+    for(unsigned int i = 0; i < c.number_of_parts(e); ++i) {
+      const auto& part = c.part(e, i);
+      for(auto x : {part.first, part.count, part.first_piece, part.end.idx()})
+        results.add(x);
+    }
+  return results;
+}
+
+TEST(Parallel, correspondence)
+{
+  for(const Named_triangulation& t : large_triangulations()) {
+    SCOPED_TRACE(t.name);
+    expect_same_results([&](auto tag) {
+      return results(
+        IT::Correspondence<>(t.triangulation, IT::parameters::concurrency_tag(tag)));
+    });
+  }
+}
+
+// where crossings have scales
+TEST(Parallel, ideal_correspondence)
+{
+  IT::Intrinsic_triangulation<IT::Ideal_geometry_traits<>> tri(large_torus());
+  IT::make_Delaunay(tri);
+  expect_same_results([&](auto tag) {
+    return results(IT::Correspondence<IT::Ideal_geometry_traits<>>(
+      tri, IT::parameters::concurrency_tag(tag)));
+  });
+}
+
+TEST(Parallel, common_subdivision)
+{
+  for(const Named_triangulation& t : large_triangulations()) {
+    SCOPED_TRACE(t.name);
+    const IT::Correspondence<> correspondence(t.triangulation);
+    expect_same_results([&](auto tag) {
+      Results results;
+      results.add_subdivision(
+        IT::Common_subdivision<>(correspondence, IT::parameters::concurrency_tag(tag)), sides);
+      return results;
+    });
+  }
+}
+
+} // namespace
