@@ -336,6 +336,8 @@ void define_command_line(CLI::App& app, Options& options)
   app.description("Intrinsic triangulations of surface meshes");
   app.set_version_flag("--version", version);
   app.add_flag("-q,--quiet", options.common.is_quiet, "Print errors and repairs only");
+  add_number(app, "--threads", options.common.threads,
+             "Use so many threads, not all there are; the output is the same", CLI::Range(1, 1024));
   app.footer(Help::examples);
   app.require_subcommand(1);
   app.fallthrough();

@@ -32,6 +32,7 @@ struct Common_options
   bool is_repair_wanted = false;
   bool is_exact = false; // decisions about Delaunay edges, with a certificate
   bool is_quiet = false;
+  std::size_t threads = 0; // 0 for as many as there are processors
 };
 
 // The output of a command that is a mesh.

@@ -104,7 +104,8 @@ private:
       boost::make_iterator_property_map(m_conditions.begin(), get(boost::vertex_index, mesh()));
     const auto flipping =
       m_options.solver == "cetm" ? DCM::Flipping::none : DCM::Flipping::to_Delaunay;
-    return shaped(DCM::parameters::edge_length_map(m_length)
+    return shaped(DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
+                    .edge_length_map(m_length)
                     .vertex_condition_map(conditions)
                     .maximum_log_scale(bound)
                     .flipping(flipping)

@@ -40,9 +40,10 @@ DCM::Hyperbolic_conformal_map uniformized(Command_run& run, const Edge_length_ma
   Stage_visitor visitor{run};
   const auto condition =
     boost::make_iterator_property_map(conditions.begin(), get(boost::vertex_index, mesh));
-  return DCM::uniformize_hyperbolic(
-    mesh, DCM::parameters::vertex_condition_map(condition).edge_length_map(length).visitor(
-            std::ref(visitor)));
+  return DCM::uniformize_hyperbolic(mesh, DCM::parameters::vertex_condition_map(condition)
+                                            .concurrency_tag(CGAL::Parallel_if_available_tag())
+                                            .edge_length_map(length)
+                                            .visitor(std::ref(visitor)));
 }
 
 // Generators as real and imaginary parts of a and b; the relation as numbers of generators, from

@@ -5,6 +5,7 @@
 #include "command_line.h"
 
 #include "Program_error.h"
+#include "Thread_limit.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -47,6 +48,7 @@ int run_command(const CLI::App& app, const Options& options)
 
 int run(const CLI::App& app, const Options& options)
 {
+  const Thread_limit limit(options.common.threads);
   try {
     return run_command(app, options);
   } catch(const Program_error& e) {

@@ -343,7 +343,8 @@ private:
     std::vector<std::string> result;
     for(std::size_t n = 1; n < m_levels.size() && !m_options.prolongation.empty(); ++n) {
       const IS::Surface_map map(history, m_levels[n - 1], m_levels[n]);
-      Eigen::SparseMatrix<double, Eigen::RowMajor> matrix = IS::prolongation_matrix(map);
+      Eigen::SparseMatrix<double, Eigen::RowMajor> matrix = IS::prolongation_matrix(
+        map, IS::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
       if(n == 1) // without vertices that have been inserted
         matrix.conservativeResize(
           static_cast<Eigen::Index>(m_run.input().mesh.number_of_vertices()), matrix.cols());

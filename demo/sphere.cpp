@@ -25,7 +25,9 @@ DCM::Spherical_conformal_map mapped(Command_run& run)
   const Edge_length_map length = run.timed("build", [&] { return edge_lengths(run); });
   Stage_visitor visitor{run};
   return DCM::map_to_sphere(run.input().mesh,
-                            DCM::parameters::edge_length_map(length).visitor(std::ref(visitor)));
+                            DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
+                              .edge_length_map(length)
+                              .visitor(std::ref(visitor)));
 }
 
 void describe(Command_run& run, const DCM::Spherical_conformal_map& map, const Output_mesh& result)

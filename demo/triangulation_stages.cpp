@@ -24,6 +24,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
+const auto in_parallel = IT::parameters::concurrency_tag(CGAL::Parallel_if_available_tag());
+
 using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
 // Shows the flips while they are made.
@@ -81,7 +83,7 @@ Triangulation make_delaunay_triangulation(Command_run& run, double constrained_a
   run.timed("flip", [&] {
     Flip_counter counter{run.progress()};
     run.statistics()["flips"] = IT::make_Delaunay(
-      result, IT::parameters::visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
+      result, in_parallel.visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
   });
   return result;
 }
@@ -113,7 +115,7 @@ void refine_if_wanted(Command_run& run, Triangulation& triangulation, double min
 IT::Delaunay_certificate certify(Command_run& run, const Triangulation& triangulation)
 {
   const IT::Delaunay_certificate certificate =
-    run.timed("certify", [&] { return IT::certify_Delaunay(triangulation); });
+    run.timed("certify", [&] { return IT::certify_Delaunay(triangulation, in_parallel); });
   Statistics& statistics = run.statistics();
   statistics["certified"] = certificate.is_Delaunay();
   statistics["ties"] = certificate.ties.size();
@@ -152,11 +154,11 @@ void describe(Command_run& run, const Triangulation& triangulation)
 Subdivision subdivide(Command_run& run, const Triangulation& triangulation)
 {
   const auto correspondence =
-    run.timed("trace", [&] { return IT::Correspondence<>(triangulation); });
+    run.timed("trace", [&] { return IT::Correspondence<>(triangulation, in_parallel); });
   Subdivision result = run.timed("subdivide", [&] {
-    Subdivision subdivision(correspondence);
+    Subdivision subdivision(correspondence, in_parallel);
     IT::interpolate(IT::Side::input, subdivision, run.input().mesh.points(),
-                    subdivision.mesh().points());
+                    subdivision.mesh().points(), in_parallel);
     return subdivision;
   });
   const Mesh& mesh = result.mesh();

@@ -21,7 +21,9 @@ DCM::Uniformization uniformized(Command_run& run)
   const Edge_length_map length = run.timed("build", [&] { return edge_lengths(run); });
   Stage_visitor visitor{run};
   return DCM::uniformize(run.input().mesh,
-                         DCM::parameters::edge_length_map(length).visitor(std::ref(visitor)));
+                         DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
+                           .edge_length_map(length)
+                           .visitor(std::ref(visitor)));
 }
 
 } // namespace

@@ -76,16 +76,10 @@ TEST(Parallel, the_first_exception_comes_out)
 
 // ---- Triangulations ----
 
-Mesh large_torus()
-{
-  return perturbed(embedded_torus(60, 50), 0.05, 3);
-}
+Mesh large_torus() { return perturbed(embedded_torus(60, 50), 0.05, 3); }
 
 // with several boundary loops
-Mesh large_square()
-{
-  return punctured(unit_square(55, 4), {1000, 3000, 5000});
-}
+Mesh large_square() { return punctured(unit_square(55, 4), {1000, 3000, 5000}); }
 
 Triangulation Delaunay(const Mesh& mesh)
 {
@@ -97,7 +91,8 @@ Triangulation Delaunay(const Mesh& mesh)
 Triangulation refined(const Mesh& mesh)
 {
   Triangulation tri(mesh);
-  IT::refine(tri, IT::parameters::minimum_angle(30).maximum_circumradius(0.9 * longest_input_edge(tri)));
+  IT::refine(tri,
+             IT::parameters::minimum_angle(30).maximum_circumradius(0.9 * longest_input_edge(tri)));
   EXPECT_GT(tri.number_of_inserted_vertices(), 100u);
   return tri;
 }
@@ -154,8 +149,7 @@ TEST(Parallel, correspondence)
   for(const Named_triangulation& t : large_triangulations()) {
     SCOPED_TRACE(t.name);
     expect_same_results([&](auto tag) {
-      return results(
-        IT::Correspondence<>(t.triangulation, IT::parameters::concurrency_tag(tag)));
+      return results(IT::Correspondence<>(t.triangulation, IT::parameters::concurrency_tag(tag)));
     });
   }
 }
@@ -166,8 +160,8 @@ TEST(Parallel, ideal_correspondence)
   IT::Intrinsic_triangulation<IT::Ideal_geometry_traits<>> tri(large_torus());
   IT::make_Delaunay(tri);
   expect_same_results([&](auto tag) {
-    return results(IT::Correspondence<IT::Ideal_geometry_traits<>>(
-      tri, IT::parameters::concurrency_tag(tag)));
+    return results(
+      IT::Correspondence<IT::Ideal_geometry_traits<>>(tri, IT::parameters::concurrency_tag(tag)));
   });
 }
 
@@ -182,6 +176,77 @@ TEST(Parallel, common_subdivision)
         IT::Common_subdivision<>(correspondence, IT::parameters::concurrency_tag(tag)), sides);
       return results;
     });
+  }
+}
+
+TEST(Parallel, matrices)
+{
+  for(const Named_triangulation& t : large_triangulations()) {
+    SCOPED_TRACE(t.name);
+    const IT::Correspondence<> correspondence(t.triangulation);
+    const IT::Common_subdivision<> subdivision(correspondence);
+    expect_same_results([&](auto tag) {
+      Results results;
+      const auto np = IT::parameters::concurrency_tag(tag);
+      for(Side side : sides)
+        results.add_matrix(IT::interpolation_matrix(side, subdivision, np));
+      results.add_matrix(IT::mixed_mass_matrix(correspondence, np));
+      return results;
+    });
+  }
+}
+
+// ---- Flips and certificates ----
+
+template <typename Tag>
+Results Delaunay_results(const Triangulation& start, bool is_exact, Tag tag)
+{
+  Triangulation tri = start;
+  Results results;
+  results.add(
+    IT::make_Delaunay(tri, IT::parameters::exact_decisions(is_exact).concurrency_tag(tag)));
+  results.add_mesh(tri.mesh());
+  for(Edge_index e : tri.mesh().edges())
+    results.add(tri.length(e));
+  return results;
+}
+
+TEST(Parallel, flipping)
+{
+  for(const Mesh& mesh : {large_torus(), large_square()})
+    for(bool is_exact : {false, true})
+      expect_same_results(
+        [&](auto tag) { return Delaunay_results(Triangulation(mesh), is_exact, tag); });
+}
+
+template <typename Tag>
+Results certificate_results(const Triangulation& tri, Tag tag)
+{
+  const IT::Delaunay_certificate c =
+    IT::certify_Delaunay(tri, IT::parameters::concurrency_tag(tag));
+  Results results;
+  for(const auto* edges : {&c.bent_edges, &c.non_Delaunay_edges, &c.ties}) {
+    results.add(edges->size());
+    for(Edge_index e : *edges)
+      results.add(e.idx());
+  }
+  for(auto v : c.folded_vertices)
+    results.add(v.idx());
+  for(std::size_t x : {c.decided_by_lengths, c.decided_in_floating_point,
+                       c.decided_in_multiprecision, c.decided_exactly})
+    results.add(x);
+  return results;
+}
+
+TEST(Parallel, certificates)
+{
+  std::vector<Named_triangulation> all = large_triangulations();
+  all.push_back({"ties", Triangulation(grid(60, 60, [](double x, double y) {
+                   return Point(3 * x - 4 * y, 4 * x + 3 * y, 0);
+                 }))});
+  for(const Named_triangulation& t : all) {
+    SCOPED_TRACE(t.name);
+    expect_same_results([&](auto tag) { return certificate_results(t.triangulation, tag); });
   }
 }
 

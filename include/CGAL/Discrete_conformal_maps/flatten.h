@@ -254,6 +254,7 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
     input, conditions,
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
     choose_parameter(get_parameter(np, internal_np::exact_decisions), false));
+  problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, input.mesh().num_faces(), visitor);
   flattening.start_from(log_scale);
@@ -324,6 +325,12 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
 ///     \cgalParamDescription{how flat faces are laid out}
 ///     \cgalParamType{`Layout`}
 ///     \cgalParamDefault{`Layout::least_squares`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads are used; see \ref dcm_parallel}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the

@@ -197,6 +197,12 @@ private:
 ///   which do not count
 /// \param np the parameters of `Intrinsic_triangulations::Intrinsic_triangulation`, and
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads are used; see \ref dcm_parallel}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the
 ///       work}
@@ -225,6 +231,7 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   internal::Doubled_problem problem(
     input, std::vector<Vertex_condition>(input.mesh().num_vertices()), Flipping::to_Delaunay);
+  problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
   internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(
     problem, input.mesh().num_faces(), visitor);
   return mapping.run();

@@ -283,6 +283,12 @@ private:
 ///     \cgalParamType{a model of `ConvexMinimizer`}
 ///     \cgalParamDefault{`Newton_minimizer`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads are used; see \ref dcm_parallel}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of the progress; an exception that it throws stops the
 ///       work}
@@ -315,6 +321,7 @@ uniformize_hyperbolic(const Graph& g,
     input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0)),
     Flipping::to_Delaunay);
   problem.check_hyperbolic();
+  problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
   internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
     problem, input.mesh().num_faces(), visitor);
   uniformization.find_scale_factors(

@@ -13,8 +13,12 @@
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/carry_point.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 
 #include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <vector>
 
 namespace CGAL::Intrinsic_simplification {
 
@@ -80,9 +84,55 @@ public:
     return internal::carry_point<false>(p, route(false));
   }
 
+  /// maps points of the fine surface to the coarse surface.
+  /// \tparam NamedParameters a sequence of named parameters
+  /// \param points the points
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{concurrency_tag}
+  ///     \cgalParamDescription{whether several threads are used; see \ref is_parallel}
+  ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+  ///                    `CGAL::Parallel_if_available_tag`}
+  ///     \cgalParamDefault{`CGAL::Sequential_tag`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  std::vector<Location>
+  to_coarse(const std::vector<Location>& points,
+            const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    return images(points, np, [this](const Location& p) { return to_coarse(p); });
+  }
+
+  /// maps points of the coarse surface to the fine surface.
+  /// \tparam NamedParameters a sequence of named parameters
+  /// \param points the points
+  /// \param np as for `to_coarse()`
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  std::vector<Location>
+  to_fine(const std::vector<Location>& points,
+          const NamedParameters& np = CGAL::parameters::default_values()) const
+  {
+    return images(points, np, [this](const Location& p) { return to_fine(p); });
+  }
+
 private:
   friend class internal::Curve_tracer;
   friend class internal::Face_cutter;
+
+  template <typename NamedParameters, typename Map>
+  static std::vector<Location> images(const std::vector<Location>& points,
+                                      const NamedParameters& np, const Map& map)
+  {
+    std::vector<Location> result(points.size());
+    Intrinsic_triangulations::internal::for_each_chunk(
+      Intrinsic_triangulations::internal::concurrency_of(np), points.size(),
+      [&](std::size_t begin, std::size_t end) {
+        for(std::size_t i = begin; i < end; ++i)
+          result[i] = map(points[i]);
+      });
+    return result;
+  }
 
   internal::Route route(bool to_coarse) const
   {

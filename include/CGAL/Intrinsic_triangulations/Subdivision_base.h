@@ -192,15 +192,24 @@ protected:
   Face_index add_face(Halfedge_index first, const std::array<Face_index, number_of_sides>& parents)
   {
     const Face_index f = m_mesh.add_face();
+    for(auto& p : m_parent_face)
+      p.emplace_back();
+    set_face(f, first, parents);
+    return f;
+  }
+
+  // sets what a face is whose sides are linked already
+  void set_face(Face_index f, Halfedge_index first,
+                const std::array<Face_index, number_of_sides>& parents)
+  {
     m_mesh.set_halfedge(f, first);
     for(std::size_t side = 0; side < number_of_sides; ++side)
-      m_parent_face[side].push_back(parents[side]);
+      m_parent_face[side][f.idx()] = parents[side];
     Halfedge_index h = first;
     do {
       m_mesh.set_face(h, f);
       h = m_mesh.next(h);
     } while(h != first);
-    return f;
   }
 
   void set_parent(Side side, Halfedge_index h, Halfedge_index parent)

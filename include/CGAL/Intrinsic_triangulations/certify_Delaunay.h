@@ -27,13 +27,26 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// Complexity: linear in the edges and crossings, as long as decisions are made in floating point.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param tri the triangulation
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads are used; see \ref it_parallel}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throws Invalid_input if \f$T_1\f$ is given by lengths that violate the triangle inequality
 /// \throws Numerical_error if a decision is not made by 512 bits and involves more than ten
 ///         independent square roots
-template <typename Traits>
-Delaunay_certificate certify_Delaunay(const Intrinsic_triangulation<Traits>& tri)
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Delaunay_certificate
+certify_Delaunay(const Intrinsic_triangulation<Traits>& tri,
+                 const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::Certifier<Traits>(tri).run();
+  return internal::Certifier<Traits>(tri, internal::concurrency_of(np)).run();
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/assemble_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
@@ -28,22 +29,36 @@ namespace CGAL::Intrinsic_triangulations {
 /// returns the matrix that takes the values of a function that is linear on the faces of `side`, at
 /// the vertices of that triangulation, to its values at the vertices of the subdivision. Rows sum
 /// up to one and have at most three entries, which are not negative. Complexity: linear.
+/// \tparam Subdivision a class derived from `Subdivision_base`
+/// \tparam NamedParameters a sequence of named parameters
 /// \param side the triangulation on whose faces the function is linear
 /// \param subdivision the subdivision
-/// \tparam Subdivision a class derived from `Subdivision_base`
-template <typename Subdivision>
-Eigen::SparseMatrix<typename Subdivision::FT> interpolation_matrix(typename Subdivision::Side side,
-                                                                   const Subdivision& subdivision)
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads are used; see \ref it_parallel}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+template <typename Subdivision,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Eigen::SparseMatrix<typename Subdivision::FT>
+interpolation_matrix(typename Subdivision::Side side, const Subdivision& subdivision,
+                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  typedef typename Subdivision::FT FT;
-  const std::size_t rows = subdivision.mesh().number_of_vertices();
-  internal::Sparse_assembly<FT> assembly(2 * rows);
-  for(Vertex_index v : subdivision.mesh().vertices()) {
-    const auto w = subdivision.weights(side, v);
+  const auto collect = [&](std::size_t v, auto& entries) {
+    const auto w =
+      subdivision.weights(side, Vertex_index(static_cast<Delta_complex::size_type>(v)));
     for(std::size_t c = 0; c < w.size; ++c)
-      assembly.add(v, w.vertex[c], w.weight[c]);
-  }
-  return assembly.matrix(rows, subdivision.mesh(side).number_of_vertices());
+      entries.emplace_back(static_cast<int>(w.vertex[c].idx()), w.weight[c]);
+  };
+  Eigen::SparseMatrix<typename Subdivision::FT, Eigen::RowMajor> by_rows;
+  internal::assemble_in_chunks(internal::concurrency_of(np),
+                               subdivision.mesh().number_of_vertices(),
+                               subdivision.mesh(side).number_of_vertices(), collect, by_rows);
+  return by_rows;
 }
 
 namespace internal {
@@ -104,15 +119,26 @@ void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_ind
 /// of \f$T_2\f$ (rows) and \f$\psi_j\f$ of \f$T_1\f$ (columns). They are exact up to rounding,
 /// since the products are integrated over the regions of the common subdivision. Complexity: linear
 /// in the faces and crossings.
-template <typename Traits>
+/// \tparam NamedParameters a sequence of named parameters
+/// \param correspondence the crossings of both
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads are used; see \ref it_parallel}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Eigen::SparseMatrix<typename Traits::FT>
-mixed_mass_matrix(const Correspondence<Traits>& correspondence)
+mixed_mass_matrix(const Correspondence<Traits>& correspondence,
+                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   typedef typename Traits::FT FT;
   typedef internal::Correspondence_marks<Traits> Marks;
   const auto& tri = correspondence.triangulation();
-  internal::Sparse_assembly<FT> assembly(9 * tri.mesh().number_of_faces());
-  for(Face_index f : tri.mesh().faces()) {
+  const auto add_face = [&](Face_index f, internal::Sparse_assembly<FT>& assembly) {
     const Marks marks(Side::intrinsic, f, correspondence);
     const internal::Face_map<FT, Marks> face_map(marks, tri.input_mesh());
     const FT area = internal::Face_metric<FT>(f, tri).area();
@@ -121,8 +147,9 @@ mixed_mass_matrix(const Correspondence<Traits>& correspondence)
       internal::add_at_corners<FT>(f, tri.mesh(), input_face, tri.input_mesh(),
                                    area * internal::integrals_on_region(region), assembly);
     }
-  }
-  return assembly.matrix(tri.mesh().number_of_vertices(), tri.input_mesh().number_of_vertices());
+  };
+  return internal::assembled_by_faces<FT>(internal::concurrency_of(np), tri.mesh(), add_face)
+    .matrix(tri.mesh().number_of_vertices(), tri.input_mesh().number_of_vertices());
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -26,18 +27,33 @@ namespace CGAL::Intrinsic_triangulations {
 ///        the function: numbers, or points or vectors of a kernel
 /// \param result a writable property map from the vertices of the subdivision to values
 /// \tparam Subdivision a class derived from `Subdivision_base`
-template <typename Subdivision, typename ValueMap, typename ResultMap>
+/// \tparam NamedParameters a sequence of named parameters
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads are used, which then read and write values of
+///                           both maps at the same time; see \ref it_parallel}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+template <typename Subdivision, typename ValueMap, typename ResultMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
 void interpolate(typename Subdivision::Side side, const Subdivision& subdivision,
-                 const ValueMap& value, ResultMap result)
+                 const ValueMap& value, ResultMap result,
+                 const NamedParameters& np = CGAL::parameters::default_values())
 {
-  for(Vertex_index v : subdivision.mesh().vertices()) {
+  const auto interpolate_at = [&](Vertex_index v) {
     const auto w = subdivision.weights(side, v);
     const auto& first = get(value, w.vertex[0]);
     auto sum = first;
     for(std::size_t c = 1; c < w.size; ++c)
       sum = sum + w.weight[c] * (get(value, w.vertex[c]) - first);
     put(result, v, sum);
-  }
+  };
+  internal::for_each_in_chunks<Vertex_index>(internal::concurrency_of(np), subdivision.mesh(),
+                                             interpolate_at);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -9,12 +9,14 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -92,13 +94,31 @@ struct Flipping_result
   bool is_Delaunay; // otherwise it has come to the limit, or to an edge that cannot be flipped
 };
 
-template <typename Flipping, typename Visitor>
-Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
-                                 Visitor& visitor)
+// Returns the edges that lengths leave in doubt.
+template <typename Flipping>
+Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
+                          Concurrency concurrency)
 {
   Edge_stack stack(mesh.num_edges());
+  if(!concurrency.is_parallel()) {
+    for(Edge_index e : mesh.edges())
+      stack.push_if(!flipping.is_certainly_Delaunay(e), e);
+    return stack;
+  }
+  std::vector<unsigned char> is_doubtful(mesh.num_edges());
+  for_each_in_chunks<Edge_index>(concurrency, mesh, [&](Edge_index e) {
+    is_doubtful[e.idx()] = !flipping.is_certainly_Delaunay(e);
+  });
   for(Edge_index e : mesh.edges())
-    stack.push_if(!flipping.is_certainly_Delaunay(e), e);
+    stack.push_if(is_doubtful[e.idx()], e);
+  return stack;
+}
+
+template <typename Flipping, typename Visitor>
+Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
+                                 Visitor& visitor, Concurrency concurrency = Concurrency())
+{
+  Edge_stack stack = doubtful_edges(mesh, flipping, concurrency);
   std::size_t flips = 0;
   while(!stack.empty()) {
     const Edge_index e = stack.pop();
@@ -134,13 +154,13 @@ bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri)
 // guarantees it.
 template <typename Traits, typename Visitor>
 Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit, int rounds,
-                                Visitor& visitor)
+                                Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   Flipping_result result{0, true};
   for(int round = 0; round < rounds && result.is_Delaunay; ++round) {
     Flipping_by_lengths<Traits> flipping(tri);
     const std::size_t before = result.flips;
-    result = flip_to_Delaunay(tri.mesh(), flipping, limit - before, visitor);
+    result = flip_to_Delaunay(tri.mesh(), flipping, limit - before, visitor, concurrency);
     const bool is_good = !is_rounded<typename Traits::FT>() ||
                          (result.flips <= tri.mesh().number_of_edges() && !flipping.has_failed());
     result.flips += before;
@@ -159,10 +179,12 @@ inline void check_flip_limit(bool is_exceeded)
 }
 
 template <typename Traits, typename Visitor>
-std::size_t flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor)
+std::size_t flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
+                         Concurrency concurrency)
 {
   Exact_flipping<Traits> flipping(tri);
-  const Flipping_result result = flip_to_Delaunay(tri.mesh(), flipping, limit, visitor);
+  const Flipping_result result =
+    flip_to_Delaunay(tri.mesh(), flipping, limit, visitor, concurrency);
   check_flip_limit(!result.is_Delaunay);
   return result.flips;
 }
@@ -170,11 +192,11 @@ std::size_t flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit
 // From lengths of type `double` that may be far off.
 template <typename Traits, typename Visitor>
 std::size_t make_exactly_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                                  Visitor& visitor)
+                                  Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   if constexpr(!Is_exact<Traits>::value)
     Exact_flipping<Traits>(tri).recompute_lengths();
-  return flip_exactly(tri, limit, visitor);
+  return flip_exactly(tri, limit, visitor, concurrency);
 }
 
 // The number of flips beyond which lengths of type `double` are not relied on.
@@ -195,12 +217,13 @@ struct Delaunay_flips
 // vertices.
 template <typename Traits, typename Visitor>
 Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor)
+                             Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
-  const auto [flips, is_Delaunay] = flip_by_lengths(
-    tri, can_be_exact ? (std::min)(limit, carried) : limit, can_be_exact ? 2 : 100, visitor);
+  const auto [flips, is_Delaunay] =
+    flip_by_lengths(tri, can_be_exact ? (std::min)(limit, carried) : limit, can_be_exact ? 2 : 100,
+                    visitor, concurrency);
   if(is_Delaunay)
     return {flips, false};
   check_flip_limit(flips == limit);
@@ -208,7 +231,7 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
     if(can_be_exact) {
       tri.reset_to_input();
       visitor.before_exact_flips();
-      return {flips + make_exactly_Delaunay(tri, limit - flips, visitor), true};
+      return {flips + make_exactly_Delaunay(tri, limit - flips, visitor, concurrency), true};
     }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
@@ -241,6 +264,13 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{concurrency_tag}
+///     \cgalParamDescription{whether several threads find the edges to start from; flips are made one
+///                           after the other. See \ref it_parallel.}
+///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+///                    `CGAL::Parallel_if_available_tag`}
+///     \cgalParamDefault{`CGAL::Sequential_tag`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is notified of every flip; an exception that it throws stops the
 ///                           flipping and leaves `tri` valid}
@@ -271,14 +301,15 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   const std::size_t limit =
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                      internal::default_flip_limit(mesh.number_of_edges()));
+  const internal::Concurrency concurrency = internal::concurrency_of(np);
   Default_flip_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   if constexpr(internal::has_metric<Traits>())
     if(internal::Is_exact<Traits>::value ||
        choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
-      return internal::make_exactly_Delaunay(tri, limit, visitor);
-  return internal::make_Delaunay(tri, limit, visitor).number;
+      return internal::make_exactly_Delaunay(tri, limit, visitor, concurrency);
+  return internal::make_Delaunay(tri, limit, visitor, concurrency).number;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

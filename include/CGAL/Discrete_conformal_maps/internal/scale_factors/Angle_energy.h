@@ -39,14 +39,10 @@ public:
 
   std::size_t size() const { return m_origin.size(); }
 
-  void set_concurrency(Intrinsic_triangulations::internal::Concurrency concurrency)
-  {
-    m_concurrency = concurrency;
-  }
   template <typename ConcurrencyTag>
   void set_concurrency(const ConcurrencyTag& tag)
   {
-    set_concurrency(Intrinsic_triangulations::internal::Concurrency(tag));
+    m_concurrency = Intrinsic_triangulations::internal::Concurrency(tag);
   }
 
   // Where a scaled length is no length, the gradient is NaN.

@@ -13,6 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
@@ -80,6 +81,10 @@ public:
 
   // whether T^B and T^C are Delaunay, or the same as T^A
   Flipping flipping() const { return m_flipping; }
+
+  // whether several threads are used, by those that solve the problem
+  Intrinsic_triangulations::internal::Concurrency concurrency() const { return m_concurrency; }
+  void set_concurrency(Intrinsic_triangulations::internal::Concurrency c) { m_concurrency = c; }
 
   // T^A and T^B
   const Triangulation& triangulation() const { return m_triangulation; }
@@ -263,6 +268,7 @@ private:
   static double pi() { return boost::math::constants::pi<double>(); }
 
   Flipping m_flipping;
+  Intrinsic_triangulations::internal::Concurrency m_concurrency;
   Delta_complex m_half;
   std::vector<double> m_length; // of the doubled surface
   Doubled_surface m_double;

@@ -34,9 +34,10 @@ public:
   // Places cones until a linear estimate of the scale factors lies within a bound.
   void place_cones(double bound)
   {
-    const Conformal_energy<> energy(m_problem.triangulation().mesh(),
-                                    m_problem.triangulation().length_map(),
-                                    m_problem.target_defect(), m_problem.flipping());
+    Conformal_energy<> energy(m_problem.triangulation().mesh(),
+                              m_problem.triangulation().length_map(), m_problem.target_defect(),
+                              m_problem.flipping());
+    energy.set_concurrency(m_problem.concurrency());
     place_first_cones(energy, bound);
     const std::vector<Vertex_index> twin = twins();
     Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins(), twin);

@@ -23,6 +23,11 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // The steps from scale factors to what all maps have in common.
 class Map_builder
 {
+  auto concurrency() const
+  {
+    return Intrinsic_triangulations::parameters::concurrency_tag(m_problem.concurrency());
+  }
+
 public:
   // `map` is what is built
   Map_builder(Doubled_problem& problem, std::size_t number_of_front_faces,
@@ -73,7 +78,7 @@ public:
   void subdivide()
   {
     m_data.subdivision = std::make_unique<Discrete_conformal_map::Subdivision>(
-      *m_data.correspondence_ab, *m_data.correspondence_bc);
+      *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency());
   }
 
   const std::vector<double>& log_scale() const { return m_data.log_scale; }
@@ -118,9 +123,10 @@ private:
   {
     m_data.number_of_flips[2] = m_flips.size();
     m_data.correspondence_ab =
-      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab);
+      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab, concurrency());
     m_data.correspondence_bc = std::make_unique<
-      Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(m_data.bc);
+      Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(
+      m_data.bc, concurrency());
   }
 
   void replay(const std::vector<Halfedge_index>& flips)

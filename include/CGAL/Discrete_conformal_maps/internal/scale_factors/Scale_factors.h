@@ -102,6 +102,7 @@ private:
   {
     Conformal_energy<FT, Triangle<FT>> result(triangulation.mesh(), triangulation.length_map(),
                                               m_problem.target_defect(), m_problem.flipping());
+    result.set_concurrency(m_problem.concurrency());
     result.evaluate(m_u);
     return result;
   }

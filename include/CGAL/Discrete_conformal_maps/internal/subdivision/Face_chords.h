@@ -50,6 +50,14 @@ public:
   // Complexity: linear in the marks and crossings.
   void set_face(Face_index f)
   {
+    const std::array<std::size_t, 2> n = order_ends(f);
+    set_chords(n);
+    intersect();
+  }
+
+  // Determines the chords of each family, whose numbers are returned, and which of them cross.
+  std::array<std::size_t, 2> order_ends(Face_index f)
+  {
     m_side = Intrinsic_triangulations::sides(f, m_edges.mesh());
     m_ends.clear();
     m_chord_at_end.clear();
@@ -62,8 +70,8 @@ public:
         add_end(m_chord[s][p], s, p);
     }
     m_crossings.compute(n, m_chord_at_end);
-    set_chords(n);
-    intersect();
+    m_chords.resize(n[0] + n[1]);
+    return n;
   }
 
   const std::array<Halfedge_index, 3>& sides() const { return m_side; }
@@ -142,7 +150,6 @@ private:
 
   void set_chords(const std::array<std::size_t, 2>& n)
   {
-    m_chords.resize(n[0] + n[1]);
     for(std::size_t c = 0; c < m_chords.size(); ++c)
       m_chords[c].family = c < n[0] ? 0 : 1;
     for(std::size_t i = 0; i < m_ends.size(); ++i) {

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 
 #include <CGAL/enum.h>
@@ -23,48 +24,92 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// Crossings that several decisions share.
+class Shared_crossings
+{
+public:
+  Shared_crossings(const Input_crossings& crossings) : m_crossings(&crossings) {}
+
+  std::size_t count(Halfedge_index h) const { return m_crossings->count(h); }
+  Halfedge_index operator()(Halfedge_index h, std::size_t m) const { return (*m_crossings)(h, m); }
+
+private:
+  const Input_crossings* m_crossings;
+};
+
 // Proves that T2 is a geodesic triangulation and Delaunay, edge by edge.
 template <typename Traits>
 class Certifier
 {
   typedef Triangulation_pair<Traits> Pair;
+  typedef Exact_decisions<Traits, Shared_crossings> Decisions;
 
 public:
-  explicit Certifier(const Pair& pair)
+  Certifier(const Pair& pair, Concurrency concurrency)
     : m_pair(pair),
       m_mesh(pair.mesh()),
-      m_decisions(pair, Input_crossings(pair.coordinates(), pair.mesh(), pair.spokes())),
+      m_concurrency(concurrency),
+      m_crossings(pair.coordinates(), pair.mesh(), pair.spokes(), concurrency),
       m_length(m_mesh.num_edges())
   {}
 
   Delaunay_certificate run()
   {
     if(m_pair.input_metric().points.empty())
-      m_decisions.check_triangles();
-    for(Edge_index e : m_mesh.edges())
-      check_straightness(e);
-    for(Edge_index e : m_mesh.edges())
-      check_Delaunay(e);
-    for(Vertex_index v : m_mesh.vertices())
-      if(m_pair.is_inserted(v) && !is_turned_around_once(v))
-        m_certificate.folded_vertices.push_back(v);
-    m_certificate.decided_in_floating_point = m_decisions.count().floating_point;
-    m_certificate.decided_in_multiprecision = m_decisions.count().multiprecision;
-    m_certificate.decided_exactly = m_decisions.count().exact;
+      Decisions(m_pair, m_crossings).check_triangles();
+    for_each<Edge_index>(&Certifier::check_straightness);
+    for_each<Edge_index>(&Certifier::check_Delaunay);
+    if(m_pair.number_of_inserted_vertices() > 0)
+      for_each<Vertex_index>(&Certifier::check_inserted);
     return std::move(m_certificate);
   }
 
 private:
-  // notes the length too
-  void check_straightness(Edge_index e)
+  // Calls a member function for all elements, with decisions and a certificate for each chunk.
+  template <typename Index>
+  void for_each(void (Certifier::*check)(Index, Decisions&, Delaunay_certificate&))
   {
-    const Straight_edge straight = m_decisions.straight_edge(m_mesh.halfedge(e));
-    m_length[e] = straight.length;
-    if(!straight.is_certain && !m_decisions.is_straight(m_mesh.halfedge(e)))
-      m_certificate.bent_edges.push_back(e);
+    const std::size_t n = number_of_indices<Index>(m_mesh);
+    std::vector<Delaunay_certificate> parts(number_of_chunks(n));
+    for_each_chunk(m_concurrency, n, [&](std::size_t begin, std::size_t end) {
+      Decisions decisions(m_pair, m_crossings);
+      Delaunay_certificate& part = parts[begin / chunk_size];
+      for(std::size_t i = begin; i < end; ++i)
+        if(const Index x(static_cast<Delta_complex::size_type>(i)); !m_mesh.is_removed(x))
+          (this->*check)(x, decisions, part);
+      part.decided_in_floating_point = decisions.count().floating_point;
+      part.decided_in_multiprecision = decisions.count().multiprecision;
+      part.decided_exactly = decisions.count().exact;
+    });
+    for(const Delaunay_certificate& part : parts)
+      add(part);
   }
 
-  void check_Delaunay(Edge_index e)
+  void add(const Delaunay_certificate& part)
+  {
+    const auto append = [](const auto& from, auto& to) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(part.bent_edges, m_certificate.bent_edges);
+    append(part.non_Delaunay_edges, m_certificate.non_Delaunay_edges);
+    append(part.ties, m_certificate.ties);
+    append(part.folded_vertices, m_certificate.folded_vertices);
+    m_certificate.decided_by_lengths += part.decided_by_lengths;
+    m_certificate.decided_in_floating_point += part.decided_in_floating_point;
+    m_certificate.decided_in_multiprecision += part.decided_in_multiprecision;
+    m_certificate.decided_exactly += part.decided_exactly;
+  }
+
+  // notes the length too
+  void check_straightness(Edge_index e, Decisions& decisions, Delaunay_certificate& part)
+  {
+    const Straight_edge straight = decisions.straight_edge(m_mesh.halfedge(e));
+    m_length[e] = straight.length;
+    if(!straight.is_certain && !decisions.is_straight(m_mesh.halfedge(e)))
+      part.bent_edges.push_back(e);
+  }
+
+  void check_Delaunay(Edge_index e, Decisions& decisions, Delaunay_certificate& part)
   {
     const Halfedge_index h = m_mesh.halfedge(e);
     const auto length = [this](Halfedge_index x) { return m_length[m_mesh.edge(x)]; };
@@ -73,35 +118,42 @@ private:
     const Halfedge_index o = m_mesh.opposite(h);
     if(m_by_lengths.is_certain({length(h), length(m_mesh.next(h)), length(m_mesh.prev(h)),
                                 length(m_mesh.next(o)), length(m_mesh.prev(o))})) {
-      ++m_certificate.decided_by_lengths;
+      ++part.decided_by_lengths;
       return;
     }
-    switch(m_decisions.Delaunay_sign(h)) {
+    switch(decisions.Delaunay_sign(h)) {
       case POSITIVE: return;
-      case ZERO: m_certificate.ties.push_back(e); return;
-      case NEGATIVE: m_certificate.non_Delaunay_edges.push_back(e); return;
+      case ZERO: part.ties.push_back(e); return;
+      case NEGATIVE: part.non_Delaunay_edges.push_back(e); return;
     }
+  }
+
+  void check_inserted(Vertex_index v, Decisions& decisions, Delaunay_certificate& part)
+  {
+    if(m_pair.is_inserted(v) && !is_turned_around_once(v, decisions))
+      part.folded_vertices.push_back(v);
   }
 
   // Returns whether the faces at an inserted vertex lie the right way round and around it once. The
   // sum of the angles is a multiple of a full turn (of a half turn on the boundary): rounding
   // does not matter.
-  bool is_turned_around_once(Vertex_index v)
+  bool is_turned_around_once(Vertex_index v, Decisions& decisions) const
   {
     double sum = 0;
     bool is_oriented = true;
     for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
       if(m_mesh.is_border(h))
         return;
-      is_oriented = is_oriented && m_decisions.is_oriented(h);
-      sum += m_decisions.rounded_angle(h);
+      is_oriented = is_oriented && decisions.is_oriented(h);
+      sum += decisions.rounded_angle(h);
     });
     return is_oriented && std::lround(sum / pi<double>()) == (m_mesh.is_border(v) ? 1 : 2);
   }
 
   const Pair& m_pair;
   const Delta_complex& m_mesh;
-  Exact_decisions<Traits, Input_crossings> m_decisions;
+  Concurrency m_concurrency;
+  Input_crossings m_crossings;
   std::vector<double> m_length; // NaN if it is not known well enough
   Delaunay_by_lengths m_by_lengths;
   Delaunay_certificate m_certificate;

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 
 #include <Eigen/SparseCore>
 
@@ -33,6 +34,14 @@ public:
     add(row.idx(), column.idx(), value);
   }
 
+  // adds the entries of another one
+  void append(const Sparse_assembly& other)
+  {
+    m_entries.insert(m_entries.end(), other.m_entries.begin(), other.m_entries.end());
+  }
+
+  std::size_t size() const { return m_entries.size(); }
+
   Eigen::SparseMatrix<Scalar> matrix(std::size_t rows, std::size_t columns) const
   {
     Eigen::SparseMatrix<Scalar> result(static_cast<int>(rows), static_cast<int>(columns));
@@ -43,6 +52,27 @@ public:
 private:
   std::vector<Eigen::Triplet<Scalar>> m_entries;
 };
+
+// Returns what `add(f, assembly)` adds for the faces f of `mesh`, in their order.
+template <typename Scalar, typename Add>
+Sparse_assembly<Scalar> assembled_by_faces(Concurrency concurrency, const Delta_complex& mesh,
+                                           const Add& add)
+{
+  std::vector<Sparse_assembly<Scalar>> chunks(number_of_chunks(mesh.num_faces()),
+                                              Sparse_assembly<Scalar>(0));
+  for_each_chunk(concurrency, mesh.num_faces(), [&](std::size_t begin, std::size_t end) {
+    for(std::size_t f = begin; f < end; ++f)
+      if(const Face_index face(static_cast<Delta_complex::size_type>(f)); !mesh.is_removed(face))
+        add(face, chunks[begin / chunk_size]);
+  });
+  std::size_t size = 0;
+  for(const auto& chunk : chunks)
+    size += chunk.size();
+  Sparse_assembly<Scalar> result(size);
+  for(const auto& chunk : chunks)
+    result.append(chunk);
+  return result;
+}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
