@@ -81,7 +81,7 @@ public:
       Intrinsic_triangulations::internal::assemble_in_chunks(
         m_concurrency, size(), size(),
         [this](std::size_t v, auto& entries) {
-          collect_column(Vertex_index(static_cast<Delta_complex::size_type>(v)), entries);
+          this->collect_column(Vertex_index(static_cast<Delta_complex::size_type>(v)), entries);
         },
         m_Hessian);
     m_has_Hessian = true;
@@ -158,7 +158,7 @@ private:
     m_gradient_error = 0;
     m_flat_faces = 0;
     for(Face_index f : mesh().faces()) {
-      m_flat_faces += m_is_flat[f.idx()];
+      m_flat_faces += m_is_flat[f.idx()] ? 1u : 0u;
       for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh()))
         error[mesh().source(h).idx()] += m_error[f.idx()];
     }
