@@ -358,11 +358,10 @@ private:
       concurrency, m_tri.input_mesh().num_edges(), [&](std::size_t begin, std::size_t end) {
         const std::size_t c = begin / internal::chunk_size;
         order_along_input(chunks[c].crossings, first[c]);
-        const size_type last = end == m_tri.input_mesh().num_edges()
-                                 ? m_part_numbers.size()
-                                 : m_part_numbers.before(Edge_index(static_cast<size_type>(end)));
-        for(size_type i = m_part_numbers.before(Edge_index(static_cast<size_type>(begin)));
-            i < last; ++i) {
+        const auto parts_before = [this](std::size_t e) {
+          return m_part_numbers.before(Edge_index(static_cast<size_type>(e)));
+        };
+        for(size_type i = parts_before(begin); i < parts_before(end); ++i) {
           m_parts[i].first += first[c];
           m_parts[i].first_piece += first_piece[c];
         }
