@@ -31,8 +31,13 @@ void sort_by_index(Indexed_entries<Scalar>& entries)
     std::stable_sort(entries.begin(), entries.end(), is_less);
     return;
   }
-  for(auto i = entries.begin(); i != entries.end(); ++i)
-    std::rotate(std::upper_bound(entries.begin(), i, *i, is_less), i, i + 1);
+  for(std::size_t i = 1; i < entries.size(); ++i) {
+    const auto entry = entries[i];
+    std::size_t k = i;
+    for(; k > 0 && is_less(entry, entries[k - 1]); --k)
+      entries[k] = entries[k - 1];
+    entries[k] = entry;
+  }
 }
 
 // Sorts entries and sums up those with one index, in the order in which they are.
@@ -62,6 +67,7 @@ void assemble_in_chunks(Concurrency concurrency, std::size_t rows, std::size_t c
   std::vector<Entries> chunks(number_of_chunks(n));
   for_each_chunk(concurrency, n, [&](std::size_t begin, std::size_t end) {
     Entries& all = chunks[begin / chunk_size];
+    all.reserve(4 * (end - begin));
     Entries entries;
     for(std::size_t i = begin; i < end; ++i) {
       entries.clear();
