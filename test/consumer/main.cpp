@@ -62,8 +62,8 @@ int main()
   const auto flips = CGAL::Intrinsic_triangulations::make_Delaunay(tri);
   std::cout << flips << " flip\n";
   const CGAL::Intrinsic_triangulations::Correspondence<> correspondence(
-    tri, CGAL::Intrinsic_triangulations::parameters::concurrency_tag(
-           CGAL::Parallel_if_available_tag()));
+    tri,
+    CGAL::Intrinsic_triangulations::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
   const bool good = flips == 1 && CGAL::Intrinsic_triangulations::is_Delaunay(tri) &&
                     correspondence.number_of_crossings() == 1 && is_flattened(mesh);
   return good ? EXIT_SUCCESS : EXIT_FAILURE;
