@@ -305,4 +305,12 @@ TEST(Tufted_cover, names_what_is_wrong)
   EXPECT_EQ(error({}), "");
 }
 
+TEST(Tufted_cover, refuses_points_that_are_not_finite)
+{
+  for(const double x : {std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(
+      IT::tufted_cover(std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, x, 0}}, Triangles{{0, 1, 2}}),
+      IT::Invalid_input);
+}
+
 } // namespace

@@ -12,6 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/covers/Soup_sides.h>
 #include <CGAL/Intrinsic_triangulations/internal/covers/Wing_order.h>
 
+#include <CGAL/number_utils.h>
+
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
@@ -213,6 +215,17 @@ void sort_by_angle(const Points& points, const Soup_sides& sides, Soup_sides::Bu
     bundle[i] = static_cast<Soup_sides::Index>(wings[i].index);
 }
 
+// Comparisons of angles need numbers.
+template <typename Points>
+void check_finite(const Points& points)
+{
+  for(std::size_t v = 0; v < points.size(); ++v)
+    if(!CGAL::is_finite(points[v].x()) || !CGAL::is_finite(points[v].y()) ||
+       !CGAL::is_finite(points[v].z()))
+      throw Invalid_input("a coordinate of vertex " + std::to_string(v) +
+                          " is infinite or not a number");
+}
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -225,7 +238,7 @@ void sort_by_angle(const Points& points, const Soup_sides& sides, Soup_sides::Bu
 ///   in floating point, others are those of the kernel
 /// \param triangles a range of ranges of three integers, the indices of points
 /// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does
-///   not exist
+///   not exist, or a coordinate is not finite
 /// \throws std::length_error if there are too many faces for the numbers of halfedges
 template <typename PointRange, typename TriangleRange>
 auto tufted_cover(const PointRange& points, const TriangleRange& triangles)
@@ -233,6 +246,7 @@ auto tufted_cover(const PointRange& points, const TriangleRange& triangles)
                       Tufted_cover<std::decay_t<decltype(points[0])>>>
 {
   typedef std::decay_t<decltype(points[0])> Point;
+  internal::check_finite(points);
   const internal::Soup_sides sides(points.size(), triangles);
   const auto order = [&](internal::Soup_sides::Bundle& bundle) {
     internal::sort_by_angle(points, sides, bundle);
