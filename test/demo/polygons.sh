@@ -76,10 +76,10 @@ rm a* b*
 expect_files
 
 if [ -n "$data" ]; then
-  for mesh in cube_quad.off polygon_mesh.off quad.off; do
-    if [ -e "$data/meshes/$mesh" ]; then
-      expect 0 delaunay "$data/meshes/$mesh" -o a.ply
-      expect 2 delaunay "$data/meshes/$mesh" -o a.ply --strict
-    fi
+  for mesh in cube_quad.off quads_to_stitch.off torus_quad.off; do
+    expect 0 delaunay "$data/meshes/$mesh" -o a.ply
+    expect 2 delaunay "$data/meshes/$mesh" -o a.ply --strict
   done
+  # polygons and two vertices that are not manifold
+  expect 0 distance "$data/meshes/polygon_mesh.off" --source 0 -o a.ply
 fi
