@@ -20,6 +20,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -420,6 +421,9 @@ TEST(Tufted_operators, of_a_refined_cover)
   EXPECT_LT((laplacian * Values::Ones(laplacian.rows())).cwiseAbs().maxCoeff(), 1e-11);
   EXPECT_NEAR(IT::mass_matrix(tufted.surface()).sum() / area(soup), 1, 1e-12);
 }
+
+// Vectors have no place at vertices without an umbrella.
+static_assert(!std::is_constructible_v<IT::Tangent_frames<double>, const Surface&>);
 
 // Vectors live on the cover: along a flat book of two pages they stay parallel.
 TEST(Tufted_operators, transport_vectors_on_the_cover)
