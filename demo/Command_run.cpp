@@ -4,6 +4,7 @@
 
 #include "Command_run.h"
 
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
@@ -21,25 +22,85 @@ std::vector<std::string> all_outputs(std::vector<std::string> outputs,
 } // namespace
 
 Command_run::Command_run(const std::string& command, const Common_options& options,
-                         std::vector<std::string> outputs)
+                         std::vector<std::string> outputs, bool are_soups_allowed)
   : m_options(options),
     m_output(options.input, all_outputs(std::move(outputs), options)),
     m_progress(options.is_quiet)
 {
-  read(command);
+  read(command, are_soups_allowed);
 }
 
 // Has no progress bar: repairs and notes are printed meanwhile.
-void Command_run::read(const std::string& command)
+void Command_run::read(const std::string& command, bool are_soups_allowed)
 {
   {
     const Timer timer(m_seconds["read"]);
-    m_input = read_input(m_options.input, {m_options.is_repair_wanted, m_options.mollification > 0},
-                         m_options.is_quiet);
+    Input_tolerance tolerance;
+    tolerance.is_repair_wanted = m_options.is_repair_wanted;
+    tolerance.is_strict = m_options.is_strict;
+    tolerance.are_zero_lengths_allowed = m_options.mollification > 0;
+    tolerance.are_soups_allowed = are_soups_allowed;
+    tolerance.neighbors = m_options.number_of_neighbors;
+    m_input = read_input(m_options.input, tolerance, m_options.is_quiet);
   }
   m_statistics = common_statistics(command, m_options.input, m_input.diagnosis);
   for(const auto& [what, count] : m_input.repairs)
     m_statistics["repairs"][what] = count;
+  if(!m_input.parents.empty())
+    m_statistics["polygons"] = m_input.parents.back() + 1;
+  if(m_input.covered)
+    describe_cover();
+}
+
+void Command_run::describe_cover()
+{
+  namespace IT = CGAL::Intrinsic_triangulations;
+  m_statistics["tufted"] = true;
+  if(m_input.covered->is_cloud)
+    m_statistics["neighbors"] = m_options.number_of_neighbors;
+  m_statistics["non_manifold_edges"] = m_input.diagnosis.count(IT::Defect_kind::NON_MANIFOLD_EDGE);
+  m_statistics["non_manifold_vertices"] =
+    m_input.diagnosis.count(IT::Defect_kind::NON_MANIFOLD_VERTEX);
+  m_statistics["inconsistently_oriented_edges"] =
+    m_input.diagnosis.count(IT::Defect_kind::INCONSISTENT_ORIENTATION);
+  m_statistics["cover"] = {{"vertices", m_input.mesh.number_of_vertices()},
+                           {"edges", m_input.mesh.number_of_edges()},
+                           {"faces", m_input.mesh.number_of_faces()}};
+}
+
+Output_mesh Command_run::input_as_read() const
+{
+  Output_mesh result =
+    m_input.covered ? output_mesh(m_input.covered->soup) : output_mesh(m_input.mesh);
+  if(m_input.covered && m_input.covered->is_cloud)
+    result.polygons = Polygons();
+  else if(!m_input.parents.empty())
+    result.polygon_data.push_back({"input_polygon", m_input.parents});
+  return result;
+}
+
+Output_mesh Command_run::with_input_faces(Output_mesh mesh) const
+{
+  const auto is_input_face = [](const Attribute& a) { return a.name == "input_face"; };
+  auto& data = mesh.polygon_data;
+  const auto found = std::find_if(data.begin(), data.end(), is_input_face);
+  if(found == data.end())
+    return mesh;
+  auto& faces = std::get<0>(found->values);
+  std::vector<std::int64_t> is_back, polygons;
+  for(std::int64_t& f : faces) {
+    if(m_input.covered) {
+      is_back.push_back(f % 2);
+      f /= 2;
+    }
+    if(!m_input.parents.empty())
+      polygons.push_back(f < 0 ? f : m_input.parents[static_cast<std::size_t>(f)]);
+  }
+  if(m_input.covered)
+    data.push_back({"is_back", is_back});
+  if(!m_input.parents.empty())
+    data.push_back({"input_polygon", polygons});
+  return mesh;
 }
 
 void Command_run::plan(const std::vector<Stages>& parts)

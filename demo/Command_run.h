@@ -25,16 +25,19 @@ using Stages = std::vector<std::string>;
 class Command_run
 {
 public:
-  // Reads the input, after the paths of the command, `outputs`, and the common ones are checked.
+  // Reads the input, after the paths of the command, `outputs`, and the common ones are checked. It
+  // must be a surface, unless soups are allowed.
   // Throws Program_error as `Output` and `read_input()` do.
   Command_run(const std::string& command, const Common_options& options,
-              std::vector<std::string> outputs);
+              std::vector<std::string> outputs, bool are_soups_allowed = false);
 
   // Sets the stages after the input has been read, but for the last, "write".
   void plan(const std::vector<Stages>& parts);
 
   const Common_options& options() const { return m_options; }
   Input_mesh& input() { return m_input; }
+  // The points and faces of the input, without the faces of its cover.
+  Output_mesh input_as_read() const;
   Progress_bar& progress() { return m_progress; }
   Statistics& statistics() { return m_statistics; }
 
@@ -63,7 +66,12 @@ public:
   }
   void add_output(const std::string& path, const Output_mesh& mesh, Mesh_format format)
   {
-    m_output.add(path, [&](Text& text) { write(text, mesh, format); });
+    m_output.add(path, [&](Text& text) {
+      if(m_input.covered || !m_input.parents.empty())
+        write(text, with_input_faces(mesh), format);
+      else
+        write(text, mesh, format);
+    });
   }
 
   // Adds the statistics to the files, makes these appear and prints the summary.
@@ -89,7 +97,11 @@ private:
     Stopwatch m_watch;
   };
 
-  void read(const std::string& command);
+  void read(const std::string& command, bool are_soups_allowed);
+  void describe_cover();
+
+  // Takes faces of the cover to those of the input, and names the polygons that these are parts of.
+  Output_mesh with_input_faces(Output_mesh mesh) const;
 
   void end_stage() { m_timer.reset(); }
 

@@ -6,10 +6,13 @@
 
 #include "Mesh_reader.h"
 #include "Program_error.h"
+#include "polygon_splitting.h"
 
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Intrinsic_triangulations/local_triangulations.h>
 
 #include <iostream>
+#include <utility>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
@@ -27,11 +30,44 @@ bool is_repairable(const IT::Input_diagnosis& diagnosis)
          diagnosis.count(IT::Defect_kind::FACE_INDEX_OUT_OF_RANGE) == 0;
 }
 
-bool is_acceptable(const IT::Input_diagnosis& diagnosis, const Input_tolerance& tolerance)
+// What keeps triangles from being an oriented surface.
+std::size_t number_of_soup_defects(const IT::Input_diagnosis& diagnosis)
 {
-  const std::size_t allowed =
-    tolerance.are_zero_lengths_allowed ? diagnosis.count(IT::Defect_kind::ZERO_LENGTH_EDGE) : 0;
-  return diagnosis.number_of_fatal_defects() == allowed;
+  return diagnosis.count(IT::Defect_kind::NON_MANIFOLD_EDGE) +
+         diagnosis.count(IT::Defect_kind::NON_MANIFOLD_VERTEX) +
+         diagnosis.count(IT::Defect_kind::INCONSISTENT_ORIENTATION);
+}
+
+std::size_t number_of_polygons(const IT::Input_diagnosis& diagnosis)
+{
+  return diagnosis.count(IT::Defect_kind::NON_TRIANGULAR_FACE);
+}
+
+bool is_allowed(IT::Defect_kind kind, const Input_tolerance& tolerance)
+{
+  switch(kind) {
+    case IT::Defect_kind::NON_MANIFOLD_EDGE:
+    case IT::Defect_kind::NON_MANIFOLD_VERTEX:
+    case IT::Defect_kind::INCONSISTENT_ORIENTATION: return tolerance.are_soups_allowed;
+    case IT::Defect_kind::ZERO_LENGTH_EDGE: return tolerance.are_zero_lengths_allowed;
+    case IT::Defect_kind::NON_TRIANGULAR_FACE: return !tolerance.is_strict;
+    default: return false;
+  }
+}
+
+void check_acceptable(const std::string& path, const IT::Input_diagnosis& diagnosis,
+                      const Input_tolerance& tolerance)
+{
+  std::string message;
+  for(const IT::Defect_description& d : IT::defect_descriptions)
+    if(d.is_fatal && diagnosis.count(d.kind) > 0 && !is_allowed(d.kind, tolerance))
+      message += (message.empty() ? "" : "; ") + diagnosis.message(d.kind);
+  if(message.empty())
+    return;
+  if(number_of_soup_defects(diagnosis) > 0 && !tolerance.are_soups_allowed &&
+     !tolerance.is_repair_wanted)
+    message += "; --repair makes it a surface";
+  throw Program_error(path + ": " + message);
 }
 
 Repair_report repair_aloud(const std::string& path, Polygon_soup& soup)
@@ -44,33 +80,63 @@ Repair_report repair_aloud(const std::string& path, Polygon_soup& soup)
   return report;
 }
 
-void print_notes(const std::string& path, const Polygon_soup& soup,
-                 const IT::Input_diagnosis& diagnosis)
+void triangulate_cloud(const std::string& path, Polygon_soup& soup, std::size_t neighbors)
 {
+  for(const auto& triangle : IT::local_triangulations(soup.points, neighbors))
+    soup.polygons.push_back(triangle);
+  if(soup.polygons.empty())
+    throw Program_error(path + ": no point has neighbors in two directions");
+}
+
+void print_notes(const std::string& path, const Polygon_soup& soup,
+                 const IT::Input_diagnosis& diagnosis, bool is_cloud)
+{
+  const auto note = [&](const std::string& text) {
+    std::cerr << path << ": note: " << text << '\n';
+  };
   if(soup.merged_corners > 0)
-    std::cerr << path
-              << ": note: corners merged because the file has no indices: " << soup.merged_corners
-              << '\n';
+    note("corners merged because the file has no indices: " + std::to_string(soup.merged_corners));
+  if(is_cloud)
+    return note("no faces, so the points are triangulated with their neighbors");
   for(const IT::Defect_description& d : IT::defect_descriptions)
     if(diagnosis.count(d.kind) > 0)
-      std::cerr << path << ": note: " << diagnosis.message(d.kind) << '\n';
+      note(diagnosis.message(d.kind));
+  if(!soup.parents.empty())
+    note("polygons split into triangles: " + std::to_string(number_of_polygons(diagnosis)));
+  if(number_of_soup_defects(diagnosis) > 0)
+    note("no oriented surface, so its tufted cover is used");
 }
 
 } // namespace
 
 Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance, bool is_quiet)
 {
-  Polygon_soup soup = read_mesh(path);
+  Polygon_soup soup = read_mesh(path, nullptr, tolerance.neighbors > 0);
+  const bool is_cloud = soup.polygons.empty();
   Input_mesh result;
   result.diagnosis = diagnose(soup);
-  if(tolerance.is_repair_wanted && is_repairable(result.diagnosis)) {
+  if(tolerance.is_repair_wanted && is_repairable(result.diagnosis) && !is_cloud) {
     result.repairs = repair_aloud(path, soup);
     result.diagnosis = diagnose(soup);
   }
-  if(!is_acceptable(result.diagnosis, tolerance))
-    throw Program_error(path + ": " + result.diagnosis.message());
+  check_acceptable(path, result.diagnosis, tolerance);
+  if(is_cloud)
+    triangulate_cloud(path, soup, tolerance.neighbors);
+  else if(number_of_polygons(result.diagnosis) > 0)
+    split_polygons(path, soup,
+                   tolerance.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0);
   if(!is_quiet)
-    print_notes(path, soup, result.diagnosis);
-  result.mesh = mesh_of(soup);
+    print_notes(path, soup, result.diagnosis, is_cloud);
+  if(is_cloud || !soup.parents.empty()) {
+    result.diagnosis = diagnose(soup);
+    check_acceptable(path, result.diagnosis, tolerance);
+  }
+  result.parents = soup.parents;
+  if(is_cloud || number_of_soup_defects(result.diagnosis) > 0) {
+    auto cover = IT::tufted_cover(soup.points, soup.polygons);
+    result.mesh = cover.mesh();
+    result.covered.emplace(Covered_soup{std::move(soup), is_cloud, std::move(cover)});
+  } else
+    result.mesh = mesh_of(soup);
   return result;
 }

@@ -14,7 +14,7 @@
 namespace {
 
 void read(Scanner& in, const std::string& extension, Polygon_soup& soup,
-          Vertex_functions* functions)
+          Vertex_functions* functions, bool are_points_allowed)
 {
   if(extension == ".off")
     read_off(in, soup, functions);
@@ -24,24 +24,27 @@ void read(Scanner& in, const std::string& extension, Polygon_soup& soup,
     read_ply(in, soup, functions);
   else if(extension == ".stl")
     read_stl(in, soup);
+  else if(extension == ".xyz" && are_points_allowed)
+    read_xyz(in, soup);
   else
     in.fail_as_a_whole("the extension is not one of .off, .obj, .ply and .stl");
 }
 
 } // namespace
 
-Polygon_soup read_mesh(const std::filesystem::path& path, Vertex_functions* functions)
+Polygon_soup read_mesh(const std::filesystem::path& path, Vertex_functions* functions,
+                       bool are_points_allowed)
 {
   Scanner in(path);
   Polygon_soup soup;
   try {
-    read(in, extension_of(path), soup, functions);
+    read(in, extension_of(path), soup, functions, are_points_allowed);
   } catch(const std::bad_alloc&) {
     in.fail_as_a_whole("has more elements than fit into memory");
   } catch(const std::length_error&) {
     in.fail_as_a_whole("has more elements than there are numbers for");
   }
-  if(soup.polygons.empty())
+  if(soup.polygons.empty() && (!are_points_allowed || soup.points.empty()))
     in.fail_as_a_whole("has no faces");
   return soup;
 }

@@ -21,6 +21,8 @@ using Vertex_functions = std::map<std::string, std::vector<double>>;
 // .ply; red, green and blue in .off, if all vertices have a color.
 // Throws Program_error if the file cannot be read or has no face, naming the line where it is
 // known.
-Polygon_soup read_mesh(const std::filesystem::path& path, Vertex_functions* functions = nullptr);
+// Files of points alone are allowed if that is said, then .xyz too.
+Polygon_soup read_mesh(const std::filesystem::path& path, Vertex_functions* functions = nullptr,
+                       bool are_points_allowed = false);
 
 #endif // INTRINSIC_MESH_READER_H

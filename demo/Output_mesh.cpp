@@ -19,6 +19,14 @@ Output_mesh points_and_polygons(const Mesh& mesh, const Faces& faces)
 
 Output_mesh output_mesh(const Mesh& mesh) { return points_and_polygons(mesh, mesh.faces()); }
 
+Output_mesh output_mesh(const Polygon_soup& soup)
+{
+  Output_mesh result;
+  result.points = soup.points;
+  result.polygons = soup.polygons;
+  return result;
+}
+
 Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces)
 {
   Output_mesh result = points_and_polygons(mesh, faces);

@@ -82,6 +82,7 @@ enum class Vertex_kind : std::int64_t
 
 // The points and polygons of a mesh.
 Output_mesh output_mesh(const Mesh& mesh);
+Output_mesh output_mesh(const Polygon_soup& soup);
 
 // The points and edges of a mesh, and those of its polygons.
 Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces);

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -23,6 +24,8 @@ struct Polygon_soup
   std::vector<Point> points;
   Polygons polygons;
   std::size_t merged_corners = 0; // of a format that has no indices
+  std::vector<std::int64_t>
+    parents; // of triangles, the polygons they are parts of, if there are any
 };
 
 // Vertices and faces keep their indices, isolated vertices too. Edges are numbered in the order of

@@ -55,6 +55,8 @@ void add_common_options(CLI::App& command, Common_options& options)
              CLI::Range(1e-16, 1.));
   command.add_flag("--repair", options.is_repair_wanted,
                    "Mend what can be mended in the mesh and report it; indices may change");
+  command.add_flag("--strict", options.is_strict,
+                   "Refuse faces that are not triangles; otherwise they are split");
 }
 
 void add_save(CLI::App& command, Common_options& options)
@@ -67,6 +69,15 @@ void add_exact(
   const char* what = "Decide exactly which edges are Delaunay, and certify the triangulation")
 {
   command.add_flag("--exact", options.is_exact, what);
+}
+
+void add_neighbors(CLI::App& command, Common_options& options)
+{
+  command
+    .add_option("--neighbors", options.number_of_neighbors,
+                "Take files without faces, .xyz too, and triangulate each point with so many "
+                "neighbors; 30 is usual")
+    ->check(CLI::Range(std::size_t(3), std::size_t(10000)));
 }
 
 void add_info(CLI::App& app, Options& options)
@@ -164,6 +175,7 @@ void add_distance(CLI::App& app, Options& options)
              "Time for which heat flows, in squared mean edge lengths", CLI::PositiveNumber)
     ->capture_default_str();
   add_angle(command, own.minimum_angle);
+  add_neighbors(command, options.common);
   command.footer(Help::distance);
 }
 
@@ -180,6 +192,7 @@ void add_operators(CLI::App& app, Options& options)
   add_common_options(command, options.common);
   add_exact(command, options.common);
   add_angle(command, options.operators.minimum_angle);
+  add_neighbors(command, options.common);
   command.footer(Help::operators);
 }
 

@@ -30,7 +30,9 @@ struct Common_options
   std::string statistics;
   double mollification = 0;
   bool is_repair_wanted = false;
-  bool is_exact = false; // decisions about Delaunay edges, with a certificate
+  bool is_strict = false;              // faces must be triangles
+  std::size_t number_of_neighbors = 0; // in a cloud of points; zero if there must be faces
+  bool is_exact = false;               // decisions about Delaunay edges, with a certificate
   bool is_quiet = false;
   std::size_t threads = 0; // 0 for as many as there are processors
 };

@@ -9,6 +9,7 @@
 #include "Program_error.h"
 #include "triangulation_stages.h"
 
+#include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 
@@ -34,9 +35,9 @@ Mesh_format format_with_attributes(const std::string& path, const Output_options
 }
 
 std::vector<IT::Vertex_index> checked_sources(const std::vector<std::int64_t>& numbers,
-                                              const std::string& path, const Mesh& mesh)
+                                              const std::string& path, const Input_mesh& input)
 {
-  const std::int64_t last = std::int64_t(mesh.number_of_vertices()) - 1;
+  const auto last = static_cast<std::int64_t>(input.number_of_vertices()) - 1;
   std::vector<IT::Vertex_index> result;
   for(const std::int64_t n : numbers) {
     if(n < 0 || n > last)
@@ -53,13 +54,32 @@ double presentable(double distance)
   return std::isfinite(distance) ? (std::max)(distance, 0.) : unreachable;
 }
 
+// At the vertices of the input, then at inserted ones.
 std::vector<double> distances(const Triangulation& triangulation,
+                              const std::optional<Covered_soup>& covered,
                               const std::vector<IT::Vertex_index>& sources, double time_step_factor)
 {
   const auto np = IT::parameters::time_step_factor(time_step_factor);
-  const auto values = IT::heat_distance(triangulation.intrinsic(), sources, np);
+  const auto surface = triangulation.intrinsic();
+  const auto values =
+    covered ? IT::heat_distance(IT::Tufted_surface<>(covered->cover, surface, covered->share()),
+                                sources, np)
+            : IT::heat_distance(surface, sources, np);
   std::vector<double> result(values.begin(), values.end());
   std::transform(result.begin(), result.end(), result.begin(), presentable);
+  return result;
+}
+
+// At the vertices of the triangulation.
+std::vector<double> on_triangulation(const std::vector<double>& values,
+                                     const Triangulation& triangulation,
+                                     const std::optional<Covered_soup>& covered)
+{
+  if(!covered)
+    return values;
+  std::vector<double> result;
+  for(const IT::Vertex_index v : triangulation.mesh().vertices())
+    result.push_back(values[covered->cover.input_vertex(v)]);
   return result;
 }
 
@@ -107,7 +127,7 @@ public:
     : m_options(options),
       m_format(format_with_attributes(options.output, options)),
       m_subdivision_format(subdivision_format(options)),
-      m_run("distance", common, {options.output, options.subdivision})
+      m_run("distance", common, {options.output, options.subdivision}, true)
   {
     m_run.plan({delaunay_stages,
                 refinement_stages(options.minimum_angle),
@@ -118,13 +138,13 @@ public:
 
   void run()
   {
-    const auto sources =
-      checked_sources(m_options.sources, m_run.options().input, m_run.input().mesh);
+    const auto sources = checked_sources(m_options.sources, m_run.options().input, m_run.input());
     Triangulation triangulation = make_delaunay_triangulation(m_run);
     refine_if_wanted(m_run, triangulation, m_options.minimum_angle);
     describe(m_run, triangulation);
-    const std::vector<double> values = m_run.timed(
-      "solve", [&] { return distances(triangulation, sources, m_options.time_step_factor); });
+    const std::vector<double> values = m_run.timed("solve", [&] {
+      return distances(triangulation, m_run.input().covered, sources, m_options.time_step_factor);
+    });
     describe_distances(m_run.statistics(), m_options, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
@@ -135,7 +155,8 @@ private:
   // These come before the inserted ones.
   std::vector<double> at_input_vertices(const std::vector<double>& values)
   {
-    return {values.begin(), values.begin() + m_run.input().mesh.number_of_vertices()};
+    return {values.begin(),
+            values.begin() + static_cast<std::ptrdiff_t>(m_run.input().number_of_vertices())};
   }
 
   static std::optional<Mesh_format> subdivision_format(const Distance_options& options)
@@ -156,13 +177,14 @@ private:
              const Triangulation& triangulation)
   {
     m_run.add_output(m_options.output,
-                     with_distances(output_mesh(m_run.input().mesh), at_input_vertices(values)),
-                     m_format);
+                     with_distances(m_run.input_as_read(), at_input_vertices(values)), m_format);
     if(subdivision)
-      m_run.add_output(m_options.subdivision,
-                       with_distances(subdivision_mesh(*subdivision),
-                                      interpolated(values, *subdivision, triangulation)),
-                       *m_subdivision_format);
+      m_run.add_output(
+        m_options.subdivision,
+        with_distances(subdivision_mesh(*subdivision),
+                       interpolated(on_triangulation(values, triangulation, m_run.input().covered),
+                                    *subdivision, triangulation)),
+        *m_subdivision_format);
     save(m_run, triangulation);
   }
 

@@ -13,6 +13,7 @@
 // for what was read, not for what a file announces.
 
 void read_obj(Scanner& in, Polygon_soup& soup);
+void read_xyz(Scanner& in, Polygon_soup& soup);
 void read_stl(Scanner& in, Polygon_soup& soup);
 void read_off(Scanner& in, Polygon_soup& soup, Vertex_functions* functions);
 void read_ply(Scanner& in, Polygon_soup& soup, Vertex_functions* functions);

@@ -47,6 +47,10 @@ const char* const distance =
   R"(Distances are approximate: on evenly spread vertices by some two percent on average, on
 coarse or uneven ones by more. The distance of a vertex that no source can reach is -1.
 
+Triangles need not be a surface: edges of three and more faces, vertices of several fans and any
+orientation are worked on through their tufted cover. With --neighbors points without faces are
+triangulated with their neighbors.
+
 Example:
   intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply)";
 
@@ -61,6 +65,11 @@ const char* const operators =
 Rows and columns of vertices are in the order of the input, inserted vertices after them. Those of
 faces, two for each, and the frames of tangent vectors are those of the triangulation that --save
 writes.
+
+Triangles need not be a surface, and with --neighbors there may be points alone. Then f counts faces
+of the tufted cover, which has two for each triangle, and there is one file more:
+  PREFIX_cover_vertices.mtx        values at vertices to those at vertices of the cover (c x v)
+The connection Laplacian is c x c.
 
 Example:
   intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";

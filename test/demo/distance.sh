@@ -108,7 +108,7 @@ expect 2 distance slivers.mesh.off --source 0 -o - --format off
 expect 2 distance slivers.mesh.off --source 0 -o a.stl
 expect 2 distance slivers.mesh.off --source 0 -o a.ply --subdivision a.ply
 expect 2 distance slivers.mesh.off --source 0 -o a.ply --time-step 0
-expect 2 distance polygon.mesh.off --source 0 -o a.ply
+expect 2 distance polygon.mesh.off --source 0 -o a.ply --strict
 expect_files
 
 if [ -w /dev/full ]; then

@@ -24,7 +24,7 @@ broken()
 {
   expect 2 info "$1"
   says "$2"
-  expect 2 delaunay "$1" -o result.off --stats result.json --save result.save
+  expect 2 delaunay "$1" -o result.off --stats result.json --save result.save --strict
   says "$1"
   says "$2"
   expect_files

@@ -111,7 +111,7 @@ expect 2 operators slivers.mesh.off
 expect 2 operators --prefix a
 expect 2 operators slivers.mesh.off --prefix missing/a
 expect 2 operators slivers.mesh.off --prefix a --stats a_mass.mtx
-expect 2 operators bow_tie.mesh.off --prefix a
+expect 2 operators repeated.mesh.off --prefix a
 mkdir a_gradient.mtx
 expect 2 operators slivers.mesh.off --prefix a
 if [ -w /dev/full ]; then

@@ -6,10 +6,10 @@
 # --repair mends what it can, tells what it did, and is the only thing that changes a mesh.
 source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
-# mended NAME TEXT: refused as it is, accepted with --repair, which says what it did.
+# mended NAME TEXT: strictly refused as it is, accepted with --repair, which says what it did.
 mended()
 {
-  expect 2 delaunay "$1" -o result.off
+  expect 2 delaunay "$1" -o result.off --strict
   expect 0 delaunay "$1" -o result.off --stats result.json --repair --quiet
   says "$1: repaired: $2"
   claim "json('result.json').repairs['${2%: *}'] == ${2##*: }"
@@ -35,7 +35,7 @@ expect_files
 
 if [ -n "$data" ]; then
   for mesh in cube_quad.off blobby-shuffled.off polygon_mesh.off quads_to_stitch.off; do
-    expect 2 delaunay "$data/meshes/$mesh" -o result.off
+    expect 2 delaunay "$data/meshes/$mesh" -o result.off --strict
     expect 0 delaunay "$data/meshes/$mesh" -o result.off --repair
   done
 fi

@@ -14,6 +14,7 @@
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Surface_view`
 /// \cgalHasModel `CGAL::Intrinsic_triangulations::Intrinsic_triangulation`, as the surface of
 ///   \f$T_2\f$; `input()` and `intrinsic()` are views of its two triangulations
+/// \cgalHasModel `CGAL::Intrinsic_triangulations::Tufted_surface`, for operators alone
 /// \cgalHasModel `CGAL::Intrinsic_simplification::Surface_level`
 /// \cgalHasModel `CGAL::Intrinsic_simplification::Intrinsic_surface`
 /// \cgalHasModel `CGAL::Intrinsic_simplification::Evolving_surface`

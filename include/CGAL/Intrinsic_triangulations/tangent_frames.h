@@ -20,6 +20,9 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+template <typename FT>
+class Tufted_surface;
+
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// a frame of the tangent space at every vertex of a triangulated surface (Section 2.3.2).
 ///
@@ -51,6 +54,10 @@ public:
       if(!surface.mesh().is_isolated(v))
         set_frame(v, surface);
   }
+
+  /// A vertex of a soup has no tangent space; those of its tufted cover have.
+  template <typename F>
+  explicit Tangent_frames(const Tufted_surface<F>& surface) = delete;
 
   /// returns the normalized angle \f$\varphi\f$ of the direction in which `h` leaves its source:
   /// between 0 and \f$2\pi\f$, and exactly \f$\pi\f$ for a border halfedge.

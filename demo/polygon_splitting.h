@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_POLYGON_SPLITTING_H
+#define INTRINSIC_POLYGON_SPLITTING_H
+
+#include "Polygon_soup.h"
+
+#include <string>
+
+// Splits faces of more than three corners into triangles, which have no other corners, and sets the
+// polygon of each triangle. A polygon need be neither convex nor planar, but simple in its
+// projection along a coordinate axis, where the triangulation is constrained Delaunay. Unless edges
+// of any number of faces are allowed, no triangle gets an edge that another face has already.
+// Throws Program_error, which names the file and the face, if a polygon cannot be split.
+// Precondition: coordinates are finite, indices are in range, no face has a corner twice.
+void split_polygons(const std::string& path, Polygon_soup& soup, bool are_soups_allowed);
+
+#endif // INTRINSIC_POLYGON_SPLITTING_H

@@ -1,0 +1,278 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_COVER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_COVER_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/covers/Soup_sides.h>
+#include <CGAL/Intrinsic_triangulations/internal/covers/Wing_order.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+template <typename P>
+class Cover_builder;
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsCovers
+/// the tufted cover of a soup of triangles \cgalCite{SC20}, made by `tufted_cover()`: a closed
+/// oriented triangulated surface with two faces for each triangle, its front and its back.
+///
+/// Any number of triangles can meet at an edge and any number of fans at a vertex, and orientations
+/// need not agree. Around each edge, the side of a triangle that faces the next one is glued to the
+/// side of that one that faces it. So the cover of an oriented manifold mesh consists of two copies
+/// of it, one of them turned over, which are glued along the boundary. A vertex of the soup has a
+/// vertex of the cover for each umbrella of glued faces around it, none if it is isolated. Loops
+/// and parallel edges are ordinary.
+///
+/// Triangle \f$t\f$ has the faces \f$2t\f$, which is oriented as the triangle, and \f$2t+1\f$. Edge
+/// \f$3t+i\f$ is a copy of the side from corner \f$i\f$ of triangle \f$t\f$ to the next corner.
+///
+/// \tparam P the type of points: that of the soup, or `No_point`
+template <typename P>
+class Tufted_cover
+{
+public:
+  /// the type of the mesh.
+  typedef Surface_mesh<P> Mesh;
+
+  /// returns the surface, to be read by `Intrinsic_triangulation`. It is a valid Delta-complex; its
+  /// vertices have the points of the soup, if there are any.
+  const Mesh& mesh() const { return m_mesh; }
+
+  /// returns the number of vertices of the soup.
+  std::size_t number_of_input_vertices() const { return m_number_of_input_vertices; }
+
+  /// returns the index of the vertex of the soup at which the vertex `v` of the cover is. Vertices
+  /// that have been inserted into a triangulation of the cover come after those of the soup, in
+  /// their order.
+  std::size_t input_vertex(Vertex_index v) const
+  {
+    const std::size_t i = v.idx(), n = m_input_vertex.size();
+    return i < n ? m_input_vertex[i] : m_number_of_input_vertices + (i - n);
+  }
+
+  /// returns the index of the triangle of which the face `f` of `mesh()` is the front or the back.
+  static std::size_t input_face(Face_index f) { return f.idx() / 2; }
+
+  /// returns whether the face `f` of `mesh()` is a back, which is oriented against its triangle.
+  static bool is_back(Face_index f) { return f.idx() % 2 == 1; }
+
+  /// returns the triangle and the side of it of which the halfedge `h` of `mesh()` is a copy. Side
+  /// \f$i\f$ joins corner \f$i\f$ to the next.
+  std::pair<std::size_t, std::size_t> input_side(Halfedge_index h) const
+  {
+    const Face_index f = m_mesh.face(h);
+    const Halfedge_index first = m_mesh.halfedge(f);
+    const std::size_t steps = h == first ? 0 : h == m_mesh.next(first) ? 1 : 2;
+    return {input_face(f), is_back(f) ? (3 - steps) % 3 : steps};
+  }
+
+  /// returns a property map of the lengths of the edges of `mesh()`, for the named parameter
+  /// `edge_length_map` of `Intrinsic_triangulation`. Complexity: linear.
+  /// \param lengths for each triangle the lengths of its sides, in their order; the map refers to
+  ///   it
+  /// \throws Invalid_input if triangles at an edge differ in its length
+  template <typename Lengths>
+  auto edge_length_map(const Lengths& lengths) const
+  {
+    for(Edge_index e : m_mesh.edges()) {
+      const auto [t, i] = input_side(first_halfedge(e));
+      const auto [u, j] = input_side(opposite(first_halfedge(e)));
+      if(lengths[t][i] != lengths[u][j])
+        throw Invalid_input("faces " + std::to_string(t) + " and " + std::to_string(u) +
+                            " differ in the length of an edge");
+    }
+    return boost::make_function_property_map<Edge_index>(
+      [&lengths](Edge_index e) { return lengths[e.idx() / 3][e.idx() % 3]; });
+  }
+
+private:
+  friend class internal::Cover_builder<P>;
+
+  Tufted_cover() = default;
+
+  Mesh m_mesh;
+  std::size_t m_number_of_input_vertices = 0;
+  std::vector<std::size_t> m_input_vertex;
+};
+
+namespace internal {
+
+// Links the copies of triangles.
+template <typename P>
+class Cover_builder
+{
+  typedef Soup_sides::Index Index;
+
+public:
+  // `order` sorts the sides of an edge that has more than two.
+  template <typename Order>
+  Cover_builder(const Soup_sides& sides, const Order& order)
+    : m_sides(sides), m_before(sides.number_of_sides())
+  {
+    sides.for_each_edge([&](Soup_sides::Bundle& bundle) {
+      if(bundle.size() > 2)
+        order(bundle);
+      for(std::size_t i = 0; i < bundle.size(); ++i)
+        m_before[bundle[i]] = bundle[(i == 0 ? bundle.size() : i) - 1];
+    });
+  }
+
+  // `point(v)` is the point of vertex `v` of the soup.
+  template <typename Vertex_point>
+  Tufted_cover<P> operator()(std::size_t number_of_vertices, const Vertex_point& point)
+  {
+    m_cover.m_number_of_input_vertices = number_of_vertices;
+    m_cover.m_input_vertex.reserve(2 * number_of_vertices);
+    Surface_mesh<P>& mesh = m_cover.m_mesh;
+    mesh.resize(0, static_cast<Index>(m_sides.number_of_sides()),
+                static_cast<Index>(2 * m_sides.number_of_triangles()));
+    for(Index t = 0; t < m_sides.number_of_triangles(); ++t) {
+      set_triangle(copy(t, 0, false), copy(t, 1, false), copy(t, 2, false), Face_index(2 * t),
+                   mesh);
+      set_triangle(copy(t, 0, true), copy(t, 2, true), copy(t, 1, true), Face_index(2 * t + 1),
+                   mesh);
+    }
+    for(Index t = 0; t < m_sides.number_of_triangles(); ++t)
+      for(std::size_t i = 0; i < 3; ++i)
+        for(const bool is_back : {false, true})
+          add_vertex(copy(t, is_back ? i : (i + 2) % 3, is_back), m_sides.corner(t, i), point);
+    return std::move(m_cover);
+  }
+
+private:
+  // The halfedge of a copy of side i of triangle t. The copy of a side that leads to the greater
+  // vertex is glued to the other copy of the next side.
+  Halfedge_index copy(Index t, std::size_t i, bool is_back) const
+  {
+    const Index side = 3 * t + static_cast<Index>(i);
+    return Halfedge_index(m_sides.ascends(side) != is_back ? 2 * side : 2 * m_before[side] + 1);
+  }
+
+  // Adds the target of `h`, unless it has one.
+  template <typename Vertex_point>
+  void add_vertex(Halfedge_index h, Index input_vertex, const Vertex_point& point)
+  {
+    Surface_mesh<P>& mesh = m_cover.m_mesh;
+    if(mesh.target(h).is_valid())
+      return;
+    const Vertex_index v = mesh.add_vertex(point(input_vertex));
+    m_cover.m_input_vertex.push_back(input_vertex);
+    mesh.set_halfedge(v, h);
+    Halfedge_index x = h;
+    do {
+      mesh.set_target(x, v);
+      x = opposite(mesh.next(x));
+    } while(x != h);
+  }
+
+  const Soup_sides& m_sides;
+  std::vector<Index> m_before; // of each side, the one before it around its edge
+  Tufted_cover<P> m_cover;
+};
+
+// Sorts the sides of an edge by the angles of their triangles, seen along the edge from its greater
+// vertex to the smaller.
+template <typename Points>
+void sort_by_angle(const Points& points, const Soup_sides& sides, Soup_sides::Bundle& bundle)
+{
+  typedef std::decay_t<decltype(points[0])> Point;
+  typedef Wing_order<Point> Order;
+  const Soup_sides::Index s = bundle.front();
+  Order order(points[(std::min)(sides.source(s), sides.target(s))],
+              points[(std::max)(sides.source(s), sides.target(s))]);
+  const auto apex = [&](Soup_sides::Index side) { return points[sides.apex(side)]; };
+  const auto reference = std::find_if(bundle.begin(), bundle.end(), [&](Soup_sides::Index side) {
+    return order.has_plane(apex(side));
+  });
+  if(reference == bundle.end())
+    return;
+  order.set_reference(apex(*reference));
+  std::vector<typename Order::Wing> wings;
+  for(const Soup_sides::Index side : bundle)
+    wings.push_back(order.wing(apex(side), side));
+  std::sort(wings.begin(), wings.end(), order);
+  for(std::size_t i = 0; i < bundle.size(); ++i)
+    bundle[i] = static_cast<Soup_sides::Index>(wings[i].index);
+}
+
+// Comparisons of angles need numbers.
+template <typename Points>
+void check_finite(const Points& points)
+{
+  for(std::size_t v = 0; v < points.size(); ++v)
+    if(!CGAL::is_finite(points[v].x()) || !CGAL::is_finite(points[v].y()) ||
+       !CGAL::is_finite(points[v].z()))
+      throw Invalid_input("a coordinate of vertex " + std::to_string(v) +
+                          " is infinite or not a number");
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsCovers
+/// computes the tufted cover of triangles with positions. Around an edge, triangles follow each
+/// other by their angles, which are compared exactly. Triangles with one angle are stacked by their
+/// indices, in the direction of the normal of their plane whose first component that is not zero is
+/// positive; triangles without a plane come last. Complexity: linear, but for sorting the edges at
+/// each vertex and the triangles at each edge.
+/// \param points a random access range of points of a kernel; predicates are exact for coordinates
+///   in floating point, others are those of the kernel
+/// \param triangles a range of ranges of three integers, the indices of points
+/// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does
+///   not exist, or a coordinate is not finite
+/// \throws std::length_error if there are too many faces for the numbers of halfedges
+template <typename PointRange, typename TriangleRange>
+auto tufted_cover(const PointRange& points, const TriangleRange& triangles)
+  -> std::enable_if_t<!std::is_integral_v<PointRange>,
+                      Tufted_cover<std::decay_t<decltype(points[0])>>>
+{
+  typedef std::decay_t<decltype(points[0])> Point;
+  internal::check_finite(points);
+  const internal::Soup_sides sides(points.size(), triangles);
+  const auto order = [&](internal::Soup_sides::Bundle& bundle) {
+    internal::sort_by_angle(points, sides, bundle);
+  };
+  return internal::Cover_builder<Point>(sides, order)(points.size(),
+                                                      [&](std::size_t v) { return points[v]; });
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCovers
+/// computes the tufted cover of triangles without positions; lengths are taken to it by
+/// `Tufted_cover::edge_length_map()`. Around an edge, triangles follow each other by their indices.
+/// Where there are more than two, another order gives another surface. Complexity: linear, but for
+/// sorting the edges at each vertex.
+/// \param number_of_vertices the number of vertices, isolated ones included
+/// \param triangles a range of ranges of three integers, the indices of vertices
+/// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does
+///   not exist
+/// \throws std::length_error if there are too many faces for the numbers of halfedges
+template <typename TriangleRange>
+Tufted_cover<No_point> tufted_cover(std::size_t number_of_vertices, const TriangleRange& triangles)
+{
+  const internal::Soup_sides sides(number_of_vertices, triangles);
+  return internal::Cover_builder<No_point>(sides, [](const auto&) {})(
+    number_of_vertices, [](std::size_t) { return No_point(); });
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_COVER_H

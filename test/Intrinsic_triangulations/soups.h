@@ -1,0 +1,167 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_TRIANGULATIONS_TEST_SOUPS_H
+#define INTRINSIC_TRIANGULATIONS_TEST_SOUPS_H
+
+#include "generators.h"
+
+#include <CGAL/Random.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// Triangles that need not be a surface, all from a seed.
+namespace Test_surfaces {
+
+struct Soup
+{
+  std::vector<Point> points;
+  Triangles triangles;
+};
+
+inline Soup soup_of(const Mesh& mesh)
+{
+  Soup result;
+  result.points.assign(mesh.points().begin(), mesh.points().end());
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    result.triangles.push_back({std::size_t(mesh.source(h).idx()),
+                                std::size_t(mesh.target(h).idx()),
+                                std::size_t(mesh.target(mesh.next(h)).idx())});
+  }
+  return result;
+}
+
+// Pages of m x n squares that have their left side in common, on the z-axis. Page k has the angle
+// angles[k]. Vertex (page, i, j) is i squares from the spine.
+struct Book
+{
+  Book(const std::vector<double>& angles, std::size_t m_, std::size_t n_, double width = 1,
+       double height = 1)
+    : m(m_), n(n_)
+  {
+    const auto point = [&](double angle, std::size_t i, std::size_t j) {
+      const double x = width * static_cast<double>(i) / static_cast<double>(m);
+      return Point(x * std::cos(angle), x * std::sin(angle),
+                   height * static_cast<double>(j) / static_cast<double>(n));
+    };
+    for(std::size_t j = 0; j <= n; ++j)
+      soup.points.push_back(point(0, 0, j));
+    for(std::size_t page = 0; page < angles.size(); ++page)
+      add(page, [&](std::size_t i, std::size_t j) { return point(angles[page], i, j); });
+  }
+
+  std::size_t vertex(std::size_t page, std::size_t i, std::size_t j) const
+  {
+    return i == 0 ? j : (1 + page * m + i - 1) * (n + 1) + j;
+  }
+
+  template <typename Place>
+  void add(std::size_t page, const Place& place)
+  {
+    for(std::size_t i = 1; i <= m; ++i)
+      for(std::size_t j = 0; j <= n; ++j)
+        soup.points.push_back(place(i, j));
+    for(std::size_t i = 0; i < m; ++i)
+      for(std::size_t j = 0; j < n; ++j) {
+        const std::size_t a = vertex(page, i, j), b = vertex(page, i + 1, j),
+                          c = vertex(page, i + 1, j + 1), d = vertex(page, i, j + 1);
+        soup.triangles.push_back({a, b, c});
+        soup.triangles.push_back({a, c, d});
+      }
+  }
+
+  std::size_t m, n;
+  Soup soup;
+};
+
+inline std::vector<double> random_angles(std::size_t n, CGAL::Random& random)
+{
+  std::vector<double> result;
+  for(std::size_t i = 0; i < n; ++i)
+    result.push_back(random.get_double(0, 6.28));
+  return result;
+}
+
+// A band of n squares with half a turn.
+inline Soup moebius_band(std::size_t n)
+{
+  Soup result;
+  for(std::size_t i = 0; i < n; ++i)
+    for(const double side : {-0.4, 0.4}) {
+      const double angle = 2 * std::acos(-1.) * static_cast<double>(i) / static_cast<double>(n);
+      const double r = 1 + side * std::cos(angle / 2);
+      result.points.emplace_back(r * std::cos(angle), r * std::sin(angle),
+                                 side * std::sin(angle / 2));
+    }
+  for(std::size_t i = 0; i < n; ++i) {
+    const std::size_t a = 2 * i, b = 2 * i + 1;
+    const std::size_t c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? b + 2 : 0;
+    result.triangles.push_back({a, c, b});
+    result.triangles.push_back({b, c, d});
+  }
+  return result;
+}
+
+// The union, with one vertex in common.
+inline Soup joined(Soup a, const Soup& b, CGAL::Random& random)
+{
+  const std::size_t shift = a.points.size() - 1;
+  const auto at = static_cast<std::size_t>(random.get_int(0, static_cast<int>(shift) + 1));
+  const auto number = [&](std::size_t v) { return v == 0 ? at : shift + v; };
+  for(std::size_t v = 1; v < b.points.size(); ++v)
+    a.points.push_back(a.points[at] + (b.points[v] - b.points[0]));
+  for(const auto& [i, j, k] : b.triangles)
+    a.triangles.push_back({number(i), number(j), number(k)});
+  return a;
+}
+
+inline void flip_orientations(Soup& soup, CGAL::Random& random)
+{
+  for(auto& t : soup.triangles)
+    if(random.get_bool())
+      std::swap(t[1], t[2]);
+}
+
+inline void move_points(Soup& soup, double amount, CGAL::Random& random)
+{
+  for(Point& p : soup.points)
+    p = Point(p.x() + amount * random.get_double(-1, 1), p.y() + amount * random.get_double(-1, 1),
+              p.z() + amount * random.get_double(-1, 1));
+}
+
+inline Soup random_part(int kind, CGAL::Random& random)
+{
+  const auto number = [&](int from, int to) {
+    return static_cast<std::size_t>(random.get_int(from, to + 1));
+  };
+  switch(kind) {
+    case 0: return Book(random_angles(number(3, 7), random), number(1, 4), number(1, 4)).soup;
+    case 1: return moebius_band(number(5, 12));
+    default: return soup_of(bipyramid(number(3, 9), 0.7));
+  }
+}
+
+// Books of three to seven pages, Moebius bands and bipyramids, that touch in vertices; some faces twice
+// or three times; without orientation.
+inline Soup random_soup(unsigned int seed)
+{
+  CGAL::Random random(seed);
+  Soup result = random_part(static_cast<int>(seed % 3), random);
+  for(int parts = random.get_int(0, 3); parts > 0; --parts)
+    result = joined(std::move(result), random_part(random.get_int(0, 3), random), random);
+  move_points(result, 0.02, random);
+  for(int copies = random.get_int(0, 4); copies > 0; --copies)
+    result.triangles.push_back(result.triangles[static_cast<std::size_t>(
+      random.get_int(0, static_cast<int>(result.triangles.size())))]);
+  flip_orientations(result, random);
+  return result;
+}
+
+} // namespace Test_surfaces
+
+#endif // INTRINSIC_TRIANGULATIONS_TEST_SOUPS_H

@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Faces of more than three corners are split into triangles, unless --strict is given.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+expect 0 delaunay polygon.mesh.off -o a.ply --stats a.json
+says 'polygon.mesh.off: note: polygons split into triangles: 1'
+claim "a, s = ply('a.ply'), json('a.json')" 'len(a.faces) == 2' "a.face['input_polygon'] == [0, 0]" \
+  's.faces == 2' 's.polygons == 1'
+expect 2 delaunay polygon.mesh.off -o a.off --strict
+says 'face that is not a triangle: 1, first at face 0'
+expect 0 delaunay good.mesh.off -o b.ply --strict
+cp b.ply first
+expect 0 delaunay good.mesh.off -o b.ply
+cmp b.ply first # and no property "input_polygon"
+! grep -q input_polygon b.ply || fail 'triangles are no polygons'
+rm a* b* first
+
+# A prism over a star, whose concave lids have a collinear corner; the sides are not planar.
+awk 'BEGIN {
+  n = 12
+  print "OFF\n" 2 * n, n + 2, 0
+  for(z = 0; z < 2; ++z)
+    for(i = 0; i < n; ++i) {
+      a = (i + 0.2 * z) * 6.283185307179586 / n
+      r = i % 2 ? 0.4 : 1
+      print r * cos(a), r * sin(a), z
+    }
+  printf "%d", n; for(i = n - 1; i >= 0; --i) printf " %d", i; print ""
+  printf "%d", n; for(i = 0; i < n; ++i) printf " %d", n + i; print ""
+  for(i = 0; i < n; ++i) print 4, i, (i + 1) % n, n + (i + 1) % n, n + i
+}' >star.mesh.off
+for command in delaunay refine; do
+  expect 0 $command star.mesh.off -o a.ply --stats a.json
+  claim "a, s = ply('a.ply'), json('a.json')" 's.faces == 2 * 10 + 12 * 2' 's.polygons == 14' \
+    's.euler_characteristic == 2' "set(a.face['input_polygon']) == set(range(14))" \
+    "all((p == 0) == (f < 10) for f, p in zip(a.face['input_face'], a.face['input_polygon']))"
+done
+# The lids keep their area; seen from above, the lower one is clockwise.
+claim "a = ply('a.ply')" "near(-fsum(signed_area(a.points, f)
+  for f, p in zip(a.faces, a.face['input_polygon']) if p == 0), 12 * 0.5 * 0.4 * sin(pi / 6), 1e-6)"
+expect 0 distance star.mesh.off --source 0 -o a.ply
+claim "a = ply('a.ply')" 'len(a.faces) == 44' "max(a.face['input_polygon']) == 13"
+expect 0 flatten star.mesh.off -o a.ply --cones greedy
+claim "set(ply('a.ply').face['input_polygon']) == set(range(14))"
+expect 0 simplify star.mesh.off -o a.ply --ratio 0.5
+rm a*
+
+# Two squares back to back have no diagonal in common.
+off pillow "$square" '0 1 2 3,3 2 1 0'
+expect 0 delaunay pillow.mesh.off -o a.ply --stats a.json
+claim "json('a.json').euler_characteristic == 2"
+# A polygon that crosses itself has no inside.
+off crossing '0 0 0,1 1 0,1 0 0,0 1 0' '0 1 2 3'
+expect 2 delaunay crossing.mesh.off -o b.ply
+says 'crossing.mesh.off: face 0 crosses or touches itself, seen along every axis'
+off two '0 0 0,1 1 0' '0 1'
+expect 2 delaunay two.mesh.off -o b.ply
+off twice "$square,0 0 1" '0 1 2 3,0 1 1 4'
+expect 2 delaunay twice.mesh.off -o b.ply
+says 'face with a repeated vertex: 1, first at face 1'
+rm a*
+
+# Soups may have polygons too.
+off book "$square,0 0 1,1 0 1,0 0 -1,1 0 -1" '0 1 2 3,0 1 5 4,1 0 6 7'
+expect 0 operators book.mesh.off --prefix a --stats a.json
+claim "s = json('a.json')" 's.polygons == 3' 's.tufted' 's.faces == 6' \
+  "near(fsum(mtx('a_lumped_mass.mtx') @ ([1] * 8)), 3, 1e-14)"
+expect 2 delaunay book.mesh.off -o b.ply
+says 'non-manifold edge: 1, first between vertices 0 and 1 (face 0); --repair makes it a surface'
+expect 0 delaunay book.mesh.off -o b.off --repair
+rm a* b*
+expect_files
+
+if [ -n "$data" ]; then
+  for mesh in cube_quad.off quads_to_stitch.off torus_quad.off; do
+    expect 0 delaunay "$data/meshes/$mesh" -o a.ply
+    expect 2 delaunay "$data/meshes/$mesh" -o a.ply --strict
+  done
+  # polygons and two vertices that are not manifold
+  expect 0 distance "$data/meshes/polygon_mesh.off" --source 0 -o a.ply
+fi
