@@ -10,6 +10,7 @@
 #include "Output.h"
 #include "Progress_bar.h"
 #include "Statistics.h"
+#include "View_page.h"
 #include "commands.h"
 
 #include <cstddef>
@@ -66,6 +67,14 @@ public:
     m_output.add(path, [&](Text& text) { write(text, mesh, format); });
   }
 
+  // Calls `add(page)` with what shows the result in a page or a picture, if one is wanted.
+  template <class Add>
+  void show(const Add& add)
+  {
+    if(m_page)
+      add(*m_page);
+  }
+
   // Adds the statistics to the files, makes these appear and prints the summary.
   // Throws std::logic_error if a stage that was planned has not come.
   void finish(const std::string& summary);
@@ -90,6 +99,7 @@ private:
   };
 
   void read(const std::string& command);
+  void write_page();
 
   void end_stage() { m_timer.reset(); }
 
@@ -99,7 +109,8 @@ private:
   Input_mesh m_input;
   Statistics m_statistics;
   Statistics m_seconds;
-  std::optional<Timer> m_timer; // of the stage that was started
+  std::optional<View_page> m_page; // if a page or a picture is wanted
+  std::optional<Timer> m_timer;    // of the stage that was started
 };
 
 #endif // INTRINSIC_COMMAND_RUN_H

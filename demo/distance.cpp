@@ -113,7 +113,7 @@ public:
                 refinement_stages(options.minimum_angle),
                 certificate_stages(common),
                 {"solve"},
-                m_subdivision_format ? subdivision_stages : Stages{}});
+                is_subdivision_wanted() ? subdivision_stages : Stages{}});
   }
 
   void run()
@@ -145,9 +145,14 @@ private:
     return format_with_attributes(options.subdivision, options);
   }
 
+  bool is_subdivision_wanted()
+  {
+    return m_subdivision_format || !view_stages(m_run.options()).empty();
+  }
+
   std::optional<Subdivision> subdivide_if_wanted(const Triangulation& triangulation)
   {
-    if(!m_subdivision_format)
+    if(!is_subdivision_wanted())
       return std::nullopt;
     return subdivide(m_run, triangulation);
   }
@@ -159,11 +164,21 @@ private:
                      with_distances(output_mesh(m_run.input().mesh), at_input_vertices(values)),
                      m_format);
     if(subdivision)
-      m_run.add_output(m_options.subdivision,
-                       with_distances(subdivision_mesh(*subdivision),
-                                      interpolated(values, *subdivision, triangulation)),
-                       *m_subdivision_format);
+      write_subdivision(with_distances(subdivision_mesh(*subdivision),
+                                       interpolated(values, *subdivision, triangulation)),
+                        *subdivision, triangulation);
     save(m_run, triangulation);
+  }
+
+  void write_subdivision(const Output_mesh& mesh, const Subdivision& subdivision,
+                         const Triangulation& triangulation)
+  {
+    if(m_subdivision_format)
+      m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
+    m_run.show([&](View_page& page) {
+      show(page, m_run, triangulation, subdivision, mesh);
+      page.add_marks({"sources", false, {}, {}, m_options.sources});
+    });
   }
 
   const Distance_options& m_options;
