@@ -178,6 +178,8 @@ private:
   void set_edges()
   {
     const Output_mesh& mesh = m_surface.mesh;
+    if(find_attribute(mesh.point_data, "distance") != nullptr)
+      return; // they would hide the colors
     for(std::size_t e = 0; e < mesh.edges.size(); ++e) {
       const auto [v, w] = mesh.edges[e];
       const char* name = mesh.edge_data.empty() ? "e" : nullptr;

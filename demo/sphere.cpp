@@ -16,6 +16,7 @@
 
 #include <functional>
 #include <sstream>
+#include <vector>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 
@@ -67,6 +68,12 @@ void show_on_sphere(View_page& page, Command_run& run, const DCM::Spherical_conf
   for(const Point& p : on_sphere.points)
     positions.push_back({p.x(), p.y(), p.z()});
   mesh.points = input_points(map, run.input().mesh);
+  std::vector<double> scales;
+  for(const Mesh::Vertex_index v : run.input().mesh.vertices())
+    scales.push_back(map.log_scale(DCM::Vertex_index(v.idx())));
+  for(Attribute& a : mesh.point_data)
+    if(a.name == "log_scale")
+      a.values = interpolated(map, run.input().mesh, scales);
   show(page, run, map, mesh);
   page.set_image(Image_kind::sphere, std::move(positions));
 }

@@ -39,7 +39,10 @@ export function show() {
   addEventListener('keydown', event => panel.press(event.key));
   keepDrawing(viewer);
   window.intrinsicView = {page, viewer, pick, setColor: color => panel.setColor(color),
-    set: changes => viewer.set(changes), pixel: (x, y) => viewer.pixel(x, y),
+    set: changes => {
+      viewer.set(changes);
+      panel.showState();
+    }, pixel: (x, y) => viewer.pixel(x, y),
     project: (point, surface) => viewer.project(point, surface)};
   window.dispatchEvent(new Event('intrinsic-view-ready'));
 }

@@ -67,14 +67,14 @@ const fragmentShader = `
   void main() {
     vec3 n = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
     vec3 side = gl_FrontFacing ? vec3(1.) : vec3(.80, .84, .90);
-    float lit = .50 + .42 * abs(n.z) + .10 * n.y;
+    float lit = .54 + .42 * abs(n.z) + .10 * n.y;
     gl_FragColor = vec4(surface() * mix(vec3(1.), side * lit, light), 1.);
   }`;
 
 export function surfaceMaterial(isLit) {
   return new ShaderMaterial({
     vertexShader, fragmentShader, side: DoubleSide,
-    polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2,
+    polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4,
     uniforms: {
       mode: {value: 0}, base: {value: new Vector3(...rgb(plain))}, squares: {value: 8},
       stops: {value: Array.from({length: 5}, () => new Vector3())}, low: {value: 0},

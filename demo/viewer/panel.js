@@ -169,6 +169,13 @@ export class Panel {
 
   // ---- Keys ----
 
+  // After a script has changed what is shown.
+  showState() {
+    for(const [key, box] of this.boxes)
+      box.checked = this.viewer.state.shown[key];
+    this.setColor(this.viewer.state.color);
+  }
+
   press(key) {
     const layer = this.viewer.layers[Number(key) - 1];
     if(layer)

@@ -111,7 +111,13 @@ export class Surface {
     return owner ? e => owner.values[e] >= 0 : () => true;
   }
 
+  // Edges of a triangulation are cut into parts by others.
   countEdges(layer) {
+    const owner = this.edgeData[`${layer}_edge`];
+    return owner ? new Set(owner.values.filter(id => id >= 0)).size : this.countParts(layer);
+  }
+
+  countParts(layer) {
     const isIn = this.isInLayer(layer);
     let result = 0;
     for(let e = 0; 2 * e < this.edges.length; ++e)

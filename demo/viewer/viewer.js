@@ -55,27 +55,37 @@ export class Viewer {
 
   // ---- What is shown ----
 
-  get layers() {
+  get layers() { return this.allLayers ??= this.findLayers(); }
+
+  findLayers() {
     const all = this.surfaces.flatMap(s => [
       ...(s.triangulations.length > 0 ? s.triangulations : ['edges']), ...s.markedEdges]);
-    return [...new Set(all)];
+    return [...new Set(all)].filter(layer => this.countParts(layer) > 0);
   }
 
   get fields() { return [...new Set(this.surfaces.flatMap(s => s.fields))]; }
   get triangulations() { return [...new Set(this.surfaces.flatMap(s => s.triangulations))]; }
-  get markedPoints() { return [...new Set(this.surfaces.flatMap(s => s.markedPoints))]; }
+  get markedPoints() {
+    return [...new Set(this.surfaces.flatMap(s => s.markedPoints))]
+      .filter(name => this.surfaces.some(s => s.pointData[name]?.values.includes(1)));
+  }
   get marks() { return this.surfaces.flatMap(s => s.marks); }
+  get hasSphere() { return this.surfaces.some(s => s.picture?.kind === 'sphere'); }
   get hasTexture() { return this.surfaces.some(s => s.texture); }
 
   countEdges(layer) {
     return this.surfaces.reduce((sum, s) => sum + s.countEdges(layer), 0);
   }
 
+  countParts(layer) {
+    return this.surfaces.reduce((sum, s) => sum + s.countParts(layer), 0);
+  }
+
   initialState() {
     const shown = {};
-    const isCalm = this.hasTexture || this.fields.includes('distance');
+    const isCalm = this.hasTexture || this.hasSphere || this.fields.includes('distance');
     for(const layer of this.layers)
-      shown[layer] = this.countEdges(layer) <= mostShown &&
+      shown[layer] = this.countParts(layer) <= mostShown &&
         (layer === 'is_seam' || layer === 'coarse' || !isCalm && !this.layers.includes('coarse'));
     for(const name of [...this.markedPoints, ...this.marks.map(m => m.name)])
       shown[name] = true;
@@ -87,6 +97,8 @@ export class Viewer {
       return 'projective';
     if(this.fields.includes('distance'))
       return 'field distance';
+    if(this.hasSphere)
+      return 'field log_scale';
     return this.layers.includes('coarse') ? 'faces coarse' : 'plain';
   }
 
@@ -162,7 +174,7 @@ export class Viewer {
   updateLayers({surface, pane, isPicture}) {
     for(const [i, layer] of this.layers.entries()) {
       const style = {color: colors.layers[layer] ?? colors.others, order: 10 + i,
-        width: layer === 'input' || layer === 'edges' ? 1 : layer === 'is_seam' ? 3 : 1.8};
+        width: widthOf(layer, this.countParts(layer))};
       pane.show(layer, this.state.shown[layer], () => lines(
         isPicture ? surface.segmentsInPicture(layer) : surface.segments(layer), style));
     }
@@ -303,6 +315,13 @@ export class Viewer {
     const [x, y] = pane.project(p);
     return [x + pane.box.left, y + pane.box.top];
   }
+}
+
+function widthOf(layer, parts) {
+  if(layer === 'is_seam')
+    return 3;
+  const isThin = layer === 'input' || layer === 'edges';
+  return (isThin ? 1 : 1.8) * (parts > 8000 ? .7 : 1);
 }
 
 const colorsByOwner = owner => i => colors.faces[colors.colorOfFace(owner[i])];

@@ -188,7 +188,7 @@ def damaged(dice, content, others):
 
 
 def arguments(dice, mesh):
-    command = dice.choice("info delaunay refine distance flatten hyperbolic uniformize sphere simplify"
+    command = dice.choice("info view delaunay refine distance flatten hyperbolic uniformize sphere simplify"
                           " operators".split())
     result = [command, mesh]
     if command == "info":

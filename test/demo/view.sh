@@ -47,7 +47,7 @@ expect 0 view flat.mesh.off sheared.mesh.off -o page.html
 page_shows page.html 'view.viewer.views.length === 2' \
   'closePoints(clickAt([.25, .3, 0]).point, [.25, .3, 0])' 'clickAt([.25, .3, 0]).surface === "flat.mesh.off"' \
   'clickAt([1/3 + .01, 1/2 + .01, 0]).nearestVertex === 3 * 7 + 2' \
-  'view.pick(2, 2) === null' 'view.viewer.resetCameras() === undefined' 'share(1, isPaper) < .95'
+  'view.pick(2, 2) === null' 'view.viewer.resetCameras() === undefined' 'share(1, isPaper) < .98'
 
 # What is wrong is red: one edge, all of several faces, and points.
 code=0
@@ -78,9 +78,9 @@ page_shows page.html 'view.viewer.layers.join() === "input,intrinsic"' \
   'view.page.angles.length === 2' 'view.page.angles[0].counts.reduce((a, b) => a + b) === 3 * 32' \
   'view.page.angles[1].counts.reduce((a, b) => a + b) === 3 * 32' \
   'view.page.statistics.is_delaunay' 'view.page.statistics.seconds === undefined' \
-  'Object.keys(clickAt([1, .4, 0]).faces).join() === "input,intrinsic"' \
+  'Object.keys(clickAt([1.7, .4, 0]).faces).join() === "input,intrinsic"' \
   'view.set({shown: {input: false, intrinsic: false}}) === undefined' \
-  'print(share(0, ([r, g, b]) => r > g + 60)) && share(0, ([r, g, b]) => r > g + 60) === 0' \
+  'share(0, ([r, g, b]) => r > g + 60) === 0' \
   'view.set({shown: {intrinsic: true}}) === undefined' 'share(0, ([r, g, b]) => r > g + 60) > .001'
 expect 0 delaunay sheared.mesh.off -o a.ply --view again.html
 cmp page.html again.html
