@@ -192,7 +192,9 @@ def arguments(dice, mesh):
                           " operators".split())
     result = [command, mesh]
     if command == "info":
-        return result + dice.choice([[], ["--json"]])
+        return result + dice.choice([[], ["--json"], ["--view", "o.html", "--picture", "o.svg"]])
+    if command == "view":
+        return result + ["-o", "o.html"]
     formats = {"distance": ["ply", "vtp"], "hyperbolic": ["obj", "ply", "vtp"],
                "flatten": ["obj", "ply", "vtp"], "uniformize": ["obj", "ply", "vtp"]}
     output = "o." + dice.choice(formats.get(command, ["off", "obj", "ply", "vtp"]))
@@ -204,6 +206,7 @@ def arguments(dice, mesh):
     if command == "simplify":
         result += dice.choice([[], ["--weight", "color=1"], ["--weight", "quality=2"]])
     result += dice.choice([[], ["--repair"], ["--mollify", "1e-6"]])
+    result += dice.choice([[], [], ["--view", "o.html", "--picture", "o.svg"]])
     return result + ["--stats", "o.json"]
 
 
