@@ -59,21 +59,24 @@ std::string json_in_script(const Statistics& json)
   return result;
 }
 
+double coordinate(const Point& p, std::size_t k) { return p[static_cast<int>(k)]; }
+double coordinate(const std::array<double, 3>& p, std::size_t k) { return p[k]; }
+
 // The middle and half the greatest side of a box.
 struct Frame
 {
   template <class Points>
-  Frame(const Points& points, int dimension) : center{}, radius(0)
+  Frame(const Points& points, std::size_t dimension) : center{}, radius(0)
   {
-    for(int k = 0; k < dimension; ++k) {
+    for(std::size_t k = 0; k < dimension; ++k) {
       double low = std::numeric_limits<double>::max(), high = -low;
       for(const auto& p : points)
-        if(const double x = p[k]; std::isfinite(x)) {
+        if(const double x = coordinate(p, k); std::isfinite(x)) {
           low = (std::min)(low, x);
           high = (std::max)(high, x);
         }
       if(low <= high) {
-        center[std::size_t(k)] = low / 2 + high / 2;
+        center[k] = low / 2 + high / 2;
         radius = (std::max)(radius, high / 2 - low / 2);
       }
     }
@@ -140,7 +143,7 @@ private:
     std::vector<double> coordinates;
     for(const Point& p : points)
       for(std::size_t k = 0; k < 3; ++k)
-        coordinates.push_back(frame(p[int(k)], k));
+        coordinates.push_back(frame(coordinate(p, k), k));
     result["center"] = frame.center;
     result["radius"] = frame.radius;
     result["points"] = m_arrays.add_reals(coordinates, 3);

@@ -38,7 +38,7 @@ result distance elephant.off -o out.ply --source 0
 screenshot Intrinsic_triangulations viewer_distance
 result flatten elephant.off -o out.obj
 screenshot Discrete_conformal_maps flatten
-result sphere bull.off -o out.ply
-screenshot Discrete_conformal_maps sphere 'view.setColor("field log_scale") === undefined'
-result simplify camel.off -o out.ply --ratio 0.02
+result sphere cow.off -o out.ply
+screenshot Discrete_conformal_maps sphere 'view.setColor("faces input") === undefined'
+result simplify elephant.off -o out.ply --ratio 0.06
 screenshot Intrinsic_simplification simplify
