@@ -114,15 +114,19 @@ export class Surface {
   // Edges of a triangulation are cut into parts by others.
   countEdges(layer) {
     const owner = this.edgeData[`${layer}_edge`];
-    return owner ? new Set(owner.values.filter(id => id >= 0)).size : this.countParts(layer);
+    return owner ? countDistinct(owner.values) : this.countParts(layer);
   }
 
   countParts(layer) {
-    const isIn = this.isInLayer(layer);
-    let result = 0;
-    for(let e = 0; 2 * e < this.edges.length; ++e)
-      result += isIn(e);
-    return result;
+    this.parts ??= new Map();
+    if(!this.parts.has(layer)) {
+      const isIn = this.isInLayer(layer);
+      let result = 0;
+      for(let e = 0; 2 * e < this.edges.length; ++e)
+        result += isIn(e);
+      this.parts.set(layer, result);
+    }
+    return this.parts.get(layer);
   }
 
   // Positions of both ends of the edges of a layer.
@@ -183,6 +187,18 @@ export class Surface {
     });
     return [...sides.values()].flat();
   }
+}
+
+// Negative numbers do not count.
+function countDistinct(values) {
+  const isSeen = new Uint8Array(values.reduce((a, b) => Math.max(a, b), -1) + 1);
+  let result = 0;
+  for(const x of values)
+    if(x >= 0 && isSeen[x] === 0) {
+      isSeen[x] = 1;
+      ++result;
+    }
+  return result;
 }
 
 export function positionsOf(indices, points) {

@@ -248,6 +248,9 @@ export class Viewer {
 
   resize() {
     const {clientWidth: width, clientHeight: height} = this.stage;
+    if(this.size?.join() === [width, height].join())
+      return;
+    this.size = [width, height];
     this.renderer.setSize(width, height, false);
     const n = this.views.length;
     const columns = n < 4 ? (width > height ? n : 1) : Math.ceil(Math.sqrt(n));
