@@ -2,7 +2,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Writes the source file `output`, which defines `embedded_files`, see Embedded_file.h, from text files.
+# Writes the source file `output`, which defines `embedded_files`, see Embedded_file.h, from text
+# files.
 # Literals stay below the length that compilers must accept.
 function(embed_files output)
   set(code "#include \"Embedded_file.h\"\n\nconst std::vector<Embedded_file> embedded_files = {\n")

@@ -40,7 +40,8 @@ export function angleChart(histograms, colors) {
     d: `M${left} ${yOf(0)}${steps(counts, most)}V${yOf(0)}`}));
   const degrees = [0, 60, 120, 180].map(d =>
     label(Math.min(Math.max(xOf(d, 180), left + 5), width - 12), height - 3, `${d}°`));
-  return chart(...areas, ...degrees, label(left - 4, top + 8, `${Math.round(100 * most)} %`, 'end'));
+  return chart(...areas, ...degrees,
+    label(left - 4, top + 8, `${Math.round(100 * most)} %`, 'end'));
 }
 
 // Of positive values over their indices, with a logarithmic axis.
@@ -50,7 +51,8 @@ export function curveChart(values, color) {
   const n = Math.max(values.length - 1, 1);
   const points = logs.map((v, i) => `${xOf(i, n)},${yOf((v - low) / (high - low))}`);
   return chart(
-    element('polyline', {fill: 'none', stroke: color, 'stroke-width': 1.6, points: points.join(' ')}),
+    element('polyline', {
+      fill: 'none', stroke: color, 'stroke-width': 1.6, points: points.join(' ')}),
     label(left - 4, top + 8, `1e${high}`, 'end'), label(left - 4, yOf(0), `1e${low}`, 'end'),
     label(left + 4, height - 3, '0'), label(width - 8, height - 3, `${values.length - 1}`));
 }

@@ -4,7 +4,8 @@ import { angleChart, curveChart } from './charts.js';
 import * as colors from './colors.js';
 
 const names = {
-  input: 'edges of the input', intrinsic: 'intrinsic edges', flat: 'edges of the flat triangulation',
+  input: 'edges of the input', intrinsic: 'intrinsic edges',
+  flat: 'edges of the flat triangulation',
   sphere: 'edges of the polyhedron', coarse: 'coarse edges', edges: 'edges', is_seam: 'seams',
   is_cone: 'cones', log_scale: 'logarithmic scale factor', curvature: 'Gaussian curvature',
   distance: 'distance'};
@@ -26,7 +27,8 @@ function make(tag, properties = {}, ...children) {
   return result;
 }
 
-const section = (title, ...children) => make('section', {}, make('h2', {textContent: title}), ...children);
+const section = (title, ...children) =>
+  make('section', {}, make('h2', {textContent: title}), ...children);
 
 function table(rows) {
   return make('table', {}, make('tbody', {}, ...rows.map(([name, value]) => make('tr', {},
@@ -210,5 +212,6 @@ function help() {
 
 function licence() {
   return section('Licence', make('p', {className: 'hint', textContent:
-    'Drawn with three.js, © three.js authors, MIT licence; its text is in the source of this page.'}));
+    'Drawn with three.js, © three.js authors, MIT licence; its text is in the source ' +
+    'of this page.'}));
 }

@@ -19,7 +19,8 @@ const withData = (arrays, descriptions) =>
 
 // "input_edge" and the like are attributes of elements of a triangulation "input".
 const ownersOf = (data, suffix) =>
-  Object.keys(data).filter(name => name.endsWith(suffix)).map(name => name.slice(0, -suffix.length));
+  Object.keys(data)
+    .filter(name => name.endsWith(suffix)).map(name => name.slice(0, -suffix.length));
 
 export class Surface {
   constructor(description, arrays) {
