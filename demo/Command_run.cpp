@@ -16,6 +16,8 @@ std::vector<std::string> all_outputs(std::vector<std::string> outputs,
 {
   outputs.push_back(options.save);
   outputs.push_back(options.statistics);
+  outputs.push_back(options.view);
+  outputs.push_back(options.picture);
   return outputs;
 }
 
@@ -27,6 +29,10 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
     m_output(options.input, all_outputs(std::move(outputs), options)),
     m_progress(options.is_quiet)
 {
+  if(!options.view.empty())
+    View_page::check_available();
+  if(!options.view.empty() || !options.picture.empty())
+    m_page.emplace();
   read(command, are_soups_allowed);
 }
 
@@ -112,11 +118,22 @@ void Command_run::plan(const std::vector<Stages>& parts)
   m_progress.set_stages(std::move(all));
 }
 
+// Without what differs between runs.
+void Command_run::write_page()
+{
+  show([&](View_page& page) {
+    page.set_statistics(m_statistics);
+    m_output.add(m_options.view, [&](Text& text) { page.write_html(text); });
+    m_output.add(m_options.picture, [&](Text& text) { page.write_svg(text); });
+  });
+}
+
 void Command_run::finish(const std::string& summary)
 {
   for(const std::string& stage : m_progress.stages())
     if(!m_seconds.contains(stage))
       throw std::logic_error("the stage '" + stage + "' has not come");
+  write_page();
   m_statistics["seconds"] = m_seconds;
   m_statistics["peak_memory_bytes"] = peak_memory_in_bytes();
   add_output(m_options.statistics, text_of(m_statistics));

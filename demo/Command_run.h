@@ -10,6 +10,7 @@
 #include "Output.h"
 #include "Progress_bar.h"
 #include "Statistics.h"
+#include "View_page.h"
 #include "commands.h"
 
 #include <cstddef>
@@ -74,6 +75,14 @@ public:
     });
   }
 
+  // Calls `add(page)` with what shows the result in a page or a picture, if one is wanted.
+  template <class Add>
+  void show(const Add& add)
+  {
+    if(m_page)
+      add(*m_page);
+  }
+
   // Adds the statistics to the files, makes these appear and prints the summary.
   // Throws std::logic_error if a stage that was planned has not come.
   void finish(const std::string& summary);
@@ -99,6 +108,7 @@ private:
 
   void read(const std::string& command, bool are_soups_allowed);
   void describe_cover();
+  void write_page();
 
   // Takes faces of the cover to those of the input, and names the polygons that these are parts of.
   Output_mesh with_input_faces(Output_mesh mesh) const;
@@ -111,7 +121,8 @@ private:
   Input_mesh m_input;
   Statistics m_statistics;
   Statistics m_seconds;
-  std::optional<Timer> m_timer; // of the stage that was started
+  std::optional<View_page> m_page; // if a page or a picture is wanted
+  std::optional<Timer> m_timer;    // of the stage that was started
 };
 
 #endif // INTRINSIC_COMMAND_RUN_H

@@ -49,6 +49,9 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Number& numb
 void add_common_options(CLI::App& command, Common_options& options)
 {
   command.add_option("--stats", options.statistics, "JSON file for statistics");
+  command.add_option("--view", options.view,
+                     "HTML file that shows the result in a browser, see `intrinsic view`");
+  command.add_option("--picture", options.picture, "SVG file with a picture of the result");
   add_number(command, "--mollify", options.mollification,
              "Lengthen all edges until every triangle inequality has this slack, "
              "relative to the mean edge length",
@@ -85,8 +88,20 @@ void add_info(CLI::App& app, Options& options)
   CLI::App& command =
     add_command(app, "info", "Say what a mesh is and what is wrong with it", options.info.input);
   command.add_flag("--json", options.info.is_json, "Print JSON");
+  command.add_option("--view", options.info.view,
+                     "HTML file that shows the mesh, and its defects in red");
+  command.add_option("--picture", options.info.picture, "SVG file with a picture of the mesh");
   command.footer("Example:\n  intrinsic info bunny.obj --json\n\n"
                  "Exit code: 0 if the mesh can be worked on, 2 if not.");
+}
+
+void add_view(CLI::App& app, Options& options)
+{
+  CLI::App& command = *app.add_subcommand("view", "Write a page that shows meshes in a browser");
+  command.add_option("mesh", options.view.inputs, "Meshes (.off, .obj, .ply, .stl)")->required();
+  command.add_option("-o,--output", options.view.output, "HTML file; - for standard output")
+    ->required();
+  command.footer(Help::view);
 }
 
 // Of the commands whose output is the common subdivision.
@@ -355,6 +370,7 @@ void define_command_line(CLI::App& app, Options& options)
   app.require_subcommand(1);
   app.fallthrough();
   add_info(app, options);
+  add_view(app, options);
   add_delaunay(app, options);
   add_refine(app, options);
   add_distance(app, options);

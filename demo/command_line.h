@@ -13,6 +13,7 @@
 struct Options
 {
   Info_options info;
+  View_options view;
   Common_options common;
   Delaunay_options delaunay;
   Refine_options refine;

@@ -15,6 +15,8 @@
 struct Info_options
 {
   std::string input;
+  std::string view;    // a page; empty if it is not wanted
+  std::string picture; // of SVG; empty if it is not wanted
   bool is_json = false;
 };
 
@@ -22,12 +24,23 @@ struct Info_options
 // Returns the exit code: 2 if the mesh cannot be worked on.
 int info(const Info_options& options);
 
+struct View_options
+{
+  std::vector<std::string> inputs;
+  std::string output;
+};
+
+// Writes a page that shows meshes beside each other, with their defects. Returns the exit code.
+int view(const View_options& options);
+
 // What all commands on intrinsic triangulations have; empty paths are outputs that are not wanted.
 struct Common_options
 {
   std::string input;
   std::string save;
   std::string statistics;
+  std::string view;    // a page
+  std::string picture; // of SVG
   double mollification = 0;
   bool is_repair_wanted = false;
   bool is_strict = false;              // faces must be triangles

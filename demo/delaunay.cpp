@@ -27,7 +27,9 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
-    run.add_output(options.output, subdivision_mesh(subdivision), format);
+    const Output_mesh mesh = subdivision_mesh(subdivision);
+    run.add_output(options.output, mesh, format);
+    run.show([&](View_page& page) { show(page, run, triangulation, subdivision, mesh); });
     save(run, triangulation);
   });
   run.finish(summary_of(run));

@@ -47,6 +47,48 @@ void add_tile(std::ostream& out, const Tile& tile, const std::vector<Complex>& c
   out << "Z\"/>\n";
 }
 
+// With cones only the domain, since its images overlap.
+std::vector<Tile> tiles(const DCM::Hyperbolic_conformal_map& map, std::size_t component,
+                        const DCM::Hyperbolic_tiling& tiling, int depth)
+{
+  if(tiling.corners().empty())
+    return {};
+  return tiling.tiles(map.group(component).relation.empty() ? 0 : depth, pixel);
+}
+
+// In Klein's disk geodesics are straight.
+Complex to_Klein(const Complex& z) { return 2. * z / (1 + std::norm(z)); }
+Complex from_Klein(const Complex& z)
+{
+  return z / (1 + std::sqrt((std::max)(1 - std::norm(z), 0.)));
+}
+
+std::vector<std::array<double, 2>> outline(const Tile& tile, const std::vector<Complex>& corners)
+{
+  constexpr int pieces = 8;
+  std::vector<std::array<double, 2>> result;
+  for(std::size_t i = 0; i < corners.size(); ++i) {
+    const Complex from = to_Klein(tile.motion(corners[i])),
+                  to = to_Klein(tile.motion(corners[(i + 1) % corners.size()]));
+    for(int k = i == 0 ? 0 : 1; k <= pieces; ++k) {
+      const Complex z = from_Klein(from + double(k) / pieces * (to - from));
+      result.push_back({z.real(), z.imag()});
+    }
+  }
+  return result;
+}
+
+std::vector<std::array<double, 2>> unit_circle()
+{
+  constexpr int pieces = 256;
+  std::vector<std::array<double, 2>> result;
+  for(int k = 0; k <= pieces; ++k) {
+    const Complex z = std::polar(1., 2 * std::acos(-1.) * k / pieces);
+    result.push_back({z.real(), z.imag()});
+  }
+  return result;
+}
+
 } // namespace
 
 std::string disk_picture(const DCM::Hyperbolic_conformal_map& map, int depth)
@@ -62,11 +104,20 @@ std::string disk_picture(const DCM::Hyperbolic_conformal_map& map, int depth)
   for(std::size_t c = 0; c < n; ++c) {
     const DCM::Hyperbolic_tiling tiling(map, c);
     out << "<g transform=\"translate(" << 2.04 * double(c) << ") scale(1 -1)\">\n";
-    if(!tiling.corners().empty())
-      for(const Tile& tile : tiling.tiles(map.group(c).relation.empty() ? 0 : depth, pixel))
-        add_tile(out, tile, tiling.corners());
+    for(const Tile& tile : tiles(map, c, tiling, depth))
+      add_tile(out, tile, tiling.corners());
     out << "<circle r=\"1\"/>\n</g>\n";
   }
   out << "</svg>\n";
   return out.str();
+}
+
+std::vector<std::vector<std::array<double, 2>>>
+disk_outlines(const DCM::Hyperbolic_conformal_map& map, int depth)
+{
+  const DCM::Hyperbolic_tiling tiling(map, 0);
+  std::vector<std::vector<std::array<double, 2>>> result{unit_circle()};
+  for(const Tile& tile : tiles(map, 0, tiling, depth))
+    result.push_back(outline(tile, tiling.corners()));
+  return result;
 }

@@ -7,12 +7,18 @@
 
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 // An SVG picture of the Poincare disk for each component: the fundamental domain, and its images
 // across `depth` sides, as far as they can be seen. With cones only the domain, since its images
 // overlap.
 std::string disk_picture(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
                          int depth);
+
+// The circle, and what `disk_picture()` draws of the first component, as chains of short segments.
+std::vector<std::vector<std::array<double, 2>>>
+disk_outlines(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map, int depth);
 
 #endif // INTRINSIC_DISK_PICTURE_H

@@ -133,7 +133,7 @@ public:
                 refinement_stages(options.minimum_angle),
                 certificate_stages(common),
                 {"solve"},
-                m_subdivision_format ? subdivision_stages : Stages{}});
+                is_subdivision_wanted() ? subdivision_stages : Stages{}});
   }
 
   void run()
@@ -166,9 +166,14 @@ private:
     return format_with_attributes(options.subdivision, options);
   }
 
+  bool is_subdivision_wanted()
+  {
+    return m_subdivision_format || !view_stages(m_run.options()).empty();
+  }
+
   std::optional<Subdivision> subdivide_if_wanted(const Triangulation& triangulation)
   {
-    if(!m_subdivision_format)
+    if(!is_subdivision_wanted())
       return std::nullopt;
     return subdivide(m_run, triangulation);
   }
@@ -179,13 +184,37 @@ private:
     m_run.add_output(m_options.output,
                      with_distances(m_run.input_as_read(), at_input_vertices(values)), m_format);
     if(subdivision)
-      m_run.add_output(
-        m_options.subdivision,
+      write_subdivision(
         with_distances(subdivision_mesh(*subdivision),
                        interpolated(on_triangulation(values, triangulation, m_run.input().covered),
                                     *subdivision, triangulation)),
-        *m_subdivision_format);
+        *subdivision, triangulation);
     save(m_run, triangulation);
+  }
+
+  void write_subdivision(const Output_mesh& mesh, const Subdivision& subdivision,
+                         const Triangulation& triangulation)
+  {
+    if(m_subdivision_format)
+      m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
+    m_run.show([&](View_page& page) {
+      show(page, m_run, triangulation, subdivision, mesh);
+      page.add_marks({"sources", false, {}, {}, sources_on(triangulation)});
+    });
+  }
+
+  // One for each umbrella of the cover.
+  std::vector<std::int64_t> sources_on(const Triangulation& triangulation)
+  {
+    const std::optional<Covered_soup>& covered = m_run.input().covered;
+    if(!covered)
+      return m_options.sources;
+    std::vector<std::int64_t> result;
+    for(const IT::Vertex_index v : triangulation.mesh().vertices())
+      if(const auto n = static_cast<std::int64_t>(covered->cover.input_vertex(v));
+         std::count(m_options.sources.begin(), m_options.sources.end(), n) > 0)
+        result.push_back(number_of(v));
+    return result;
   }
 
   const Distance_options& m_options;

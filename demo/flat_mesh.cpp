@@ -169,6 +169,23 @@ bool has_area(const Point& p, const Point& q, const Point& r)
   return 2 * std::sqrt(CGAL::squared_area(p, q, r)) > rounding * longest;
 }
 
+// Calls `visit` with each polygon and the orientation in the plane of each triangle into which it is
+// cut, unless rounding may have taken all its area in space.
+template <class Visit>
+void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
+{
+  const auto place = [&](std::size_t c) {
+    const std::array<double, 3>& z = mesh.texture.coordinates[c];
+    return Kernel::Point_2(z[0] / z[2], z[1] / z[2]);
+  };
+  for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+    const Polygons::Polygon p = mesh.polygons[i], t = mesh.texture.polygons[i];
+    for(std::size_t k = 2; k < p.size(); ++k)
+      if(has_area(mesh.points[p[0]], mesh.points[p[k - 1]], mesh.points[p[k]]))
+        visit(i, CGAL::orientation(place(t[0]), place(t[k - 1]), place(t[k])));
+  }
+}
+
 } // namespace
 
 Output_mesh flat_mesh(const DCM::Planar_conformal_map& map, const Mesh& input,
@@ -189,23 +206,24 @@ Eigen::SparseMatrix<double> interpolation_matrix(const DCM::Planar_conformal_map
   return Flat_mesh_builder(map, input, false).interpolation_matrix();
 }
 
+std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh)
+{
+  std::vector<std::int64_t> result;
+  for_each_triangle(mesh, [&](std::size_t i, CGAL::Orientation turn) {
+    const auto polygon = static_cast<std::int64_t>(i);
+    if(turn == CGAL::RIGHT_TURN && (result.empty() || result.back() != polygon))
+      result.push_back(polygon);
+  });
+  return result;
+}
+
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
 {
   std::size_t flipped = 0, degenerate = 0;
-  const auto place = [&](std::size_t c) {
-    const std::array<double, 3>& z = mesh.texture.coordinates[c];
-    return Kernel::Point_2(z[0] / z[2], z[1] / z[2]);
-  };
-  for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
-    const Polygons::Polygon p = mesh.polygons[i], t = mesh.texture.polygons[i];
-    for(std::size_t k = 2; k < p.size(); ++k) {
-      if(!has_area(mesh.points[p[0]], mesh.points[p[k - 1]], mesh.points[p[k]]))
-        continue;
-      const CGAL::Orientation turn = CGAL::orientation(place(t[0]), place(t[k - 1]), place(t[k]));
-      flipped += turn == CGAL::RIGHT_TURN;
-      degenerate += turn == CGAL::COLLINEAR;
-    }
-  }
+  for_each_triangle(mesh, [&](std::size_t, CGAL::Orientation turn) {
+    flipped += turn == CGAL::RIGHT_TURN;
+    degenerate += turn == CGAL::COLLINEAR;
+  });
   statistics["flipped_triangles"] = flipped;
   statistics["degenerate_triangles"] = degenerate;
 }

@@ -42,6 +42,10 @@ Eigen::SparseMatrix<double>
 interpolation_matrix(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
                      const Mesh& input);
 
+// The polygons that have a triangle that is flipped in the plane, as `describe_triangles()` counts
+// them.
+std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh);
+
 // Adds how many triangles are flipped in the plane or have no area there, with linear texture
 // coordinates. Polygons are cut into triangles from their first corners. A triangle that rounding
 // of its points may have taken all area in space does not count.

@@ -206,6 +206,10 @@ void finish(Command_run& run, const Texture_options& options, Mesh_format format
     const Output_mesh result = flat_mesh(map, run.input().mesh, cones, options.is_homogeneous);
     describe(run, map, result, iterations, cones.size());
     run.add_output(options.output, result, format);
+    run.show([&](View_page& page) {
+      show(page, run, map, flat_mesh(map, run.input().mesh, cones, true));
+      page.add_marks({"flipped triangles", true, flipped_polygons(result), {}, {}});
+    });
   });
   run.finish(summary_of(run.statistics()));
 }

@@ -9,7 +9,8 @@ namespace Help {
 const char* const examples =
   R"(Examples:
   intrinsic info bunny.obj
-  intrinsic delaunay bunny.obj -o subdivision.ply --stats bunny.json
+  intrinsic view bunny.obj scan.stl -o meshes.html
+  intrinsic delaunay bunny.obj -o subdivision.ply --stats bunny.json --view bunny.html
   intrinsic delaunay scan.stl --repair -o - --format obj | gzip > scan.obj.gz
   intrinsic refine bunny.obj -o refined.ply --min-angle 30
   intrinsic distance bunny.obj --source 17 -o distance.vtp
@@ -20,6 +21,19 @@ const char* const examples =
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
+
+const char* const view =
+  R"(The page is one file that opens in any browser with WebGL 2, without a network. It shows the
+meshes beside each other, turned alike, with what is wrong in red. Clicking on a point shows where
+it is. Keys are explained in the page.
+
+All other commands write such a page with --view FILE.html: the surface with the edges of its
+triangulations, colored by scale factors, distances or curvature, or by faces; its image in the
+plane, on the sphere or in the Poincare disk; with a checkerboard, drawn by projective or linear
+interpolation; histograms of angles before and after, and the statistics.
+
+Example:
+  intrinsic view bunny.obj scan.stl -o meshes.html)";
 
 const char* const refine =
   R"(The result is Delaunay and is written with exit code 0 however refinement has ended. The

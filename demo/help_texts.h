@@ -9,6 +9,7 @@
 namespace Help {
 
 extern const char* const examples;
+extern const char* const view;
 extern const char* const refine;
 extern const char* const distance;
 extern const char* const operators;

@@ -96,6 +96,23 @@ std::string summary_of(const Statistics& s)
   return text.str();
 }
 
+// Texture coordinates are those of Klein's disk, where the map is projective; the picture is in
+// Poincare's.
+void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map& map,
+                  const std::vector<Mesh::Vertex_index>& cones, int depth)
+{
+  const Mesh& mesh = run.input().mesh;
+  const Output_mesh straight = flat_mesh(map, mesh, cones, true);
+  show(page, run, map, straight);
+  std::vector<std::array<double, 3>> positions =
+    flat_mesh(map, mesh, cones, false).texture.coordinates;
+  for(std::array<double, 3>& z : positions)
+    z[2] = 0;
+  page.set_image(Image_kind::disk, std::move(positions));
+  page.set_outlines(disk_outlines(map, depth));
+  page.add_marks({"flipped triangles", true, flipped_polygons(straight), {}, {}});
+}
+
 } // namespace
 
 void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
@@ -106,6 +123,7 @@ void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format for
     describe(run, map, cones);
     run.add_output(options.output, flat_mesh(map, run.input().mesh, cones, options.is_homogeneous),
                    format);
+    run.show([&](View_page& page) { show_in_disk(page, run, map, cones, options.depth); });
     if(!options.picture.empty())
       run.add_output(options.picture, disk_picture(map, options.depth));
   });

@@ -5,7 +5,9 @@
 #include "commands.h"
 
 #include "Mesh_reader.h"
+#include "Output.h"
 #include "Statistics.h"
+#include "soup_view.h"
 
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 
@@ -73,12 +75,29 @@ void print_text(const std::string& input, const Polygon_soup& soup,
               << '\n';
 }
 
+void write_page(const Info_options& options, const Polygon_soup& soup,
+                const IT::Input_diagnosis& diagnosis)
+{
+  if(!options.view.empty())
+    View_page::check_available();
+  if(options.view.empty() && options.picture.empty())
+    return;
+  Output output(options.input, {options.view, options.picture});
+  View_page page;
+  show(page, "input", soup);
+  page.set_statistics(statistics_of(options.input, diagnosis));
+  output.add(options.view, [&](Text& text) { page.write_html(text); });
+  output.add(options.picture, [&](Text& text) { page.write_svg(text); });
+  output.commit();
+}
+
 } // namespace
 
 int info(const Info_options& options)
 {
   const Polygon_soup soup = read_mesh(options.input);
   const IT::Input_diagnosis diagnosis = IT::diagnose_polygon_soup(soup.points, soup.polygons);
+  write_page(options, soup, diagnosis);
   if(options.is_json)
     std::cout << text_of(statistics_of(options.input, diagnosis));
   else

@@ -27,6 +27,8 @@ int run_command(const CLI::App& app, const Options& options)
 {
   if(app.got_subcommand("info"))
     return info(options.info);
+  if(app.got_subcommand("view"))
+    return view(options.view);
   if(app.got_subcommand("delaunay"))
     return delaunay(options.common, options.delaunay);
   if(app.got_subcommand("refine"))

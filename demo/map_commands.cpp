@@ -5,6 +5,8 @@
 #include "map_commands.h"
 
 #include "Program_error.h"
+#include "map_mesh.h"
+#include "triangulation_stages.h"
 
 #include <algorithm>
 #include <sstream>
@@ -83,4 +85,14 @@ void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& m
   statistics["ptolemy_flips"] = map.number_of_flips(DCM::Layer::C);
   describe_subdivision(statistics, result.points.size(), result.edges.size(),
                        result.polygons.size());
+}
+
+void show(View_page& page, Command_run& run, const DCM::Discrete_conformal_map& map,
+          Output_mesh mesh)
+{
+  const Mesh& input = run.input().mesh;
+  mesh.point_data.push_back({"curvature", interpolated(map, input, curvatures(run))});
+  page.add_surface("surface", mesh);
+  show_angles(page, "input", input, edge_lengths(run));
+  show_angles(page, "intrinsic", map.Delaunay().mesh(), map.Delaunay().length_map());
 }

@@ -30,9 +30,11 @@ struct Stage_visitor
   std::size_t iterations = 0;
 
   void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
-  void after_iteration(std::size_t, double, double)
+  void after_iteration(std::size_t, double gradient_norm, double)
   {
     ++iterations;
+    run.show(
+      [&](View_page& page) { page.add_to_curve("Greatest curvature error", gradient_norm); });
     run.progress().long_step();
   }
 };
@@ -51,6 +53,11 @@ void check_status(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& m
 void describe_sizes(Statistics& statistics,
                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
                     const Mesh& input, const Output_mesh& result);
+
+// Shows the common subdivision of a map on a page, with scale factors and the curvature of the input,
+// and histograms of the angles of the input and its intrinsic Delaunay triangulation.
+void show(View_page& page, Command_run& run,
+          const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, Output_mesh mesh);
 
 // The ends of the commands: check the map, add it to the outputs in `format` and its properties to
 // the statistics, and finish the run. Throw std::runtime_error if the map is not as it must be.

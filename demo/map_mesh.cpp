@@ -92,3 +92,47 @@ void Map_mesh_builder::add_parent_faces(const std::string& name)
         return number_of(subdivision().parent_face(layer, f));
       }));
 }
+
+namespace {
+
+class Interpolation : Map_mesh_builder
+{
+public:
+  Interpolation(const Any_map& map, const Mesh& input) : Map_mesh_builder(map, input) {}
+
+  std::vector<Point> points() const
+  {
+    std::vector<Point> result;
+    for(const Vertex_index v : vertices())
+      result.push_back(input_point(v));
+    return result;
+  }
+
+  std::vector<double> operator()(const std::vector<double>& values) const
+  {
+    std::vector<double> result;
+    for(const Vertex_index v : vertices()) {
+      double value = 0;
+      if(is_of_input(v))
+        value = values[v.idx()];
+      else
+        for_each_corner(v, [&](Mesh::Vertex_index x, double w) { value += w * values[x]; });
+      result.push_back(value);
+    }
+    return result;
+  }
+};
+
+} // namespace
+
+std::vector<double> interpolated(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                                 const Mesh& input, const std::vector<double>& values)
+{
+  return Interpolation(map, input)(values);
+}
+
+std::vector<Point> input_points(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                                const Mesh& input)
+{
+  return Interpolation(map, input).points();
+}

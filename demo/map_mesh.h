@@ -85,4 +85,13 @@ private:
   std::vector<Face_index> m_faces;
 };
 
+// Where the vertices of the mesh of a map are in the input.
+std::vector<Point> input_points(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                                const Mesh& input);
+
+// The values at the vertices of the mesh of a map of a function that is linear on the faces of the
+// input.
+std::vector<double> interpolated(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                                 const Mesh& input, const std::vector<double>& values);
+
 #endif // INTRINSIC_MAP_MESH_H

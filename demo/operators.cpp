@@ -126,10 +126,12 @@ int operators(const Common_options& common, const Operators_options& options)
   const Covered_soup* covered = run.input().covered ? &*run.input().covered : nullptr;
   if(!covered)
     paths.pop_back();
-  run.plan({delaunay_stages, refinement_stages(options.minimum_angle), certificate_stages(common)});
+  run.plan({delaunay_stages, refinement_stages(options.minimum_angle), certificate_stages(common),
+            view_stages(common)});
   Triangulation triangulation = make_delaunay_triangulation(run);
   refine_if_wanted(run, triangulation, options.minimum_angle);
   describe(run, triangulation);
+  show(run, triangulation);
   run.statistics()["matrices"] = paths;
   run.timed("write", [&] {
     for(std::size_t i = 0; i < paths.size(); ++i)

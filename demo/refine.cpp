@@ -22,6 +22,16 @@ std::string summary_of(Command_run& run)
   return text.str();
 }
 
+Surface_marks
+faces_below_bounds(const CGAL::Intrinsic_triangulations::Refinement_result& refinement,
+                   const Output_mesh& mesh)
+{
+  std::vector<std::int64_t> faces;
+  for(const auto& remaining : refinement.remaining)
+    faces.push_back(number_of(remaining.face));
+  return {"faces below the bounds", true, parts_of(faces, "intrinsic_face", mesh), {}, {}};
+}
+
 } // namespace
 
 int refine(const Common_options& common, const Refine_options& options)
@@ -30,11 +40,16 @@ int refine(const Common_options& common, const Refine_options& options)
   Command_run run("refine", common, {options.output});
   run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
   Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
-  refine_triangulation(run, triangulation, options.bounds);
+  const auto refinement = refine_triangulation(run, triangulation, options.bounds);
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
-    run.add_output(options.output, subdivision_mesh(subdivision), format);
+    const Output_mesh mesh = subdivision_mesh(subdivision);
+    run.add_output(options.output, mesh, format);
+    run.show([&](View_page& page) {
+      show(page, run, triangulation, subdivision, mesh);
+      page.add_marks(faces_below_bounds(refinement, mesh));
+    });
     save(run, triangulation);
   });
   run.finish(summary_of(run));

@@ -21,6 +21,7 @@
 #include <CGAL/Intrinsic_simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -134,6 +135,7 @@ public:
     });
     m_run.timed("write", [&, &mesh = mesh, &matrices = matrices] {
       m_run.add_output(m_options.output, mesh, m_format);
+      m_run.show([&, &mesh = mesh](View_page& page) { show(page, mesh); });
       for(std::size_t n = 0; n < matrices.size(); ++n)
         m_run.add_output(matrix_paths(m_options)[n], matrices[n]);
       save(surface.history());
@@ -269,10 +271,36 @@ private:
     const IS::Surface_map map(history, m_levels[0], m_levels.back());
     Coarse_subdivision subdivision(map);
     set_points(subdivision);
+    m_run.show([&](View_page&) { set_curvature(subdivision); });
     const Mesh& mesh = subdivision.mesh();
     describe_subdivision(m_run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
                          mesh.number_of_faces());
     return coarse_mesh(subdivision, origin());
+  }
+
+  void show(View_page& page, Output_mesh mesh)
+  {
+    mesh.lines = Polygons(); // they are edges, too
+    mesh.line_data.clear();
+    if(!m_curvature.empty())
+      mesh.point_data.push_back({"curvature", m_curvature});
+    page.add_surface("surface", mesh);
+    show_angles(page, "input", m_run.input().mesh, edge_lengths(m_run));
+    show_angles(page, "coarse", m_levels.back().mesh(), m_levels.back().length_map());
+  }
+
+  // That of the input at the vertices of the subdivision, if the fine level is the input.
+  void set_curvature(const Coarse_subdivision& subdivision)
+  {
+    if(m_triangulation)
+      return;
+    const std::vector<double> values = curvatures(m_run);
+    m_curvature.resize(subdivision.mesh().number_of_vertices());
+    IT::interpolate(IS::Level::fine, subdivision,
+                    boost::make_iterator_property_map(values.begin(),
+                                                      get(boost::vertex_index, m_levels[0].mesh())),
+                    boost::make_iterator_property_map(
+                      m_curvature.begin(), get(boost::vertex_index, subdivision.mesh())));
   }
 
   Fine_origin origin()
@@ -397,6 +425,7 @@ private:
   Command_run m_run;
   std::optional<Triangulation> m_triangulation; // the refined one, then the input with its vertices
   std::vector<Point> m_points;                  // of the vertices of the fine level
+  std::vector<double> m_curvature;              // at the vertices of the subdivision, for a page
   std::vector<IS::Surface_level> m_levels;      // from the fine one to the coarse one
 };
 

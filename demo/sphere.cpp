@@ -7,6 +7,7 @@
 #include "Command_run.h"
 #include "Mesh_writer.h"
 #include "map_commands.h"
+#include "map_mesh.h"
 #include "sphere_mesh.h"
 #include "triangulation_stages.h"
 
@@ -15,6 +16,7 @@
 
 #include <functional>
 #include <sstream>
+#include <vector>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 
@@ -59,6 +61,25 @@ std::string summary_of(const Statistics& s)
   return text.str();
 }
 
+// The surface is that of the input, with the sphere as its picture.
+void show_on_sphere(View_page& page, Command_run& run, const DCM::Spherical_conformal_map& map,
+                    const Output_mesh& on_sphere)
+{
+  Output_mesh mesh = on_sphere;
+  std::vector<std::array<double, 3>> positions;
+  for(const Point& p : on_sphere.points)
+    positions.push_back({p.x(), p.y(), p.z()});
+  mesh.points = input_points(map, run.input().mesh);
+  std::vector<double> scales;
+  for(const Mesh::Vertex_index v : run.input().mesh.vertices())
+    scales.push_back(map.log_scale(DCM::Vertex_index(v.idx())));
+  for(Attribute& a : mesh.point_data)
+    if(a.name == "log_scale")
+      a.values = interpolated(map, run.input().mesh, scales);
+  show(page, run, map, mesh);
+  page.set_image(Image_kind::sphere, std::move(positions));
+}
+
 } // namespace
 
 void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
@@ -69,6 +90,7 @@ void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
     const Output_mesh result = sphere_mesh(map, run.input().mesh);
     describe(run, map, result);
     run.add_output(options.output, result, format);
+    run.show([&](View_page& page) { show_on_sphere(page, run, map, result); });
     if(!options.precise.empty())
       run.add_output(options.precise, precise_positions(map, run.input().mesh));
   });

@@ -88,8 +88,8 @@ Triangulation make_delaunay_triangulation(Command_run& run, double constrained_a
   return result;
 }
 
-void refine_triangulation(Command_run& run, Triangulation& triangulation,
-                          const Refinement_bounds& bounds)
+IT::Refinement_result refine_triangulation(Command_run& run, Triangulation& triangulation,
+                                           const Refinement_bounds& bounds)
 {
   const IT::Refinement_result result =
     run.timed("refine", [&] { return refined(triangulation, bounds, run.options().is_exact); });
@@ -102,6 +102,7 @@ void refine_triangulation(Command_run& run, Triangulation& triangulation,
   statistics["status"] = IT::to_string(result.status);
   if(result.is_exact && !run.options().is_exact)
     statistics["exact_decisions"] = true;
+  return result;
 }
 
 void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle)
@@ -165,6 +166,49 @@ Subdivision subdivide(Command_run& run, const Triangulation& triangulation)
   describe_subdivision(run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
                        mesh.number_of_faces());
   return result;
+}
+
+std::vector<double> curvatures(Command_run& run)
+{
+  const Mesh& mesh = run.input().mesh;
+  const Edge_length_map length = edge_lengths(run);
+  std::vector<double> result(mesh.number_of_vertices()), area(mesh.number_of_vertices(), 0);
+  IT::compute_curvatures(
+    mesh, length,
+    boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)));
+  for(const Mesh::Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      area[mesh.target(h)] +=
+        IT::quadrupled_area(length[mesh.edge(h)], length[mesh.edge(mesh.next(h))],
+                            length[mesh.edge(mesh.prev(h))]) /
+        12;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    result[v] = area[v] > 0 && !mesh.is_border(v) ? result[v] / area[v] : 0;
+  return result;
+}
+
+void show(View_page& page, Command_run& run, const Triangulation& triangulation,
+          const Subdivision& subdivision, Output_mesh mesh)
+{
+  const std::vector<double> at_vertices = curvatures(run);
+  std::vector<double> values(mesh.points.size());
+  IT::interpolate(IT::Side::input, subdivision,
+                  boost::make_iterator_property_map(at_vertices.begin(),
+                                                    get(boost::vertex_index, run.input().mesh)),
+                  boost::make_iterator_property_map(values.begin(),
+                                                    get(boost::vertex_index, subdivision.mesh())));
+  mesh.point_data.push_back({"curvature", std::move(values)});
+  page.add_surface("surface", mesh);
+  show_angles(page, "input", run.input().mesh, edge_lengths(run));
+  show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
+}
+
+void show(Command_run& run, const Triangulation& triangulation)
+{
+  run.show([&](View_page& page) {
+    const Subdivision subdivision = subdivide(run, triangulation);
+    show(page, run, triangulation, subdivision, subdivision_mesh(subdivision));
+  });
 }
 
 void save(Command_run& run, const Triangulation& triangulation)

@@ -10,8 +10,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Delaunay_certificate.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/angles.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <string>
+#include <vector>
 
 using Triangulation = CGAL::Intrinsic_triangulations::Intrinsic_triangulation<>;
 
@@ -35,6 +40,12 @@ inline Stages refinement_stages(double minimum_angle)
   return minimum_angle > 0 ? Stages{"refine"} : Stages{};
 }
 
+// those of a page or picture, if one is wanted, where nothing else needs the subdivision
+inline Stages view_stages(const Common_options& options)
+{
+  return options.view.empty() && options.picture.empty() ? Stages{} : subdivision_stages;
+}
+
 // The triangulation T2 = T1 of the input, mollified if that is wanted. Edges at which the normals
 // differ by `constrained_angle` degrees or more stay; zero for none.
 Triangulation make_triangulation(Command_run& run, double constrained_angle = 0);
@@ -45,8 +56,9 @@ Triangulation make_delaunay_triangulation(Command_run& run, double constrained_a
 
 // The stage "refine": inserts vertices until the faces obey the bounds; how it went in the
 // statistics.
-void refine_triangulation(Command_run& run, Triangulation& triangulation,
-                          const Refinement_bounds& bounds);
+CGAL::Intrinsic_triangulations::Refinement_result
+refine_triangulation(Command_run& run, Triangulation& triangulation,
+                     const Refinement_bounds& bounds);
 
 // Refines with a bound on the angle alone, in degrees; nothing if it is zero.
 void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle);
@@ -60,6 +72,30 @@ void describe(Command_run& run, const Triangulation& triangulation);
 
 // The stages "trace" and "subdivide": the common subdivision in space, its size in the statistics.
 Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
+
+// Shows a subdivision on the page, with the curvature of the input, and histograms of the angles of
+// the input and of the triangulation.
+void show(View_page& page, Command_run& run, const Triangulation& triangulation,
+          const Subdivision& subdivision, Output_mesh mesh);
+
+// Shows the common subdivision of the triangulation, which is made for that.
+void show(Command_run& run, const Triangulation& triangulation);
+
+// Adds the angles of the triangles of a mesh to the histograms of the page.
+template <class Any_mesh, class Length_map>
+void show_angles(View_page& page, const char* name, const Any_mesh& mesh, const Length_map& length)
+{
+  std::vector<double> angles(mesh.num_halfedges(), -1);
+  CGAL::Intrinsic_triangulations::compute_angles(
+    mesh, length,
+    boost::make_iterator_property_map(angles.begin(), get(boost::halfedge_index, mesh)));
+  for(double& angle : angles)
+    angle *= 180 / CGAL::Intrinsic_triangulations::pi<double>();
+  page.add_angles(name, angles);
+}
+
+// The curvature of each vertex of the input, divided by its area; zero on the boundary.
+std::vector<double> curvatures(Command_run& run);
 
 // Adds the file of the triangulation to the outputs, if it is wanted.
 void save(Command_run& run, const Triangulation& triangulation);

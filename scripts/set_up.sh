@@ -8,10 +8,12 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+# Chromium is for the tests of pages, ca-certificates for fetching three.js.
 packages=(
   g++ clang clang-format cmake ninja-build ccache doxygen libjs-mathjax
   libcgal-dev libcgal-demo libeigen3-dev libgmp-dev libmpfr-dev
-  libceres-dev libsuitesparse-dev libopenblas0-serial libtbb-dev libcli11-dev nlohmann-json3-dev libgtest-dev libopenmesh-dev python3)
+  libceres-dev libsuitesparse-dev libopenblas0-serial libtbb-dev libcli11-dev nlohmann-json3-dev
+  libgtest-dev libopenmesh-dev python3 ca-certificates chromium fonts-dejavu-core)
 data_archive=/usr/share/doc/libcgal-dev/data.tar.gz
 data_dir=build/cgal_data
 log=$PWD/build/set_up.log

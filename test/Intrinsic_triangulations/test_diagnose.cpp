@@ -144,6 +144,15 @@ TEST(Diagnose, message_counts_and_says_where)
             Input_diagnosis::maximal_number_of_occurrences);
 }
 
+TEST(Diagnose, keeps_as_many_occurrences_as_asked_for)
+{
+  std::vector<std::array<double, 3>> points(100, {0, 0, 0});
+  const std::vector<std::vector<std::size_t>> none_used;
+  const Input_diagnosis d = diagnose_polygon_soup(points, none_used, 40);
+  EXPECT_EQ(d.count(Defect_kind::ISOLATED_VERTEX), 100u);
+  EXPECT_EQ(d.occurrences(Defect_kind::ISOLATED_VERTEX).size(), 40u);
+}
+
 TEST(Diagnose, tetrahedron_is_clean)
 {
   const Input_diagnosis d = diagnose(points(4), tetrahedron);

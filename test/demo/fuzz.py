@@ -188,11 +188,13 @@ def damaged(dice, content, others):
 
 
 def arguments(dice, mesh):
-    command = dice.choice("info delaunay refine distance flatten hyperbolic uniformize sphere simplify"
+    command = dice.choice("info view delaunay refine distance flatten hyperbolic uniformize sphere simplify"
                           " operators".split())
     result = [command, mesh]
     if command == "info":
-        return result + dice.choice([[], ["--json"]])
+        return result + dice.choice([[], ["--json"], ["--view", "o.html", "--picture", "o.svg"]])
+    if command == "view":
+        return result + ["-o", "o.html"]
     formats = {"distance": ["ply", "vtp"], "hyperbolic": ["obj", "ply", "vtp"],
                "flatten": ["obj", "ply", "vtp"], "uniformize": ["obj", "ply", "vtp"]}
     output = "o." + dice.choice(formats.get(command, ["off", "obj", "ply", "vtp"]))
@@ -206,6 +208,7 @@ def arguments(dice, mesh):
     result += dice.choice([[], ["--repair"], ["--mollify", "1e-6"], ["--strict"]])
     if command in ("distance", "operators"):
         result += dice.choice([[], ["--neighbors", "9"]])
+    result += dice.choice([[], [], ["--view", "o.html", "--picture", "o.svg"]])
     return result + ["--stats", "o.json"]
 
 

@@ -119,7 +119,8 @@ public:
   /// stands for the face of an edge or vertex that has none, and the vertex of a face.
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// the number of occurrences of a kind that are kept; all are counted.
+  /// the number of occurrences of a kind that are kept unless another is asked for; all are
+  /// counted.
   static constexpr std::size_t maximal_number_of_occurrences = 5;
 
   /// where a defect is.
@@ -145,6 +146,12 @@ public:
     /// largest finite edge length, minus infinity if there is none
     double max_edge_length = -std::numeric_limits<double>::infinity();
   };
+
+  /// makes a diagnosis without defects.
+  Input_diagnosis() = default;
+
+  /// makes a diagnosis without defects that will keep `kept_occurrences` of each kind.
+  explicit Input_diagnosis(std::size_t kept_occurrences) : m_kept_occurrences(kept_occurrences) {}
 
   /// returns how often a defect of kind `kind` occurs. Takes constant time.
   std::size_t count(Defect_kind kind) const { return record(kind).count; }
@@ -211,7 +218,7 @@ public:
   {
     Record& r = m_records[static_cast<std::size_t>(kind)];
     ++r.count;
-    if(r.occurrences.size() < maximal_number_of_occurrences)
+    if(r.occurrences.size() < m_kept_occurrences)
       r.occurrences.push_back(occurrence);
   }
 
@@ -240,6 +247,7 @@ private:
   }
 
   std::array<Record, defect_descriptions.size()> m_records;
+  std::size_t m_kept_occurrences = maximal_number_of_occurrences;
   Statistics m_statistics;
 };
 

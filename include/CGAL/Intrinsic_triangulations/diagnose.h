@@ -83,6 +83,7 @@ An index that is negative counts as out of range. Positions are rounded to `doub
 \tparam PolygonRange a range of ranges of integers
 \param points the points
 \param polygons the faces, as indices of points
+\param kept_occurrences the number of occurrences of each kind of defect that are kept
 \returns the defects found and numbers about the surface
 
 Takes time linear in the size of the soup, but for sorting the edges at each vertex and for the
@@ -90,9 +91,11 @@ inverse of Ackermann's function.
 \throws std::length_error if there are \f$2^{32}-1\f$ points or corners of faces, or more
 */
 template <class PointRange, class PolygonRange>
-Input_diagnosis diagnose_polygon_soup(const PointRange& points, const PolygonRange& polygons)
+Input_diagnosis
+diagnose_polygon_soup(const PointRange& points, const PolygonRange& polygons,
+                      std::size_t kept_occurrences = Input_diagnosis::maximal_number_of_occurrences)
 {
-  Input_diagnosis result;
+  Input_diagnosis result(kept_occurrences);
   const internal::Diagnosis_complex complex =
     internal::Soup_complex_builder(points.size(), result)(polygons);
   internal::diagnose_embedded(complex, points, result);

@@ -1,0 +1,317 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "View_page.h"
+
+#include "Embedded_file.h"
+#include "Page_arrays.h"
+#include "Program_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace {
+
+const Embedded_file& embedded_file(std::string_view name)
+{
+  return *std::find_if(embedded_files.begin(), embedded_files.end(),
+                       [&](const Embedded_file& f) { return f.name == name; });
+}
+
+std::string text_of(const Embedded_file& file)
+{
+  std::string result;
+  for(const std::string_view piece : file.pieces)
+    result += piece;
+  return result;
+}
+
+bool is_module(const Embedded_file& file)
+{
+  const std::size_t dot = file.name.rfind('.');
+  return dot != std::string_view::npos && file.name.substr(dot) == ".js" && file.name != "start.js";
+}
+
+void add_modules(Text& text)
+{
+  for(const Embedded_file& file : embedded_files)
+    if(is_module(file)) {
+      text << "<script type=\"text/plain\" data-module=\"" << file.name << "\">\n";
+      for(const std::string_view piece : file.pieces)
+        text << piece;
+      text << "</script>\n";
+    }
+}
+
+// No end of a script is in it.
+std::string json_in_script(const Statistics& json)
+{
+  std::string result;
+  for(const char c : json.dump(-1, ' ', true, Statistics::error_handler_t::replace))
+    if(c == '<')
+      result += "\\u003c";
+    else
+      result += c;
+  return result;
+}
+
+double coordinate(const Point& p, std::size_t k) { return p[static_cast<int>(k)]; }
+double coordinate(const std::array<double, 3>& p, std::size_t k) { return p[k]; }
+
+// The middle and half the greatest side of a box.
+struct Frame
+{
+  template <class Points>
+  Frame(const Points& points, std::size_t dimension) : center{}, radius(0)
+  {
+    for(std::size_t k = 0; k < dimension; ++k) {
+      double low = std::numeric_limits<double>::max(), high = -low;
+      for(const auto& p : points)
+        if(const double x = coordinate(p, k); std::isfinite(x)) {
+          low = (std::min)(low, x);
+          high = (std::max)(high, x);
+        }
+      if(low <= high) {
+        center[k] = low / 2 + high / 2;
+        radius = (std::max)(radius, high / 2 - low / 2);
+      }
+    }
+    if(radius == 0)
+      radius = 1;
+  }
+
+  double operator()(double x, std::size_t k) const { return (x - center[k]) / radius; }
+
+  std::array<double, 3> center;
+  double radius;
+};
+
+// Homogeneous coordinates as positions.
+std::vector<std::array<double, 3>> in_plane(const Texture& texture)
+{
+  std::vector<std::array<double, 3>> result;
+  for(const std::array<double, 3>& z : texture.coordinates)
+    result.push_back({z[0] / z[2], z[1] / z[2], 0});
+  return result;
+}
+
+// Some attributes serve to write files, or to compute others.
+bool is_shown(const Attribute& a)
+{
+  for(const std::string_view name :
+      {"input_coordinate", "intrinsic_coordinate", "input_x", "input_y", "input_z"})
+    if(a.name == name)
+      return false;
+  return a.name.compare(0, 12, "homogeneous_") != 0;
+}
+
+// The description of surfaces in JSON, with their numbers in arrays.
+class Surface_coder
+{
+public:
+  explicit Surface_coder(Page_arrays& arrays) : m_arrays(arrays) {}
+
+  Statistics operator()(const Shown_surface& surface)
+  {
+    const Output_mesh& mesh = surface.mesh;
+    Statistics result{{"name", surface.name}};
+    add_points(mesh.points, result);
+    result["edges"] = edges(mesh);
+    result["edge_data"] = attributes(mesh.edge_data);
+    result["point_data"] = attributes(mesh.point_data);
+    result["polygon_data"] = attributes(mesh.polygon_data);
+    result["polygons"] =
+      polygons(mesh.texture.dimension == 0 ? mesh.polygons : mesh.texture.polygons);
+    if(mesh.texture.dimension > 0)
+      add_texture(mesh, result);
+    if(surface.kind != Image_kind::none)
+      result["picture"] = image(surface);
+    result["marks"] = Statistics::array();
+    for(const Surface_marks& marks : surface.marks)
+      result["marks"].push_back(coded(marks));
+    return result;
+  }
+
+private:
+  void add_points(const std::vector<Point>& points, Statistics& result)
+  {
+    const Frame frame(points, 3);
+    std::vector<double> coordinates;
+    for(const Point& p : points)
+      for(std::size_t k = 0; k < 3; ++k)
+        coordinates.push_back(frame(coordinate(p, k), k));
+    result["center"] = frame.center;
+    result["radius"] = frame.radius;
+    result["points"] = m_arrays.add_reals(coordinates, 3);
+  }
+
+  Statistics edges(const Output_mesh& mesh)
+  {
+    std::vector<std::int64_t> ends;
+    for(const auto& edge : mesh.edges)
+      ends.insert(ends.end(), edge.begin(), edge.end());
+    return m_arrays.add_integers(ends);
+  }
+
+  Statistics polygons(const Polygons& polygons)
+  {
+    std::vector<std::int64_t> sizes, corners;
+    for(const Polygons::Polygon& p : polygons) {
+      sizes.push_back(std::int64_t(p.size()));
+      corners.insert(corners.end(), p.begin(), p.end());
+    }
+    return {{"sizes", m_arrays.add_integers(sizes)}, {"corners", m_arrays.add_integers(corners)}};
+  }
+
+  Statistics attributes(const std::vector<Attribute>& data)
+  {
+    Statistics result = Statistics::object();
+    for(const Attribute& a : data)
+      if(is_shown(a))
+        result[a.name] = a.values.index() == 0 ? m_arrays.add_integers(std::get<0>(a.values))
+                                               : m_arrays.add_reals(std::get<1>(a.values));
+    return result;
+  }
+
+  // Polygons have texture coordinates as their corners, and each of these has a point.
+  void add_texture(const Output_mesh& mesh, Statistics& result)
+  {
+    const Texture& texture = mesh.texture;
+    std::vector<std::int64_t> points(texture.coordinates.size(), 0);
+    for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
+      for(std::size_t k = 0; k < mesh.polygons[i].size(); ++k)
+        points[texture.polygons[i][k]] = mesh.polygons[i][k];
+    result["point_of_corner"] = m_arrays.add_integers(points);
+    const Frame frame(in_plane(texture), 2);
+    double greatest_weight = 0;
+    for(const std::array<double, 3>& z : texture.coordinates)
+      greatest_weight = (std::max)(greatest_weight, std::abs(z[2]));
+    std::vector<double> homogeneous;
+    for(const std::array<double, 3>& z : texture.coordinates) {
+      const double w = z[2] / greatest_weight;
+      homogeneous.insert(homogeneous.end(),
+                         {w * frame(z[0] / z[2], 0), w * frame(z[1] / z[2], 1), w});
+    }
+    result["texture"] = m_arrays.add_reals(homogeneous, 3);
+    result["texture_center"] = frame.center;
+    result["texture_radius"] = frame.radius;
+  }
+
+  Statistics image(const Shown_surface& surface)
+  {
+    static constexpr const char* const names[] = {"", "plane", "disk", "sphere"};
+    std::vector<double> coordinates;
+    const Frame frame(surface.image, 3);
+    for(const std::array<double, 3>& p : surface.image)
+      for(std::size_t k = 0; k < 3; ++k)
+        coordinates.push_back(surface.kind == Image_kind::plane ? frame(p[k], k) : p[k]);
+    return {{"kind", names[std::size_t(surface.kind)]},
+            {"positions", m_arrays.add_reals(coordinates, 3)},
+            {"outlines", outlines(surface)}};
+  }
+
+  Statistics outlines(const Shown_surface& surface)
+  {
+    std::vector<double> coordinates;
+    std::vector<std::int64_t> sizes;
+    for(const auto& line : surface.outlines) {
+      sizes.push_back(std::int64_t(line.size()));
+      for(const std::array<double, 2>& p : line)
+        coordinates.insert(coordinates.end(), p.begin(), p.end());
+    }
+    return {{"sizes", m_arrays.add_integers(sizes)},
+            {"points", m_arrays.add_reals(coordinates, 2)}};
+  }
+
+  Statistics coded(const Surface_marks& marks)
+  {
+    return {{"name", marks.name},
+            {"is_failure", marks.is_failure},
+            {"polygons", m_arrays.add_integers(marks.polygons)},
+            {"lines", polygons(marks.lines)},
+            {"points", m_arrays.add_integers(marks.points)}};
+  }
+
+  Page_arrays& m_arrays;
+};
+
+} // namespace
+
+void View_page::check_available()
+{
+  if(embedded_files.empty())
+    throw Program_error("--view: this program was built without three.js, which could not be "
+                        "fetched from registry.npmjs.org when it was configured");
+}
+
+void View_page::add_surface(const std::string& name, Output_mesh mesh)
+{
+  m_surfaces.emplace_back();
+  m_surfaces.back().name = name;
+  m_surfaces.back().mesh = std::move(mesh);
+  if(const Texture& texture = m_surfaces.back().mesh.texture; texture.dimension > 0)
+    set_image(Image_kind::plane, in_plane(texture));
+}
+
+void View_page::set_image(Image_kind kind, std::vector<std::array<double, 3>> positions)
+{
+  m_surfaces.back().kind = kind;
+  m_surfaces.back().image = std::move(positions);
+}
+
+void View_page::add_marks(Surface_marks marks)
+{
+  if(!marks.empty())
+    m_surfaces.back().marks.push_back(std::move(marks));
+}
+
+void View_page::add_angles(const std::string& name, const std::vector<double>& angles)
+{
+  constexpr std::size_t intervals = 36;
+  std::vector<std::size_t> counts(intervals, 0);
+  for(const double a : angles)
+    if(a >= 0)
+      ++counts[(std::min)(static_cast<std::size_t>(a / 5), intervals - 1)];
+  m_angles.push_back({{"name", name}, {"counts", counts}});
+}
+
+void View_page::add_to_curve(const std::string& name, double value)
+{
+  const auto is_wanted = [&](const Statistics& curve) { return curve["name"] == name; };
+  auto curve = std::find_if(m_curves.begin(), m_curves.end(), is_wanted);
+  if(curve == m_curves.end()) {
+    m_curves.push_back({{"name", name}, {"values", Statistics::array()}});
+    curve = m_curves.end() - 1;
+  }
+  (*curve)["values"].push_back(value);
+}
+
+// The parts of the page stand in place of comments that name them.
+void View_page::write_html(Text& text) const
+{
+  Page_arrays arrays;
+  Statistics json{{"statistics", m_statistics}, {"angles", m_angles}, {"curves", m_curves}};
+  json["surfaces"] = Statistics::array();
+  for(const Shown_surface& surface : m_surfaces)
+    json["surfaces"].push_back(Surface_coder(arrays)(surface));
+  const std::string page = text_of(embedded_file("page.html"));
+  std::size_t begin = 0;
+  for(std::size_t at; (at = page.find("<!--@", begin)) != std::string::npos;) {
+    text << std::string_view(page).substr(begin, at - begin);
+    begin = page.find("-->", at) + 3;
+    const std::string part = page.substr(at + 5, begin - at - 8);
+    if(part == "modules")
+      add_modules(text);
+    else if(part == "page")
+      text << json_in_script(json);
+    else if(part == "arrays")
+      arrays.write(text);
+    else
+      text << text_of(embedded_file(part));
+  }
+  text << std::string_view(page).substr(begin);
+}

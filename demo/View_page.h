@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_VIEW_PAGE_H
+#define INTRINSIC_VIEW_PAGE_H
+
+#include "Shown_surface.h"
+#include "Statistics.h"
+#include "Svg_picture.h"
+#include "Text.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+// What a command shows: surfaces, charts and numbers. It is written as a page of HTML, which a browser
+// opens without a network; or the surfaces alone as an SVG picture.
+class View_page
+{
+public:
+  // Throws Program_error if the program was built without three.js, with which pages draw.
+  static void check_available();
+
+  void add_surface(const std::string& name, Output_mesh mesh);
+
+  // Of the last surface: a position for each of its texture coordinates, or of its points if it has
+  // none. A surface with a texture has this as its image in the plane if no other is set.
+  void set_image(Image_kind kind, std::vector<std::array<double, 3>> positions);
+
+  // Lines beside the image of the last surface.
+  void set_outlines(std::vector<std::vector<std::array<double, 2>>> lines)
+  {
+    m_surfaces.back().outlines = std::move(lines);
+  }
+
+  // On the last surface. Nothing if there are none.
+  void add_marks(Surface_marks marks);
+
+  // Adds the numbers of angles, in degrees, in intervals of five; negative ones do not count.
+  void add_angles(const std::string& name, const std::vector<double>& angles);
+
+  // Continues a curve by a positive value; begins it if there is none with this name.
+  void add_to_curve(const std::string& name, double value);
+
+  void set_statistics(const Statistics& statistics) { m_statistics = statistics; }
+
+  void write_html(Text& text) const;
+
+  // See Svg_picture.h.
+  void write_svg(Text& text) const { ::write_svg(text, m_surfaces); }
+
+private:
+  std::vector<Shown_surface> m_surfaces;
+  Statistics m_angles = Statistics::array();
+  Statistics m_curves = Statistics::array();
+  Statistics m_statistics;
+};
+
+#endif // INTRINSIC_VIEW_PAGE_H

@@ -1,0 +1,37 @@
+// Colors of layers, of faces and of values.
+
+export const paper = '#f6f8fa';
+export const failure = '#d81e1e';
+export const layers = {input: '#8795a3', intrinsic: '#c8501e', flat: '#1f6fb2', sphere: '#1f6fb2',
+  coarse: '#14202c', is_seam: '#7a2fa0', edges: '#8795a3'};
+export const points = {is_cone: '#7a2fa0'};
+export const others = '#147a5a';
+export const plain = '#e4e2da';
+export const faces = ['#8db4e2', '#facd82', '#a0d796', '#eb968c', '#c9b3e0', '#9fd9d5'];
+
+const rising = ['#27306b', '#2a6f9e', '#3fae9b', '#a5d77c', '#fbf2b0'];
+const diverging = ['#2b5ea8', '#92bae0', '#f5f3ee', '#eba98c', '#b0362f'];
+
+export const rgb = color => [1, 3, 5].map(i => parseInt(color.slice(i, i + 2), 16) / 255);
+
+// The values to show, without outliers, and their colors; symmetric if there are both signs.
+export function scaleOf(values) {
+  const sorted = Float32Array.from(values).filter(Number.isFinite).sort();
+  if(sorted.length === 0)
+    return {low: 0, high: 1, stops: rising};
+  const at = part => sorted[Math.round(part * (sorted.length - 1))];
+  const whole = [sorted[0], sorted[sorted.length - 1]];
+  let [low, high] = [at(.01), at(.99)];
+  if(whole[1] - whole[0] < 3 * (high - low))
+    [low, high] = whole;
+  if(low < 0 && high > 0) {
+    const most = Math.max(-low, high);
+    return {low: -most, high: most, whole, stops: diverging};
+  }
+  return {low, high: high > low ? high : low + 1, whole, stops: rising};
+}
+
+export const gradient = stops => `linear-gradient(to right, ${stops.join(', ')})`;
+
+// A face has the color of its index in its triangulation.
+export const colorOfFace = id => (Math.imul(id + 1, 0x9e3779b1) >>> 8) % faces.length;

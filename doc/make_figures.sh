@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# make_figures.sh PROGRAM DATA: draws the figures of the manuals that show pages, or results as
+# pictures, from meshes that CGAL ships. Needs Chromium, and pngquant to make files small.
+set -euo pipefail
+program=$(realpath "$1")
+meshes=$(realpath "$2")/meshes
+doc=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+# screenshot PACKAGE NAME CLAIMS...: of page.html, after the claims, which may change what is shown.
+screenshot()
+{
+  local picture=$doc/$1/fig/$2.png
+  mkdir -p "$(dirname "$picture")"
+  python3 "$doc/../test/demo/browse.py" page.html "${@:3}" --size 1200,720 --screenshot shot.png
+  pngquant --force --speed 1 --output "$picture" 256 shot.png
+}
+
+# result COMMAND MESH ARGUMENTS...: its page and its picture.
+result()
+{
+  "$program" "$1" "$meshes/$2" "${@:3}" --quiet --view page.html --picture picture.svg
+}
+
+result delaunay cow.off -o out.ply
+screenshot Intrinsic_triangulations viewer_delaunay
+result flatten nefertiti.off -o out.obj --boundary disk
+screenshot Intrinsic_triangulations viewer_flatten
+result hyperbolic eight.off -o out.obj --tiles 2
+screenshot Intrinsic_triangulations viewer_hyperbolic 'view.set({shown: {is_seam: true}}) === undefined'
+result distance elephant.off -o out.ply --source 0
+screenshot Intrinsic_triangulations viewer_distance
+result flatten elephant.off -o out.obj
+screenshot Discrete_conformal_maps flatten
+result sphere cow.off -o out.ply
+screenshot Discrete_conformal_maps sphere 'view.setColor("faces input") === undefined'
+result simplify elephant.off -o out.ply --ratio 0.06
+screenshot Intrinsic_simplification simplify

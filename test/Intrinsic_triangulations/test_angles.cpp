@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "generators.h"
+
+#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/edge_lengths.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+namespace IT = CGAL::Intrinsic_triangulations;
+
+const double pi = std::acos(-1.);
+
+std::vector<double> curvatures(Mesh mesh)
+{
+  auto length = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+  IT::compute_edge_lengths(mesh, length);
+  std::vector<double> result(mesh.number_of_vertices(), -1);
+  IT::compute_curvatures(
+    mesh, length,
+    boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)));
+  return result;
+}
+
+double sum(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.);
+}
+
+TEST(Angles, of_positions)
+{
+  Mesh mesh = random_sphere(50, 3);
+  auto length = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+  auto angle = mesh.add_property_map<Mesh::Halfedge_index, double>("h:angle", -1).first;
+  IT::compute_edge_lengths(mesh, length);
+  IT::compute_angles(mesh, length, angle);
+  for(const Mesh::Halfedge_index h : mesh.halfedges()) {
+    const auto u = mesh.point(mesh.source(h)) - mesh.point(mesh.target(h)),
+               v = mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.target(h));
+    EXPECT_NEAR(angle[h], std::acos(u * v / std::sqrt(u * u * (v * v))), 1e-7);
+    EXPECT_NEAR(angle[h] + angle[mesh.next(h)] + angle[mesh.prev(h)], pi, 1e-12);
+  }
+}
+
+TEST(Angles, border_halfedges_have_none)
+{
+  Mesh mesh = grid(1, 1, [](double x, double y) { return Point(x, y, 0); });
+  auto length = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+  auto angle = mesh.add_property_map<Mesh::Halfedge_index, double>("h:angle", -1).first;
+  IT::compute_edge_lengths(mesh, length);
+  IT::compute_angles(mesh, length, angle);
+  for(const Mesh::Halfedge_index h : mesh.halfedges())
+    EXPECT_EQ(angle[h] == -1, mesh.is_border(h));
+}
+
+TEST(Curvatures, of_known_surfaces)
+{
+  for(const double k : curvatures(tetrahedron()))
+    EXPECT_NEAR(k, pi, 1e-12);
+  for(const double k : curvatures(cube()))
+    EXPECT_NEAR(k, pi / 2, 1e-12);
+  const std::vector<double> flat =
+    curvatures(grid(3, 3, [](double x, double y) { return Point(x, y, 0); }));
+  for(std::size_t i = 0; i < 16; ++i) {
+    const bool is_corner = i % 4 % 3 == 0 && i / 4 % 3 == 0;
+    EXPECT_NEAR(flat[i], is_corner ? pi / 2 : 0, 1e-12) << i;
+  }
+}
+
+TEST(Curvatures, vertices_without_faces_have_none)
+{
+  Mesh mesh = cube();
+  mesh.add_vertex(Point(7, 7, 7));
+  EXPECT_EQ(curvatures(mesh).back(), 0);
+}
+
+TEST(Curvatures, theorem_of_Gauss_and_Bonnet)
+{
+  EXPECT_NEAR(sum(curvatures(random_sphere(200, 5))), 4 * pi, 1e-10);
+  EXPECT_NEAR(sum(curvatures(embedded_torus(20, 12))), 0, 1e-10);
+  EXPECT_NEAR(sum(curvatures(grid(7, 5, [](double x, double y) { return Point(x, y, x * y); }))),
+              2 * pi, 1e-10);
+}
+
+} // namespace

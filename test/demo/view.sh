@@ -1,0 +1,146 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The pages of `intrinsic view` and --view, opened in headless Chromium. Skipped if it is missing.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+# page_shows PAGE CLAIMS...: see browse.py.
+page_shows()
+{
+  python3 "$tests/browse.py" "$@" || { [ $? -eq 77 ] && skip 'Chromium is missing'; fail "page $1"; }
+}
+
+skip()
+{
+  echo "SKIPPED: $*"
+  exit 77
+}
+
+cp "$shipped" slivers.mesh.off
+grid flat 6 0
+grid sheared 4 3
+
+result=0
+"$program" view good.mesh.off -o page.html 2>err || result=$?
+if [ "$result" -eq 2 ] && grep -q 'built without three.js' err; then
+  skip 'the program was built without three.js'
+fi
+expect_files page.html
+page_shows page.html 'view.viewer.views.length === 1' 'view.viewer.surfaces[0].numberOfPoints === 4' \
+  'share(0, isPaper) > .2' 'share(0, isPaper) < .9' 'view.page.statistics["good.mesh.off"].polygons === 4'
+
+# Bytes are the same, in each run and on standard output; nothing is loaded.
+expect 0 view good.mesh.off -o again.html
+cmp page.html again.html
+expect 0 view good.mesh.off -o -
+cmp page.html out
+[ -z "$(grep -oE '(src|href)="[^"]*"' page.html | grep -v 'href="data:,"')" ] || fail 'the page loads files'
+grep -q 'Copyright © 2010-2024 three.js authors' page.html || fail "three.js's licence is missing"
+expect 2 view good.mesh.off -o good.mesh.off
+says 'never overwritten'
+rm ./*.html
+
+# Two meshes are seen from one side; each has its own points.
+expect 0 view flat.mesh.off sheared.mesh.off -o page.html
+page_shows page.html 'view.viewer.views.length === 2' \
+  'closePoints(clickAt([.25, .3, 0]).point, [.25, .3, 0])' 'clickAt([.25, .3, 0]).surface === "flat.mesh.off"' \
+  'clickAt([1/3 + .01, 1/2 + .01, 0]).nearestVertex === 3 * 7 + 2' \
+  'view.pick(2, 2) === null' 'view.viewer.resetCameras() === undefined' 'share(1, isPaper) < .98'
+
+# What is wrong is red: one edge, all of several faces, and points.
+code=0
+"$program" info edge_of_three.mesh.off --view page.html >out || code=$?
+[ "$code" -eq 2 ] || fail "info gave $code"
+page_shows page.html 'view.viewer.marks.some(m => m.name === "non-manifold edge")' \
+  'isRed(colorAt([.5, 0, 0]))' '!isRed(colorAt([.6, .45, 0]))'
+expect 0 info needle.mesh.off --view page.html
+page_shows page.html 'view.viewer.marks.length === 1' 'view.viewer.marks[0].polygons.length === 1'
+for file in repeated.mesh.off bow_tie.mesh.off zero_length.mesh.off overflow.mesh.obj; do
+  rm page.html
+  "$program" info "$file" --view page.html >out || true
+  page_shows page.html 'view.viewer.views.length === 1'
+done
+awk 'BEGIN {
+  print "OFF\n24 8 0"
+  for(i = 0; i < 8; ++i)
+    print i, 0, 0 "\n" i + .5, 0, 0 "\n" i + .5, .0001, 0
+  for(i = 0; i < 8; ++i)
+    print 3, 3 * i, 3 * i + 1, 3 * i + 2
+}' >needles.mesh.off
+expect 0 info needles.mesh.off --view page.html
+page_shows page.html 'view.viewer.marks[0].polygons.length === 8'
+
+# The Delaunay triangulation of a sheared grid, with its edges over those of the input.
+expect 0 delaunay sheared.mesh.off -o a.ply --view page.html
+page_shows page.html 'view.viewer.layers.join() === "input,intrinsic"' \
+  'view.page.angles.length === 2' 'view.page.angles[0].counts.reduce((a, b) => a + b) === 3 * 32' \
+  'view.page.angles[1].counts.reduce((a, b) => a + b) === 3 * 32' \
+  'view.page.statistics.is_delaunay' 'view.page.statistics.seconds === undefined' \
+  'view.set({shown: {input: false, intrinsic: false}}) === undefined' \
+  'share(0, ([r, g, b]) => r > g + 60) === 0' \
+  'view.set({shown: {intrinsic: true}}) === undefined' 'share(0, ([r, g, b]) => r > g + 60) > .001' \
+  'Object.keys(clickAt([1.7, .4, 0]).faces).join() === "input,intrinsic"'
+expect 0 delaunay sheared.mesh.off -o a.ply --view again.html
+cmp page.html again.html
+
+# Curvature of a tetrahedron's corner: the angle defect by a third of the area of its faces.
+expect 0 refine good.mesh.off -o a.ply --view page.html --max-insertions 0 --min-angle 50
+page_shows page.html 'view.viewer.marks[0].name === "faces below the bounds"' \
+  'close(view.viewer.surfaces[0].pointData.curvature.values[0], Math.PI / 2 / .5, 1e-5)'
+expect 0 operators sheared.mesh.off --prefix a --view page.html
+page_shows page.html 'view.viewer.layers.length === 2'
+
+# Distances are at the points where they are.
+expect 0 distance flat.mesh.off -o a.ply --source 0 --view page.html
+page_shows page.html 'view.viewer.state.color === "field distance"' \
+  'clickAt([.01, .01, 0]).values.distance < .05' 'clickAt([.6, .5, 0]).values.distance > .6' \
+  'view.viewer.marks[0].points.join() === "0"'
+
+# A flat square in the plane is the square; points are found from either side.
+expect 0 flatten flat.mesh.off -o a.obj --view page.html
+page_shows page.html 'view.viewer.views.length === 2' 'view.viewer.hasTexture' \
+  'view.page.curves.length <= 1' \
+  '(p => { const q = clickAt([.3, .3, 0]), r = clickAt([.7, .6, 0]);
+    return close(Math.hypot(q.picture[0] - r.picture[0], q.picture[1] - r.picture[1]), .5, 1e-4) })()' \
+  '(() => { const q = clickAt([.3, .6, 0]);
+    const {pane} = view.viewer.views[1];
+    const s = view.viewer.surfaces[0].description;
+    const [x, y] = [0, 1].map(k => (q.picture[k] - s.texture_center[k]) / s.texture_radius);
+    const at = pane.project(new pane.scene.position.constructor(x, y, 0));
+    const back = view.pick(at[0] + pane.box.left, at[1] + pane.box.top);
+    return closePoints(back.point, [.3, .6, 0]) })()'
+
+# On a curved surface, projective and linear interpolation differ.
+expect 0 flatten good.mesh.off -o a.obj --view page.html
+page_shows page.html 'view.viewer.markedPoints.join() === "is_cone"' \
+  'share(0, ([r, g, b]) => b > r + 20) > .02' \
+  '(() => { const before = share(0, ([r, g, b]) => b > r + 20); view.setColor("linear");
+    return before !== share(0, ([r, g, b]) => b > r + 20) })()' \
+  'view.setColor("field log_scale") === undefined' \
+  'view.setColor("faces flat") === undefined' 'share(0, isPaper) > .2'
+
+expect 0 sphere good.mesh.off -o a.ply --view page.html
+page_shows page.html 'view.viewer.surfaces[0].picture.kind === "sphere"' \
+  'close(Math.hypot(...clickAt([.2, .2, .6]).picture), 1)'
+expect 0 uniformize flat.mesh.off -o a.obj --view page.html
+page_shows page.html 'view.viewer.views.length === 2'
+
+expect 0 simplify slivers.mesh.off -o a.ply --ratio 0.1 --view page.html
+page_shows page.html 'view.viewer.state.color === "faces coarse"' 'view.viewer.state.shown.coarse' \
+  'view.page.angles[1].name === "coarse"' 'share(0, isPaper) < .95'
+
+if [ -n "$data" ]; then
+  expect 0 hyperbolic "$data/meshes/eight.off" -o a.obj --view page.html
+  page_shows page.html 'view.viewer.surfaces[0].picture.kind === "disk"' \
+    'view.viewer.surfaces[0].picture.outlines.begin.length > 9' 'share(1, isPaper) < .85'
+fi
+
+# Pictures are XML, have every polygon, and are the same in each run.
+expect 0 flatten flat.mesh.off -o a.obj --picture a.svg
+expect 0 flatten flat.mesh.off -o a.obj --picture b.svg
+cmp a.svg b.svg
+python3 -c 'import sys, xml.dom.minidom as dom
+paths = dom.parse("a.svg").getElementsByTagName("path")
+sys.exit(len(paths) != 2 * 72)' || fail 'polygons are missing in a.svg'
