@@ -21,18 +21,18 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // rows and values, of which those in one row add up
 typedef std::vector<std::pair<int, double>> Column_entries;
 
-// Makes `matrix` the one whose column for a vertex has the entries that `collect(v, entries)` adds,
-// in any order. No more than one column is sorted at a time.
+// Makes `matrix` the one, of this size, whose column for a vertex has the entries that `collect(v,
+// entries)` adds, in any order. No more than one column is sorted at a time.
 template <typename Collect>
-void assemble_columns(const Intrinsic_triangulations::Delta_complex& mesh, const Collect& collect,
+void assemble_columns(std::size_t size, std::size_t number_of_entries, const Collect& collect,
                       Eigen::SparseMatrix<double>& matrix)
 {
-  const auto n = static_cast<Eigen::Index>(mesh.num_vertices());
+  const auto n = static_cast<Eigen::Index>(size);
   matrix.resize(n, n);
-  matrix.reserve(2 * static_cast<Eigen::Index>(mesh.num_edges()) + n);
+  matrix.reserve(static_cast<Eigen::Index>(number_of_entries));
   Column_entries entries;
-  for(const Intrinsic_triangulations::Vertex_index v : mesh.vertices()) {
-    const int column = static_cast<int>(v.idx());
+  for(int column = 0; column < n; ++column) {
+    const Vertex_index v(static_cast<Delta_complex::size_type>(column));
     matrix.startVec(column);
     entries.clear();
     collect(v, entries);

@@ -72,7 +72,8 @@ public:
   {
     if(!m_has_Hessian)
       assemble_columns(
-        mesh(), [this](Vertex_index v, auto& entries) { collect_column(v, entries); }, m_Hessian);
+        mesh().num_vertices(), 2 * mesh().num_edges() + mesh().num_vertices(),
+        [this](Vertex_index v, auto& entries) { collect_column(v, entries); }, m_Hessian);
     m_has_Hessian = true;
     return m_Hessian;
   }
@@ -84,7 +85,7 @@ protected:
       m_surface(std::move(surface)),
       m_scale_factor(mesh().num_vertices(), FT(0)),
       m_origin(mesh().num_vertices(), FT(0)),
-      m_corner(mesh().num_halfedges()),
+      m_corner(mesh().num_halfedges(), Corner<FT>{FT(1), FT(0)}), // no angle beyond a border
       m_cotangent(mesh().num_halfedges()),
       m_gradient(Vector::Zero(Eigen::Index(mesh().num_vertices())))
   {}
