@@ -204,16 +204,26 @@ inline std::vector<double> scaled_lengths(const Planar_conformal_map& map)
   return result;
 }
 
-// which faces of T^C have a part of the input
-inline std::vector<bool> used_faces(const Planar_conformal_map& map)
+// which faces of T^C have a part of the input; there is none beyond a border
+class Used_faces
 {
-  std::vector<bool> result(mesh_C(map).number_of_faces(), false);
-  const auto& s = map.subdivision();
-  for(Face_index f : s.mesh().faces())
-    if(map.is_front(s.parent_face(Layer::A, f)))
-      result[s.parent_face(Layer::C, f)] = true;
-  return result;
-}
+public:
+  explicit Used_faces(const Planar_conformal_map& map)
+    : m_is_used(mesh_C(map).number_of_faces(), false)
+  {
+    const auto& s = map.subdivision();
+    for(Face_index f : s.mesh().faces())
+      if(map.is_front(s.parent_face(Layer::A, f)))
+        m_is_used[s.parent_face(Layer::C, f)] = true;
+  }
+
+  bool operator[](Face_index f) const { return f.is_valid() && m_is_used[f]; }
+
+private:
+  std::vector<bool> m_is_used;
+};
+
+inline Used_faces used_faces(const Planar_conformal_map& map) { return Used_faces(map); }
 
 inline double log_scale(const Planar_conformal_map& map, std::size_t v)
 {
@@ -248,7 +258,7 @@ inline void check_layout(const Planar_conformal_map& map, double tolerance = 1e-
 {
   const Delta_complex& mesh = mesh_C(map);
   const std::vector<double> length = scaled_lengths(map);
-  const std::vector<bool> is_used = used_faces(map);
+  const Used_faces is_used = used_faces(map);
   for(Face_index f : mesh.faces()) {
     if(!is_used[f])
       continue;
@@ -274,11 +284,10 @@ inline void check_layout(const Planar_conformal_map& map, double tolerance = 1e-
 inline bool has_no_seam(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = mesh_C(map);
-  const std::vector<bool> is_used = used_faces(map);
+  const Used_faces is_used = used_faces(map);
   for(Edge_index e : mesh.edges()) {
     const Halfedge_index h = mesh.halfedge(e);
-    if(map.is_seam(e) && !mesh.is_border(e) && is_used[mesh.face(h)] &&
-       is_used[mesh.face(mesh.opposite(h))])
+    if(map.is_seam(e) && is_used[mesh.face(h)] && is_used[mesh.face(mesh.opposite(h))])
       return false;
   }
   return true;
