@@ -16,10 +16,7 @@ Map_mesh_builder::Map_mesh_builder(const Any_map& map, const Mesh& input)
   choose_elements();
 }
 
-bool Map_mesh_builder::is_front(Halfedge_index h) const
-{
-  return m_map.is_front(subdivision().parent_face(Layer::A, mesh().face(h)));
-}
+bool Map_mesh_builder::is_front(Halfedge_index h) const { return m_map.is_front(h); }
 
 void Map_mesh_builder::choose_elements()
 {

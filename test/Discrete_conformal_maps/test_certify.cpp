@@ -486,11 +486,15 @@ Mesh read_data_mesh(const std::string& name)
   return mesh;
 }
 
-// All edges and pairs are accounted for; what fails, fails by rounding.
+// All edges and pairs are accounted for, but those of a second copy at its end, which are mirror
+// images of others; what fails, fails by rounding.
 void check_map(const DCM::Discrete_conformal_map& map, const DCM::Map_certificate& c)
 {
+  std::size_t edges = 0;
+  for(Edge_index e : mesh_A(map).edges())
+    edges += !mesh_A(map).is_border(e);
   for(const auto* on : {&c.on_B, &c.on_C}) {
-    EXPECT_EQ(on->decided_in_floating_point + on->decided_exactly, mesh_A(map).number_of_edges());
+    EXPECT_EQ(on->decided_in_floating_point + on->decided_exactly, edges);
     EXPECT_LT(on->greatest_excess, 1e-13);
   }
   EXPECT_TRUE(c.order.undecided.empty());

@@ -53,7 +53,7 @@ double laid_out_length(const Planar_conformal_map& map, Halfedge_index h)
 double worst_cross_ratio(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = mesh_C(map);
-  const std::vector<bool> is_used = used_faces(map);
+  const Used_faces is_used = used_faces(map);
   const auto cross_ratio = [&](Halfedge_index h, const auto& length) {
     const Halfedge_index o = mesh.opposite(h);
     return length(mesh.next(h)) / length(mesh.prev(h)) * length(mesh.next(o)) /
@@ -76,7 +76,7 @@ double worst_cross_ratio(const Planar_conformal_map& map)
 std::size_t number_of_flipped_faces(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = mesh_C(map);
-  const std::vector<bool> is_used = used_faces(map);
+  const Used_faces is_used = used_faces(map);
   std::size_t result = 0;
   for(Face_index f : mesh.faces()) {
     const Halfedge_index h = mesh.halfedge(f);

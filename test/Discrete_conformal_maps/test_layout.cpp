@@ -235,6 +235,8 @@ TEST(Layout, is_Delaunay)
     const Delta_complex& mesh = mesh_C(m.map);
     const std::vector<double> length = scaled_lengths(m.map);
     for(Edge_index e : mesh.edges()) {
+      if(mesh.is_border(e)) // the mirror image of one that is not
+        continue;
       const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
       EXPECT_LT(angle_at_source(mesh, length, mesh.prev(h)) +
                   angle_at_source(mesh, length, mesh.prev(o)),
@@ -362,7 +364,7 @@ TEST(Planar_conformal_map, takes_vertices_to_vertices)
   for(const Named_mesh& d : disks()) {
     SCOPED_TRACE(d.name);
     const Planar_conformal_map map = flat_disk(d.mesh);
-    const std::vector<bool> is_used = used_faces(map);
+    const Used_faces is_used = used_faces(map);
     for(Halfedge_index h : mesh_C(map).halfedges())
       if(const Vertex_index v = mesh_C(map).source(h);
          is_used[mesh_C(map).face(h)] && v.idx() < d.mesh.number_of_vertices()) {

@@ -52,9 +52,7 @@ std::vector<Flat_boundary> flat_boundaries(const Planar_conformal_map& map)
 {
   const auto& s = map.subdivision();
   const auto& mesh = s.mesh();
-  const auto is_front = [&](Halfedge_index h) {
-    return map.is_front(s.parent_face(Layer::A, mesh.face(h)));
-  };
+  const auto is_front = [&](Halfedge_index h) { return map.is_front(h); };
   const auto is_boundary = [&](Halfedge_index h) {
     return is_front(h) && !is_front(mesh.opposite(h));
   };

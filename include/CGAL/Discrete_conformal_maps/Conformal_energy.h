@@ -119,6 +119,12 @@ public:
   /// Complexity: linear.
   FT value() const;
 
+#ifndef DOXYGEN_RUNNING
+  // with weights of the terms of vertices and faces
+  template <typename Vertex_weight, typename Face_weight>
+  FT weighted_value(const Vertex_weight& vertex_weight, const Face_weight& face_weight) const;
+#endif
+
 private:
   using Base::mesh;
 
@@ -149,22 +155,32 @@ using Hyperbolic_conformal_energy = Conformal_energy<FT, internal::Hyperbolic_tr
 template <typename FT, typename Triangle>
 FT Conformal_energy<FT, Triangle>::value() const
 {
+  return weighted_value([](Vertex_index) { return 1.; }, [](Face_index) { return 1.; });
+}
+
+template <typename FT, typename Triangle>
+template <typename Vertex_weight, typename Face_weight>
+FT Conformal_energy<FT, Triangle>::weighted_value(const Vertex_weight& vertex_weight,
+                                                  const Face_weight& face_weight) const
+{
   using std::log;
   const FT pi = internal::straight_angle<FT>();
   FT sum(0);
   for(Vertex_index v : mesh().vertices())
     if(!mesh().is_isolated(v))
-      sum += (2 * pi - FT(m_target_defect[static_cast<Eigen::Index>(v.idx())])) *
+      sum += FT(vertex_weight(v)) *
+             (2 * pi - FT(m_target_defect[static_cast<Eigen::Index>(v.idx())])) *
              this->scale_factors()[v.idx()];
   for(Face_index f : mesh().faces()) {
     const auto side = Intrinsic_triangulations::sides(f, mesh());
     const Triangle face = Base::triangle(side);
+    FT part = Lobachevsky_function(face.half_defect());
     for(std::size_t s = 0; s < 3; ++s) {
       const FT lambda = 2 * log(this->surface().scaled_length(mesh().edge(side[(s + 1) % 3])));
-      sum += (face.circle_angle(s) - pi / 2) * lambda + Lobachevsky_function(face.angle(s)) +
-             Lobachevsky_function(face.circle_angle(s));
+      part += (face.circle_angle(s) - pi / 2) * lambda + Lobachevsky_function(face.angle(s)) +
+              Lobachevsky_function(face.circle_angle(s));
     }
-    sum += Lobachevsky_function(face.half_defect());
+    sum += FT(face_weight(f)) * part;
   }
   return sum;
 }

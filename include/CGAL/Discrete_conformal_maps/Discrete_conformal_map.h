@@ -30,8 +30,9 @@ class Map_builder;
 /// what all discrete conformal maps have: three triangulations with the correspondence of each to
 /// the next, and scale factors (Section 4.2).
 ///
-/// \f$T^A\f$ is the input. A component with boundary is doubled: the faces of its second copy
-/// follow those of the input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is
+/// \f$T^A\f$ is the input. A component with boundary is doubled, as far as edges of \f$T^B\f$ and
+/// \f$T^C\f$ across the boundary reach: the faces of this part of its second copy follow those of the
+/// input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is
 /// the intrinsic Delaunay triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay
 /// triangulation of \f$T^B\f$ with the scale factors.
 class Discrete_conformal_map
@@ -71,11 +72,20 @@ public:
            : layer == Layer::B ? m_data->ab.intrinsic()
                                : m_data->bc.intrinsic();
   }
-  /// returns the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface.
+  /// returns the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface as
+  /// far as it is there.
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
   /// returns whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.
   bool is_front(Face_index f) const { return f.idx() < m_data->number_of_front_faces; }
+
+  /// returns whether `h`, a halfedge of `subdivision()`, is a side of a face that is part of the
+  /// input, not of its second copy.
+  bool is_front(Halfedge_index h) const
+  {
+    const Face_index f = subdivision().mesh().face(h);
+    return f.is_valid() && is_front(subdivision().parent_face(Layer::A, f));
+  }
 
   /// returns the vertex of the input that `v` is, or of which it is the second copy.
   Vertex_index input_vertex(Vertex_index v) const { return m_data->input_vertex[v.idx()]; }

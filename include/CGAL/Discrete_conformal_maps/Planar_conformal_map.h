@@ -42,8 +42,8 @@ public:
   bool is_laid_out() const { return m_has_layout; }
 
   /// returns whether the face `f` of \f$T^C\f$ is in the plane: if `is_laid_out()` and a part of it
-  /// belongs to the input.
-  bool is_laid_out(Face_index f) const { return m_is_laid_out[f.idx()] != 0; }
+  /// belongs to the input. There is none beyond a border.
+  bool is_laid_out(Face_index f) const { return f.is_valid() && m_is_laid_out[f.idx()] != 0; }
 
   /// returns the position of the source of `h`, a halfedge of \f$T^C\f$, in the face of `h`.
   /// \pre The face is laid out.

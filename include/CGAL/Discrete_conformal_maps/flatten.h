@@ -61,14 +61,13 @@ public:
       m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
     while(is_bounded && m_scale.add_cone_if_beyond(bound));
     m_map.m_cones = m_scale.cones();
-    m_builder.set_scale_factors(m_scale);
   }
 
   Planar_conformal_map finish(Layout layout)
   {
     m_layout = layout;
     m_visitor.start(Flattening_stage::trace);
-    m_builder.trace();
+    m_builder.trace(m_scale);
     m_visitor.start(Flattening_stage::subdivide);
     m_builder.subdivide();
     m_visitor.start(Flattening_stage::layout);
@@ -89,14 +88,10 @@ private:
   {
     m_is_wall.assign(mesh().num_edges(), 1);
     const auto& subdivision = m_map.subdivision();
-    const auto is_front = [&](Halfedge_index h) {
-      const Face_index f = subdivision.mesh().face(h);
-      return f.is_valid() && m_map.is_front(subdivision.parent_face(Layer::A, f));
-    };
     for(Edge_index e : subdivision.mesh().edges())
       if(const Edge_index c = subdivision.parent_edge(Layer::C, e); c.is_valid())
-        if(is_front(subdivision.mesh().halfedge(e)) &&
-           is_front(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
+        if(m_map.is_front(subdivision.mesh().halfedge(e)) &&
+           m_map.is_front(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
           m_is_wall[c.idx()] = 0;
     m_map.m_is_laid_out.assign(mesh().num_faces(), 0);
     for(Face_index f : subdivision.mesh().faces())
@@ -108,8 +103,8 @@ private:
   // walls
   std::vector<char> terminals() const
   {
-    std::vector<char> result = m_problem.is_fixed();
-    const auto target = m_problem.target_defect();
+    std::vector<char> result = m_problem.expanded(m_problem.is_fixed());
+    const auto target = m_problem.expanded(m_problem.target_defect());
     for(Vertex_index v : mesh().vertices())
       result[v.idx()] =
         !mesh().is_isolated(v) && (result[v.idx()] || target[Eigen::Index(v.idx())] != 0);
@@ -121,10 +116,10 @@ private:
 
   std::size_t component(Face_index f) const
   {
-    return m_problem.components()[mesh().target(mesh().halfedge(f)).idx()];
+    return m_problem.component(mesh().target(mesh().halfedge(f)));
   }
 
-  // What is to be added to the scale factors at each vertex: nothing, or where none are prescribed,
+  // What is to be added to the scale factors of the surface: nothing, or where none are prescribed,
   // what keeps the area of the component.
   std::vector<double> area_correction() const
   {
@@ -147,7 +142,7 @@ private:
     if(m_scale.is_extended())
       lay_out(m_scale.extended_values(), correction);
     else
-      lay_out(m_builder.log_scale(), correction);
+      lay_out(std::vector<double>(m_scale.values().begin(), m_scale.values().end()), correction);
     arrange_charts();
     if(m_map.status() == Map_status::success && has_collapsed_face())
       m_builder.set_status(Map_status::layout_collapsed);
@@ -199,17 +194,18 @@ private:
     const auto& subdivision = m_map.subdivision();
     std::vector<std::vector<std::complex<double>>> points(m_problem.components().size());
     for(Halfedge_index h : subdivision.mesh().halfedges()) {
-      const Face_index f = subdivision.mesh().face(h);
-      if(!f.is_valid() || !m_map.is_front(subdivision.parent_face(Layer::A, f)))
+      if(!m_map.is_front(h))
         continue;
+      const Face_index f = subdivision.mesh().face(h);
       const auto z = m_map.homogeneous_coordinates(subdivision.location(Layer::C, h));
       points[component(subdivision.parent_face(Layer::C, f))].emplace_back(z[0] / z[2],
                                                                            z[1] / z[2]);
     }
     const Chart_packing packing(points);
     for(Halfedge_index h : mesh().halfedges())
-      m_map.m_position[h.idx()] =
-        packing.motion(component(mesh().face(h)))(m_map.m_position[h.idx()]);
+      if(!mesh().is_border(h))
+        m_map.m_position[h.idx()] =
+          packing.motion(component(mesh().face(h)))(m_map.m_position[h.idx()]);
   }
 
   Doubled_problem& m_problem;

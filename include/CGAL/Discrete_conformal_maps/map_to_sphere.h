@@ -58,12 +58,13 @@ private:
   // \throws Invalid_input if the surface is no sphere
   void check() const
   {
-    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    const Delta_complex& mesh = m_problem.surface();
     const auto isolated = std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
                                         [&](Vertex_index v) { return mesh.is_isolated(v); });
-    const auto characteristic =
-      static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(isolated) -
-      static_cast<long>(mesh.number_of_edges()) + static_cast<long>(mesh.number_of_faces());
+    const auto own = static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(isolated) -
+                     static_cast<long>(mesh.number_of_edges()) +
+                     static_cast<long>(mesh.number_of_faces());
+    const auto characteristic = m_problem.has_no_copies() ? own : 2 * own;
     if(m_problem.components().size() != static_cast<std::size_t>(isolated) + 1 ||
        mesh.number_of_faces() == 0)
       throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
@@ -74,11 +75,11 @@ private:
         std::to_string(characteristic));
   }
 
-  // A third of the area of each face belongs to each of its corners.
+  // A third of the area of each face of the double belongs to each of its corners.
   std::vector<double> vertex_areas() const
   {
     const auto& triangulation = m_problem.triangulation();
-    const Delta_complex& mesh = triangulation.input_mesh();
+    const Delta_complex& mesh = m_problem.surface();
     std::vector<double> result(mesh.num_vertices(), 0);
     for(Face_index f : mesh.faces()) {
       const auto side = Intrinsic_triangulations::sides(f, mesh);
@@ -89,7 +90,7 @@ private:
                             length(0), length(1), length(2))) /
                           4;
       for(Halfedge_index h : side)
-        result[mesh.target(h).idx()] += area / 3;
+        result[mesh.target(h).idx()] += area / (3 * m_problem.part(mesh.target(h).idx()));
     }
     return result;
   }
@@ -99,8 +100,8 @@ private:
   std::vector<Vertex_index> candidates() const
   {
     std::vector<Vertex_index> all, on_boundary;
-    for(Vertex_index v : m_problem.triangulation().mesh().vertices()) {
-      if(!m_problem.triangulation().mesh().is_isolated(v))
+    for(Vertex_index v : m_problem.surface().vertices()) {
+      if(!m_problem.surface().is_isolated(v))
         all.push_back(v);
       if(m_problem.is_on_boundary(v))
         on_boundary.push_back(v);

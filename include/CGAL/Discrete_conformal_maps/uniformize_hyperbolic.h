@@ -46,35 +46,31 @@ inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
   return result;
 }
 
-// The steps from a doubled problem to a map.
+// The steps from a doubled problem to a map, whose group is that of the whole double.
 template <typename Visitor>
 class Hyperbolic_uniformization
 {
 public:
   Hyperbolic_uniformization(Doubled_problem& problem, std::size_t number_of_front_faces,
                             Visitor& visitor)
-    : m_visitor(visitor),
+    : m_problem(problem),
+      m_visitor(visitor),
       m_scale(problem, hyperbolic_start(problem)),
-      m_builder(problem, number_of_front_faces, m_map),
-      m_is_cone(problem.is_fixed())
-  {
-    const auto target = problem.target_defect();
-    for(std::size_t v = 0; v < problem.size(); ++v)
-      m_is_cone[v] |= target[Eigen::Index(v)] != 0;
-  }
+      m_builder(problem, number_of_front_faces, m_map)
+  {}
 
   template <typename Minimizer>
   void find_scale_factors(const Minimizer& minimizer)
   {
     m_visitor.start(Flattening_stage::optimize);
     m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
-    m_builder.set_scale_factors(m_scale);
   }
 
   Hyperbolic_conformal_map finish()
   {
     m_visitor.start(Flattening_stage::trace);
-    m_builder.trace();
+    m_problem.complete();
+    m_builder.trace(m_scale);
     m_visitor.start(Flattening_stage::subdivide);
     m_builder.subdivide();
     m_visitor.start(Flattening_stage::layout);
@@ -88,7 +84,9 @@ private:
   // Errors grow exponentially with the distance from the origin, but shrink with the rounding unit.
   void lay_out()
   {
-    const std::vector<double> length = m_builder.scaled_lengths(m_builder.log_scale());
+    note_cones();
+    const std::vector<double> length = m_builder.scaled_lengths(
+      std::vector<double>(m_scale.values().begin(), m_scale.values().end()));
     const Tree_cotree cut(mesh(), crossing_lengths(mesh(), length), m_is_cone);
     set_components(cut);
     double error = m_scale.is_extended() ? 1 : lay_out(length, cut);
@@ -98,6 +96,14 @@ private:
       lay_out_with_more_digits<More_extended>(cut);
     if(m_map.status() == Map_status::success && !(m_map.max_gluing_error() <= tolerance::gluing))
       m_builder.set_status(Map_status::not_glued);
+  }
+
+  void note_cones()
+  {
+    m_is_cone = m_problem.expanded(m_problem.is_fixed());
+    const auto target = m_problem.expanded(m_problem.target_defect());
+    for(std::size_t v = 0; v < m_is_cone.size(); ++v)
+      m_is_cone[v] |= target[Eigen::Index(v)] != 0;
   }
 
   template <typename FT>
@@ -245,6 +251,7 @@ private:
     group.relation_error = product.distance_to_identity();
   }
 
+  Doubled_problem& m_problem;
   Visitor& m_visitor;
   Scale_factors<Hyperbolic_triangle> m_scale;
   Hyperbolic_conformal_map m_map;

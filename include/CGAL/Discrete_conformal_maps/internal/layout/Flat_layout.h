@@ -130,7 +130,7 @@ private:
   // least.
   void distribute_errors(const Cut_graph& cut)
   {
-    Least_squares_shift shift(m_united.size());
+    Least_squares_shift shift(m_united.size(), 3 * cut.steps().size());
     for(const Cut_graph::Step& step : cut.steps())
       for(Halfedge_index h : Intrinsic_triangulations::sides(step.face, m_mesh)) {
         const Vector misfit = side(h) - (united(m_mesh.next(h)) - united(h));

@@ -24,11 +24,14 @@ class Least_squares_shift
   typedef Eigen::VectorXd Vector;
 
 public:
-  explicit Least_squares_shift(std::size_t number_of_points)
-    : m_x(Vector::Zero(static_cast<Eigen::Index>(number_of_points))),
+  Least_squares_shift(std::size_t number_of_points, std::size_t number_of_vectors)
+    : m_diagonal(Vector::Zero(static_cast<Eigen::Index>(number_of_points))),
+      m_x(m_diagonal),
       m_y(m_x),
       m_is_held(number_of_points, 1)
-  {}
+  {
+    m_entries.reserve(2 * number_of_vectors + number_of_points);
+  }
 
   // the vector from point `i` to point `j` is to change by `change`
   void add(int i, int j, double weight, const std::complex<double>& change)
@@ -44,8 +47,11 @@ public:
 
   void solve()
   {
+    for(Eigen::Index i = 0; i < m_diagonal.size(); ++i)
+      m_entries.emplace_back(static_cast<int>(i), static_cast<int>(i), m_diagonal[i]);
     Eigen::SparseMatrix<double> matrix(m_x.size(), m_x.size());
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());
+    m_entries = {}; // the factor comes in its place
     Dirichlet_solver solver(matrix, m_is_held);
     m_x = solver.solve(m_x);
     m_y = solver.solve(m_y);
@@ -60,13 +66,14 @@ public:
 private:
   void add_to_row(int i, int j, double weight, const std::complex<double>& change)
   {
-    m_entries.emplace_back(i, i, weight);
     m_entries.emplace_back(i, j, -weight);
+    m_diagonal[i] += weight;
     m_x[i] += weight * change.real();
     m_y[i] += weight * change.imag();
   }
 
-  std::vector<Eigen::Triplet<double>> m_entries;
+  std::vector<Eigen::Triplet<double>> m_entries; // beside the diagonal
+  Vector m_diagonal;
   Vector m_x, m_y; // the right sides, then the solution
   std::vector<char> m_is_held;
 };

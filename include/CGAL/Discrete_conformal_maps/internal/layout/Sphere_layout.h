@@ -30,8 +30,9 @@ class Sphere_layout
 public:
   typedef std::array<FT, 2> Point;
 
-  // `length` has the lengths in the plane of the edges of `mesh`; `mass` are those of vertices. A
-  // doubled surface becomes symmetric with regard to the real line, with the input above it.
+  // `length` has the lengths in the plane of the edges of `mesh`; `mass` are those of the vertices of
+  // the surface itself. A doubled surface becomes symmetric with regard to the real line, with the
+  // surface above it.
   Sphere_layout(const Delta_complex& mesh, const std::vector<FT>& length, Vertex_index at_infinity,
                 const std::vector<double>& mass, const Doubled_problem& problem)
     : m_problem(problem),
@@ -95,20 +96,28 @@ private:
     for(Vertex_index v : m_axis)
       at(v)[1] = 0;
     FT height(0);
-    for(Vertex_index v : m_problem.surface_vertices())
-      height += m_problem.mirrored(v) == v ? FT(0) : at(v)[1];
+    for(Vertex_index v : m_problem.surface().vertices())
+      height += m_problem.is_on_boundary(v) ? FT(0) : at(v)[1];
     if(height < 0)
       move({FT(0), FT(0)}, {FT(-1), FT(0)});
-    for(Vertex_index v : m_problem.surface_vertices())
-      if(const Vertex_index w = m_problem.mirrored(v); w != v) {
-        at(v) = {(at(v)[0] + at(w)[0]) / 2, (at(v)[1] - at(w)[1]) / 2};
-        at(w) = {at(v)[0], -at(v)[1]};
-      }
+    for(std::size_t w = m_problem.size(); w < m_position.size(); ++w) {
+      Point &p = at(m_problem.front()[w]), &q = m_position[w];
+      p = {(p[0] + q[0]) / 2, (p[1] - q[1]) / 2};
+      q = {p[0], -p[1]};
+    }
   }
 
-  void center(const std::vector<double>& mass)
+  // The mirror images of vertices have mass, too.
+  void center(std::vector<double> mass)
   {
-    const Conformal_barycenter<FT> center(m_position, mass, m_at_infinity.idx());
+    std::vector<Point> position(m_position.begin(),
+                                m_position.begin() + std::ptrdiff_t(mass.size()));
+    for(Vertex_index v : m_problem.surface().vertices())
+      if(m_problem.number_of_copies(v.idx()) > 1) {
+        position.push_back({at(v)[0], -at(v)[1]});
+        mass.push_back(mass[v.idx()]);
+      }
+    const Conformal_barycenter<FT> center(position, mass, m_at_infinity.idx());
     m_scale = center.height();
     for(Point& p : m_position)
       p = {(p[0] - center.base()[0]) / m_scale,

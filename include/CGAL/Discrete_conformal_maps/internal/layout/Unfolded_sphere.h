@@ -31,22 +31,19 @@ class Unfolded_sphere
 {
 public:
   template <typename Visitor>
-  Unfolded_sphere(const Doubled_problem& problem, const std::vector<double>& mass,
+  Unfolded_sphere(Doubled_problem& problem, const std::vector<double>& mass,
                   Vertex_index at_infinity, Visitor& visitor)
     : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity)
   {
     visitor.start(Flattening_stage::optimize);
-    const Delta_complex& mesh = problem.triangulation().mesh();
-    Spherical_scale_factors<double> rounded(mesh, problem.triangulation().length_map(),
-                                            at_infinity);
+    Spherical_scale_factors<double> rounded(problem, at_infinity);
     rounded.minimize(tolerance::gradient, visitor);
     visitor.start(Flattening_stage::layout);
     take(rounded);
     if(is_good())
       return;
     visitor.start(Flattening_stage::optimize);
-    Spherical_scale_factors<Extended> precise(mesh, problem.triangulation().length_map(),
-                                              at_infinity);
+    Spherical_scale_factors<Extended> precise(problem, at_infinity);
     if(rounded.result().status != Minimization_status::not_finite)
       precise.set_start(rounded);
     precise.minimize(tolerance::extended_gradient, visitor);
@@ -59,7 +56,7 @@ public:
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
   // in the plane, after centering
   const std::vector<std::array<Extended, 2>>& positions() const { return m_position; }
-  // the logarithmic scale factors of the polyhedron
+  // the logarithmic scale factors of the polyhedron, at the vertices of the surface itself
   const std::vector<double>& values() const { return m_log_scale; }
   // from T^B to T^C
   const std::vector<Halfedge_index>& flips() const { return m_flips; }
@@ -105,9 +102,10 @@ private:
     if(!(m_angle_error <= tolerance::layout_angle &&
          m_minimization.gradient_error <= tolerance::layout_angle))
       return;
+    m_problem.complete();
     Partially_decorated_surface<FT> surface(m_problem.triangulation().mesh(),
                                             m_problem.triangulation().length_map(), m_at_infinity);
-    surface.scale(scale.values());
+    surface.scale(m_problem.expanded(scale.values()));
     if(std::is_same<FT, double>::value)
       lay_out<double>(surface, scale);
     if(!is_good())
@@ -148,9 +146,9 @@ private:
                             log_of_one_plus(square));
     }
     m_log_scale[m_at_infinity.idx()] = std::log(2.) + shift;
-    const Delta_complex& mesh = m_problem.triangulation().mesh();
-    for(Vertex_index v : mesh.vertices())
-      if(mesh.is_isolated(v))
+    const Delta_complex& surface = m_problem.surface();
+    for(Vertex_index v : surface.vertices())
+      if(surface.is_isolated(v))
         m_log_scale[v.idx()] = 0;
   }
 
@@ -169,16 +167,17 @@ private:
     const Delta_complex& mesh = ideal.mesh();
     m_cross_ratio_error = max_stereographic_cross_ratio_error(
       mesh, [&](Edge_index e) { return ideal.length(e); }, position, m_at_infinity);
-    std::vector<char> is_wrong(mesh.num_vertices(), 0);
-    for(Vertex_index v : mesh.vertices())
-      is_wrong[v.idx()] = !(scale.values()[v.idx()] >= scale.bounds()[v.idx()]);
+    std::vector<char> is_wrong(m_problem.size(), 0);
+    for(std::size_t v = 0; v < is_wrong.size(); ++v)
+      is_wrong[v] = !(scale.values()[v] >= scale.bounds()[v]);
     for(Halfedge_index h : mesh.halfedges())
-      if(const std::size_t v = mesh.target(h).idx(); mesh.source(h) == m_at_infinity)
+      if(const std::size_t v = m_problem.front(mesh.target(h)).idx();
+         mesh.source(h) == m_at_infinity)
         is_wrong[v] |= scale.values()[v] - scale.bounds()[v] > tolerance::bound;
     m_bound_violations = std::size_t(std::count(is_wrong.begin(), is_wrong.end(), 1));
   }
 
-  const Doubled_problem& m_problem;
+  Doubled_problem& m_problem;
   const std::vector<double>& m_mass;
   Vertex_index m_at_infinity;
   std::vector<std::array<Extended, 2>> m_position;

@@ -95,7 +95,7 @@ protected:
       m_surface(std::move(surface)),
       m_scale_factor(mesh().num_vertices(), FT(0)),
       m_origin(mesh().num_vertices(), FT(0)),
-      m_corner(mesh().num_halfedges()),
+      m_corner(mesh().num_halfedges(), Corner<FT>{FT(1), FT(0)}), // no angle beyond a border
       m_rounded_angle(mesh().num_halfedges()),
       m_cotangent(mesh().num_halfedges()),
       m_error(mesh().num_faces()),

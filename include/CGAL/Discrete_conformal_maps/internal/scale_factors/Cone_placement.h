@@ -29,10 +29,10 @@ class Cone_placement
 
 public:
   // `Laplacian` and `defect` are those of the surface, cones are not needed on components with
-  // fixed vertices. `twin` is the vertex that gets a cone together with a vertex, perhaps the same.
+  // fixed vertices
   Cone_placement(const Eigen::SparseMatrix<double>& Laplacian, const Vector& defect,
-                 const std::vector<char>& is_fixed, const std::vector<Vertex_index>& twin)
-    : m_twin(twin), m_solver(Laplacian, is_fixed)
+                 const std::vector<char>& is_fixed)
+    : m_solver(Laplacian, is_fixed)
   {
     m_estimate = m_solver.solve(-defect);
   }
@@ -53,19 +53,18 @@ public:
     return result;
   }
 
-  // Makes the estimate zero at `v` and its twin.
+  // Makes the estimate zero at `v`.
   void add(std::size_t v)
   {
     Vector source = Vector::Zero(m_estimate.size());
     source[index(v)] = 1;
-    source[index(m_twin[v].idx())] = 1;
     Vector column = m_solver.solve(source);
     for(const Column& c : m_columns)
       column -= (column[c.at] / c.values[c.at]) * c.values;
     m_columns.push_back({index(v), column});
     m_estimate -= (m_estimate[index(v)] / column[index(v)]) * column;
     for(const Column& c : m_columns)
-      m_estimate[c.at] = m_estimate[index(m_twin[static_cast<std::size_t>(c.at)].idx())] = 0;
+      m_estimate[c.at] = 0;
   }
 
 private:
@@ -77,7 +76,6 @@ private:
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-  const std::vector<Vertex_index>& m_twin;
   Dirichlet_solver m_solver;
   std::vector<Column> m_columns;
   Vector m_estimate;

@@ -20,37 +20,30 @@
 
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The surface that is uniformized, without boundary, and what is prescribed at its vertices. A
-// surface with boundary is doubled (Section 4.3.4); the vertices on its boundary have twice the
-// prescribed exterior angle.
+// The surface that is uniformized, and what is prescribed at its vertices. A surface with boundary is
+// doubled (Section 4.3.4), and what is prescribed is symmetric, so is the result, and there are
+// unknowns at the vertices of the surface only. Of the second copy, there is as much as the edges
+// across the boundary reach: beyond that, it is the mirror image of the first. The vertices on the
+// boundary have twice the prescribed exterior angle.
 class Doubled_problem
 {
 public:
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
-
-private:
-  auto lengths(const Triangulation& half)
-  {
-    m_length.resize(m_double.mesh().num_edges());
-    for(Edge_index e : m_half.edges())
-      m_length[e.idx()] = m_length[m_double.mirrored(e).idx()] = half.length(e);
-    const auto length = boost::make_function_property_map<Edge_index>(
-      [this](Edge_index e) { return m_length[e.idx()]; });
-    return Intrinsic_triangulations::parameters::edge_length_map(length);
-  }
-
-public:
   typedef Intrinsic_triangulations::internal::Mesh_components Components;
   typedef Eigen::VectorXd Vector;
 
@@ -59,21 +52,26 @@ public:
   Doubled_problem(const Triangulation& half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, bool has_exact_flips = false)
     : m_flipping(flipping),
+      m_has_exact_flips(has_exact_flips),
       m_half(half.mesh()),
-      m_double(m_half, faces_to_copy(m_half)),
-      m_triangulation(m_double.mesh(), lengths(half)),
-      m_components(m_double.mesh()),
-      m_front(m_double.mesh().num_vertices()),
-      m_is_fixed(m_double.mesh().num_vertices(), 0),
+      m_components(m_half),
+      m_has_boundary(m_components.size(), 0),
+      m_has_copy(m_half.num_faces(), 0),
+      m_is_fixed(m_half.num_vertices(), 0),
       m_value(Vector::Zero(Eigen::Index(m_is_fixed.size())))
   {
-    if(flipping == Flipping::to_Delaunay)
-      m_number_of_flips = Intrinsic_triangulations::make_Delaunay(
-        m_triangulation, Intrinsic_triangulations::parameters::exact_decisions(has_exact_flips));
+    for(Edge_index e : m_half.edges())
+      m_length.push_back(half.length(e));
+    std::vector<Vertex_index> boundary;
     for(Vertex_index v : m_half.vertices()) {
-      m_front[mirrored(v).idx()] = m_front[v.idx()] = v;
+      if(is_on_boundary(v)) {
+        boundary.push_back(v);
+        m_has_boundary[m_components[v.idx()]] = 1;
+      }
       set_condition(v, condition[v.idx()]);
     }
+    copy_around(boundary, 1);
+    build();
   }
 
   Doubled_problem(const Doubled_problem&) = delete;
@@ -93,24 +91,99 @@ public:
   // from T^A to T^B
   std::size_t number_of_flips() const { return m_number_of_flips; }
 
+  // the surface itself
+  const Delta_complex& surface() const { return m_half; }
+
+  // the number of its vertices, which come first
   std::size_t size() const { return m_is_fixed.size(); }
+
+  // for each vertex of the triangulation, the vertex of the surface of which it is a copy, or which
+  // it is
+  const std::vector<Vertex_index>& front() const { return m_front; }
+  Vertex_index front(Vertex_index v) const { return m_front[v.idx()]; }
 
   bool is_on_boundary(Vertex_index v) const
   {
     return v.idx() < m_half.num_vertices() && m_half.is_border(v) && !m_half.is_isolated(v);
   }
 
-  // the vertices of the surface itself
-  auto surface_vertices() const { return m_half.vertices(); }
+  // how many vertices of the double a vertex of the surface is
+  double number_of_copies(std::size_t v) const
+  {
+    return m_has_boundary[m_components[v]] ? 2 * part(v) : 1;
+  }
 
-  // the copy of a vertex of the surface; itself if there is none
-  Vertex_index mirrored(Vertex_index v) const { return m_double.mirrored(v); }
+  // On the boundary, a vertex of the double is half one of the surface.
+  double part(std::size_t v) const
+  {
+    return is_on_boundary(Vertex_index(Delta_complex::size_type(v))) ? 0.5 : 1;
+  }
 
-  // the vertex of the surface of which `v` is a copy, or which it is
-  Vertex_index front(Vertex_index v) const { return m_front[v.idx()]; }
+  // Of a face and its copy, if it is in this triangulation, each is a half of what the surface has.
+  double part(Face_index f) const
+  {
+    return f.idx() < m_half.num_faces() && !m_has_copy[f.idx()] ? 1 : 0.5;
+  }
 
-  // the components of the doubled surface
+  // the components of the surface
   const Components& components() const { return m_components; }
+
+  // that of a vertex of the triangulation
+  std::size_t component(Vertex_index v) const { return m_components[m_front[v.idx()].idx()]; }
+
+  bool has_no_copies() const { return m_front_face.size() == m_half.num_faces(); }
+
+  // values at the vertices of the triangulation: those of the surface and of copies
+  Vector expanded(const Vector& value) const
+  {
+    Vector result(Eigen::Index(m_front.size()));
+    for(std::size_t v = 0; v < m_front.size(); ++v)
+      result[Eigen::Index(v)] = value[Eigen::Index(m_front[v].idx())];
+    return result;
+  }
+  template <typename T>
+  std::vector<T> expanded(const std::vector<T>& value) const
+  {
+    std::vector<T> result;
+    result.reserve(m_front.size());
+    for(Vertex_index v : m_front)
+      result.push_back(value[v.idx()]);
+    return result;
+  }
+
+  // Returns whether the second copy is not deep enough for these flips, from T^B on: beyond a seam,
+  // the triangulation is the mirror image of that of the surface. As seams and their mirror images
+  // bound a symmetric region, it is enough that no seam has to be flipped.
+  bool has_exceeded(const std::vector<Halfedge_index>& flips)
+  {
+    m_exceeded.clear();
+    if(m_seams.empty())
+      return false;
+    std::vector<char> is_flipped(m_triangulation.input_mesh().num_edges(), 0);
+    for(Halfedge_index h : flips)
+      is_flipped[Edge_index(h).idx()] = 1;
+    for(Edge_index e : m_seams)
+      if(is_flipped[e.idx()])
+        m_exceeded.push_back(e);
+    return !m_exceeded.empty();
+  }
+
+  // Makes the second copy deeper, and T^A and T^B with it, where it was not deep enough for these
+  // flips.
+  void deepen(const std::vector<Halfedge_index>& flips)
+  {
+    deepen(m_rings, flips);
+    m_rings *= 2;
+  }
+
+  // Copies all of the surface.
+  void complete()
+  {
+    for(Face_index f : m_half.faces())
+      m_has_copy[f.idx()] = m_has_boundary[m_components[m_half.target(m_half.halfedge(f)).idx()]];
+    if(!m_seams.empty())
+      build();
+  }
 
   // the vertices where scale factors are prescribed
   const std::vector<char>& is_fixed() const { return m_is_fixed; }
@@ -133,47 +206,47 @@ public:
     if(!std::isfinite(value))
       throw Intrinsic_triangulations::Invalid_input("what is prescribed at vertex " +
                                                     std::to_string(v.idx()) + " is NaN");
-    for(Vertex_index x : {v, mirrored(v)}) {
-      m_is_fixed[x.idx()] = is_scale || m_half.is_isolated(v);
-      m_value[Eigen::Index(x.idx())] = !is_scale && m_half.is_isolated(v) ? 0 : value;
-    }
+    m_is_fixed[v.idx()] = is_scale || m_half.is_isolated(v);
+    m_value[Eigen::Index(v.idx())] = !is_scale && m_half.is_isolated(v) ? 0 : value;
   }
 
-  // the area of each component in one of its triangulations, for these lengths of halfedges
+  // the area of each component of the double in one of its triangulations, for these lengths of
+  // halfedges
   template <typename Length>
   std::vector<double> areas(const Delta_complex& complex, const Length& length) const
   {
     std::vector<double> result(m_components.size(), 0);
     for(Face_index f : complex.faces()) {
       const auto h = Intrinsic_triangulations::sides(f, complex);
-      result[m_components[complex.target(h[0]).idx()]] +=
-        std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(length(h[0]), length(h[1]),
-                                                                    length(h[2]))) /
-        4;
+      const std::size_t c = component(complex.target(h[0]));
+      const double quadrupled = std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(
+        length(h[0]), length(h[1]), length(h[2])));
+      result[c] += quadrupled / 4 * part(f) * (m_has_boundary[c] ? 2 : 1);
     }
     return result;
   }
 
-  // Of each component, how much the prescribed curvatures exceed 2 pi times the Euler
+  // Of each component of the double, how much the prescribed curvatures exceed 2 pi times the Euler
   // characteristic; this much less must be the curvature of the vertices with prescribed scale
   // factors (Equation 4.11). Zero for an isolated vertex.
   std::vector<double> curvature_excess() const
   {
-    const Delta_complex& mesh = m_double.mesh();
     std::vector<double> sum(m_components.size(), 0);
     std::vector<long> characteristic(m_components.size(), 0);
-    for(Vertex_index v : mesh.vertices()) {
-      if(mesh.is_isolated(v))
+    for(Vertex_index v : m_half.vertices()) {
+      if(m_half.is_isolated(v)) // a point has no curvature
         continue;
-      sum[m_components[v.idx()]] += m_is_fixed[v.idx()] ? 0 : m_value[Eigen::Index(v.idx())];
-      characteristic[m_components[v.idx()]] += !mesh.is_isolated(v); // a point has no curvature
+      const std::size_t c = m_components[v.idx()];
+      sum[c] +=
+        m_is_fixed[v.idx()] ? 0 : number_of_copies(v.idx()) * m_value[Eigen::Index(v.idx())];
+      ++characteristic[c];
     }
-    for(Edge_index e : mesh.edges())
-      --characteristic[m_components[mesh.vertex(e, 0).idx()]];
-    for(Face_index f : mesh.faces())
-      ++characteristic[m_components[mesh.target(mesh.halfedge(f)).idx()]];
+    for(Edge_index e : m_half.edges())
+      --characteristic[m_components[m_half.vertex(e, 0).idx()]];
+    for(Face_index f : m_half.faces())
+      ++characteristic[m_components[m_half.target(m_half.halfedge(f)).idx()]];
     for(std::size_t c = 0; c < sum.size(); ++c)
-      sum[c] -= 2 * pi() * double(characteristic[c]);
+      sum[c] -= 2 * pi() * double(characteristic[c]) * (m_has_boundary[c] ? 2 : 1);
     return sum;
   }
 
@@ -189,12 +262,13 @@ public:
                           1;
   }
 
-  // how many vertices with prescribed scale factors each component has
+  // how many vertices with prescribed scale factors each component of the double has
   std::vector<std::size_t> number_of_fixed() const
   {
     std::vector<std::size_t> result(m_components.size(), 0);
     for(std::size_t v = 0; v < size(); ++v)
-      result[m_components[v]] += m_is_fixed[v] != 0;
+      if(m_is_fixed[v])
+        result[m_components[v]] += std::size_t(number_of_copies(v));
     return result;
   }
 
@@ -233,30 +307,100 @@ private:
           "no angle is left at vertex " + std::to_string(v) + ": its curvature is too great");
   }
 
-  static std::vector<char> faces_to_copy(const Delta_complex& half)
+  void deepen(std::size_t rings, const std::vector<Halfedge_index>& flips)
   {
-    const Components components(half);
-    std::vector<char> has_boundary(components.size(), 0), result(half.num_faces());
-    for(Halfedge_index h : half.halfedges())
-      if(half.is_border(h))
-        has_boundary[components[half.target(h).idx()]] = 1;
-    for(Face_index f : half.faces())
-      result[f.idx()] = has_boundary[components[half.target(half.halfedge(f)).idx()]];
-    return result;
+    std::vector<Vertex_index> start;
+    for(Edge_index e : m_exceeded)
+      for(unsigned end : {0u, 1u})
+        start.push_back(m_half.vertex(e, end));
+    copy_around(start, rings);
+    copy_regions(flips);
+    build();
   }
 
-  bool has_boundary(std::size_t component) const
+  // Copies the faces at vertices within a number of rings around some.
+  void copy_around(std::vector<Vertex_index> front, std::size_t rings)
   {
-    for(Vertex_index v : m_half.vertices())
-      if(m_components[v.idx()] == component && is_on_boundary(v))
-        return true;
-    return false;
+    std::vector<char> is_near(m_half.num_vertices(), 0);
+    const auto add = [&](Vertex_index v, std::vector<Vertex_index>& to) {
+      if(!is_near[v.idx()])
+        to.push_back(v);
+      is_near[v.idx()] = 1;
+    };
+    for(std::size_t ring = 0; ring <= rings; ++ring) {
+      std::vector<Vertex_index> next;
+      for(Vertex_index v : front)
+        Intrinsic_triangulations::for_each_spoke(v, m_half, [&](Halfedge_index h) {
+          if(!m_half.is_border(h))
+            m_has_copy[m_half.face(h).idx()] = 1;
+          add(m_half.target(h), next);
+        });
+      front = std::move(next);
+    }
+  }
+
+  // Edges that are flipped join faces of T^A to regions. Copies whole ones: there is no flip across
+  // their boundaries.
+  void copy_regions(const std::vector<Halfedge_index>& flips)
+  {
+    boost::disjoint_sets_with_storage<> regions(m_half.num_faces());
+    for(Face_index f : m_half.faces())
+      regions.make_set(f.idx());
+    Delta_complex mesh = m_triangulation.input_mesh();
+    const std::vector<Halfedge_index>* const parts[] = {&m_flips, &flips};
+    for(const auto* part : parts)
+      for(Halfedge_index h : *part) {
+        regions.union_set(m_front_face[mesh.face(h).idx()].idx(),
+                          m_front_face[mesh.face(opposite(h)).idx()].idx());
+        flip_edge(h, mesh);
+      }
+    std::vector<char> has_copy(m_half.num_faces(), 0);
+    for(Face_index f : m_half.faces())
+      has_copy[regions.find_set(f.idx())] |= m_has_copy[f.idx()];
+    for(Face_index f : m_half.faces())
+      m_has_copy[f.idx()] = has_copy[regions.find_set(f.idx())];
+  }
+
+  // Makes T^A and T^B anew.
+  void build()
+  {
+    const Doubled_surface surface(m_half, m_has_copy);
+    std::vector<double> length(surface.mesh().num_edges());
+    for(Edge_index e : m_half.edges())
+      length[e.idx()] = length[surface.mirrored(e).idx()] = m_length[e.idx()];
+    m_triangulation =
+      Triangulation(surface.mesh(), Intrinsic_triangulations::parameters::edge_length_map(
+                                      boost::make_function_property_map<Edge_index>(
+                                        [&](Edge_index e) { return length[e.idx()]; })));
+    m_front = surface.front();
+    m_front_face = surface.front_faces();
+    m_seams = surface.seams();
+    if(m_flipping == Flipping::to_Delaunay)
+      flip_to_Delaunay();
+  }
+
+  struct Flip_record
+  {
+    void after_flip(Halfedge_index h) { flips.push_back(h); }
+    void before_exact_flips() { flips.clear(); } // they start from T^A
+    std::vector<Halfedge_index>& flips;
+  };
+
+  void flip_to_Delaunay()
+  {
+    m_flips.clear();
+    Flip_record record{m_flips};
+    m_number_of_flips = Intrinsic_triangulations::make_Delaunay(
+      m_triangulation, Intrinsic_triangulations::parameters::exact_decisions(m_has_exact_flips)
+                         .visitor(std::ref(record)));
+    if(has_exceeded(m_flips))
+      deepen(0, {});
   }
 
   // what is wrong with the curvatures of a component
   std::string unbalanced(std::size_t component, double excess, bool has_fixed) const
   {
-    const double own = has_boundary(component) ? excess / 2 : excess; // not of the double
+    const double own = m_has_boundary[component] ? excess / 2 : excess; // not of the double
     std::ostringstream text;
     text << "the curvatures prescribed on component " << component << " sum up to " << std::abs(own)
          << " radians " << (own > 0 ? "more" : "less")
@@ -269,13 +413,20 @@ private:
 
   Flipping m_flipping;
   Intrinsic_triangulations::internal::Concurrency m_concurrency;
+  bool m_has_exact_flips;
   Delta_complex m_half;
-  std::vector<double> m_length; // of the doubled surface
-  Doubled_surface m_double;
+  std::vector<double> m_length; // of the edges of the surface
+  Components m_components;
+  std::vector<char> m_has_boundary; // of each component
+  std::vector<char> m_has_copy;     // for each face of the surface
+  std::size_t m_rings = 1;          // that are copied the next time
   Triangulation m_triangulation;
   std::size_t m_number_of_flips = 0;
-  Components m_components;
   std::vector<Vertex_index> m_front;
+  std::vector<Face_index> m_front_face;
+  std::vector<Halfedge_index> m_flips; // to T^B
+  std::vector<Edge_index> m_seams;     // between faces with and without copies
+  std::vector<Edge_index> m_exceeded;  // where the copy is not deep enough
   std::vector<char> m_is_fixed;
   Vector m_value; // a scale factor or an angle defect
 };

@@ -9,42 +9,61 @@
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Two copies of a surface, glued along the boundary (Section 4.3.4). The first keeps its numbers;
-// the border halfedges of the surface become those of the second copy. Components without boundary
-// are not copied, nor are isolated vertices.
+// A surface and a copy of some of its faces, glued along the boundary (Section 4.3.4): the double of
+// the surface, or as much of it as is needed. The surface itself keeps its numbers, and its border
+// halfedges become those of copied faces. Where copied and other faces meet, the copy has a border.
 class Doubled_surface
 {
   typedef Delta_complex::size_type size_type;
 
 public:
-  // `has_copy` says of each face of `half`, which has no garbage, whether it is to be copied: those
-  // of components with boundary.
+  // `has_copy` says of each face of `half`, which has no garbage, whether it is copied. All faces at
+  // a vertex on the boundary are, or none.
   Doubled_surface(const Delta_complex& half, const std::vector<char>& has_copy)
     : m_half(half),
       m_mesh(half),
-      m_vertex(half.num_vertices()),
+      m_has_copy(has_copy),
       m_edge(half.num_edges()),
-      m_face(half.num_faces())
+      m_face(half.num_faces()),
+      m_corner(half.num_halfedges())
   {
-    add_copies(has_copy);
-    for(Face_index f : half.faces())
-      if(m_face[f.idx()] != f)
-        link_copy(f);
     for(Vertex_index v : half.vertices())
-      if(m_vertex[v.idx()] != v)
-        m_mesh.set_halfedge(m_vertex[v.idx()], mirrored(half.opposite(half.halfedge(v))));
+      m_front.push_back(v);
+    for(Face_index f : half.faces())
+      m_front_face.push_back(f);
+    add_copies();
+    for(Face_index f : half.faces())
+      if(has_copy[f.idx()])
+        link_copy(f);
+    for(Edge_index e : m_seams)
+      link_border(border(e));
   }
 
   const Delta_complex& mesh() const { return m_mesh; }
 
-  // what is opposite to an element of the first copy; itself on the boundary and where there is no
-  // copy
-  Vertex_index mirrored(Vertex_index v) const { return m_vertex[v.idx()]; }
+  // for each vertex the one of which it is a copy, or which it is; where the copies of the faces
+  // around a vertex are not connected, there are several
+  const std::vector<Vertex_index>& front() const { return m_front; }
+
+  // for each face the one of which it is a copy, or which it is
+  const std::vector<Face_index>& front_faces() const { return m_front_face; }
+
+  // the edges of the surface between a face with and a face without a copy
+  const std::vector<Edge_index>& seams() const { return m_seams; }
+
+  // the copy of an edge; itself on the boundary and where there is no copy
   Edge_index mirrored(Edge_index e) const { return m_edge[e.idx()]; }
+
+private:
+  bool is_copied(Halfedge_index h) const
+  {
+    return !m_half.is_border(h) && m_has_copy[m_half.face(h).idx()];
+  }
 
   // It leads from the mirrored target to the mirrored source.
   Halfedge_index mirrored(Halfedge_index h) const
@@ -54,23 +73,50 @@ public:
     return opposite(m_half.is_border(e) ? h : directed_as(h, first_halfedge(m_edge[e.idx()])));
   }
 
-private:
-  void add_copies(const std::vector<char>& has_copy)
+  void add_copies()
   {
-    const auto is_copied = [&](Halfedge_index h) {
-      return has_copy[m_half.face(m_half.is_border(h) ? m_half.opposite(h) : h).idx()] != 0;
-    };
-    for(Vertex_index v : m_half.vertices()) {
-      const bool stays =
-        m_half.is_isolated(v) || m_half.is_border(v) || !is_copied(m_half.halfedge(v));
-      m_vertex[v.idx()] = stays ? v : m_mesh.add_vertex();
-    }
-    for(Edge_index e : m_half.edges()) {
-      const bool stays = m_half.is_border(e) || !is_copied(m_half.halfedge(e));
-      m_edge[e.idx()] = stays ? e : Edge_index(m_mesh.add_edge());
-    }
     for(Face_index f : m_half.faces())
-      m_face[f.idx()] = has_copy[f.idx()] ? m_mesh.add_face() : f;
+      if(m_has_copy[f.idx()]) {
+        m_face[f.idx()] = m_mesh.add_face();
+        m_front_face.push_back(f);
+      }
+    for(Edge_index e : m_half.edges()) {
+      const Halfedge_index h = m_half.halfedge(e), o = m_half.opposite(h);
+      const bool is_inside = !m_half.is_border(e) && (is_copied(h) || is_copied(o));
+      m_edge[e.idx()] = is_inside ? Edge_index(m_mesh.add_edge()) : e;
+      if(is_inside && is_copied(h) != is_copied(o))
+        m_seams.push_back(e);
+    }
+    for(Vertex_index v : m_half.vertices())
+      if(!m_half.is_isolated(v))
+        add_corners(v);
+  }
+
+  // A copy of `v` for every run of copied faces around it.
+  void add_corners(Vertex_index v)
+  {
+    if(m_half.is_border(v)) {
+      for(Halfedge_index h : m_half.halfedges_around_target(m_half.halfedge(v)))
+        m_corner[h.idx()] = v;
+      return;
+    }
+    Halfedge_index first = m_half.halfedge(v);
+    const auto next = [this](Halfedge_index h) { return m_half.opposite(m_half.next(h)); };
+    for(Halfedge_index h = next(first); is_copied(first) && h != first; h = next(h))
+      if(!is_copied(h))
+        first = h;
+    Vertex_index copy;
+    Halfedge_index h = first;
+    do {
+      if(!is_copied(h))
+        copy = Vertex_index();
+      else if(!copy.is_valid()) {
+        copy = m_mesh.add_vertex();
+        m_front.push_back(v);
+      }
+      m_corner[h.idx()] = copy;
+      h = next(h);
+    } while(h != first);
   }
 
   void link_copy(Face_index f)
@@ -79,18 +125,46 @@ private:
     Halfedge_index h = m_half.halfedge(f);
     m_mesh.set_halfedge(copy, mirrored(h));
     do {
+      const Vertex_index source = m_corner[m_half.prev(h).idx()];
       m_mesh.set_next(mirrored(m_half.next(h)), mirrored(h));
-      m_mesh.set_target(mirrored(h), mirrored(m_half.source(h)));
+      m_mesh.set_target(mirrored(h), source);
       m_mesh.set_face(mirrored(h), copy);
+      if(source.idx() >= m_half.num_vertices())
+        m_mesh.set_halfedge(source, mirrored(h));
       h = m_half.next(h);
     } while(h != m_half.halfedge(f));
   }
 
+  // the border halfedge of the copy of a seam
+  Halfedge_index border(Edge_index e) const
+  {
+    const Halfedge_index h = m_half.halfedge(e);
+    return mirrored(is_copied(h) ? m_half.opposite(h) : h);
+  }
+
+  void link_border(Halfedge_index border)
+  {
+    const auto turned = [this](Halfedge_index h) {
+      return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(h)));
+    };
+    Halfedge_index next = turned(border);
+    const Vertex_index v = m_mesh.source(next);
+    while(!m_mesh.is_border(next))
+      next = turned(m_mesh.opposite(next));
+    m_mesh.set_target(border, v);
+    m_mesh.set_halfedge(v, border);
+    m_mesh.set_next(border, next);
+  }
+
   const Delta_complex& m_half;
   Delta_complex m_mesh;
-  std::vector<Vertex_index> m_vertex;
+  const std::vector<char>& m_has_copy;
+  std::vector<Vertex_index> m_front;
+  std::vector<Face_index> m_front_face;
   std::vector<Edge_index> m_edge;
   std::vector<Face_index> m_face;
+  std::vector<Vertex_index> m_corner; // the copy at the target of each halfedge of a copied face
+  std::vector<Edge_index> m_seams;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

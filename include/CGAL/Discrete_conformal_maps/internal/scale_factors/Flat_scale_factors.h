@@ -34,13 +34,11 @@ public:
   // Places cones until a linear estimate of the scale factors lies within a bound.
   void place_cones(double bound)
   {
-    Conformal_energy<> energy(m_problem.triangulation().mesh(),
-                              m_problem.triangulation().length_map(), m_problem.target_defect(),
-                              m_problem.flipping());
-    energy.set_concurrency(m_problem.concurrency());
+    auto energy =
+      symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
+    energy.evaluate(Vector::Zero(Eigen::Index(m_problem.size())));
     place_first_cones(energy, bound);
-    const std::vector<Vertex_index> twin = twins();
-    Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins(), twin);
+    Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins());
     for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
       const std::size_t v = placement.worst(m_problem.components(), c);
       placement.add(v);
@@ -94,37 +92,27 @@ private:
     return result;
   }
 
-  std::vector<Vertex_index> twins() const
-  {
-    std::vector<Vertex_index> result(m_problem.size());
-    for(Vertex_index v : m_problem.surface_vertices()) {
-      result[v.idx()] = m_problem.mirrored(v);
-      result[m_problem.mirrored(v).idx()] = v;
-    }
-    return result;
-  }
-
   void add_cone(std::size_t v)
   {
-    const Vertex_index cone = m_problem.front(Vertex_index(Delta_complex::size_type(v)));
+    const Vertex_index cone(static_cast<Delta_complex::size_type>(v));
     m_problem.set_condition(cone, Vertex_condition::log_scale(0));
     m_cones.push_back(cone);
   }
 
   // A component without prescribed scale factors gets a cone where the estimate is farthest from
   // its middle, unless it needs none.
-  void place_first_cones(const Conformal_energy<>& energy, double bound)
+  void place_first_cones(const Symmetric_energy<Conformal_energy<>>& energy, double bound)
   {
     const auto& component = m_problem.components();
     const std::vector<double> excess = m_problem.curvature_excess();
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
     std::vector<double> size(component.size(), 0);
     for(std::size_t v = 0; v < m_problem.size(); ++v)
-      ++size[component[v]];
+      size[component[v]] += m_problem.number_of_copies(v);
     Vector balanced = energy.gradient();
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(fixed[component[v]] == 0)
-        balanced[Eigen::Index(v)] += excess[component[v]] / size[component[v]];
+        balanced[Eigen::Index(v)] += m_problem.part(v) * excess[component[v]] / size[component[v]];
     Dirichlet_solver solver(energy.Hessian(), with_pins());
     const Vector estimate = solver.solve(-balanced);
     for(std::size_t c = 0; c < component.size(); ++c)
@@ -139,8 +127,8 @@ private:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.components()[v] == c) {
         const double u = estimate[Eigen::Index(v)];
-        sum += u;
-        ++count;
+        sum += m_problem.number_of_copies(v) * u;
+        count += m_problem.number_of_copies(v);
         if(least == none || u < estimate[Eigen::Index(least)])
           least = v;
         if(greatest == none || u > estimate[Eigen::Index(greatest)])

@@ -44,27 +44,29 @@ public:
     m_data.status = scale.status();
     m_data.minimization = scale.result();
     m_data.max_curvature_error = scale.max_curvature_error();
-    m_data.log_scale.assign(scale.values().data(), scale.values().data() + scale.values().size());
+    const auto all = m_problem.expanded(scale.values());
+    m_data.log_scale.assign(all.data(), all.data() + all.size());
   }
 
   void set_status(Map_status status) { m_data.status = status; }
 
+  // by the vertices of the surface itself
   void add_to_scale_factors(const std::vector<double>& correction)
   {
-    for(std::size_t v = 0; v < correction.size(); ++v)
-      m_data.log_scale[v] += correction[v];
+    for(std::size_t v = 0; v < log_scale().size(); ++v)
+      m_data.log_scale[v] += correction[m_data.input_vertex[v].idx()];
   }
 
-  // Takes the triangulation of the problem, and makes it ideal Delaunay with the scale factors.
-  void trace()
+  // Takes the triangulation of the problem, and makes it ideal Delaunay with the scale factors, of
+  // which `scale` has the values at the vertices of the surface itself.
+  template <typename Scale_factors>
+  void trace(const Scale_factors& scale)
   {
-    take_triangulation();
-    if(m_problem.flipping() == Flipping::to_Delaunay) {
-      Penner_surface<double> surface(mesh(), m_data.bc.length_map());
-      surface.scale(log_scale());
-      replay(surface.flips());
-    }
-    correspond();
+    std::vector<Halfedge_index> flips;
+    if(m_problem.flipping() == Flipping::to_Delaunay)
+      flips = flips_to_Delaunay(scale);
+    set_scale_factors(scale);
+    trace(flips);
   }
 
   // Takes the triangulation of the problem, and makes these flips.
@@ -93,7 +95,8 @@ public:
     return internal::scaled_length(m_data.bc.length(mesh().edge(h)), length_factor(u));
   }
 
-  // of the edges of T^C, by the recorded flips in the precision of the scale factors
+  // of the edges of T^C, by the recorded flips in the precision of the scale factors, which `u` has
+  // for the vertices of the surface itself
   template <typename FT>
   std::vector<FT> scaled_lengths(const std::vector<FT>& u) const
   {
@@ -103,15 +106,29 @@ public:
     for(Edge_index e : mesh().edges())
       result[e.idx()] = internal::scaled_length(
         surface.length(e),
-        length_factor(FT(u[mesh().vertex(e, 0).idx()] + u[mesh().vertex(e, 1).idx()])));
+        length_factor(FT(u[m_data.input_vertex[mesh().vertex(e, 0).idx()].idx()] +
+                         u[m_data.input_vertex[mesh().vertex(e, 1).idx()].idx()])));
     return result;
   }
 
 private:
+  template <typename Scale_factors>
+  std::vector<Halfedge_index> flips_to_Delaunay(const Scale_factors& scale)
+  {
+    for(;;) {
+      const auto& triangulation = m_problem.triangulation();
+      Penner_surface<double> surface(triangulation.mesh(), triangulation.length_map());
+      const auto all = m_problem.expanded(scale.values());
+      surface.scale({all.data(), all.data() + all.size()});
+      if(!m_problem.has_exceeded(surface.flips()))
+        return surface.flips();
+      m_problem.deepen(surface.flips());
+    }
+  }
+
   void take_triangulation()
   {
-    for(Vertex_index v : m_problem.triangulation().mesh().vertices())
-      m_data.input_vertex.push_back(m_problem.front(v));
+    m_data.input_vertex = m_problem.front();
     m_data.ab = std::move(m_problem.triangulation());
     m_data.number_of_flips[1] = m_problem.number_of_flips();
     m_data.bc = Discrete_conformal_map::Ideal_triangulation(

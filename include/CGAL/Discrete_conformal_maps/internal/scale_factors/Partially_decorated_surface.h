@@ -45,6 +45,8 @@ public:
   }
   bool is_remaining(Face_index f) const
   {
+    if(!f.is_valid()) // beyond a border
+      return false;
     const Halfedge_index h = mesh().halfedge(f);
     return mesh().target(mesh().next(h)) != m_at_infinity && is_remaining(Edge_index(h));
   }

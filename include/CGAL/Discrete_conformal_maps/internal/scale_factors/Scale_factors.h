@@ -13,6 +13,7 @@
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <algorithm>
@@ -23,18 +24,19 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The scale factors of a doubled problem, with faces of the geometry of `Triangle`.
+// The scale factors of a doubled problem at the vertices of the surface itself, with faces of the
+// geometry of `Triangle`.
 template <template <typename> class Triangle>
 class Scale_factors
 {
   typedef Eigen::VectorXd Vector;
   typedef Doubled_problem::Triangulation Triangulation;
+  template <typename FT>
+  using Energy = Symmetric_energy<Conformal_energy<FT, Triangle<FT>>>;
 
 public:
   // `start` has scale factors to begin with; those that are prescribed do not count
-  Scale_factors(const Doubled_problem& problem, const Vector& start)
-    : m_problem(problem), m_u(start)
-  {}
+  Scale_factors(Doubled_problem& problem, const Vector& start) : m_problem(problem), m_u(start) {}
 
   // the scale factors: the sum of both, where double has too few digits for them
   const Vector& values() const { return m_u; }
@@ -48,12 +50,9 @@ public:
   // whether all faces have the triangle inequality, up to rounding
   bool has_layout() const { return m_has_layout; }
 
-  // by the vertices of the surface itself
   void start_from(const std::vector<double>& log_scale)
   {
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      m_u[Eigen::Index(v)] =
-        log_scale[m_problem.front(Vertex_index(Delta_complex::size_type(v))).idx()];
+    m_u = Eigen::Map<const Vector>(log_scale.data(), m_u.size());
   }
 
   // Minimizes the energy; if double has too few digits for `tolerance`, in extended precision.
@@ -98,11 +97,9 @@ private:
   }
 
   template <typename FT>
-  Conformal_energy<FT, Triangle<FT>> energy_at_start(const Triangulation& triangulation) const
+  Energy<FT> energy_at_start(const Triangulation& triangulation) const
   {
-    Conformal_energy<FT, Triangle<FT>> result(triangulation.mesh(), triangulation.length_map(),
-                                              m_problem.target_defect(), m_problem.flipping());
-    result.set_concurrency(m_problem.concurrency());
+    Energy<FT> result = symmetric_energy<FT, Triangle<FT>>(m_problem, triangulation);
     result.evaluate(m_u);
     return result;
   }
@@ -122,7 +119,7 @@ private:
   }
 
   template <typename FT, typename Minimizer, typename Visitor>
-  void run(Conformal_energy<FT, Triangle<FT>>& energy, const Minimizer& minimizer, Visitor& visitor)
+  void run(Energy<FT>& energy, const Minimizer& minimizer, Visitor& visitor)
   {
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
@@ -133,7 +130,7 @@ private:
     m_result.iterations = iterations;
     m_result.evaluations = evaluations;
     m_has_layout =
-      m_problem.flipping() == Flipping::to_Delaunay || energy.number_of_flat_faces() == 0;
+      m_problem.flipping() == Flipping::to_Delaunay || energy.energy().number_of_flat_faces() == 0;
     m_status = status(x);
     note_values(energy);
   }
@@ -144,7 +141,7 @@ private:
     m_max_curvature_error = 0;
     for(std::size_t v = 0; v < m_problem.size(); ++v) {
       const auto i = static_cast<Eigen::Index>(v);
-      m_u[i] = static_cast<double>(energy.scale_factors()[v]);
+      m_u[i] = static_cast<double>(energy.scale_factor(v));
       if(!m_problem.is_fixed()[v])
         m_max_curvature_error = (std::max)(m_max_curvature_error, std::abs(energy.gradient()[i]));
     }
@@ -191,14 +188,14 @@ private:
       slope += x;
       size += std::abs(x);
     };
-    for(Vertex_index v : mesh.vertices())
-      if(!m_problem.is_fixed()[v.idx()])
-        add((2 * pi - target[Eigen::Index(v.idx())]) * direction[Eigen::Index(v.idx())]);
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(const auto i = Eigen::Index(v); !m_problem.is_fixed()[v])
+        add(m_problem.part(v) * (2 * pi - target[i]) * direction[i]);
     for(Face_index f : mesh.faces()) {
       double least = std::numeric_limits<double>::infinity();
       for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh))
-        least = (std::min)(least, direction[Eigen::Index(mesh.source(h).idx())]);
-      add(-pi * least);
+        least = (std::min)(least, direction[Eigen::Index(m_problem.front(mesh.source(h)).idx())]);
+      add(-m_problem.part(f) * pi * least);
     }
     return slope < -tolerance::cancellation * size;
   }
@@ -212,7 +209,7 @@ private:
     return result;
   }
 
-  const Doubled_problem& m_problem;
+  Doubled_problem& m_problem;
   Vector m_u;
   std::vector<Extended> m_extended;
   Minimization_result m_result;

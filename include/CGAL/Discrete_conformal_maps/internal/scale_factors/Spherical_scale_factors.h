@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Peacock_triangulation.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Spherical_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
@@ -24,23 +25,28 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // The scale factors that unfold a sphere, without one of its vertices, into the plane (Section
-// 4.4.4).
+// 4.4.4), at the vertices of the surface that has perhaps been doubled.
 template <typename FT>
 class Spherical_scale_factors
 {
   typedef Eigen::VectorXd Vector;
 
 public:
-  // `mesh` is intrinsic Delaunay. \throws Numerical_error if `FT` has no numbers for the bounds
-  template <typename EdgeLengthMap>
-  Spherical_scale_factors(const Delta_complex& mesh, const EdgeLengthMap& length,
-                          Vertex_index at_infinity)
-    : m_mesh(mesh),
+  // A disk has its vertex at infinity on the boundary: then there are shortest geodesics within it.
+  // \throws Numerical_error if `FT` has no numbers for the bounds
+  Spherical_scale_factors(Doubled_problem& problem, Vertex_index at_infinity)
+    : m_problem(problem),
       m_at_infinity(at_infinity),
-      m_energy(mesh, length, at_infinity),
-      m_bound(Peacock_triangulation<FT>(mesh, length, at_infinity).distances())
+      m_energy(problem, problem.triangulation(),
+               [at_infinity](const Doubled_problem::Triangulation& t) {
+                 return Spherical_energy<FT>(t.mesh(), t.length_map(), at_infinity);
+               }),
+      m_bound(Peacock_triangulation<FT>(problem.triangulation().mesh(),
+                                        problem.triangulation().length_map(), at_infinity)
+                .distances())
   {
-    for(Vertex_index v : mesh.vertices())
+    m_bound.resize(problem.size());
+    for(Vertex_index v : problem.surface().vertices())
       m_bound[v.idx()] = is_fixed(v) ? FT(0) : FT(-m_bound[v.idx()]);
     m_u = start();
   }
@@ -60,7 +66,7 @@ public:
     double result = 0;
     for(std::size_t v = 0; v < m_u.size(); ++v)
       if(m_u[v] != m_bound[v]) {
-        const double error = std::abs(m_energy.gradient()[Eigen::Index(v)]);
+        const double error = std::abs(m_energy.gradient()[Eigen::Index(v)]) / m_problem.part(v);
         result = error <= result ? result : error; // keeps NaN
       }
     return result;
@@ -98,7 +104,7 @@ private:
     Vector lower(Eigen::Index(m_u.size())), x(lower.size());
     const std::vector<FT> origin = is_rounded ? std::vector<FT>(m_u.size(), FT(0)) : m_u;
     Minimization_domain domain;
-    for(Vertex_index v : m_mesh.vertices()) {
+    for(Vertex_index v : m_problem.surface().vertices()) {
       const std::size_t i = v.idx();
       lower[Eigen::Index(i)] = static_cast<double>(m_bound[i] - origin[i]);
       x[Eigen::Index(i)] = static_cast<double>(m_u[i] - origin[i]);
@@ -127,7 +133,7 @@ private:
   {
     for(std::size_t v = 0; v < m_u.size(); ++v) {
       const Eigen::Index i = Eigen::Index(v);
-      m_u[v] = x[i] == lower[i] ? m_bound[v] : m_energy.scale_factors()[v];
+      m_u[v] = x[i] == lower[i] ? m_bound[v] : m_energy.scale_factor(v);
     }
   }
 
@@ -136,24 +142,29 @@ private:
   {
     FT sum(0), count(0);
     std::vector<char> is_neighbor(m_bound.size(), 0);
-    for(Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.source(h) == m_at_infinity && m_mesh.target(h) != m_at_infinity) {
-        is_neighbor[m_mesh.target(h).idx()] = 1;
-        sum += m_bound[m_mesh.target(h).idx()];
+    const Delta_complex& mesh = m_problem.triangulation().mesh();
+    for(Halfedge_index h : mesh.halfedges())
+      if(mesh.source(h) == m_at_infinity && mesh.target(h) != m_at_infinity) {
+        const std::size_t i = m_problem.front(mesh.target(h)).idx();
+        is_neighbor[i] = 1;
+        sum += m_bound[i];
         count += 1;
       }
     std::vector<FT> result(m_bound.size(), FT(0));
-    for(Vertex_index v : m_mesh.vertices())
+    for(Vertex_index v : m_problem.surface().vertices())
       if(const std::size_t i = v.idx(); !is_fixed(v))
         result[i] = is_neighbor[i] ? m_bound[i] : (std::max)(m_bound[i], FT(sum / count));
     return result;
   }
 
-  bool is_fixed(Vertex_index v) const { return v == m_at_infinity || m_mesh.is_isolated(v); }
+  bool is_fixed(Vertex_index v) const
+  {
+    return v == m_at_infinity || m_problem.surface().is_isolated(v);
+  }
 
-  const Delta_complex& m_mesh;
+  Doubled_problem& m_problem;
   Vertex_index m_at_infinity;
-  Spherical_energy<FT> m_energy;
+  Symmetric_energy<Spherical_energy<FT>> m_energy;
   std::vector<FT> m_bound, m_u;
   Minimization_result m_result;
 };

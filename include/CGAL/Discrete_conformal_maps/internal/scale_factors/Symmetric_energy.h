@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SYMMETRIC_ENERGY_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SYMMETRIC_ENERGY_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/assemble_in_chunks.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// Half of the energy of a double, as a function of the scale factors on the surface itself: those of
+// copies are equal. A model of `ConvexEnergy`. All faces at a vertex of the surface are there; where
+// the second copy is not deep enough for a point, it is made deeper. A surface without boundary has
+// its own energy.
+template <typename Energy>
+class Symmetric_energy
+{
+  typedef Doubled_problem::Triangulation Triangulation;
+
+public:
+  typedef typename Energy::FT FT;
+  typedef Eigen::VectorXd Vector;
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  // `make(triangulation)` returns the energy of a doubled surface. `triangulation` is that of the
+  // problem, or it has been moved there and has no seams.
+  template <typename Make>
+  Symmetric_energy(Doubled_problem& problem, const Triangulation& triangulation, const Make& make)
+    : m_problem(problem),
+      m_make([&problem, make] { return make(problem.triangulation()); }),
+      m_origin(problem.size(), FT(0)),
+      m_part(Eigen::Index(problem.size()))
+  {
+    for(std::size_t v = 0; v < size(); ++v)
+      m_part[Eigen::Index(v)] = problem.part(v);
+    m_energy.emplace(make(triangulation));
+  }
+
+  std::size_t size() const { return m_problem.size(); }
+
+  void evaluate(const Vector& x)
+  {
+    m_has_Hessian = false;
+    m_energy->evaluate(m_problem.expanded(x));
+    while(has_deepened()) {
+      m_energy.emplace(m_make());
+      m_energy->set_origin(m_problem.expanded(m_origin));
+      m_energy->evaluate(m_problem.expanded(x));
+    }
+    m_gradient = m_energy->gradient().head(x.size()).cwiseProduct(m_part);
+  }
+
+  void set_origin(const std::vector<FT>& origin)
+  {
+    m_origin = origin;
+    m_energy->set_origin(m_problem.expanded(origin));
+  }
+  void move_origin() { set_origin(scale_factors()); }
+
+  std::vector<FT> scale_factors() const
+  {
+    const std::vector<FT>& u = m_energy->scale_factors();
+    return {u.begin(), u.begin() + std::ptrdiff_t(size())};
+  }
+
+  const FT& scale_factor(std::size_t v) const { return m_energy->scale_factors()[v]; }
+
+  // that of the double, as far as it is there
+  const Energy& energy() const { return *m_energy; }
+
+  FT value() const
+  {
+    return m_energy->weighted_value(
+      [&](Vertex_index v) { return v.idx() < size() ? m_part[Eigen::Index(v.idx())] : 0; },
+      [&](Face_index f) { return m_problem.part(f); });
+  }
+
+  const Vector& gradient() const { return m_gradient; }
+  double gradient_error() const { return m_energy->gradient_error(); }
+
+  // The columns of vertices of the surface, with those of copies added to the rows. Ties between
+  // faces across the boundary are not broken symmetrically, where entries vanish.
+  const Matrix& Hessian() const
+  {
+    if(m_problem.has_no_copies())
+      return m_energy->Hessian();
+    if(!m_has_Hessian) {
+      const Matrix& all = m_energy->Hessian();
+      Matrix folded;
+      Intrinsic_triangulations::internal::assemble_in_chunks(
+        m_problem.concurrency(), size(), size(),
+        [&](std::size_t v, auto& entries) {
+          const auto column = Eigen::Index(v);
+          for(Matrix::InnerIterator i(all, column); i; ++i)
+            entries.emplace_back(int(front(i.row())), i.value() * m_part[column]);
+        },
+        folded);
+      m_Hessian = (folded + Matrix(folded.transpose())) / 2;
+    }
+    m_has_Hessian = true;
+    return m_Hessian;
+  }
+
+private:
+  Eigen::Index front(Eigen::Index v) const
+  {
+    return Eigen::Index(m_problem.front()[std::size_t(v)].idx());
+  }
+
+  bool has_deepened()
+  {
+    if(!m_energy->gradient().allFinite() || !m_problem.has_exceeded(m_energy->surface().flips()))
+      return false;
+    m_problem.deepen(m_energy->surface().flips());
+    return true;
+  }
+
+  Doubled_problem& m_problem;
+  std::function<Energy()> m_make;
+  std::vector<FT> m_origin;
+  std::optional<Energy> m_energy;
+  Vector m_part; // of each vertex of the double that counts for the surface
+  Vector m_gradient;
+  mutable Matrix m_Hessian;
+  mutable bool m_has_Hessian = false;
+};
+
+// `triangulation` is as for the constructor
+template <typename FT, typename Triangle>
+Symmetric_energy<Conformal_energy<FT, Triangle>>
+symmetric_energy(Doubled_problem& problem, const Doubled_problem::Triangulation& triangulation)
+{
+  const auto make = [&problem](const Doubled_problem::Triangulation& t) {
+    Conformal_energy<FT, Triangle> result(t.mesh(), t.length_map(),
+                                          problem.expanded(problem.target_defect()),
+                                          problem.flipping());
+    result.set_concurrency(problem.concurrency());
+    return result;
+  };
+  return {problem, triangulation, make};
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_SYMMETRIC_ENERGY_H

@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bounded_surfaces.h"
+
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
+#include <CGAL/Discrete_conformal_maps/map_to_sphere.h>
+#include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using DCM::internal::Doubled_problem;
+
+// more of them when asked for
+unsigned int number_of_surfaces(unsigned int usual)
+{
+  const char* text = std::getenv("NUMBER_OF_BOUNDED_SURFACES");
+  return text ? static_cast<unsigned int>(std::atoi(text)) : usual;
+}
+
+// genus 0 to 5, 1 to 20 loops, or plates
+Bounded_surface random_surface(unsigned int seed)
+{
+  if(seed % 5 == 0)
+    return Bounded_surface(plate_with_square_holes(seed % 4), seed);
+  return Bounded_surface(surface_with_holes(seed % 6, 1 + (seed * 7) % 20, seed), seed);
+}
+
+template <typename Map>
+void expect_equal_scales(const Map& map, const Map& whole, const Bounded_surface& s)
+{
+  ASSERT_EQ(map.status(), whole.status());
+  for(Vertex_index v : s.half.vertices())
+    EXPECT_NEAR(map.log_scale(v), whole.log_scale(s.whole_vertex[v]), 1e-10) << v;
+}
+
+// ---- Scale factors are those of the whole double ----
+
+TEST(Bounded_surface, mixed_conditions)
+{
+  for(unsigned int seed = 1; seed <= number_of_surfaces(24); ++seed) {
+    SCOPED_TRACE(seed);
+    const Bounded_surface s = random_surface(seed);
+    const Conditions condition = mixed_conditions(s, seed % 3 == 0 ? 3 : 0.5, seed);
+    const Planar_conformal_map map = flatten(s.half, s.half_length, condition);
+    const Planar_conformal_map whole = flatten(s.whole, s.whole_length, s.doubled(condition));
+    EXPECT_EQ(map.status(), DCM::Map_status::success);
+    expect_equal_scales(map, whole, s);
+    check_conditions(map, s.half, condition, 1e-10);
+  }
+}
+
+TEST(Bounded_surface, balanced_curvatures)
+{
+  for(unsigned int seed = 1; seed <= number_of_surfaces(12); ++seed) {
+    SCOPED_TRACE(seed);
+    const Bounded_surface s = random_surface(seed);
+    const Conditions condition = balanced_curvatures(s, seed);
+    const Planar_conformal_map map = flatten(s.half, s.half_length, condition);
+    expect_equal_scales(map, flatten(s.whole, s.whole_length, s.doubled(condition)), s);
+    check_conditions(map, s.half, condition, 1e-10);
+  }
+}
+
+TEST(Bounded_surface, hyperbolic_metric_with_geodesic_boundary)
+{
+  for(unsigned int seed = 1; seed <= number_of_surfaces(8); ++seed) {
+    SCOPED_TRACE(seed);
+    const Bounded_surface s(surface_with_holes(1 + seed % 2, 1 + seed % 3, seed), seed);
+    const auto map = DCM::uniformize_hyperbolic(s.half, length_parameter(s.half_length));
+    expect_equal_scales(map, DCM::uniformize_hyperbolic(s.whole, length_parameter(s.whole_length)),
+                        s);
+    EXPECT_EQ(map.Delaunay().mesh().number_of_faces(), s.whole.number_of_faces());
+  }
+}
+
+// The center of mass decides which polyhedron it is.
+TEST(Bounded_surface, hemisphere)
+{
+  for(unsigned int seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const Bounded_surface s(
+      seed % 2 == 0 ? plate_with_square_holes(0) : surface_with_holes(0, 1, seed), seed);
+    const auto map = DCM::map_to_sphere(s.half, length_parameter(s.half_length));
+    const auto whole = DCM::map_to_sphere(s.whole, length_parameter(s.whole_length));
+    ASSERT_EQ(map.status(), DCM::Map_status::success);
+    ASSERT_EQ(whole.status(), DCM::Map_status::success);
+    for(Vertex_index v : s.half.vertices())
+      EXPECT_NEAR(map.log_scale(v), whole.log_scale(s.whole_vertex[v]), 1e-8) << v;
+  }
+}
+
+// ---- The part of the double that there is ----
+
+TEST(Bounded_surface, the_inside_of_a_surface_is_not_copied)
+{
+  const Mesh mesh = perturbed(
+    grid(40, 40, [](double x, double y) { return Point(x, y, 0.1 * std::sin(x + y)); }), 0.2, 3);
+  const Triangulation half(mesh);
+  const std::size_t n = half.mesh().number_of_vertices();
+  Doubled_problem problem(half, default_conditions(half.mesh()), DCM::Flipping::to_Delaunay);
+  EXPECT_GT(problem.front().size(), n);
+  EXPECT_LT(problem.front().size(), n + n / 2);
+  EXPECT_TRUE(IT::is_valid_Delta_complex(problem.triangulation().mesh()));
+  EXPECT_TRUE(IT::is_valid_Delta_complex(problem.triangulation().input_mesh()));
+  problem.complete();
+  EXPECT_EQ(problem.front().size(), 2 * n - 160);
+  EXPECT_FALSE(has_border(problem.triangulation().mesh()));
+}
+
+// A copy of some faces: every face of the copy has the sides of the one that it copies.
+TEST(Doubled_surface, copies_some_faces)
+{
+  for(unsigned int seed = 1; seed <= 20; ++seed) {
+    const Bounded_surface s = random_surface(seed);
+    CGAL::Random random(seed);
+    std::vector<char> is_near(s.half.number_of_vertices()), has_copy(s.half.number_of_faces(), 0);
+    for(Vertex_index v : s.half.vertices())
+      is_near[v] = s.is_on_boundary(v) || random.get_double(0, 1) < 0.2;
+    for(Halfedge_index h : s.half.halfedges())
+      if(!s.half.is_border(h) && is_near[s.half.target(h)])
+        has_copy[s.half.face(h)] = 1;
+    const DCM::internal::Doubled_surface doubled(s.half, has_copy);
+    const Delta_complex& mesh = doubled.mesh();
+    EXPECT_TRUE(IT::is_valid_Delta_complex(mesh));
+    const auto copied = std::size_t(std::count(has_copy.begin(), has_copy.end(), 1));
+    ASSERT_EQ(mesh.number_of_faces(), s.half.number_of_faces() + copied);
+    for(Vertex_index v : s.half.vertices())
+      EXPECT_EQ(doubled.front()[v], v);
+    for(Edge_index e : s.half.edges()) {
+      const Edge_index m = doubled.mirrored(e);
+      const auto ends = [&](Edge_index x) {
+        return std::minmax(doubled.front()[mesh.vertex(x, 0)], doubled.front()[mesh.vertex(x, 1)]);
+      };
+      EXPECT_EQ(ends(m), ends(e));
+      EXPECT_EQ(mesh.is_border(e), false);
+    }
+    for(Vertex_index v : mesh.vertices())
+      EXPECT_TRUE(v.idx() >= s.half.number_of_vertices() || !mesh.is_border(v));
+    for(Edge_index e : doubled.seams())
+      EXPECT_TRUE(mesh.is_border(doubled.mirrored(e)));
+  }
+}
+
+// ---- Energies ----
+
+// Half of the energy of the whole double and its derivatives, where scale factors are far from zero.
+template <template <typename> class Triangle>
+void check_energy(unsigned int seed)
+{
+  const Bounded_surface s = random_surface(seed);
+  CGAL::Random random(seed);
+  Conditions condition(s.half.number_of_vertices());
+  Eigen::VectorXd u(Eigen::Index(condition.size()));
+  for(std::size_t v = 0; v < condition.size(); ++v) {
+    condition[v] = Vertex_condition::curvature(random.get_double(-1, 1));
+    u[Eigen::Index(v)] = random.get_double(-2, 2);
+  }
+  Doubled_problem problem(triangulation(s.half, s.half_length), condition,
+                          DCM::Flipping::to_Delaunay);
+  auto energy =
+    DCM::internal::symmetric_energy<double, Triangle<double>>(problem, problem.triangulation());
+  Triangulation t = triangulation(s.whole, s.whole_length);
+  IT::make_Delaunay(t);
+  Eigen::VectorXd target(Eigen::Index(s.front.size())), whole_u(target.size());
+  const Conditions doubled = s.doubled(condition);
+  for(std::size_t v = 0; v < s.front.size(); ++v) {
+    target[Eigen::Index(v)] = doubled[v].value;
+    whole_u[Eigen::Index(v)] = u[Eigen::Index(s.front[v].idx())];
+  }
+  DCM::Conformal_energy<double, Triangle<double>> whole(t.mesh(), t.length_map(), target);
+  energy.evaluate(u);
+  whole.evaluate(whole_u);
+  EXPECT_NEAR(energy.value(), whole.value() / 2, 1e-11 * std::abs(whole.value()));
+  const Eigen::MatrixXd all(whole.Hessian()), half(energy.Hessian());
+  Eigen::MatrixXd fold = Eigen::MatrixXd::Zero(target.size(), u.size());
+  for(std::size_t v = 0; v < s.front.size(); ++v)
+    fold(Eigen::Index(v), Eigen::Index(s.front[v].idx())) = 1;
+  const Eigen::VectorXd gradient = fold.transpose() * whole.gradient() / 2;
+  const Eigen::MatrixXd folded = fold.transpose() * all * fold / 2;
+  EXPECT_LT((energy.gradient() - gradient).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_LT((half - folded).cwiseAbs().maxCoeff(), 1e-9 * folded.cwiseAbs().maxCoeff());
+  EXPECT_EQ((half - half.transpose()).cwiseAbs().maxCoeff(), 0);
+}
+
+TEST(Symmetric_energy, is_half_of_that_of_the_double)
+{
+  for(unsigned int seed : {1u, 2u, 3u, 6u, 7u, 12u}) {
+    SCOPED_TRACE(seed);
+    check_energy<DCM::internal::Flat_triangle>(seed);
+    check_energy<DCM::internal::Hyperbolic_triangle>(seed);
+  }
+}
+
+} // namespace
