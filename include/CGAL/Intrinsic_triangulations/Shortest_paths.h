@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Path_search.h>
@@ -22,15 +23,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// \ingroup PkgIntrinsicTriangulationsPaths
-/// a path over a triangulation that is straight in every face.
-template <typename FT>
-struct Surface_path
-{
-  FT length;                             ///< its length; infinite if there is no path
-  std::vector<Surface_place<FT>> places; ///< where it starts, meets edges and vertices, and ends
-};
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// computes exact shortest paths and distances from some points of a surface to all its points.

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/View_propagation.h>
@@ -307,12 +308,7 @@ private:
     return {h, {m_mesh.face(h), barycentric_coordinates(view.edge % 3, FT(x / l))}};
   }
 
-  // the source of `h`; a border halfedge has no face
-  Place at_spoke(Halfedge_index h) const
-  {
-    const Edge_point<FT> p{h, FT(0)};
-    return {h, face_location(m_mesh.is_border(h) ? reversed(p, m_mesh) : p, m_mesh)};
-  }
+  Place at_spoke(Halfedge_index h) const { return place_on(Edge_point<FT>{h, FT(0)}, m_mesh); }
 
   const Location& point(Index origin) const { return m_point[origin - m_mesh.num_vertices()]; }
 
