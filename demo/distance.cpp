@@ -9,6 +9,7 @@
 #include "Program_error.h"
 #include "triangulation_stages.h"
 
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 
@@ -53,10 +54,27 @@ double presentable(double distance)
   return std::isfinite(distance) ? (std::max)(distance, 0.) : unreachable;
 }
 
-std::vector<double> distances(const Triangulation& triangulation,
-                              const std::vector<IT::Vertex_index>& sources, double time_step_factor)
+std::vector<double> lengths_of_shortest_paths(const Triangulation& triangulation,
+                                              const std::vector<IT::Vertex_index>& sources)
 {
-  const auto np = IT::parameters::time_step_factor(time_step_factor);
+  const auto surface = triangulation.intrinsic();
+  IT::Shortest_paths paths(surface);
+  for(IT::Vertex_index v : sources)
+    paths.add_source(v);
+  paths.run();
+  std::vector<double> result;
+  for(IT::Vertex_index v : surface.mesh().vertices())
+    result.push_back(presentable(paths.distance(v)));
+  return result;
+}
+
+std::vector<double> distances(const Triangulation& triangulation,
+                              const std::vector<IT::Vertex_index>& sources,
+                              const Distance_options& options)
+{
+  if(options.is_shortest)
+    return lengths_of_shortest_paths(triangulation, sources);
+  const auto np = IT::parameters::time_step_factor(options.time_step_factor);
   const auto values = IT::heat_distance(triangulation.intrinsic(), sources, np);
   std::vector<double> result(values.begin(), values.end());
   std::transform(result.begin(), result.end(), result.begin(), presentable);
@@ -123,8 +141,8 @@ public:
     Triangulation triangulation = make_delaunay_triangulation(m_run);
     refine_if_wanted(m_run, triangulation, m_options.minimum_angle);
     describe(m_run, triangulation);
-    const std::vector<double> values = m_run.timed(
-      "solve", [&] { return distances(triangulation, sources, m_options.time_step_factor); });
+    const std::vector<double> values =
+      m_run.timed("solve", [&] { return distances(triangulation, sources, m_options); });
     describe_distances(m_run.statistics(), m_options, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });

@@ -47,7 +47,7 @@ inline const char* to_string(Shortening_status status)
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// paths and loops along edges of \f$T_2\f$, which are shortened to geodesics by flipping edges
-/// \cgalCite{SC20}.
+/// (Sharp and Crane 2020).
 ///
 /// Where a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are flipped
 /// as long as they can be, and the path moves to the arc on the other side of their triangles,
