@@ -53,6 +53,16 @@ void add_obj_face(Text& text, const Output_mesh& mesh, std::size_t i)
   text << '\n';
 }
 
+void add_obj_lines(Text& text, const Output_mesh& mesh)
+{
+  for(const Polygons::Polygon& line : mesh.lines) {
+    text << 'l';
+    for(const Polygons::Index i : line)
+      text << ' ' << i + 1;
+    text << '\n';
+  }
+}
+
 void write_obj(Text& text, const Output_mesh& mesh)
 {
   for(const Point& p : mesh.points)
@@ -64,6 +74,8 @@ void write_obj(Text& text, const Output_mesh& mesh)
   }
   for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
     add_obj_face(text, mesh, i);
+  if(mesh.polygons.size() == 0)
+    add_obj_lines(text, mesh);
 }
 
 const char* name_of(const Texture& texture)

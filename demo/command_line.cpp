@@ -190,8 +190,39 @@ void add_distance(CLI::App& app, Options& options)
              "Time for which heat flows, in squared mean edge lengths", CLI::PositiveNumber)
     ->capture_default_str();
   add_angle(command, own.minimum_angle);
+  command.add_flag("--exact-distance", own.is_shortest,
+                   "Compute the lengths of shortest paths instead, to rounding");
   add_neighbors(command, options.common);
   command.footer(Help::distance);
+}
+
+void add_path_points(CLI::App& command, Path_options& options)
+{
+  command
+    .add_option("--from", options.from,
+                "Start: a vertex, face:a,b,c (barycentric), or x,y,z (nearest)")
+    ->required();
+  command.add_option("--to", options.to, "End, as the start");
+  command.add_option("--via", options.via, "Vertex that the path passes before it is shortened")
+    ->allow_extra_args(false);
+  command.add_flag("--flips", options.is_flipped,
+                   "Shorten a path along edges to a geodesic nearby, by flips");
+  command.add_flag("--loop", options.is_loop,
+                   "Shorten the loop from --from through all --via, by flips");
+  command.add_option("--straightest", options.straightest,
+                     "Go straight instead: the angle in degrees from the first side of the face at "
+                     "--from, and the length");
+}
+
+void add_path(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "path", "Find shortest paths and geodesics", options.common.input);
+  add_path_points(command, options.path);
+  add_output(command, options.path, "The path as a line (.obj, .ply, .vtp", "obj, ply or vtp");
+  add_save(command, options.common);
+  add_common_options(command, options.common);
+  command.footer(Help::path);
 }
 
 void add_operators(CLI::App& app, Options& options)
@@ -374,6 +405,7 @@ void define_command_line(CLI::App& app, Options& options)
   add_delaunay(app, options);
   add_refine(app, options);
   add_distance(app, options);
+  add_path(app, options);
   add_operators(app, options);
   add_flatten(app, options);
   add_hyperbolic(app, options);

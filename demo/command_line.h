@@ -18,6 +18,7 @@ struct Options
   Delaunay_options delaunay;
   Refine_options refine;
   Distance_options distance;
+  Path_options path;
   Operators_options operators;
   Flatten_options flatten;
   Hyperbolic_options hyperbolic;

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct Info_options
@@ -99,11 +100,29 @@ struct Distance_options : Output_options
   std::vector<std::int64_t> sources;
   double time_step_factor = 1;
   double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
+  bool is_shortest = false; // exact distances, by shortest paths
 };
 
 // Computes distances on the intrinsic Delaunay triangulation, refined if that is wanted, and writes
 // the input with them. Returns the exit code.
 int distance(const Common_options& common, const Distance_options& options);
+
+struct Path_options : Output_options
+{
+  Path_options() : Output_options("obj") {}
+
+  // points as `surface_point()` reads them
+  std::string from;
+  std::string to;               // empty for a loop or a straightest path
+  std::vector<std::string> via; // vertices where the path goes along edges before it is shortened
+  bool is_loop = false;
+  bool is_flipped = false; // a geodesic near the path along edges, not the shortest
+  std::optional<std::pair<double, double>> straightest; // degrees and length
+};
+
+// Finds a shortest path, a geodesic or a loop, or a straightest path, and writes it as a line.
+// Returns the exit code.
+int path(const Common_options& common, const Path_options& options);
 
 struct Operators_options
 {

@@ -9,6 +9,7 @@
 #include "Program_error.h"
 #include "triangulation_stages.h"
 
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
@@ -54,12 +55,29 @@ double presentable(double distance)
   return std::isfinite(distance) ? (std::max)(distance, 0.) : unreachable;
 }
 
+std::vector<double> lengths_of_shortest_paths(const Triangulation& triangulation,
+                                              const std::vector<IT::Vertex_index>& sources)
+{
+  const auto surface = triangulation.intrinsic();
+  IT::Shortest_paths paths(surface);
+  for(IT::Vertex_index v : sources)
+    paths.add_source(v);
+  paths.run();
+  std::vector<double> result;
+  for(IT::Vertex_index v : surface.mesh().vertices())
+    result.push_back(presentable(paths.distance(v)));
+  return result;
+}
+
 // At the vertices of the input, then at inserted ones.
 std::vector<double> distances(const Triangulation& triangulation,
                               const std::optional<Covered_soup>& covered,
-                              const std::vector<IT::Vertex_index>& sources, double time_step_factor)
+                              const std::vector<IT::Vertex_index>& sources,
+                              const Distance_options& options)
 {
-  const auto np = IT::parameters::time_step_factor(time_step_factor);
+  if(options.is_shortest)
+    return lengths_of_shortest_paths(triangulation, sources);
+  const auto np = IT::parameters::time_step_factor(options.time_step_factor);
   const auto surface = triangulation.intrinsic();
   const auto values =
     covered ? IT::heat_distance(IT::Tufted_surface<>(covered->cover, surface, covered->share()),
@@ -127,7 +145,7 @@ public:
     : m_options(options),
       m_format(format_with_attributes(options.output, options)),
       m_subdivision_format(subdivision_format(options)),
-      m_run("distance", common, {options.output, options.subdivision}, true)
+      m_run("distance", common, {options.output, options.subdivision}, !options.is_shortest)
   {
     m_run.plan({delaunay_stages,
                 refinement_stages(options.minimum_angle),
@@ -143,7 +161,7 @@ public:
     refine_if_wanted(m_run, triangulation, m_options.minimum_angle);
     describe(m_run, triangulation);
     const std::vector<double> values = m_run.timed("solve", [&] {
-      return distances(triangulation, m_run.input().covered, sources, m_options.time_step_factor);
+      return distances(triangulation, m_run.input().covered, sources, m_options);
     });
     describe_distances(m_run.statistics(), m_options, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);

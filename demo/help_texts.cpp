@@ -14,6 +14,7 @@ const char* const examples =
   intrinsic delaunay scan.stl --repair -o - --format obj | gzip > scan.obj.gz
   intrinsic refine bunny.obj -o refined.ply --min-angle 30
   intrinsic distance bunny.obj --source 17 -o distance.vtp
+  intrinsic path bunny.obj --from 17 --to 99 -o path.obj
   intrinsic operators bunny.obj --prefix bunny
   intrinsic flatten bunny.obj -o flat.obj
   intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg
@@ -59,7 +60,8 @@ Example:
 
 const char* const distance =
   R"(Distances are approximate: on evenly spread vertices by some two percent on average, on
-coarse or uneven ones by more. The distance of a vertex that no source can reach is -1.
+coarse or uneven ones by more. With --exact-distance they are the lengths of shortest paths. The
+distance of a vertex that no source can reach is -1.
 
 Triangles need not be a surface: edges of three and more faces, vertices of several fans and any
 orientation are worked on through their tufted cover. With --neighbors points without faces are
@@ -67,6 +69,23 @@ triangulated with their neighbors.
 
 Example:
   intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply)";
+
+const char* const path =
+  R"(The path is the shortest of all, to rounding. With --flips it is a geodesic instead: the shortest
+path along edges from vertex to vertex, through all --via, is pulled tight where it is, and so is a
+loop with --loop. The status, in the statistics and in the last line on standard error:
+  shortest             no path is shorter
+  geodesic             nowhere can it be shortened by small changes
+  blocked              it crosses itself, and is geodesic elsewhere
+  straightest          it has the length that was asked for
+  stopped_at_boundary  it met the boundary before
+The statistics have all its places on the mesh, and the edges of the intrinsic triangulation after
+flips, which --save writes.
+
+Examples:
+  intrinsic path bunny.obj --from 17 --to 1000:0.2,0.3,0.5 -o path.vtp
+  intrinsic path bunny.obj --from 17 --via 99 --via 612 --loop -o loop.obj --stats loop.json
+  intrinsic path bunny.obj --from 0.1,0.2,0 --straightest 30 0.25 -o ray.ply)";
 
 const char* const operators =
   R"(Files, with v vertices and f faces of the intrinsic triangulation:

@@ -188,20 +188,21 @@ def damaged(dice, content, others):
 
 
 def arguments(dice, mesh):
-    command = dice.choice("info view delaunay refine distance flatten hyperbolic uniformize sphere simplify"
-                          " operators".split())
+    command = dice.choice("info view delaunay refine distance path flatten hyperbolic uniformize sphere"
+                          " simplify operators".split())
     result = [command, mesh]
     if command == "info":
         return result + dice.choice([[], ["--json"], ["--view", "o.html", "--picture", "o.svg"]])
     if command == "view":
         return result + ["-o", "o.html"]
-    formats = {"distance": ["ply", "vtp"], "hyperbolic": ["obj", "ply", "vtp"],
+    formats = {"distance": ["ply", "vtp"], "path": ["obj", "ply", "vtp"], "hyperbolic": ["obj", "ply", "vtp"],
                "flatten": ["obj", "ply", "vtp"], "uniformize": ["obj", "ply", "vtp"]}
     output = "o." + dice.choice(formats.get(command, ["off", "obj", "ply", "vtp"]))
     result += ["--prefix", "o"] if command == "operators" else ["-o", output]
     if output == "o.ply" and command != "operators":
         result += dice.choice([[], ["--binary"]])
     result += {"refine": ["--max-insertions", "300"], "distance": ["--source", "0"],
+               "path": ["--from", "0", "--to", "1", dice.choice(["--flips", "--quiet"])],
                "simplify": ["--ratio", "0.5", "--prolongation", "o.mtx"]}.get(command, [])
     if command == "simplify":
         result += dice.choice([[], ["--weight", "color=1"], ["--weight", "quality=2"]])

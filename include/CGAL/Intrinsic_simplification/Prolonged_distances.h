@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 
 #include <CGAL/assertions.h>
 
@@ -25,13 +25,12 @@ namespace internal {
 template <typename Source>
 Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& level)
 {
-  Intrinsic_triangulations::internal::Shortest_paths paths{
-    Intrinsic_triangulations::internal::view_of(level)};
-  paths.start_at(source);
+  Intrinsic_triangulations::Shortest_paths paths(level);
+  paths.add_source(source);
   paths.run();
   Eigen::VectorXd result(static_cast<Eigen::Index>(level.mesh().num_vertices()));
   for(Vertex_index v : level.mesh().vertices())
-    result[v] = paths[v].length;
+    result[v] = paths.distance(v);
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Path_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
 #include <CGAL/assertions.h>
@@ -60,42 +60,37 @@ namespace internal {
 template <typename EdgeLengthMap>
 class Logarithm_of_path
 {
-  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
-  typedef typename Shortest_paths<EdgeLengthMap>::Path Path;
+  typedef Path_search<EdgeLengthMap> Search;
+  typedef typename Search::FT FT;
 
 public:
   Logarithm_of_path(const Surface_view<EdgeLengthMap>& surface, bool from_vertex)
     : m_surface(surface), m_from_vertex(from_vertex)
   {}
 
-  Logarithm<FT> operator()(const Path& path) const
+  // of the path to `q`, whose last part is `part`
+  Logarithm<FT> operator()(const Search& search, const typename Search::Last_part& part,
+                           const Face_location<FT>& q) const
   {
-    if(path.length == std::numeric_limits<FT>::infinity())
-      return {Logarithm_status::unreachable, path.length};
-    const auto status = path.is_straight ? Logarithm_status::straight : Logarithm_status::bent;
-    return {status, path.length > 0 ? std::polar(path.length, angle(path)) : std::complex<FT>(0)};
+    if(part.length == std::numeric_limits<FT>::infinity())
+      return {Logarithm_status::unreachable, part.length};
+    const auto status = part.is_straight ? Logarithm_status::straight : Logarithm_status::bent;
+    return {status, part.length > 0 ? std::polar(part.length, angle(search, part, q))
+                                    : std::complex<FT>(0)};
   }
 
 private:
-  FT angle(const Path& path) const
+  FT angle(const Search& search, const typename Search::Last_part& part,
+           const Face_location<FT>& q) const
   {
-    const FT in_frame = std::arg(path.direction);
-    return m_from_vertex ? Vertex_angles<FT>(path.frame, m_surface).normalized(in_frame) : in_frame;
+    const auto [frame, direction] = search.start(part, q);
+    const FT in_frame = std::arg(direction);
+    return m_from_vertex ? Vertex_angles<FT>(frame, m_surface).normalized(in_frame) : in_frame;
   }
 
   Surface_view<EdgeLengthMap> m_surface;
   bool m_from_vertex;
 };
-
-// The vertex where `p` is; null if it is none.
-template <typename FT>
-Vertex_index vertex_at(const Face_location<FT>& p, const Delta_complex& mesh)
-{
-  for(std::size_t s = 0; s < 3; ++s)
-    if(p.second[(s + 1) % 3] == 0 && p.second[(s + 2) % 3] == 0)
-      return mesh.source(sides(p.first, mesh)[s]);
-  return Delta_complex::null_vertex();
-}
 
 template <typename Source>
 constexpr bool is_vertex = std::is_same<Source, Vertex_index>::value;
@@ -142,10 +137,10 @@ Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, const Sour
   const auto view = internal::view_of(surface);
   const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
   const Vertex_index v = internal::vertex_at(target, mesh);
-  const bool to_vertex = v != Delta_complex::null_vertex();
-  internal::Shortest_paths paths(view, to_vertex ? Face_location<Length_of<Surface>>() : target);
-  paths.start_at(source);
-  return logarithm(to_vertex ? paths.path_to(v) : paths.path_to_target());
+  internal::Path_search search(view);
+  search.add_source(source);
+  v == Delta_complex::null_vertex() ? search.run_to(target) : search.run_to(v);
+  return logarithm(search, search.to(target), target);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
@@ -157,13 +152,17 @@ std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surfac
   const Delta_complex& mesh = surface.mesh();
   CGAL_precondition(internal::is_valid_source(source, mesh));
   const auto view = internal::view_of(surface);
-  internal::Shortest_paths paths(view);
-  paths.start_at(source);
-  paths.run();
+  internal::Path_search search(view);
+  search.add_source(source);
+  search.run();
   const internal::Logarithm_of_path logarithm(view, internal::is_vertex<Source>);
-  std::vector<Logarithm<Length_of<Surface>>> result(mesh.num_vertices());
+  typedef Length_of<Surface> FT;
+  std::vector<Logarithm<FT>> result(mesh.num_vertices());
   for(Vertex_index v : mesh.vertices())
-    result[v.idx()] = logarithm(paths[v]);
+    if(mesh.is_isolated(v))
+      result[v.idx()] = {Logarithm_status::unreachable, std::numeric_limits<FT>::infinity()};
+    else
+      result[v.idx()] = logarithm(search, search.to(v), search.at_vertex(v));
   return result;
 }
 

@@ -69,6 +69,14 @@ FT circumcenter_tolerance()
   return flat_angle_tolerance<FT>();
 }
 
+// The relative error of the length of a path that has been developed over many faces: what is cut
+// off in a search for shortest paths is longer by more than this. For `double` it is 2^-40.
+template <typename FT>
+constexpr FT path_tolerance()
+{
+  return 256 * rounding_unit<FT>();
+}
+
 // The distance from a region, in barycentric coordinates of a face of T1, up to which a point
 // counts as in it. A line through the face passes many edges, each with the rounding of its
 // crossing; for `double` this is 2^-40. Beyond it, all regions of the face are looked at.

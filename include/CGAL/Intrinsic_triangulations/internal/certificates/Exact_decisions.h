@@ -118,6 +118,25 @@ public:
            convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
   }
 
+  // Returns the sign of pi minus the sum of the angles between consecutive spokes, which is not
+  // computed beyond pi.
+  template <typename Spokes>
+  Sign fan_sign(const Spokes& spokes)
+  {
+    return decide([&](const auto& development) {
+      auto sum = development.angle(spokes[0]);
+      Uncertain<Sign> sign = compare_sum_with_pi(sum * conj(sum), sum);
+      for(std::size_t i = 1; i + 1 < spokes.size() && is_certain(sign); ++i) {
+        if(get_certain(sign) != POSITIVE)
+          break;
+        const auto angle = development.angle(spokes[i]);
+        sign = compare_sum_with_pi(sum, angle);
+        sum = sum * angle;
+      }
+      return sign;
+    });
+  }
+
   // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side.
   // \pre the input has positions
   bool is_flat(Halfedge_index input)

@@ -33,10 +33,17 @@ FT cross(const std::complex<FT>& v, const std::complex<FT>& w)
   return v.real() * w.imag() - v.imag() * w.real();
 }
 
+// faster than std::abs(), which guards against squares out of range
+template <typename FT>
+FT norm_of(const std::complex<FT>& v)
+{
+  return CGAL::sqrt(dot(v, v));
+}
+
 template <typename FT>
 std::complex<FT> normalized(const std::complex<FT>& v)
 {
-  return v / CGAL::sqrt(dot(v, v));
+  return v / norm_of(v);
 }
 
 // A face in the plane, any of its halfedges on the x-axis. Its sides have directions of their own,

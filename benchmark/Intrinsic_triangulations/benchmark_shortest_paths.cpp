@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Exact distances from one vertex to all, and paths to random points: ours beside CGAL's.
+// Usage: benchmark_shortest_paths [mesh...]
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Random.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/Timer.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>>
+  CGAL_paths;
+namespace IT = CGAL::Intrinsic_triangulations;
+typedef IT::Face_location<double> Location;
+
+template <typename Work>
+double seconds(const Work& work)
+{
+  CGAL::Timer timer;
+  timer.start();
+  work();
+  timer.stop();
+  return timer.time();
+}
+
+std::vector<Location> random_locations(const Mesh& mesh, int n)
+{
+  CGAL::Random random(1);
+  std::vector<Location> result;
+  for(int i = 0; i < n; ++i) {
+    const int f = random.get_int(0, static_cast<int>(mesh.number_of_faces()));
+    const double u = random.get_double(0, 0.5), v = random.get_double(0, 0.5);
+    result.push_back({IT::Face_index(static_cast<unsigned>(f)), {1 - u - v, u, v}});
+  }
+  return result;
+}
+
+void compare(const std::string& file)
+{
+  Mesh mesh;
+  if(!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh)) {
+    std::cerr << "cannot read " << file << '\n';
+    return;
+  }
+  const IT::Intrinsic_triangulation<> triangulation(mesh);
+  const auto targets = random_locations(mesh, 1000);
+  const Mesh::Vertex_index source(0);
+
+  IT::Shortest_paths ours(triangulation);
+  const double our_search = seconds([&] {
+    ours.add_source(source);
+    ours.run();
+  });
+  std::size_t places = 0;
+  const double our_paths = seconds([&] {
+    for(const Location& q : targets)
+      places += ours.path(q).places.size();
+  });
+
+  CGAL_paths theirs(mesh);
+  theirs.add_source_point(source);
+  const double their_search = seconds([&] { theirs.build_sequence_tree(); });
+  const double their_paths = seconds([&] {
+    for(const Location& q : targets) {
+      std::vector<Kernel::Point_3> points;
+      theirs.shortest_path_points_to_source_points(q.first, q.second, std::back_inserter(points));
+    }
+  });
+
+  double difference = 0;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    if(const double d = theirs.shortest_distance_to_source_points(v).first; d > 0)
+      difference = (std::max)(difference, std::abs(ours.distance(v) - d) / d);
+  std::cout << std::setw(24) << std::filesystem::path(file).stem().string() << std::setw(9)
+            << mesh.number_of_faces() << std::setw(12) << our_search << std::setw(12)
+            << their_search << std::setw(12) << 1e3 * our_paths << std::setw(12)
+            << 1e3 * their_paths << std::setw(12) << places / targets.size() << std::setw(14)
+            << difference << std::endl;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  std::vector<std::string> files(argv + 1, argv + argc);
+  if(files.empty())
+    for(const char* name : {"elephant", "fandisk", "bull", "lion-head", "armadillo"})
+      files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
+  std::cout << std::setprecision(3) << std::setw(24) << "mesh" << std::setw(9) << "faces"
+            << std::setw(12) << "search [s]" << std::setw(12) << "CGAL's" << std::setw(12)
+            << "path [us]" << std::setw(12) << "CGAL's" << std::setw(12) << "places"
+            << std::setw(14) << "difference\n";
+  for(const std::string& file : files)
+    compare(file);
+}

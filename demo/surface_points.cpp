@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "surface_points.h"
+
+#include "Program_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& text, const std::string& why)
+{
+  throw Program_error("'" + text + "' is no point of the mesh: " + why);
+}
+
+std::optional<double> number(const std::string& word)
+{
+  char* end = nullptr;
+  const double result = std::strtod(word.c_str(), &end);
+  return word.empty() || *end != '\0' || !std::isfinite(result) ? std::nullopt
+                                                                : std::optional<double>(result);
+}
+
+// the numbers between commas
+std::vector<double> numbers(const std::string& list, const std::string& text)
+{
+  std::vector<double> result;
+  std::istringstream words(list);
+  for(std::string word; std::getline(words, word, ',');) {
+    const auto n = number(word);
+    if(!n)
+      refuse(text, "'" + word + "' is no number");
+    result.push_back(*n);
+  }
+  return result;
+}
+
+std::size_t index(double n, std::size_t size, const char* what, const std::string& text)
+{
+  if(n != std::floor(n) || n < 0 || n >= static_cast<double>(size))
+    refuse(text, std::string("the ") + what + " are 0 to " + std::to_string(size - 1));
+  return static_cast<std::size_t>(n);
+}
+
+std::array<Point, 3> corners(Mesh::Face_index f, const Mesh& mesh)
+{
+  const auto h = mesh.halfedge(f);
+  return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+          mesh.point(mesh.target(mesh.next(h)))};
+}
+
+Surface_location at_vertex(Mesh::Vertex_index v, const Mesh& mesh)
+{
+  for(const auto h : CGAL::halfedges_around_target(v, mesh))
+    if(!mesh.is_border(h)) {
+      const auto f = mesh.face(h);
+      Surface_location result{f, {0, 0, 0}};
+      result.second[h == mesh.halfedge(f) ? 1 : h == mesh.next(mesh.halfedge(f)) ? 2 : 0] = 1;
+      return result;
+    }
+  throw Program_error("vertex " + std::to_string(v.idx()) + " has no face");
+}
+
+// Rounding must not leave a sum other than one.
+Surface_location in_face(double f, const std::vector<double>& weights, const Mesh& mesh,
+                         const std::string& text)
+{
+  const auto least = *std::min_element(weights.begin(), weights.end());
+  const double sum = weights[0] + weights[1] + weights[2];
+  if(least < 0 || std::abs(sum - 1) > 1e-6)
+    refuse(text, "barycentric coordinates are not negative and sum up to 1");
+  const auto i = static_cast<Mesh::size_type>(index(f, mesh.number_of_faces(), "faces", text));
+  return {Mesh::Face_index(i), {weights[0] / sum, weights[1] / sum, weights[2] / sum}};
+}
+
+// the coordinates of the point of the segment from `a` to `b` that is nearest to `p`
+double nearest_on_segment(const Point& p, const Point& a, const Point& b)
+{
+  const auto d = b - a;
+  const double square = d.squared_length();
+  return square > 0 ? std::clamp((p - a) * d / square, 0., 1.) : 0;
+}
+
+// the coordinates of the point of a triangle that is nearest to `p`
+std::array<double, 3> nearest(const Point& p, const std::array<Point, 3>& c)
+{
+  const auto u = c[1] - c[0], v = c[2] - c[0], d = p - c[0];
+  const double uu = u * u, uv = u * v, vv = v * v, det = uu * vv - uv * uv;
+  const double b1 = (vv * (u * d) - uv * (v * d)) / det, b2 = (uu * (v * d) - uv * (u * d)) / det;
+  if(det > 0 && b1 >= 0 && b2 >= 0 && b1 + b2 <= 1)
+    return {1 - b1 - b2, b1, b2};
+  std::array<double, 3> best{};
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t s = 0; s < 3; ++s) {
+    const Point &a = c[s], &b = c[(s + 1) % 3];
+    const double t = nearest_on_segment(p, a, b);
+    if(const double square = CGAL::squared_distance(p, a + t * (b - a)); square < least) {
+      least = square;
+      best = IT::barycentric_coordinates(s, t);
+    }
+  }
+  return best;
+}
+
+Surface_location nearest_point(const Point& p, const Mesh& mesh)
+{
+  Surface_location best;
+  double least = std::numeric_limits<double>::infinity();
+  for(Mesh::Face_index f : mesh.faces()) {
+    const Surface_location q{f, nearest(p, corners(f, mesh))};
+    if(const double square = CGAL::squared_distance(p, position(q, mesh)); square < least) {
+      least = square;
+      best = q;
+    }
+  }
+  return best;
+}
+
+} // namespace
+
+Point position(const Surface_location& p, const Mesh& mesh)
+{
+  const auto c = corners(p.first, mesh);
+  return CGAL::barycenter(c[0], p.second[0], c[1], p.second[1], c[2], p.second[2]);
+}
+
+Surface_location surface_point(const std::string& text, const Mesh& mesh)
+{
+  if(mesh.number_of_faces() == 0)
+    refuse(text, "there are no faces");
+  const std::size_t colon = text.find(':');
+  const std::vector<double> list =
+    numbers(colon == std::string::npos ? text : text.substr(colon + 1), text);
+  const auto face = number(text.substr(0, colon));
+  if(colon != std::string::npos && face && list.size() == 3)
+    return in_face(*face, list, mesh, text);
+  if(colon == std::string::npos && list.size() == 3)
+    return nearest_point(Point(list[0], list[1], list[2]), mesh);
+  if(colon != std::string::npos || list.size() != 1)
+    refuse(text, "give a vertex, face:a,b,c or x,y,z");
+  return at_vertex(Mesh::Vertex_index(static_cast<Mesh::size_type>(
+                     index(list[0], mesh.number_of_vertices(), "vertices", text))),
+                   mesh);
+}
+
+IT::Vertex_index vertex_at(const Surface_location& p, const std::string& text, const Mesh& mesh)
+{
+  const auto h = mesh.halfedge(p.first);
+  const std::array<Mesh::Vertex_index, 3> corner{mesh.source(h), mesh.target(h),
+                                                 mesh.target(mesh.next(h))};
+  for(std::size_t k = 0; k < 3; ++k)
+    if(p.second[(k + 1) % 3] == 0 && p.second[(k + 2) % 3] == 0)
+      return corner[k];
+  throw Program_error("'" + text + "' is no vertex: --flips and --loop go from vertex to vertex");
+}

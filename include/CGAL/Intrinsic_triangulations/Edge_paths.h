@@ -1,0 +1,407 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EDGE_PATHS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_PATHS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_lists.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <functional>
+#include <queue>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// says what shortening has led to.
+enum class Shortening_status
+{
+  geodesic, ///< all paths are geodesics
+  blocked   ///< where paths cross or end at others, or at constrained edges, angles below
+            ///< \f$\pi\f$ are left, and contain an edge of those
+};
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// returns a short sentence for `status`.
+inline const char* to_string(Shortening_status status)
+{
+  switch(status) {
+    case Shortening_status::geodesic: return "the paths are geodesics";
+    case Shortening_status::blocked: return "paths are blocked by others or by constrained edges";
+  }
+  return "unknown";
+}
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// paths and loops along edges of \f$T_2\f$, which are shortened to geodesics by flipping edges
+/// (Sharp and Crane 2020).
+///
+/// Where a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are flipped
+/// as long as they can be, and the path moves to the arc on the other side of their triangles,
+/// which is shorter. In the end both angles at every vertex between the ends are at least
+/// \f$\pi\f$, on the boundary that on the side of the surface: the paths are geodesics, each
+/// isotopic to what it was, and edges of \f$T_2\f$. \f$T_1\f$ never changes, and the integer
+/// coordinates say how the edges of the paths run over it, see `path_on_input()`.
+///
+/// Paths may share vertices and edges, also with themselves. Segments on one edge lie side by side
+/// in an order, and only those next to an angle move into it; so paths do not cross while they
+/// move. Paths that come together and part again are ordered so that they do not cross, if that is
+/// possible; those that never part lie in the order in which they are added, to the right. The ends of paths are fixed:
+/// paths that end at one vertex are a network. A loop has no end; a loop that contracts to a point
+/// becomes empty.
+///
+/// Decisions: an angle is less than \f$\pi\f$ exactly for exact traits. In floating point, up to a
+/// tolerance of \f$2^{-20}\f$ for `double`, by which the corners of a nearly flat triangle are
+/// uncertain; and a vertex counts as straight where the path would gain no length but rounding. An
+/// edge is flipped as `is_flippable()` decides.
+///
+/// \tparam Traits a model of `IntrinsicGeometryTraits`, Euclidean
+template <typename Traits>
+class Edge_paths
+{
+  typedef internal::Segment_lists Segments;
+  typedef Segments::Index Index;
+
+public:
+  /// the triangulation.
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  /// the number type of lengths.
+  typedef typename Traits::FT FT;
+
+  /// prepares for paths on the second triangulation of `tri`, which is referred to and changed by
+  /// `shorten()` only. It must not be flipped in the meantime.
+  explicit Edge_paths(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
+
+  /// \name Paths
+  /// @{
+
+  /// adds a path and returns its index. \pre each halfedge starts where the one before ends
+  std::size_t add_path(const std::vector<Halfedge_index>& halfedges)
+  {
+    return add(halfedges, false);
+  }
+
+  /// adds a loop and returns its index. \pre each halfedge starts where the one before ends, and
+  /// the first one where the last one ends
+  std::size_t add_loop(const std::vector<Halfedge_index>& halfedges)
+  {
+    return add(halfedges, true);
+  }
+
+  /// returns the number of paths and loops.
+  std::size_t number_of_paths() const { return m_path.size(); }
+
+  /// returns whether path `i` is a loop.
+  bool is_loop(std::size_t i) const { return m_path[i].is_loop; }
+
+  /// returns the halfedges of \f$T_2\f$ along path `i`; none if it has contracted to a point.
+  std::vector<Halfedge_index> halfedges(std::size_t i) const
+  {
+    std::vector<Halfedge_index> result;
+    for(Index s = m_path[i].first; s != Segments::null;) {
+      result.push_back(m_segment[s].halfedge);
+      s = m_segment[s].next == m_path[i].first ? Segments::null : m_segment[s].next;
+    }
+    return result;
+  }
+
+  /// returns the length of path `i`.
+  FT length(std::size_t i) const
+  {
+    FT sum(0);
+    for(Halfedge_index h : halfedges(i))
+      sum += m_tri.length(m_mesh.edge(h));
+    return sum;
+  }
+
+  /// @}
+  /// \name Shortening
+  /// @{
+
+  /// shortens all paths to geodesics. Least angles come first.
+  ///
+  /// Complexity: it ends, since lengths decrease; in practice some flips for each edge of a path.
+  /// \throws Numerical_error if a flipped edge has no positive finite length
+  /// \throws Overflow_error if a normal coordinate is out of range
+  /// After an exception the paths are shorter or as they were, and still paths of \f$T_2\f$.
+  Shortening_status shorten()
+  {
+    for(bool has_moved = true; has_moved;) {
+      has_moved = false;
+      for(std::size_t i = 0; i < m_path.size(); ++i)
+        note_all(i);
+      while(!m_queue.empty()) {
+        const auto [angle, s, t, is_left] = m_queue.top();
+        m_queue.pop();
+        if(!m_segment[s].is_removed && !m_segment[t].is_removed && m_segment[s].next == t)
+          has_moved = straighten(s, t, is_left) || has_moved;
+      }
+    }
+    return is_geodesic() ? Shortening_status::geodesic : Shortening_status::blocked;
+  }
+
+  /// returns whether no path has an angle of less than \f$\pi\f$ between its ends.
+  bool is_geodesic() const
+  {
+    for(std::size_t i = 0; i < m_path.size(); ++i)
+      for(Index s = m_path[i].first; s != Segments::null;) {
+        const Index t = m_segment[s].next;
+        if(t != Segments::null && (is_bent(s, t, true) || is_bent(s, t, false)))
+          return false;
+        s = t == m_path[i].first ? Segments::null : t;
+      }
+    return true;
+  }
+
+  /// returns the number of flips so far.
+  std::size_t number_of_flips() const { return m_flips; }
+
+  /// @}
+
+private:
+  typedef std::vector<Halfedge_index> Spokes;
+  typedef std::tuple<FT, Index, Index, bool> Joint; // angle, two segments, on their left
+
+  static constexpr std::size_t greatest_number_of_idle_moves = 1000;
+
+  struct Path
+  {
+    Index first; // null if it is a point
+    bool is_loop;
+  };
+
+  Halfedge_index halfedge(Index s) const { return m_segment[s].halfedge; }
+
+  std::size_t add(const Spokes& halfedges, bool is_loop)
+  {
+    const Index path = static_cast<Index>(m_path.size());
+    Index last = Segments::null;
+    m_path.push_back({last, is_loop});
+    for(Halfedge_index h : halfedges) {
+      CGAL_precondition(last == Segments::null ||
+                        m_mesh.target(halfedge(last)) == m_mesh.source(h));
+      const Index s = m_segment.add(h, path);
+      m_segment.link(last, s);
+      if(last == Segments::null)
+        m_path.back().first = s;
+      last = s;
+    }
+    CGAL_precondition(!is_loop || halfedges.empty() ||
+                      m_mesh.target(halfedges.back()) == m_mesh.source(halfedges.front()));
+    if(is_loop && !halfedges.empty())
+      m_segment.link(last, m_path.back().first);
+    for(Index s = last - static_cast<Index>(halfedges.size()) + 1; !halfedges.empty() && s <= last;
+        ++s)
+      m_segment.insert(s, m_mesh);
+    return path;
+  }
+
+  // ---- Joints ----
+
+  // A joint on the right is one on the left of the reversed path.
+  Spokes fan(Index s, Index t, bool is_left) const
+  {
+    return is_left
+             ? internal::fan(halfedge(s), halfedge(t), m_mesh)
+             : internal::fan(m_mesh.opposite(halfedge(t)), m_mesh.opposite(halfedge(s)), m_mesh);
+  }
+
+  bool is_spur(Index s, Index t) const { return halfedge(t) == m_mesh.opposite(halfedge(s)); }
+
+  bool is_bent(Index s, Index t, bool is_left) const
+  {
+    if(is_spur(s, t))
+      return true;
+    if(m_straight.count({s, t}) > 0)
+      return false;
+    const Spokes spokes = fan(s, t, is_left);
+    return !spokes.empty() && internal::is_less_than_pi(spokes, m_tri);
+  }
+
+  void note(Index s, Index t)
+  {
+    if(s == Segments::null || t == Segments::null)
+      return;
+    if(is_spur(s, t)) {
+      m_queue.push({FT(0), s, t, true});
+      return;
+    }
+    for(bool is_left : {true, false})
+      if(const Spokes spokes = fan(s, t, is_left); !spokes.empty()) {
+        const FT angle = internal::fan_angle(spokes, m_tri.intrinsic());
+        if(angle < pi<FT>() + internal::flat_angle_tolerance<FT>())
+          m_queue.push({angle, s, t, is_left});
+      }
+  }
+
+  void note_all(std::size_t path)
+  {
+    const Index first = m_path[path].first;
+    for(Index s = first; s != Segments::null;) {
+      const Index t = m_segment[s].next;
+      note(s, t);
+      s = t == first ? Segments::null : t;
+    }
+  }
+
+  // Whether nothing is in the fan but edges that may be flipped.
+  bool is_free(const Spokes& spokes) const
+  {
+    for(std::size_t i = 1; i + 1 < spokes.size(); ++i)
+      if(const Edge_index e = m_mesh.edge(spokes[i]);
+         !m_segment.is_free(e) || m_tri.is_constrained(e))
+        return false;
+    return true;
+  }
+
+  // ---- Moves ----
+
+  // Returns whether the path has moved.
+  bool straighten(Index s, Index t, bool is_left)
+  {
+    if(is_spur(s, t))
+      return cut_spur(s, t);
+    Spokes spokes = fan(s, t, is_left);
+    const Index at_out = is_left ? t : s, at_in = is_left ? s : t;
+    if(m_segment.outermost(spokes.front()) != at_out ||
+       m_segment.outermost(m_mesh.opposite(spokes.back())) != at_in || !is_free(spokes) ||
+       !internal::is_less_than_pi(spokes, m_tri))
+      return false;
+    flip_out(spokes);
+    const Spokes arc = outer_arc(spokes, s == t);
+    if(!is_shorter(arc, s, t)) {
+      m_straight.insert({s, t});
+      return false;
+    }
+    replace(s, t, arc, is_left);
+    return true;
+  }
+
+  bool cut_spur(Index s, Index t)
+  {
+    if(s == t || !m_segment.are_neighbors(s, t))
+      return false;
+    replace(s, t, {}, true);
+    return true;
+  }
+
+  // Flips the edges inside the fan as long as one can be flipped. Each flip takes one away, and adds
+  // one only where a face has two corners at the apex: then the fan is taken anew.
+  void flip_out(Spokes& spokes)
+  {
+    const Vertex_index apex = m_mesh.source(spokes.front());
+    const Halfedge_index in = m_mesh.opposite(spokes.back());
+    std::size_t flips = 0;
+    const std::size_t limit = 16 * spokes.size();
+    for(std::size_t i = 1; i + 1 < spokes.size() && flips < limit;) {
+      const Halfedge_index h = spokes[i];
+      if(!m_tri.is_flippable(h)) {
+        ++i;
+        continue;
+      }
+      const bool is_loop = m_mesh.target(h) == apex;
+      m_tri.flip(h);
+      ++flips;
+      if(is_loop || m_mesh.source(h) == apex || m_mesh.target(h) == apex) {
+        spokes = internal::fan(in, spokes.front(), m_mesh);
+        i = 1;
+      } else {
+        spokes.erase(spokes.begin() + static_cast<std::ptrdiff_t>(i));
+        i = i > 1 ? i - 1 : 1;
+      }
+    }
+    m_flips += flips;
+  }
+
+  // Returns the sides opposite to the apex of the fan, counterclockwise. A loop of one edge has the
+  // face of this edge at both ends of the fan, and moves to what is between.
+  Spokes outer_arc(const Spokes& spokes, bool is_one_edge) const
+  {
+    Spokes result;
+    const std::size_t skipped = is_one_edge ? 1 : 0;
+    for(std::size_t i = skipped; i + 1 + skipped < spokes.size(); ++i)
+      result.push_back(m_mesh.next(spokes[i]));
+    return result;
+  }
+
+  // Whether the path may move. Exact decisions make sure that it becomes shorter; in floating point
+  // moves that gain no more than rounding, as beside short edges, are limited in number.
+  bool is_shorter(const Spokes& arc, Index s, Index t)
+  {
+    if constexpr(internal::Is_exact<Traits>::value)
+      return true;
+    const auto length = [&](Halfedge_index h) { return m_tri.length(m_mesh.edge(h)); };
+    const FT before = length(halfedge(s)) + (s == t ? FT(0) : length(halfedge(t)));
+    FT after(0);
+    for(Halfedge_index h : arc)
+      after += length(h);
+    const FT tolerance = rounding_unit<FT>() * before;
+    return after < before - tolerance ||
+           (after <= before + tolerance && m_idle_moves++ < greatest_number_of_idle_moves);
+  }
+
+  // Replaces two segments, or a loop of one, by an arc around the vertex between them, which is on
+  // the left of the halfedges of the arc.
+  void replace(Index s, Index t, const Spokes& arc, bool is_left)
+  {
+    const Index path = m_segment[s].path;
+    const bool is_whole_loop = m_path[path].is_loop && m_segment[t].next == s;
+    Index previous = is_whole_loop ? Segments::null : m_segment[s].previous;
+    const Index next = is_whole_loop ? Segments::null : m_segment[t].next;
+    const bool is_first = m_path[path].first == s || m_path[path].first == t;
+    m_segment.remove(s);
+    if(t != s)
+      m_segment.remove(t);
+    std::vector<Index> added;
+    for(std::size_t i = 0; i < arc.size(); ++i) {
+      const Halfedge_index h = is_left ? arc[arc.size() - 1 - i] : arc[i];
+      added.push_back(m_segment.add(is_left ? m_mesh.opposite(h) : h, path, h));
+    }
+    if(is_whole_loop)
+      previous = added.empty() ? Segments::null : added.back();
+    for(Index a : added) {
+      m_segment.link(previous, a);
+      previous = a;
+    }
+    if(!is_whole_loop)
+      m_segment.link(previous, next);
+    if(is_first)
+      m_path[path].first = !added.empty() ? added.front() : next;
+    note_around(added, previous, next);
+  }
+
+  // the joints at both ends of what has been added, and between
+  void note_around(const std::vector<Index>& added, Index previous, Index next)
+  {
+    for(Index a : added)
+      note(m_segment[a].previous, a);
+    if(next != Segments::null)
+      note(previous, next);
+  }
+
+  Triangulation& m_tri;
+  const Delta_complex& m_mesh;
+  Segments m_segment;
+  std::vector<Path> m_path;
+  std::priority_queue<Joint, std::vector<Joint>, std::greater<Joint>> m_queue;
+  std::size_t m_flips = 0;
+  std::size_t m_idle_moves = 0;
+  std::set<std::pair<Index, Index>> m_straight; // up to rounding, by length
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_PATHS_H

@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATHS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATHS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Path_search.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// computes exact shortest paths and distances from some points of a surface to all its points.
+///
+/// Faces are unfolded along the views from the sources, from edge lengths alone; the windows of Chen
+/// and Han, with the pruning of Xin and Wang. Views start again behind vertices at which paths can
+/// bend: with an angle sum of more than \f$2\pi\f$, or on the boundary more than \f$\pi\f$. All
+/// distances come from the lengths of straight lines, and are accurate to rounding for every face
+/// passed.
+///
+/// Add the sources, then call `run()`; distances and paths to any point follow without further
+/// search. Sources can be added later, and `run()` called again: it goes on from what is known.
+///
+/// No face, flat or without area, and no tie between paths is an error: of several shortest paths
+/// that are equal up to rounding any one is taken.
+///
+/// \tparam Surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
+///         and faces that meet themselves are allowed. It must not change as long as the object is
+///         used.
+template <typename Surface>
+class Shortest_paths
+{
+public:
+  /// the number type of lengths.
+  typedef Length_of<Surface> FT;
+
+  /// prepares the search. Complexity: linear.
+  explicit Shortest_paths(const Surface& surface) : m_search(internal::view_of(surface)) {}
+
+  /// \name Sources
+  /// @{
+
+  /// adds a vertex as a source and returns the index of this source.
+  /// \pre `v` is not isolated
+  std::size_t add_source(Vertex_index v)
+  {
+    CGAL_precondition(!mesh().is_isolated(v));
+    return add(v, m_search.at_vertex(v));
+  }
+
+  /// adds a point on an edge as a source and returns the index of this source.
+  std::size_t add_source(const Edge_point<FT>& p) { return add_source(location(p)); }
+
+  /// adds a point of a face, also on its boundary, as a source and returns the index of this source.
+  /// \pre the coordinates of `p` are not negative and sum up to one
+  std::size_t add_source(const Face_location<FT>& p) { return add(p, p); }
+
+  /// computes what distances and paths need. Complexity: \f$O(k)\f$ for \f$k\f$ views, of which
+  /// there are at most \f$O(n^2)\f$ between saddle vertices on embedded surfaces with \f$n\f$ faces,
+  /// and some dozens for each face in practice.
+  /// \throws Numerical_error if the angles at a vertex have no positive finite sum
+  void run()
+  {
+    m_search.run();
+    m_is_run = true;
+  }
+
+  /// @}
+  /// \name Distances
+  /// After `run()`.
+  /// @{
+
+  /// returns the distance of a vertex from the nearest source; infinite if there is no path.
+  /// Complexity: constant.
+  FT distance(Vertex_index v) const
+  {
+    CGAL_precondition(m_is_run);
+    return m_search.distance(v);
+  }
+
+  /// returns the distance of a point on an edge. Complexity: as for a point of a face.
+  FT distance(const Edge_point<FT>& p) const { return distance(location(p)); }
+
+  /// returns the distance of a point of a face. Complexity: linear in the views into this face.
+  FT distance(const Face_location<FT>& p) const
+  {
+    CGAL_precondition(m_is_run);
+    return m_search.to(p).length;
+  }
+
+  /// @}
+  /// \name Paths
+  /// After `run()`.
+  /// @{
+
+  /// returns the shortest path from the nearest source to a vertex.
+  /// \pre `v` is not isolated
+  Surface_path<FT> path(Vertex_index v) const
+  {
+    CGAL_precondition(m_is_run && !mesh().is_isolated(v));
+    return path(m_search.to(v), m_search.at_vertex(v));
+  }
+
+  /// returns the shortest path from the nearest source to a point on an edge.
+  Surface_path<FT> path(const Edge_point<FT>& p) const { return path(location(p)); }
+
+  /// returns the shortest path from the nearest source to a point of a face.
+  ///
+  /// The places come in the order from the source to `p`, both included. Where the path crosses an
+  /// edge, `along` is the halfedge through which it leaves a face. At a vertex, `along` starts
+  /// there: the path goes on along it, or through the face on its left. If the path goes along a
+  /// border halfedge, the location is in the face of the opposite halfedge. A vertex counts as hit
+  /// if the path passes it within rounding. There are no places if there is no path.
+  ///
+  /// Complexity: linear in the edges crossed, and in the views into the face of `p`.
+  Surface_path<FT> path(const Face_location<FT>& p) const
+  {
+    CGAL_precondition(m_is_run);
+    return path(m_search.to(p), p);
+  }
+
+  /// returns the index of the nearest source of a point of a face. \pre there is a path
+  std::size_t source(const Face_location<FT>& p) const { return source(m_search.to(p), p); }
+  /// returns the index of the nearest source of a point on an edge. \pre there is a path
+  std::size_t source(const Edge_point<FT>& p) const { return source(location(p)); }
+  /// returns the index of the nearest source of a vertex. \pre there is a path
+  std::size_t source(Vertex_index v) const { return source(m_search.to(v), m_search.at_vertex(v)); }
+
+  /// @}
+
+private:
+  typedef internal::Path_search<Length_map_of<Surface>> Search;
+  typedef typename Search::Last_part Last_part;
+
+  const Delta_complex& mesh() const { return m_search.mesh(); }
+
+  template <typename Source>
+  std::size_t add(const Source& source, const Face_location<FT>& p)
+  {
+    m_is_run = false;
+    m_search.add_source(source);
+    m_number.push_back(m_search.source_at(p));
+    return m_number.size() - 1;
+  }
+
+  Face_location<FT> location(const Edge_point<FT>& p) const
+  {
+    return face_location(mesh().is_border(p.halfedge) ? reversed(p, mesh()) : p, mesh());
+  }
+
+  Surface_path<FT> path(const Last_part& part, const Face_location<FT>& p) const
+  {
+    Surface_path<FT> result{part.length, {}};
+    if(part.length < std::numeric_limits<FT>::infinity())
+      m_search.trace(part, p, result.places);
+    std::reverse(result.places.begin(), result.places.end());
+    return result;
+  }
+
+  std::size_t source(const Last_part& part, const Face_location<FT>& p) const
+  {
+    CGAL_precondition(m_is_run && part.length < std::numeric_limits<FT>::infinity());
+    const auto found = std::find(m_number.begin(), m_number.end(), m_search.source_of(part, p));
+    return static_cast<std::size_t>(found - m_number.begin());
+  }
+
+  Search m_search;
+  std::vector<std::uint32_t> m_number; // of each source, in the search
+  bool m_is_run = false;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATHS_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_PATH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_PATH_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// a path over a triangulation that is straight in every face.
+template <typename FT>
+struct Surface_path
+{
+  FT length;                             ///< its length; infinite if there is no path
+  std::vector<Surface_place<FT>> places; ///< where it starts, meets edges and vertices, and ends
+};
+
+namespace internal {
+
+// The place of a point on a halfedge, or at its source; it is in the face of the opposite halfedge
+// if this one has none.
+template <typename FT>
+Surface_place<FT> place_on(const Edge_point<FT>& p, const Delta_complex& mesh)
+{
+  return {p.halfedge, face_location(mesh.is_border(p.halfedge) ? reversed(p, mesh) : p, mesh)};
+}
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_PATH_H

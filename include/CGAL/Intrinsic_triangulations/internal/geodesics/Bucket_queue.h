@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_BUCKET_QUEUE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_BUCKET_QUEUE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Numbers ordered by keys up to the width of a bucket, for searches that need the order for speed
+// alone.
+template <typename FT>
+class Bucket_queue
+{
+public:
+  typedef std::uint32_t Value;
+
+  explicit Bucket_queue(const FT& width) : m_per_key(1 / width) {}
+
+  void push(const FT& key, Value value)
+  {
+    const FT place = key * m_per_key;
+    const std::size_t last = maximal_number_of_buckets - 1;
+    const std::size_t i = place < FT(last) ? static_cast<std::size_t>(place) : last;
+    if(i >= m_bucket.size())
+      m_bucket.resize(i + 1);
+    if(i < m_first)
+      go_back(i);
+    m_bucket[i].push_back(value);
+    ++m_size;
+  }
+
+  // goes on to the first bucket that contains something
+  bool is_empty()
+  {
+    while(m_first < m_bucket.size() && m_next == m_bucket[m_first].size()) {
+      std::vector<Value>().swap(m_bucket[m_first]);
+      m_first = m_size > 0 ? m_first + 1 : m_bucket.size();
+      m_next = 0;
+    }
+    if(m_size == 0)
+      m_first = 0;
+    return m_size == 0;
+  }
+
+  // no key is smaller; \pre !is_empty()
+  FT least_key() const { return FT(m_first) / m_per_key; }
+
+  // in the order of arrival; \pre !is_empty()
+  Value pop()
+  {
+    --m_size;
+    return m_bucket[m_first][m_next++];
+  }
+
+private:
+  static constexpr std::size_t maximal_number_of_buckets = std::size_t(1) << 20;
+
+  void go_back(std::size_t i)
+  {
+    auto& bucket = m_bucket[m_first];
+    bucket.erase(bucket.begin(), bucket.begin() + static_cast<std::ptrdiff_t>(m_next));
+    m_first = i;
+    m_next = 0;
+  }
+
+  FT m_per_key;
+  std::vector<std::vector<Value>> m_bucket;
+  std::size_t m_size = 0;
+  std::size_t m_first = 0, m_next = 0; // the present bucket, and the place in it
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_BUCKET_QUEUE_H

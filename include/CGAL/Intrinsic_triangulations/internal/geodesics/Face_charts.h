@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_FACE_CHARTS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_FACE_CHARTS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// All that unfolding a face needs, in one place. Side 3f + s is side s of the face f, numbered as
+// its barycentric coordinates; border halfedges are no sides.
+template <typename FT>
+class Face_charts
+{
+public:
+  typedef std::uint32_t Index;
+  typedef std::complex<FT> Vector;
+  static constexpr Index null = (std::numeric_limits<Index>::max)();
+
+  // Complexity: linear.
+  template <typename Surface>
+  explicit Face_charts(const Surface& surface) : m_chart(surface.mesh().num_faces())
+  {
+    const Delta_complex& mesh = surface.mesh();
+    for(Face_index f : mesh.faces()) {
+      const auto side = sides(f, mesh);
+      const Flat_face<FT> face(side[0], surface);
+      const Vector d1 = face.direction(1), d2 = face.direction(2);
+      Chart& chart = m_chart[f.idx()];
+      chart.turn = {-d2, -std::conj(d1), -std::conj(d2) * d1};
+      for(std::size_t s = 0; s < 3; ++s) {
+        const Halfedge_index o = mesh.opposite(side[s]);
+        chart.length[s] = edge_length(side[s], surface);
+        chart.vertex[s] = mesh.source(side[s]).idx();
+        chart.across[s] = mesh.is_border(o) ? null : side_of(o, mesh);
+      }
+    }
+  }
+
+  // returns the side that the halfedge `h` is, which is not on the border
+  static Index side_of(Halfedge_index h, const Delta_complex& mesh)
+  {
+    return Index(3 * mesh.face(h).idx() + side_number(h, mesh));
+  }
+
+  static Halfedge_index halfedge(Index c, const Delta_complex& mesh)
+  {
+    return sides(Face_index(c / 3), mesh)[c % 3];
+  }
+
+  static Index next(Index c) { return c % 3 == 2 ? c - 2 : c + 1; }
+  static Index previous(Index c) { return c % 3 == 0 ? c + 2 : c - 1; }
+
+  // null on the boundary
+  Index across(Index c) const { return m_chart[c / 3].across[c % 3]; }
+
+  const FT& length(Index c) const { return m_chart[c / 3].length[c % 3]; }
+  Index source(Index c) const { return m_chart[c / 3].vertex[c % 3]; }
+  Index target(Index c) const { return source(next(c)); }
+
+  // returns the rotation by the angle at the source of the side
+  const Vector& turn(Index c) const { return m_chart[c / 3].turn[c % 3]; }
+
+  // Returns the position of the corner opposite to `o` in the frame of the side across, which leads
+  // from the target of `o`, the origin, along the x-axis.
+  Vector apex_beyond(Index o) const
+  {
+    const FT &after = length(next(o)), &before = length(previous(o));
+    return after < before ? after * std::conj(turn(next(o))) : length(o) - before * turn(o);
+  }
+
+private:
+  struct Chart
+  {
+    std::array<FT, 3> length;
+    std::array<Vector, 3> turn;
+    std::array<Index, 3> vertex, across;
+  };
+
+  std::vector<Chart> m_chart;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_FACE_CHARTS_H

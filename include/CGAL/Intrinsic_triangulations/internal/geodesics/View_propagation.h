@@ -1,0 +1,430 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_VIEW_PROPAGATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_VIEW_PROPAGATION_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Bucket_queue.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Face_charts.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Shortest paths from some points to everywhere: faces are unfolded along the views from the
+// sources, nearest first; what cannot contain a shortest path is cut off from a view (after Xin and
+// Wang). Shortest paths bend at vertices only, where the surface has more than half a turn on
+// either side: behind a bend there are new views.
+template <typename EdgeLengthMap>
+class View_propagation
+{
+public:
+  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+  typedef Face_charts<FT> Charts;
+  typedef typename Charts::Index Index;
+  typedef typename Charts::Vector Vector;
+  typedef typename Flat_face<FT>::Place Place;
+  static_assert(std::is_floating_point<FT>::value, "directions are angles");
+  static constexpr Index null = Charts::null;
+
+  // What an origin sees through a part of an edge; the face of the side `edge`, whose frame this is,
+  // is on the side of the origin.
+  struct View
+  {
+    Vector position; // of the origin
+    FT begin, end;
+    FT before;    // the length of the path to the origin
+    Index edge;   // null if the view has been given up
+    Index origin; // a vertex, or the number of vertices plus that of a source
+    Index parent; // from which it was handed on; null if it was opened at the origin
+  };
+
+  // How the shortest path known so far comes to a vertex: through a view, or from the origin along
+  // the halfedge `last`, which ends there, or through a face, whose side `last` ends there.
+  struct Arrival
+  {
+    Index view = null;
+    Index origin = null; // null for a source
+    Halfedge_index last;
+    bool is_straight = true;
+  };
+
+  explicit View_propagation(const Surface_view<EdgeLengthMap>& surface)
+    : m_surface(surface),
+      m_mesh(surface.mesh()),
+      m_charts(surface),
+      m_number_of_vertices(static_cast<Index>(surface.mesh().num_vertices())),
+      m_distance(m_number_of_vertices, std::numeric_limits<FT>::infinity()),
+      m_arrival(m_number_of_vertices),
+      m_opened(m_number_of_vertices, std::numeric_limits<FT>::infinity()),
+      m_next(width_of_buckets()),
+      m_bends(width_of_buckets())
+  {}
+
+  void add_source(Vertex_index v)
+  {
+    m_distance[v.idx()] = FT(0);
+    m_arrival[v.idx()] = Arrival();
+    m_bends.push(FT(0), v.idx());
+  }
+
+  // `origin` is the number of the source, which is no vertex, after those of the vertices; a point
+  // on an edge is added in both faces.
+  void add_source(const Face_location<FT>& p, Index origin)
+  {
+    const Face_in_frame face(m_mesh.halfedge(p.first), *this);
+    for(std::size_t s = 0; s < 3; ++s) {
+      reach(m_charts.source(face.side(s)), norm_of(face.to_corner(s, p.second)),
+            {null, origin, m_mesh.prev(face.halfedge(s)), true});
+      if(p.second[(s + 2) % 3] != 0)
+        open_view(face, s, p.second, FT(0), origin);
+    }
+  }
+
+  // Goes on until no path that is shorter than `limit()` can be missing.
+  template <typename Limit>
+  void run(const Limit& limit)
+  {
+    const FT infinity = std::numeric_limits<FT>::infinity();
+    for(;; ++m_steps) {
+      if(m_steps > greatest_number_of_steps())
+        throw Numerical_error("the search for shortest paths does not end");
+      const FT view = m_next.is_empty() ? infinity : m_next.least_key();
+      const FT bend = m_bends.is_empty() ? infinity : m_bends.least_key();
+      if((std::min)(view, bend) == infinity ||
+         (std::min)(view, bend) > limit() * (1 + rounding_unit<FT>()))
+        return;
+      if(view <= bend)
+        follow(m_next.pop());
+      else
+        open_bend(m_bends.pop());
+    }
+  }
+
+  const Surface_view<EdgeLengthMap>& surface() const { return m_surface; }
+  const Charts& charts() const { return m_charts; }
+  const FT& distance(Index v) const { return m_distance[v]; }
+  const Arrival& arrival(Index v) const { return m_arrival[v]; }
+  const std::vector<View>& views() const { return m_views; }
+  bool is_vertex(Index origin) const { return origin < m_number_of_vertices; }
+  bool is_source(Index origin) const
+  {
+    return !is_vertex(origin) || m_arrival[origin].origin == null;
+  }
+
+  // returns the length of the path to the point `z` through a view
+  static FT distance(const View& view, const Vector& z)
+  {
+    return view.before + norm_of(z - view.position);
+  }
+
+  // Returns whether `z`, beyond the edge or on it, is seen.
+  static bool is_seen(const View& view, const Vector& z, const FT& tolerance)
+  {
+    const FT x = crossing(view, z);
+    return view.begin - tolerance <= x && x <= view.end + tolerance;
+  }
+
+  // lengths up to this are rounding where the view goes on into the next face
+  FT tolerance(const View& view) const
+  {
+    const Index o = m_charts.across(view.edge);
+    return rounding_unit<FT>() * (m_charts.length(o) + m_charts.length(Charts::next(o)) +
+                                  m_charts.length(Charts::previous(o)) + norm_of(view.position));
+  }
+
+  // Returns where the line from the origin to the point `z` beyond the edge crosses the edge.
+  static FT crossing(const View& view, const Vector& z)
+  {
+    const Vector& p = view.position;
+    const FT height = p.imag() - z.imag();
+    return height > 0 ? p.real() + (z.real() - p.real()) * (p.imag() / height) : z.real();
+  }
+
+private:
+  // a face laid out with its first halfedge on the x-axis, and the numbers of its sides
+  class Face_in_frame : public Flat_face<FT>
+  {
+  public:
+    Face_in_frame(Halfedge_index h, const View_propagation& paths)
+      : Flat_face<FT>(h, paths.m_surface), m_mesh(paths.m_mesh), m_halfedge(h)
+    {}
+    Halfedge_index halfedge(std::size_t s) const
+    {
+      return s == 0 ? m_halfedge : s == 1 ? m_mesh.next(m_halfedge) : m_mesh.prev(m_halfedge);
+    }
+    Index side(std::size_t s) const { return Charts::side_of(halfedge(s), m_mesh); }
+
+  private:
+    const Delta_complex& m_mesh;
+    Halfedge_index m_halfedge;
+  };
+
+  // a quarter of a typical edge: many views for each bucket, and few that come late
+  FT width_of_buckets() const
+  {
+    FT sum(0);
+    for(Face_index f : m_mesh.faces())
+      sum += m_charts.length(3 * f.idx());
+    return sum > 0 ? FT(sum / FT(4 * m_mesh.number_of_faces())) : FT(1);
+  }
+
+  // More steps than surfaces need: on embedded ones views are at most quadratic in the size, and a
+  // hundred million are for few faces that paths wind around. Rounding could make it more.
+  std::size_t greatest_number_of_steps() const
+  {
+    const std::size_t n = m_mesh.number_of_halfedges();
+    return 100000000 + n * n;
+  }
+
+  // ---- Vertices ----
+
+  // Takes the path if it is better than that known so far: of two paths that are equal up to
+  // rounding the straight one is better.
+  void reach(Index v, const FT& length, const Arrival& arrival)
+  {
+    const FT tolerance = rounding_unit<FT>() * length;
+    const bool is_better = arrival.is_straight && !m_arrival[v].is_straight
+                             ? length <= m_distance[v] + tolerance
+                             : length < m_distance[v] - tolerance;
+    if(!is_better)
+      return;
+    m_distance[v] = length;
+    m_arrival[v] = arrival;
+    m_bends.push(length, v);
+  }
+
+  // The directions in which paths can go on at a vertex: those that are at least half a turn away
+  // from where they come from, on either side on which there is surface.
+  class Sector
+  {
+  public:
+    // all of them if `is_whole`
+    Sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back)
+      : m_sum(angles.sum()),
+        m_back(back),
+        m_is_border(angles.is_border()),
+        m_is_whole(is_whole),
+        m_is_empty(!is_whole && m_sum - (m_is_border ? 1 : 2) * pi<FT>() <= rounding_unit<FT>())
+    {}
+
+    // whether there are some between two angles
+    bool meets(const FT& first, const FT& last) const
+    {
+      const FT half = pi<FT>() - flat_angle_tolerance<FT>(), a = first - m_back, b = last - m_back;
+      const FT other = m_is_border ? std::numeric_limits<FT>::infinity() : m_sum - half;
+      return m_is_whole ||
+             (!m_is_empty && ((b >= half && a <= other) || (a <= -half && b >= -other)));
+    }
+
+  private:
+    FT m_sum, m_back;
+    bool m_is_border, m_is_whole;
+    bool m_is_empty; // the shadow of other vertices is no wider than the tolerance of what is seen
+  };
+
+  // Returns the angle at `v`, from its first spoke, at which the shortest path arrives, through a view
+  // or along an edge.
+  FT angle_of_arrival(Vertex_index v) const
+  {
+    const Arrival& arrival = m_arrival[v.idx()];
+    Halfedge_index spoke = m_mesh.opposite(arrival.last);
+    FT offset(0);
+    if(arrival.view != null) {
+      const View& view = m_views[arrival.view];
+      const Index o = m_charts.across(view.edge);
+      const Vector apex = m_charts.apex_beyond(o);
+      spoke = Charts::halfedge(Charts::previous(o), m_mesh);
+      offset = std::arg((view.position - apex) * std::conj(m_charts.length(o) - apex));
+    }
+    FT angle(0);
+    for(Halfedge_index h = first_spoke(v, m_mesh); h != spoke; h = next_spoke(h, m_mesh))
+      angle += std::arg(m_charts.turn(Charts::side_of(h, m_mesh)));
+    return angle + offset;
+  }
+
+  // Paths may have become shorter since the bend was noted.
+  void open_bend(Index v)
+  {
+    if(m_opened[v] != m_distance[v])
+      open_views(Vertex_index(v));
+    m_opened[v] = m_distance[v];
+  }
+
+  // Ways along edges are bounds for others, and stand in for views that rounding has closed.
+  void open_views(Vertex_index v)
+  {
+    const Arrival& arrival = m_arrival[v.idx()];
+    const bool is_source = arrival.origin == null;
+    const FT before = m_distance[v.idx()];
+    const bool is_near_source = arrival.view == null && !is_vertex(arrival.origin);
+    const Sector sector(Vertex_angles<FT>(first_spoke(v, m_mesh), m_surface), is_near_source,
+                        is_near_source ? FT(0) : angle_of_arrival(v));
+    FT angle(0);
+    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+      reach(m_mesh.target(h).idx(), before + edge_length(h, m_surface),
+            {null, Index(v.idx()), h, is_source});
+      if(m_mesh.is_border(h))
+        return;
+      const FT next = angle + std::arg(m_charts.turn(Charts::side_of(h, m_mesh)));
+      if(sector.meets(angle, next))
+        open_view(Face_in_frame(h, *this), 1, {FT(1), FT(0), FT(0)}, before, Index(v.idx()));
+      angle = next;
+    });
+  }
+
+  // ---- Views ----
+
+  // Opens the view through side `s` of a face from its point `p`.
+  void open_view(const Face_in_frame& face, std::size_t s, const Place& p, const FT& before,
+                 Index origin)
+  {
+    const Index edge = face.side(s);
+    const Vector position = -face.to_corner(s, p) * std::conj(face.direction(s));
+    push({position, FT(0), m_charts.length(edge), before, edge, origin, null});
+  }
+
+  void push(const View& opened)
+  {
+    View view = opened;
+    view.position.imag((std::max)(view.position.imag(), FT(0)));
+    if(m_charts.across(view.edge) == null || !cut_off(view))
+      return;
+    const FT nearest = distance(view, std::clamp(view.position.real(), view.begin, view.end));
+    if(m_views.size() >= null)
+      throw Numerical_error("there are too many views for shortest paths");
+    m_next.push(nearest, static_cast<Index>(m_views.size()));
+    m_views.push_back(view);
+  }
+
+  // Cuts off where all paths through the view are longer than those by one of the ends of the edge,
+  // and returns whether something is left.
+  bool cut_off(View& view) const
+  {
+    const FT by_source = m_distance[m_charts.source(view.edge)] - view.before;
+    const FT by_target = m_distance[m_charts.target(view.edge)] - view.before;
+    const FT& length = m_charts.length(view.edge);
+    const Vector &p = view.position, from_target(length - p.real(), p.imag());
+    const FT slack = path_tolerance<FT>() * (view.before + norm_of(p) + length);
+    const FT rest = cut_off(p, by_source + slack, view.begin, view.end);
+    if(!(rest <= view.end))
+      return false;
+    const FT other = cut_off(from_target, by_target + slack, FT(length - view.end), length - rest);
+    view.begin = rest;
+    view.end = (std::min)(view.end, FT(length - other));
+    return other <= length - rest;
+  }
+
+  // Returns up to which place, from `begin` to `end`, paths from `p` are longer by more than `slack`
+  // than those that have the length `before` at 0 and follow the edge: the difference decreases. A
+  // place beyond `end` stands for all.
+  FT cut_off(const Vector& p, const FT& before, const FT& begin, const FT& end) const
+  {
+    const auto is_longer = [&](const FT& x) { return norm_of(p - x) > before + x; };
+    if(!is_longer(begin))
+      return begin;
+    if(is_longer(end))
+      return std::numeric_limits<FT>::infinity();
+    const FT x = (std::norm(p) - before * before) / (2 * (p.real() + before));
+    const FT safe = x - path_tolerance<FT>() * norm_of(p);
+    return begin < safe && safe < end && is_longer(safe) ? safe : begin;
+  }
+
+  void follow(Index number)
+  {
+    View& stored = m_views[number];
+    const bool is_outdated = is_vertex(stored.origin) && m_distance[stored.origin] < stored.before;
+    if(is_outdated || !cut_off(stored)) {
+      stored.edge = null;
+      return;
+    }
+    const View view = stored;
+    const Index o = m_charts.across(view.edge);
+    const Vector apex = m_charts.apex_beyond(o);
+    const FT closed = tolerance(view);
+    if(is_seen(view, apex, closed))
+      reach(m_charts.source(Charts::previous(o)), distance(view, apex),
+            {number, view.origin, Halfedge_index(), is_source(view.origin)});
+    split(view, number, apex, closed);
+  }
+
+  // Returns the place between `a` and `b` where the ray through the point of the edge at `x` meets
+  // that side of the next face; 0 at `a`.
+  static FT hit(const View& view, const FT& x, const Vector& a, const Vector& b)
+  {
+    const Vector d = x - view.position;
+    const FT to_a = (std::max)(-cross(d, a - view.position), FT(0));
+    const FT to_b = (std::max)(cross(d, b - view.position), FT(0));
+    return to_a + to_b > 0 ? to_a / (to_a + to_b) : FT(0);
+  }
+
+  // Hands the view on to the two sides beyond the edge, left and right of the apex.
+  void split(const View& view, Index number, const Vector& apex, const FT& closed)
+  {
+    const Index o = m_charts.across(view.edge), left = Charts::next(o), right = Charts::previous(o);
+    const Vector source(0), target(m_charts.length(o)), &p = view.position;
+    const FT middle = crossing(view, apex);
+    const auto hand_on = [&](Index edge, const Vector& position, FT from, FT to) {
+      from *= m_charts.length(edge);
+      to *= m_charts.length(edge);
+      const View next{position, from, to, view.before, edge, view.origin, number};
+      if(to - from > closed && !is_behind_corner(next, edge == left, target.real()))
+        push(next);
+    };
+    if(view.begin < middle)
+      hand_on(left, p * m_charts.turn(left), hit(view, view.begin, source, apex),
+              middle < view.end ? FT(1) : hit(view, view.end, source, apex));
+    if(middle < view.end)
+      hand_on(right, (p - apex) * std::conj(m_charts.turn(o)),
+              view.begin < middle ? FT(0) : hit(view, view.begin, apex, target),
+              hit(view, view.end, apex, target));
+  }
+
+  // Returns whether all paths through a view that has been handed on over an edge of length `l`
+  // cross a line, from the corner at the far end of that edge, by which they are longer.
+  bool is_behind_corner(const View& view, bool is_left, const FT& l) const
+  {
+    const Index o = is_left ? Charts::previous(view.edge) : Charts::next(view.edge);
+    const FT& corner_distance = m_distance[is_left ? m_charts.source(o) : m_charts.target(o)];
+    if(!(corner_distance < distance(view, is_left ? view.begin : view.end)))
+      return false;
+    const FT x = is_left ? view.begin : m_charts.length(view.edge) - view.end;
+    const Vector corner =
+      l * (is_left ? m_charts.turn(view.edge) : m_charts.turn(Charts::next(view.edge)));
+    const FT way = corner_distance + norm_of(corner - x);
+    return distance(view, is_left ? view.begin : view.end) > way * (1 + path_tolerance<FT>());
+  }
+
+  Surface_view<EdgeLengthMap> m_surface;
+  const Delta_complex& m_mesh;
+  Charts m_charts;
+  Index m_number_of_vertices;
+  std::vector<FT> m_distance;     // of each vertex
+  std::vector<Arrival> m_arrival; // at each vertex
+  std::vector<FT> m_opened;       // the distance at which views were opened at each vertex
+  std::vector<View> m_views;
+
+  Bucket_queue<FT> m_next, m_bends; // views, and vertices, from which views have to be opened
+  std::size_t m_steps = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_VIEW_PROPAGATION_H

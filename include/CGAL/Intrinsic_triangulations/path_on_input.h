@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_PATH_ON_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_PATH_ON_INPUT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/trace.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The place on T1 of the source of the halfedge `h` of T2, at which its trace starts.
+template <typename Traits>
+Surface_place<typename Traits::FT> start_on_input(Halfedge_index h,
+                                                  const Edge_point<typename Traits::FT>& start,
+                                                  const Intrinsic_triangulation<Traits>& tri)
+{
+  const Vertex_index v = tri.mesh().source(h);
+  return start.halfedge.is_valid() ? place_on(start, tri.input_mesh()) : tri.inserted_vertex(v);
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// follows a path along edges of \f$T_2\f$ over \f$T_1\f$.
+///
+/// \param tri the triangulations
+/// \param halfedges the halfedges of \f$T_2\f$ along the path, each of which starts where the one
+///        before ends
+/// \returns its length and its places on \f$T_1\f$, from the source of the first halfedge to the
+///   target of the last one. Where it crosses an edge, `along` is the halfedge through which it
+///   leaves a face. At a vertex of \f$T_1\f$, `along` starts there: the path goes on along it, or
+///   through the face on its left; if it is a border halfedge, the location is in the face of the
+///   opposite halfedge. At a vertex inserted on an edge, `along` is a halfedge of this edge; it is
+///   null if the vertex has been inserted inside a face. The sequence of crossed edges is exact.
+///
+/// Complexity: that of `trace_intrinsic_edge()` for each halfedge.
+/// \throws Numerical_error if a layout has no positive finite length
+template <typename Traits>
+Surface_path<typename Traits::FT> path_on_input(const Intrinsic_triangulation<Traits>& tri,
+                                                const std::vector<Halfedge_index>& halfedges)
+{
+  typedef typename Traits::FT FT;
+  const Delta_complex& mesh = tri.mesh();
+  Surface_path<FT> result{FT(0), {}};
+  for(Halfedge_index h : halfedges) {
+    const auto trace = trace_intrinsic_edge(tri, h);
+    result.length += tri.length(mesh.edge(h));
+    result.places.push_back(internal::start_on_input(h, trace.front().on_input, tri));
+    for(std::size_t m = 1; m + 1 < trace.size(); ++m)
+      result.places.push_back(internal::place_on(trace[m].on_input, tri.input_mesh()));
+  }
+  if(!halfedges.empty()) {
+    const Halfedge_index o = mesh.opposite(halfedges.back());
+    result.places.push_back(internal::start_on_input(o, tri.start_on_spoke(o), tri));
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_PATH_ON_INPUT_H

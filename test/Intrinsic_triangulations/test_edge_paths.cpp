@@ -1,0 +1,357 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "known_surfaces.h"
+#include "near_degenerate_meshes.h"
+#include "tied_meshes.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_paths.h>
+#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/path_on_input.h>
+#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using Paths = IT::Edge_paths<Triangulation::Traits>;
+using Halfedges = std::vector<Halfedge_index>;
+using Status = IT::Shortening_status;
+using Surface_path = IT::Surface_path<double>;
+
+double length(const Halfedges& path, const Triangulation& t)
+{
+  double sum = 0;
+  for(Halfedge_index h : path)
+    sum += t.length(t.mesh().edge(h));
+  return sum;
+}
+
+// ---- Geodesics ----
+
+// The angle on the left of a joint, infinite on the boundary, once more.
+Real angle(Halfedge_index in, Halfedge_index out, const Flat_faces& faces)
+{
+  const Delta_complex& mesh = faces.mesh();
+  Real sum = 0;
+  for(Halfedge_index h = out;;) {
+    if(mesh.is_border(h))
+      return std::numeric_limits<Real>::infinity();
+    sum += faces.angle(h);
+    h = mesh.opposite(mesh.prev(h));
+    if(h == mesh.opposite(in))
+      return sum;
+  }
+}
+
+// There is no corner that a path can cut, and gain more than rounding.
+void expect_geodesic(const Halfedges& path, bool is_loop, const Triangulation& t)
+{
+  const Flat_faces faces(Side::intrinsic, t);
+  const Delta_complex& mesh = t.mesh();
+  for(std::size_t k = 0; k + (is_loop ? 0 : 1) < path.size(); ++k) {
+    const Halfedge_index in = path[k], out = path[(k + 1) % path.size()];
+    ASSERT_EQ(mesh.target(in), mesh.source(out));
+    ASSERT_NE(out, mesh.opposite(in));
+    const Real a = faces.length(in), b = faces.length(out);
+    const Real least =
+      (std::min)(angle(in, out, faces), angle(mesh.opposite(out), mesh.opposite(in), faces));
+    const Real gain = least < pi - 1e-6 ? (std::min)(a, b) * (pi - least) * (pi - least) : 0;
+    EXPECT_LT(static_cast<double>(gain), 1e-13 * length(path, t))
+      << least << " between " << a << " and " << b;
+  }
+}
+
+std::pair<Vertex_index, Vertex_index> random_vertices(const Delta_complex& mesh,
+                                                      CGAL::Random& random)
+{
+  const auto any = [&] {
+    return Vertex_index(static_cast<Delta_complex::size_type>(
+      random.get_int(0, static_cast<int>(mesh.number_of_vertices()))));
+  };
+  return {any(), any()};
+}
+
+// From a path along edges to a geodesic that is no shorter than the shortest path, and no longer
+// than it was.
+void check_random_paths(Triangulation t, int n, unsigned int seed)
+{
+  const Flat_faces faces(Side::input, t);
+  CGAL::Random random(seed);
+  for(int i = 0; i < n; ++i) {
+    const auto [v, w] = random_vertices(t.mesh(), random);
+    if(t.mesh().is_isolated(v) || t.mesh().is_isolated(w))
+      continue;
+    const Halfedges start = IT::shortest_edge_path(t.intrinsic(), v, w);
+    const double before = length(start, t);
+    Paths paths(t);
+    paths.add_path(start);
+    EXPECT_EQ(paths.shorten(), Status::geodesic);
+    const Halfedges path = paths.halfedges(0);
+    EXPECT_LE(paths.length(0), before * (1 + 1e-14));
+    expect_geodesic(path, false, t);
+    if(path.empty())
+      continue;
+    EXPECT_EQ(t.mesh().source(path.front()), v);
+    EXPECT_EQ(t.mesh().target(path.back()), w);
+    if(i % 10 == 0) {
+      IT::Shortest_paths shortest(t.input());
+      shortest.add_source(v);
+      shortest.run();
+      EXPECT_GE(paths.length(0), shortest.distance(w) * (1 - 1e-12));
+      EXPECT_NEAR(IT::path_on_input(t, path).length, paths.length(0), 1e-12 * before);
+    }
+  }
+  EXPECT_TRUE(t.is_valid(true));
+}
+
+} // namespace
+
+TEST(Edge_paths, random_paths)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    check_random_paths(Triangulation(m.mesh), 50, 1);
+  }
+}
+
+TEST(Edge_paths, random_paths_after_flips)
+{
+  for(const Named_triangulation& t : triangulations()) {
+    SCOPED_TRACE(t.name);
+    check_random_paths(t.triangulation, 10, 2);
+  }
+}
+
+TEST(Edge_paths, random_paths_on_near_degenerate_meshes)
+{
+  for(unsigned int seed = 0; seed < 40; ++seed) {
+    const Named_mesh m = near_degenerate_mesh(seed);
+    SCOPED_TRACE(m.name);
+    check_random_paths(Triangulation(m.mesh), 10, seed);
+  }
+}
+
+TEST(Edge_paths, random_paths_on_data_meshes)
+{
+  if(data_meshes(1000000).empty())
+    GTEST_SKIP() << "CGAL's data files are not here";
+  for(const char* name : {"elephant.off", "pig.off", "anchor.off", "fandisk.off"}) {
+    SCOPED_TRACE(name);
+    Mesh mesh;
+    ASSERT_TRUE(
+      CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), mesh));
+    check_random_paths(Triangulation(mesh), 100, 3);
+  }
+}
+
+namespace {
+
+// ---- Flat surfaces ----
+
+// the vector along a path in the plane, all around
+Vector displacement(const Halfedges& path, const Flat_triangulation& flat)
+{
+  Vector sum{0, 0};
+  for(Halfedge_index h : path)
+    sum = sum + flat.input_vector(h);
+  return sum;
+}
+
+// A random walk along edges of T1; a loop goes on until it is where it started.
+Halfedges random_walk(const Delta_complex& mesh, int n, bool is_loop, CGAL::Random& random)
+{
+  Halfedges result;
+  Vertex_index v(0);
+  while(n-- > 0 || (is_loop && v != Vertex_index(0))) {
+    Halfedges spokes;
+    IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { spokes.push_back(h); });
+    result.push_back(
+      spokes[static_cast<std::size_t>(random.get_int(0, static_cast<int>(spokes.size())))]);
+    v = mesh.target(result.back());
+  }
+  return result;
+}
+
+// A walk that is not met again: each class has its geodesics, all straight lines of one length.
+void check_flat(const Flat_surface& surface, bool is_loop, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  for(int i = 0; i < 20; ++i) {
+    Flat_triangulation flat(surface);
+    Triangulation t = *flat;
+    const Halfedges walk = random_walk(t.mesh(), 12, is_loop, random);
+    Paths paths(t);
+    is_loop ? paths.add_loop(walk) : paths.add_path(walk);
+    if(paths.shorten() == Status::blocked) // it crosses itself
+      continue;
+    EXPECT_NEAR(paths.length(0), length(displacement(walk, flat)), 1e-8);
+    expect_geodesic(paths.halfedges(0), is_loop, t);
+  }
+}
+
+} // namespace
+
+TEST(Edge_paths, on_flat_tori_and_cylinders)
+{
+  for(unsigned int seed = 0; seed < 5; ++seed) {
+    check_flat(flat_torus(5, 4, seed), false, seed);
+    check_flat(flat_torus(5, 4, seed), true, seed);
+    check_flat(flat_torus(2, 1, seed), true, seed);
+    check_flat(flat_cylinder(5, static_cast<int>(seed)), false, seed);
+    check_flat(flat_cylinder(5, static_cast<int>(seed)), true, seed);
+  }
+}
+
+// Exact decisions: a certificate that no angle is below pi.
+TEST(Edge_paths, exact)
+{
+  using Traits = IT::Exact_Euclidean_geometry_traits<>;
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    IT::Intrinsic_triangulation<Traits> t(m.mesh);
+    Triangulation rounded(m.mesh);
+    CGAL::Random random(5);
+    for(int i = 0; i < 5; ++i) {
+      const auto [v, w] = random_vertices(t.mesh(), random);
+      const Halfedges start = IT::shortest_edge_path(rounded.input(), v, w);
+      t.reset_to_input();
+      rounded.reset_to_input();
+      IT::Edge_paths<Traits> exact(t);
+      Paths paths(rounded);
+      exact.add_path(start);
+      paths.add_path(start);
+      EXPECT_EQ(exact.shorten(), Status::geodesic);
+      EXPECT_EQ(paths.shorten(), Status::geodesic);
+      EXPECT_TRUE(exact.is_geodesic());
+      EXPECT_NEAR(exact.length(0), paths.length(0), 1e-9 * (1 + paths.length(0)));
+    }
+  }
+}
+
+// Many equal angles, and angles of exactly pi.
+TEST(Edge_paths, exact_with_ties)
+{
+  for(std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>> t(tied_mesh(seed).mesh);
+    CGAL::Random random(static_cast<unsigned int>(seed));
+    for(int i = 0; i < 3; ++i) {
+      const auto [v, w] = random_vertices(t.mesh(), random);
+      IT::Edge_paths paths(t);
+      paths.add_path(IT::shortest_edge_path(t.intrinsic(), v, w));
+      EXPECT_EQ(paths.shorten(), Status::geodesic);
+    }
+  }
+}
+
+// Side by side: at a vertex with a small angle sum, they go to either side.
+TEST(Edge_paths, doubled_paths)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    Triangulation t(m.mesh);
+    CGAL::Random random(6);
+    for(int i = 0; i < 10; ++i) {
+      const auto [v, w] = random_vertices(t.mesh(), random);
+      const Halfedges start = IT::shortest_edge_path(t.intrinsic(), v, w);
+      const double before = length(start, t);
+      Paths paths(t);
+      for(int copy = 0; copy < 3; ++copy)
+        paths.add_path(start);
+      EXPECT_EQ(paths.shorten(), Status::geodesic);
+      for(std::size_t copy = 0; copy < 3; ++copy) {
+        expect_geodesic(paths.halfedges(copy), false, t);
+        EXPECT_LE(paths.length(copy), before * (1 + 1e-14));
+      }
+    }
+  }
+}
+
+TEST(Edge_paths, contracts_to_a_point)
+{
+  Triangulation t(random_sphere(40, 1));
+  const Halfedge_index h = t.mesh().halfedge(Face_index(3));
+  Paths paths(t);
+  paths.add_loop({h, t.mesh().next(h), t.mesh().prev(h)});
+  EXPECT_EQ(paths.shorten(), Status::geodesic);
+  EXPECT_TRUE(paths.halfedges(0).empty());
+  EXPECT_EQ(paths.length(0), 0);
+}
+
+// Across a corner of a square, whose diagonal at the corner is flipped, unless something is on it.
+TEST(Edge_paths, blocked_by_paths_and_constraints)
+{
+  const Mesh mesh = grid(2, 2, [](double x, double y) { return Point(x, y, 0); });
+  const Triangulation square(mesh);
+  const Vertex_index middle(4);
+  Halfedge_index diagonal;
+  IT::for_each_spoke(middle, square.mesh(), [&](Halfedge_index h) {
+    if(square.length(square.mesh().edge(h)) > 1.2)
+      diagonal = h;
+  });
+  const Halfedges corner{IT::opposite(IT::previous_spoke(diagonal, square.mesh())),
+                         IT::next_spoke(diagonal, square.mesh())};
+  for(int obstacle = 0; obstacle < 3; ++obstacle) {
+    const auto is_constrained = boost::make_function_property_map<Edge_index>(
+      [&](Edge_index e) { return obstacle == 2 && e == Edge_index(diagonal); });
+    Triangulation t(mesh, CGAL::parameters::edge_is_constrained_map(is_constrained));
+    Paths paths(t);
+    paths.add_path(corner);
+    if(obstacle == 1)
+      paths.add_path({diagonal});
+    EXPECT_EQ(paths.shorten(), obstacle > 0 ? Status::blocked : Status::geodesic);
+    EXPECT_NEAR(paths.length(0), obstacle > 0 ? 2 : std::sqrt(2.), 1e-15);
+  }
+}
+
+// On the boundary the side of the surface counts.
+TEST(Edge_paths, along_the_boundary)
+{
+  Triangulation t(punctured(grid(2, 2, [](double x, double y) { return Point(x, y, 0); }), {0, 1}));
+  Paths paths(t);
+  paths.add_path(IT::shortest_edge_path(t.intrinsic(), Vertex_index(1), Vertex_index(3)));
+  EXPECT_EQ(paths.shorten(), Status::geodesic);
+  EXPECT_EQ(paths.length(0), 2);
+  const Surface_path path = IT::path_on_input(t, paths.halfedges(0));
+  ASSERT_EQ(path.places.size(), 3u);
+  EXPECT_EQ(t.input_mesh().source(path.places[1].along), Vertex_index(4));
+}
+
+// Around an annulus from one side to the other: as long as a straight line in the plane.
+TEST(Edge_paths, around_a_cylinder)
+{
+  const Flat_surface surface = flat_cylinder(6, 0);
+  for(int turns = -3; turns <= 3; ++turns) {
+    Flat_triangulation flat(surface);
+    Triangulation t = *flat;
+    Halfedges walk;
+    const auto step = [&](Vertex_index v, const Vector& d) {
+      IT::for_each_spoke(v, t.mesh(), [&](Halfedge_index h) {
+        if(flat.input_vector(h) == d)
+          walk.push_back(h);
+      });
+      return t.mesh().target(walk.back());
+    };
+    Vertex_index v = t.mesh().source(halfedge_of(1));
+    for(int i = 0; i < 6 * std::abs(turns); ++i)
+      v = step(v, {turns > 0 ? 1000 : -1000, 0});
+    step(v, {300, 700});
+    Paths paths(t);
+    paths.add_path(walk);
+    EXPECT_EQ(paths.shorten(), Status::geodesic);
+    EXPECT_NEAR(paths.length(0), std::hypot(6000. * turns + 300, 700), 1e-9);
+    EXPECT_NEAR(IT::path_on_input(t, paths.halfedges(0)).length, paths.length(0), 1e-9);
+  }
+}

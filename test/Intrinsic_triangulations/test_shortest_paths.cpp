@@ -1,0 +1,453 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "known_surfaces.h"
+#include "near_degenerate_meshes.h"
+#include "tied_meshes.h"
+#include "unfolding.h"
+
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace Test_surfaces;
+using View = decltype(std::declval<Triangulation>().input());
+using Paths = IT::Shortest_paths<View>;
+using Path = IT::Surface_path<double>;
+using Path_place = IT::Surface_place<double>;
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+bool is_vertex(const Path_place& p) { return IT::internal::is_corner(p.location.second); }
+
+// The places in a face at which a path that has come to it can leave it, or end.
+std::vector<Location> places_in(Face_index f, const Path_place& p, const Flat_faces& faces)
+{
+  const Delta_complex& mesh = faces.mesh();
+  std::vector<Location> result;
+  for(Halfedge_index h : faces.sides(f))
+    if(!p.along.is_valid() ? h == mesh.halfedge(f)
+       : is_vertex(p)      ? mesh.source(h) == mesh.source(p.along)
+                           : h == p.along || h == mesh.opposite(p.along)) {
+      const double t =
+        is_vertex(p) || !p.along.is_valid() ? 0 : IT::edge_point(p.along, p.location, mesh).t;
+      result.push_back(p.along.is_valid() ? faces.on(h, h == p.along   ? t
+                                                        : is_vertex(p) ? 0
+                                                                       : 1 - t)
+                                          : p.location);
+    }
+  return result;
+}
+
+// Within a face; coordinates need not sum up to one exactly.
+Real distance(const Location& p, const Location& q, const Flat_faces& faces)
+{
+  const Halfedge_index h = faces.mesh().halfedge(p.first);
+  return norm(faces.place(h, p) - faces.place(h, q));
+}
+
+// The length of piece `k` in the face in which it runs; infinite if there is none.
+Real length_of_piece(const Path& path, std::size_t k, const Flat_faces& faces)
+{
+  const Delta_complex& mesh = faces.mesh();
+  const Path_place &p = path.places[k], &q = path.places[k + 1];
+  if(is_vertex(p) && is_vertex(q)) // along an edge
+    return mesh.source(p.along) != mesh.source(q.along) &&
+               mesh.target(p.along) != mesh.source(q.along)
+             ? Real(infinity)
+             : faces.length(p.along);
+  const bool is_crossing = k > 0 && p.along.is_valid() && !is_vertex(p);
+  const Face_index f = is_crossing          ? mesh.face(mesh.opposite(p.along))
+                       : p.along.is_valid() ? mesh.face(p.along)
+                                            : p.location.first;
+  const Location start =
+    is_crossing ? faces.on(mesh.opposite(p.along), 1 - IT::edge_point(p.along, p.location, mesh).t)
+    : is_vertex(p) ? faces.on(p.along, 0)
+                   : p.location;
+  if(q.along.is_valid() && !is_vertex(q) && k + 2 < path.places.size())
+    return q.location.first == f ? distance(start, q.location, faces) : Real(infinity);
+  Real result = infinity;
+  for(const Location& end : places_in(f, q, faces))
+    if(end.first == f)
+      result = (std::min)(result, distance(start, end, faces));
+  if(is_crossing && is_vertex(q) &&
+     mesh.source(q.along) == mesh.target(mesh.next(mesh.opposite(p.along))))
+    return distance(start, faces.apex(mesh.opposite(p.along)), faces);
+  return result;
+}
+
+// Its pieces add up; they are in one face each.
+void expect_valid(const Path& path, const Flat_faces& faces, double tolerance)
+{
+  Real sum = 0;
+  for(std::size_t k = 0; k + 1 < path.places.size(); ++k)
+    sum += length_of_piece(path, k, faces);
+  EXPECT_NEAR(static_cast<double>(sum), path.length, tolerance) << path.places.size();
+}
+
+// ---- Brute force ----
+
+void check_by_unfolding(Side side, const Triangulation& t, unsigned int seed)
+{
+  const Flat_faces faces(side, t);
+  const Delta_complex& mesh = faces.mesh();
+  const auto surface = t.surface(side);
+  CGAL::Random random(seed);
+  std::vector<Location> points;
+  for(int i = 0; i < 5; ++i)
+    points.push_back(random_location(mesh, random));
+  for(int i = 0; i < 2; ++i)
+    points.push_back(faces.on(faces.sides(points[std::size_t(i)].first)[1], random.get_double()));
+  const Unfolding truth(faces, points);
+  const std::size_t n = mesh.number_of_vertices();
+  const double tolerance = 1e-12 * static_cast<double>(faces.longest_edge());
+  for(std::size_t i = 0; i < n + points.size(); ++i) {
+    Paths paths(surface);
+    i < n ? paths.add_source(Vertex_index(static_cast<unsigned>(i)))
+          : paths.add_source(points[i - n]);
+    paths.run();
+    for(std::size_t j = 0; j < n; ++j) {
+      const Vertex_index v(static_cast<unsigned>(j));
+      EXPECT_NEAR(paths.distance(v), truth(i, j), tolerance) << i << " " << j;
+      expect_valid(paths.path(v), faces, tolerance);
+    }
+    for(std::size_t j = n; j < n + points.size(); ++j) {
+      EXPECT_NEAR(paths.distance(points[j - n]), truth(i, j), tolerance) << i << " " << j;
+      const Path path = paths.path(points[j - n]);
+      EXPECT_EQ(path.places.back().location, points[j - n]);
+      expect_valid(path, faces, tolerance);
+    }
+  }
+}
+
+} // namespace
+
+TEST(Shortest_paths, as_by_unfolding_all_sequences_of_faces)
+{
+  const std::vector<Named_mesh> small{
+    {"tetrahedron", tetrahedron()},
+    {"octahedron", octahedron()},
+    {"cube", cube()},
+    {"random sphere", random_sphere(9, 3)},
+    {"spikes", perturbed(random_sphere(9, 4), 0.8, 1)},
+    {"double disk", perturbed(bipyramid(5, 0), 0.2, 2)},
+    {"torus", embedded_torus(4, 3)},
+    {"rough torus", perturbed(embedded_torus(4, 3), 0.5, 3)},
+    {"holes", punctured(perturbed(embedded_torus(4, 3), 0.3, 6), {1, 16})},
+    {"grid", perturbed(grid(3, 2, [](double x, double y) { return Point(x, y, 0); }), 0.4, 4)}};
+  for(const Named_mesh& m : small)
+    for(unsigned int seed = 0; seed < 2; ++seed) {
+      SCOPED_TRACE(m.name);
+      Triangulation t(m.mesh);
+      check_by_unfolding(Side::input, t, seed);
+      flip_at_random(t, 10, seed);
+      check_by_unfolding(Side::intrinsic, t, seed);
+    }
+}
+
+TEST(Shortest_paths, as_by_unfolding_on_Delta_complexes)
+{
+  for(const auto& [name, mesh] :
+      std::vector<Named_complex>{{"triangle", glue({{1, 2, 3}})},
+                                 {"pillow", glue({{1, 2, 3}, {-3, -2, -1}})},
+                                 {"cone", cone(false)},
+                                 {"mirrored cone", cone(true)},
+                                 {"spindle", spindle()},
+                                 {"bigon", bigon()},
+                                 {"double torus", double_torus()}})
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(name);
+      check_by_unfolding(Side::input, triangulation(mesh, random_lengths(mesh, seed)), seed);
+    }
+}
+
+namespace {
+
+// ---- CGAL's shortest paths ----
+
+typedef CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh> CGAL_traits;
+
+void check_with_CGAL(const Mesh& mesh, unsigned int seed)
+{
+  const Triangulation t(mesh);
+  const Flat_faces faces(Side::input, t);
+  CGAL::Random random(seed);
+  std::vector<CGAL::Surface_mesh_shortest_path<CGAL_traits>> truths;
+  truths.reserve(3);
+  Paths paths(t.input());
+  for(int i = 0; i < 3; ++i) {
+    const Location p = random_location(t.input_mesh(), random);
+    truths.emplace_back(mesh);
+    truths.back().add_source_point(p.first, p.second);
+    EXPECT_EQ(paths.add_source(p), static_cast<std::size_t>(i));
+  }
+  paths.run();
+  for(int i = 0; i < 100; ++i) {
+    const Location q = random_location(t.input_mesh(), random);
+    double d = -1;
+    for(auto& truth : truths)
+      if(const double x = truth.shortest_distance_to_source_points(q.first, q.second).first; x >= 0)
+        d = d < 0 ? x : (std::min)(d, x);
+    if(d < 0) {
+      EXPECT_EQ(paths.distance(q), infinity);
+      EXPECT_TRUE(paths.path(q).places.empty());
+      continue;
+    }
+    EXPECT_NEAR(paths.distance(q), d, 1e-12 * (1 + d));
+    expect_valid(paths.path(q), faces, 1e-11 * (1 + d));
+  }
+}
+
+// Every vertex is the end of a path that is no longer than its pieces, and each source is its own.
+void check_itself(const Triangulation& t, Side side)
+{
+  const Flat_faces faces(side, t);
+  Paths paths(t.surface(side));
+  CGAL::Random random(1);
+  const Location p = random_location(faces.mesh(), random);
+  paths.add_source(p);
+  paths.add_source(Vertex_index(1));
+  paths.run();
+  EXPECT_EQ(paths.distance(p), 0);
+  EXPECT_EQ(paths.distance(Vertex_index(1)), 0);
+  EXPECT_EQ(paths.source(p), 0u);
+  EXPECT_EQ(paths.source(Vertex_index(1)), 1u);
+  for(Vertex_index v : faces.mesh().vertices())
+    if(paths.distance(v) < infinity)
+      expect_valid(paths.path(v), faces, 1e-9 * static_cast<double>(faces.longest_edge()));
+}
+
+} // namespace
+
+TEST(Shortest_paths, from_three_points_as_in_CGAL)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    for(unsigned int seed = 0; seed < 3; ++seed)
+      check_with_CGAL(m.mesh, seed);
+  }
+}
+
+TEST(Shortest_paths, on_data_meshes_as_in_CGAL)
+{
+  if(data_meshes(1000000).empty())
+    GTEST_SKIP() << "CGAL's data files are not here";
+  for(const char* name :
+      {"elephant.off", "pig.off", "anchor.off", "ALSTOM_TEST4.off", "mech-holes-shark.off"}) {
+    SCOPED_TRACE(name);
+    Mesh mesh;
+    ASSERT_TRUE(
+      CGAL::IO::read_polygon_mesh(CGAL::data_file_path(std::string("meshes/") + name), mesh));
+    check_with_CGAL(mesh, 1);
+  }
+}
+
+TEST(Shortest_paths, on_near_degenerate_meshes)
+{
+  for(unsigned int seed = 0; seed < 60; ++seed) {
+    const Named_mesh m = near_degenerate_mesh(seed);
+    SCOPED_TRACE(m.name);
+    check_itself(Triangulation(m.mesh), Side::input);
+  }
+}
+
+// Integer coordinates: shortest paths run along edges, through flat vertices, and have equals.
+TEST(Shortest_paths, with_ties)
+{
+  for(std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    check_itself(Triangulation(tied_mesh(seed).mesh), Side::input);
+  }
+}
+
+namespace {
+
+// the place of a point of the surface
+Location locate(const Point& p, const Flat_faces& faces, const Mesh& mesh)
+{
+  for(Face_index f : mesh.faces()) {
+    std::array<Point, 3> c;
+    for(std::size_t s = 0; s < 3; ++s)
+      c[s] = mesh.point(faces.mesh().source(faces.sides(f)[s]));
+    const Kernel::Vector_3 n = CGAL::cross_product(c[1] - c[0], c[2] - c[0]);
+    const auto part = [&](std::size_t s) {
+      return CGAL::cross_product(c[(s + 2) % 3] - c[(s + 1) % 3], p - c[(s + 1) % 3]) * n / (n * n);
+    };
+    const double b = part(1), d = part(2), a = 1 - b - d;
+    if(std::abs((p - c[0]) * n) < 1e-12 && (std::min)({a, b, d}) >= 0)
+      return {f, {a, b, d}};
+  }
+  throw std::logic_error("the point is not on the surface");
+}
+
+Mesh box(double x, double y, double z)
+{
+  Mesh mesh = cube();
+  for(Vertex_index v : mesh.vertices())
+    mesh.point(v) = Point(x * mesh.point(v).x(), y * mesh.point(v).y(), z * mesh.point(v).z());
+  return mesh;
+}
+
+} // namespace
+
+// Dudeney's puzzle: the spider walks 40 feet, over five of the six sides of the room.
+TEST(Shortest_paths, spider_and_fly)
+{
+  const Mesh room = box(30, 12, 12);
+  const Triangulation t(room);
+  const Flat_faces faces(Side::input, t);
+  Paths paths(t.input());
+  paths.add_source(locate({0, 6, 11}, faces, room));
+  paths.run();
+  const Location fly = locate({30, 6, 1}, faces, room);
+  EXPECT_NEAR(paths.distance(fly), 40, 1e-13);
+  expect_valid(paths.path(fly), faces, 1e-13);
+}
+
+TEST(Shortest_paths, on_cones)
+{
+  for(const Cone& cone : cones()) {
+    CGAL::Random random(2);
+    for(int i = 0; i < 30; ++i) {
+      const auto place = [&] {
+        const Complex v = std::polar(random.get_double(0.1, 1), random.get_double(-pi, pi));
+        return IT::trace_geodesic(cone.mesh.input(), cone.apex, v).end;
+      };
+      const Location p = place(), q = place();
+      const Complex from = cone.polar(p), to = cone.polar(q);
+      const double turn = std::abs(std::remainder(to.imag() - from.imag(), cone.total));
+      Paths paths(cone.mesh.input());
+      paths.add_source(p);
+      paths.run();
+      const Path path = paths.path(q);
+      EXPECT_NEAR(path.length,
+                  turn < pi ? std::abs(std::polar(to.real(), turn) - from.real())
+                            : from.real() + to.real(),
+                  1e-12);
+      const auto passes_apex = [&](const Path_place& x) {
+        return is_vertex(x) && cone.mesh.input_mesh().source(x.along) == cone.apex;
+      };
+      EXPECT_EQ(std::any_of(path.places.begin(), path.places.end(), passes_apex), turn >= pi);
+    }
+  }
+}
+
+// Around a flat cylinder, straight lines in the plane modulo its girth.
+TEST(Shortest_paths, on_cylinders)
+{
+  for(int twists = 0; twists < 3; ++twists) {
+    const Flat_surface surface = flat_cylinder(5, twists);
+    Flat_triangulation flat(surface);
+    const Flat_places places(Side::input, flat);
+    CGAL::Random random(3);
+    for(int i = 0; i < 20; ++i) {
+      const Location p = random_location(flat->input_mesh(), random);
+      const Location q = random_location(flat->input_mesh(), random);
+      Paths paths(flat->input());
+      paths.add_source(p);
+      paths.run();
+      const Complex d = places.place(p) - places.place(q);
+      const double girth = static_cast<double>(surface.a.x);
+      EXPECT_NEAR(paths.distance(q), std::hypot(std::remainder(d.real(), girth), d.imag()), 1e-9);
+      expect_valid(paths.path(q), places.faces(), 1e-9);
+    }
+  }
+}
+
+// Four unit squares without the first one: the path from corner to corner bends where they meet.
+TEST(Shortest_paths, bend_at_the_boundary)
+{
+  const Triangulation t(
+    punctured(grid(2, 2, [](double x, double y) { return Point(x, y, 0); }), {0, 1}));
+  Paths paths(t.input());
+  paths.add_source(Vertex_index(1));
+  paths.run();
+  const Path path = paths.path(Vertex_index(3));
+  ASSERT_EQ(path.places.size(), 3u);
+  for(std::size_t k = 0; k < 3; ++k)
+    EXPECT_EQ(t.input_mesh().source(path.places[k].along),
+              Vertex_index(static_cast<unsigned>(std::array{1, 4, 3}[k])));
+  EXPECT_EQ(path.length, 2);
+}
+
+// A source that is added later counts, and only where it is nearer.
+TEST(Shortest_paths, sources_one_after_the_other)
+{
+  const Triangulation t(random_sphere(60, 5));
+  CGAL::Random random(4);
+  Paths paths(t.input()), all(t.input());
+  std::vector<Location> sources;
+  for(int i = 0; i < 6; ++i) {
+    sources.push_back(random_location(t.input_mesh(), random));
+    paths.add_source(sources.back());
+    all.add_source(sources.back());
+    paths.run();
+  }
+  all.run();
+  for(int i = 0; i < 100; ++i) {
+    const Location q = random_location(t.input_mesh(), random);
+    EXPECT_NEAR(paths.distance(q), all.distance(q), 1e-14);
+    double nearest = infinity;
+    std::size_t source = 0;
+    for(std::size_t k = 0; k < sources.size(); ++k) {
+      Paths one(t.input());
+      one.add_source(sources[k]);
+      one.run();
+      if(one.distance(q) < nearest) {
+        nearest = one.distance(q);
+        source = k;
+      }
+    }
+    EXPECT_NEAR(all.distance(q), nearest, 1e-14);
+    EXPECT_EQ(all.source(q), source);
+  }
+}
+
+// On T1 and T2 distances are equal.
+TEST(Shortest_paths, after_Delaunay_flips)
+{
+  Triangulation t(perturbed(embedded_torus(9, 7), 0.4, 5));
+  IT::make_Delaunay(t);
+  const Correspondence c(t);
+  CGAL::Random random(5);
+  const Location p = random_location(t.mesh(), random);
+  Paths on_input(t.input()), on_intrinsic(t.intrinsic());
+  on_intrinsic.add_source(p);
+  on_input.add_source(IT::point_across(c, Side::intrinsic, p));
+  on_input.run();
+  on_intrinsic.run();
+  for(int i = 0; i < 100; ++i) {
+    const Location q = random_location(t.mesh(), random);
+    EXPECT_NEAR(on_intrinsic.distance(q),
+                on_input.distance(IT::point_across(c, Side::intrinsic, q)), 1e-12);
+    expect_valid(on_intrinsic.path(q), Flat_faces(Side::intrinsic, t), 1e-12);
+  }
+}
+
+TEST(Shortest_paths, other_component)
+{
+  Mesh mesh = tetrahedron();
+  mesh.join(cube());
+  const Triangulation t(mesh);
+  Paths paths(t.input());
+  paths.add_source(Vertex_index(0));
+  paths.run();
+  EXPECT_EQ(paths.distance(Vertex_index(7)), infinity);
+  EXPECT_TRUE(paths.path(Vertex_index(7)).places.empty());
+  EXPECT_EQ(paths.path(Vertex_index(0)).places.size(), 1u);
+}

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Paths, their files, statistics and exit codes of the command path; exact distances.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+# In a square, whose vertices are 41 i + j, shortest paths and geodesics are straight lines.
+grid square 40 0
+for options in '' '--flips'; do
+  expect 0 path square.mesh.off --from 0 --to 1678 $options -o a.ply --stats a.json
+  claim "s, m = json('a.json'), ply('a.ply')" 'near(s.length, dist(m.points[0], m.points[-1]), 1e-12)' \
+    's.crossings + 2 == len(m.points) == len(s.places)' 's.places[0]["vertex"] == 0' \
+    's.places[-1]["vertex"] == 1678'
+done
+claim "s = json('a.json')" 's.status == "geodesic"' 's.length < s.length_along_edges' \
+  's.intrinsic_edges[0]["source"] == 0' 's.intrinsic_edges[-1]["target"] == 1678'
+
+# Between points of faces, and points in space, which are the same.
+expect 0 path square.mesh.off --from 7:0.2,0.3,0.5 --to 0.9,0.7,5 -o a.ply --stats a.json
+claim "s, m = json('a.json'), ply('a.ply')" 's.status == "shortest"' \
+  'near(s.length, dist(m.points[0], m.points[-1]), 1e-12)' \
+  'dist(m.points[-1], (0.9, 0.7, 0)) < 1e-12' 's.places[0]["barycentric"] == [0.2, 0.3, 0.5]'
+
+# Straight on.
+expect 0 path square.mesh.off --from 0.5,0.5,0 --straightest 30 0.25 -o a.ply --stats a.json
+claim "s, m = json('a.json'), ply('a.ply')" 's.status == "straightest"' \
+  'near(s.length, 0.25, 1e-12)' 'near(dist(m.points[0], m.points[-1]), 0.25, 1e-12)'
+expect 0 path square.mesh.off --from 0.5,0.5,0 --straightest 30 9 -o a.ply --stats a.json
+claim "json('a.json').status == 'stopped_at_boundary'"
+
+# Lines in all formats.
+cp "$shipped" slivers.mesh.off
+expect 0 path slivers.mesh.off --from 7 --to 3 -o a.obj
+[ "$(grep -c '^v ' a.obj)" -eq "$(($(grep '^l ' a.obj | wc -w) - 1))" ] || fail "a.obj: no line"
+expect 0 path slivers.mesh.off --from 7 --to 3 -o a.vtp --stats a.json
+claim "s = json('a.json')" 's.command == "path"' 's.crossings == len(s.places) - 2' 's.seconds.search >= 0'
+expect 0 path slivers.mesh.off --from 7 --to 3 --flips -o a.obj --save a.save
+[ -s a.save ] || fail "nothing saved"
+rm a.*
+
+# Exact distances: straight lines in the square.
+expect 0 distance square.mesh.off --source 3 --exact-distance -o a.ply
+claim "m = ply('a.ply')" \
+  "all(near(d, dist(p, m.points[3]), 1e-12) for d, p in zip(m.vertex['distance'], m.points))"
+rm a.*
+
+# Calls that make no sense.
+for options in '--from 0' '--from 0 --to 1681' '--from 0 --to 1,2' '--from x --to 3' \
+  '--from 0 --to 5:0.5,0.5,0.5' '--from 0 --to 5:0.2,0.3,0.5 --flips' '--from 0 --to 3 --via 5' \
+  '--from 0 --to 3 --loop' '--from 0 --to 3 --straightest 1 1' '--from 0 --to 99999:1,0,0'; do
+  expect 2 path square.mesh.off $options -o a.ply
+done
+expect 2 path square.mesh.off --from 0 --to 3 -o a.off
+expect_files
