@@ -9,6 +9,7 @@
 
 #include "measure.h"
 
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_over.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
@@ -61,13 +62,13 @@ double exponent(const Flips& before, const Flips& now)
 Flips flips_to_input(Triangulation tri)
 {
   const double crossings = number_of_crossings(tri);
-  return {crossings, double(tri.flip_to_input())};
+  return {crossings, double(IT::flip_to_input(tri))};
 }
 
 Flips flips_to(Triangulation tri, const Triangulation& target)
 {
   const double crossings = number_of_crossings(IT::triangulation_over(target, tri));
-  return {crossings, double(tri.flip_to(target))};
+  return {crossings, double(IT::flip_to(tri, target))};
 }
 
 void benchmark(const std::string& name, const Mesh& mesh)

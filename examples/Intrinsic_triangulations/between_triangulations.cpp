@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_over.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -42,5 +43,5 @@ int main(int argc, char* argv[])
   std::cout << shared << " of " << over.mesh().number_of_edges() << " edges are in both, and "
             << IT::Common_subdivision<>(IT::Correspondence<>(over)).mesh().number_of_faces()
             << " faces in their common subdivision\n";
-  std::cout << free.flip_to(constrained) << " flips lead from one to the other\n";
+  std::cout << IT::flip_to(free, constrained) << " flips lead from one to the other\n";
 }

@@ -6,6 +6,7 @@
 // input.
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Simple_cartesian.h>
@@ -39,5 +40,5 @@ int main(int argc, char* argv[])
   for(IT::Edge_index e : tri.mesh().edges())
     different_lengths += tri.length(e) != loaded.length(e) ? 1 : 0;
   std::cout << different_lengths << " lengths differ\n"
-            << loaded.flip_to_input() << " flips lead back to the mesh\n";
+            << IT::flip_to_input(loaded) << " flips lead back to the mesh\n";
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Lazy_exact_nt.h>
@@ -821,7 +822,7 @@ TEST(Ideal_geometry, scaled_meshes_become_delaunay)
       EXPECT_TRUE(s.mesh().is_valid());
       EXPECT_EQ(Euler_characteristic(s.mesh()), Euler_characteristic(t.input_mesh()));
       Double_triangulation back = t;
-      back.flip_to_input();
+      flip_to_input(back);
       for(Edge_index e : back.mesh().edges())
         EXPECT_TRUE(back.coordinates().is_shared(e));
     }

@@ -6,6 +6,7 @@
 
 #include "flat_pair.h"
 
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_over.h>
 #include <gtest/gtest.h>
@@ -84,7 +85,7 @@ void check_flat_surface(const Flat_surface& surface, unsigned seed)
   const Flat_triangulation t2(surface, 150, seed), t3(surface, 150, seed + 1000);
   expect_brute_force(t2, t3);
   Triangulation t(t2.tri);
-  t.flip_to(t3.tri);
+  flip_to(t, t3.tri);
   expect_same_triangulation(t, t3.tri);
 }
 
@@ -130,7 +131,7 @@ TEST(Flip_to, all_complexes)
       random_flips(t3, tries, seed + 100);
       expect_lengths(IT::triangulation_over(t2, t3), t3);
       Triangulation t(t2);
-      t.flip_to(t3);
+      flip_to(t, t3);
       expect_same_triangulation(t, t3);
     }
 }
@@ -140,7 +141,7 @@ TEST(Flip_to, flips_to_a_neighbor_at_once)
   Triangulation t2 = triangulation(flat_torus(4, 4, 1));
   random_flips(t2, 300, 1);
   Triangulation t3(t2);
-  EXPECT_EQ(t2.flip_to(t3), 0u);
+  EXPECT_EQ(flip_to(t2, t3), 0u);
   EXPECT_TRUE(all_are_shared(IT::triangulation_over(t2, t3)));
   CGAL::Random random(2);
   Halfedge_index h;
@@ -148,7 +149,7 @@ TEST(Flip_to, flips_to_a_neighbor_at_once)
     h = random_halfedge(t3.mesh(), random);
   while(!t3.is_flippable(h));
   t3.flip(h);
-  EXPECT_EQ(t2.flip_to(t3), 1u);
+  EXPECT_EQ(flip_to(t2, t3), 1u);
   expect_same_triangulation(t2, t3);
 }
 
@@ -161,14 +162,14 @@ TEST(Flip_to, composes_to_the_input)
   for(Edge_index e : t2.mesh().edges())
     EXPECT_EQ(over.coordinates().normal_coordinate(e), t2.coordinates().normal_coordinate(e));
   Triangulation back(t2);
-  EXPECT_EQ(back.flip_to(t1) > 0, !all_are_shared(t2));
+  EXPECT_EQ(flip_to(back, t1) > 0, !all_are_shared(t2));
   EXPECT_TRUE(all_are_shared(back));
 }
 
 TEST(Flip_to, names_what_does_not_fit)
 {
   Triangulation t = triangulation(flat_torus(3, 4, 3));
-  EXPECT_THROW(t.flip_to(triangulation(flat_torus(4, 3, 3))), IT::Invalid_input);
+  EXPECT_THROW(flip_to(t, triangulation(flat_torus(4, 3, 3))), IT::Invalid_input);
   EXPECT_THROW(IT::triangulation_over(t, triangulation(flat_torus(3, 3, 3))), IT::Invalid_input);
 }
 

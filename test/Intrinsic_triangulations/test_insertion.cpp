@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
@@ -205,7 +206,7 @@ TEST(Insertion, removal_undoes_it)
     t.collect_garbage();
     ASSERT_TRUE(t.is_valid(true));
     EXPECT_EQ(t.mesh().number_of_vertices(), original.mesh().number_of_vertices());
-    t.flip_to_input();
+    flip_to_input(t);
     for(Edge_index e : t.mesh().edges())
       EXPECT_TRUE(t.coordinates().is_shared(e));
   });

@@ -6,6 +6,7 @@
 #include "flat_insertion.h"
 #include "subdivision_checks.h"
 
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
@@ -142,7 +143,7 @@ TEST(Insertion_exact, removal_of_all)
     Triangulation rest = flat.result().triangulation;
     ASSERT_EQ(rest.number_of_inserted_vertices(), 0u);
     EXPECT_EQ(rest.mesh().number_of_edges(), rest.input_mesh().number_of_edges());
-    rest.flip_to_input();
+    flip_to_input(rest);
     EXPECT_TRUE(rest.is_valid(true));
     expect_equal_to_input(rest);
   });

@@ -6,6 +6,7 @@
 #include "flat_pair.h"
 
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
@@ -342,10 +343,10 @@ TEST(Integer_coordinates, flip_to_input)
     const auto edges = after.mesh().edges();
     const bool is_input = std::all_of(
       edges.begin(), edges.end(), [&](Edge_index e) { return after.coordinates().is_shared(e); });
-    EXPECT_EQ(after.flip_to_input() == 0, is_input);
+    EXPECT_EQ(flip_to_input(after) == 0, is_input);
     EXPECT_TRUE(after.is_valid(true));
     expect_equal_to_input(after);
-    EXPECT_EQ(after.flip_to_input(), 0u);
+    EXPECT_EQ(flip_to_input(after), 0u);
   });
 }
 
@@ -416,7 +417,7 @@ TEST(Integer_coordinates, overflow_while_flipping_to_Delaunay_leaves_it_valid)
   auto t = triangulation<Traits>(surface);
   EXPECT_THROW(IT::make_Delaunay(t), IT::Overflow_error);
   EXPECT_TRUE(t.is_valid(true));
-  t.flip_to_input();
+  flip_to_input(t);
   EXPECT_TRUE(t.is_valid(true));
 }
 
@@ -450,6 +451,6 @@ TEST(Integer_coordinates, arbitrary_precision_agrees_with_64_bits)
       EXPECT_EQ(wide.coordinates().normal_coordinate(e), narrow.coordinates().normal_coordinate(e));
     for(Halfedge_index h : narrow.mesh().halfedges())
       EXPECT_EQ(wide.coordinates().roundabout(h), narrow.coordinates().roundabout(h));
-    EXPECT_EQ(wide.flip_to_input(), narrow.flip_to_input());
+    EXPECT_EQ(flip_to_input(wide), flip_to_input(narrow));
   }
 }

@@ -7,6 +7,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Polyhedron_3.h>
@@ -475,7 +476,7 @@ TEST(Make_Delaunay, data_meshes)
     expect_Delaunay(t);
     expect_border_of_input(t);
     EXPECT_TRUE(t.is_valid(true));
-    t.flip_to_input();
+    flip_to_input(t);
     EXPECT_TRUE(t.is_valid(true));
   });
 }

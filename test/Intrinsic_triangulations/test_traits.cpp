@@ -5,6 +5,7 @@
 #include "generators.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <gtest/gtest.h>
 #if defined(CGAL_USE_CORE) || defined(CGAL_USE_LEDA)
@@ -242,7 +243,7 @@ void for_each_small_triangulation(const Check& check)
     IT::make_Delaunay(t);
     EXPECT_TRUE(IT::is_Delaunay(t) && t.is_valid(true));
     expect_same_combinatorics(reference, t);
-    t.flip_to_input();
+    flip_to_input(t);
     EXPECT_TRUE(t.is_valid(true));
   }
   EXPECT_GT(flips, 5u);

@@ -16,8 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
@@ -34,6 +32,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+template <typename Traits>
+class Coordinate_flipping;
 template <typename Traits>
 class Input_splitter;
 template <typename Traits>
@@ -64,7 +64,6 @@ class Exact_insertion;
 template <typename Traits_ = Euclidean_geometry_traits<double>>
 class Intrinsic_triangulation : public Triangulation_pair<Traits_>
 {
-  typedef Intrinsic_triangulation Self;
   typedef Triangulation_pair<Traits_> Base;
   using Base::attach;
   using Base::m_coordinates;
@@ -78,19 +77,13 @@ class Intrinsic_triangulation : public Triangulation_pair<Traits_>
   using Base::m_traits;
 
 public:
-  using Base::distance;
   using Base::first_inserted_spoke;
   using Base::input;
-  using Base::input_location;
   using Base::inserted_vertex;
   using Base::intrinsic;
   using Base::is_constrained;
   using Base::is_inserted;
-  using Base::lay_out;
-  using Base::number_of_inserted_vertices;
   using Base::shared_length;
-  using typename Base::Coordinates;
-  using typename Base::Edge_length_map;
   using typename Base::FT;
   using typename Base::Integer;
   using typename Base::size_type;
@@ -250,53 +243,6 @@ public:
     internal::with_lengths_in_strips(*this, [&](auto&& length) { set_lengths(length); });
   }
 
-  /// turns \f$T_2\f$ back into \f$T_1\f$ by flips that follow the integer coordinates alone
-  /// (Mosher's algorithm, Algorithm 4). Constraints stay, for they are on edges of \f$T_1\f$.
-  /// Complexity: finite; in practice below the number of crossings.
-  /// \returns the number of flips
-  /// \throws Overflow_error if a normal coordinate on the way is out of range; nothing has changed
-  ///   then.
-  /// \pre no vertex has been inserted
-  std::size_t flip_to_input()
-  {
-    CGAL_precondition(number_of_inserted_vertices() == 0);
-    Self result(*this);
-    const std::size_t flips =
-      internal::flip_to_shared(result.m_coordinates, result.m_mesh, result.m_spokes).size();
-    for(Edge_index e : result.m_mesh.edges())
-      result.m_length[e] = result.shared_length(result.m_mesh.halfedge(e));
-    *this = std::move(result);
-    return flips;
-  }
-
-  /// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
-  /// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
-  /// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the numbers of
-  /// edges and faces may differ. Complexity: finite; in practice below the numbers of crossings of
-  /// the three triangulations with each other.
-  /// \returns the number of flips
-  /// \throws Invalid_input if the two have not the same input, or vertices have been inserted
-  /// \throws Overflow_error if a normal coordinate on the way is out of range
-  /// After an exception nothing has changed.
-  std::size_t flip_to(const Self& target)
-  {
-    internal::check_common_input(*this, target);
-    Delta_complex over = internal::coordinates_over<Traits>(target, *this);
-    Coordinates coordinates(over);
-    const Vertex_spokes spokes(target.mesh(), boost::dummy_property_map());
-    const auto flips = internal::flip_to_shared(coordinates, over, spokes);
-    Self result(*this);
-    for(Halfedge_index h : flips)
-      result.m_coordinates.flip(h, result.m_mesh, m_spokes);
-    for(Edge_index e : result.m_mesh.edges()) {
-      const Edge_index there(coordinates.shared_halfedge(over.halfedge(e), over, spokes));
-      result.m_length[e] = target.m_length[there];
-      result.m_is_constrained[e] = target.m_is_constrained[there];
-    }
-    *this = std::move(result);
-    return flips.size();
-  }
-
   /// turns \f$T_2\f$ back into \f$T_1\f$, with its elements and without inserted vertices. Edges of
   /// \f$T_1\f$ of which a part was constrained are constrained. Complexity: linear.
   void reset_to_input()
@@ -438,6 +384,7 @@ public:
   /// @}
 
 private:
+  friend class internal::Coordinate_flipping<Traits>;
   friend class internal::Input_splitter<Traits>;
   friend class internal::Exact_flipping<Traits>;
   friend class internal::Exact_insertion<Traits>;

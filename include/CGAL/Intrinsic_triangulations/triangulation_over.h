@@ -24,7 +24,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// and `tri`. Lengths and constraints are taken over; an edge of both has its length in `base`. With
 /// exact traits the lengths of \f$T_2\f$, as they are stored, are the exact metric of the result.
 /// Complexity: linear in the flips from \f$T_2\f$ and from \f$T_3\f$ to \f$T_1\f$, see
-/// `Intrinsic_triangulation::flip_to_input()`.
+/// `flip_to_input()`.
 /// \throws Invalid_input if the two have not the same input, or vertices have been inserted, or the
 ///   lengths of the two are too different to be rounded ones of one surface
 /// \throws Overflow_error if a normal coordinate on the way is out of range

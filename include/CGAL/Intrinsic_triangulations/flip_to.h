@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Flips of T2 that follow integer coordinates alone. Lengths are set in the end, since the edges on
+// the way need not be straight.
+template <typename Traits>
+class Coordinate_flipping
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+
+public:
+  explicit Coordinate_flipping(Triangulation& tri) : m_tri(tri), m_result(tri) {}
+
+  std::size_t flip_to_input()
+  {
+    const auto flips =
+      flip_to_shared(m_result.m_coordinates, m_result.m_mesh, m_result.m_spokes).size();
+    for(Edge_index e : m_result.mesh().edges())
+      m_result.m_length[e] = m_result.shared_length(m_result.mesh().halfedge(e));
+    m_tri = std::move(m_result);
+    return flips;
+  }
+
+  std::size_t flip_to(const Triangulation& target)
+  {
+    Delta_complex over = coordinates_over<Traits>(target, m_tri);
+    typename Triangulation::Coordinates coordinates(over);
+    const Vertex_spokes spokes(target.mesh(), boost::dummy_property_map());
+    const std::vector<Halfedge_index> flips = flip_to_shared(coordinates, over, spokes);
+    for(Halfedge_index h : flips)
+      m_result.m_coordinates.flip(h, m_result.m_mesh, m_result.m_spokes);
+    for(Edge_index e : m_result.mesh().edges()) {
+      const Edge_index there(coordinates.shared_halfedge(over.halfedge(e), over, spokes));
+      m_result.set_edge(m_result.mesh().halfedge(e), target.length(there),
+                        target.is_constrained(there));
+    }
+    m_tri = std::move(m_result);
+    return flips.size();
+  }
+
+private:
+  Triangulation& m_tri;
+  Triangulation m_result;
+};
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// turns \f$T_2\f$ back into \f$T_1\f$ by flips that follow the integer coordinates alone
+/// (Mosher's algorithm, Algorithm 4). Constraints stay, for they are on edges of \f$T_1\f$.
+/// Complexity: finite; in practice below the number of crossings.
+/// \returns the number of flips
+/// \throws Overflow_error if a normal coordinate on the way is out of range; nothing has changed
+///   then.
+/// \pre no vertex has been inserted
+template <typename Traits>
+std::size_t flip_to_input(Intrinsic_triangulation<Traits>& tri)
+{
+  CGAL_precondition(tri.number_of_inserted_vertices() == 0);
+  return internal::Coordinate_flipping<Traits>(tri).flip_to_input();
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
+/// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
+/// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the numbers of edges
+/// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the three
+/// triangulations with each other.
+/// \returns the number of flips
+/// \throws Invalid_input if the two have not the same input, or vertices have been inserted
+/// \throws Overflow_error if a normal coordinate on the way is out of range
+/// After an exception nothing has changed.
+template <typename Traits>
+std::size_t flip_to(Intrinsic_triangulation<Traits>& tri,
+                    const Intrinsic_triangulation<Traits>& target)
+{
+  internal::check_common_input(tri, target);
+  return internal::Coordinate_flipping<Traits>(tri).flip_to(target);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_H

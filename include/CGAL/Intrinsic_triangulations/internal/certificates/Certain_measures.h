@@ -1,0 +1,233 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_CERTAIN_MEASURES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_CERTAIN_MEASURES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// What floating point says about an edge of T2 that has been laid out.
+struct Straight_edge
+{
+  bool is_certain; // that it is straight
+  double length;   // NaN if it is not known up to `certified_length_error()`
+};
+
+// Lengths, angles and corners of T2, each laid out anew from the metric of T1 with as many digits as
+// its rounded value needs.
+template <typename Traits, typename Crossings>
+class Certain_measures
+{
+  typedef Triangulation_pair<Traits> Pair;
+  typedef Input_metric_of<Traits> Metric;
+  typedef decltype(std::declval<Pair>().input()) Input;
+
+protected:
+  template <typename N>
+  using Rounded = Rounded_corners<N, Metric, Input>;
+
+public:
+  // whether the edge of `h` is a whole edge of T1
+  bool is_input_edge(Halfedge_index h) const
+  {
+    return m_pair.coordinates().is_shared(m_mesh.edge(h)) && !has_inserted_end(h);
+  }
+
+  // the cheapest way to both
+  Straight_edge straight_edge(Halfedge_index h) const
+  {
+    if(is_input_edge(h))
+      return {true, m_pair.input_length(m_pair.input_mesh().edge(m_pair.input_halfedge(h)))};
+    if(m_crossings.count(h) == 1 && !has_inserted_end(h))
+      return other_diagonal(m_crossings(h, 0));
+    const auto strip = development(m_double).strip(h);
+    return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, m_double)};
+  }
+
+  // Returns the length of the edge of `h`, correct to `certified_length_error()`.
+  // \throws Numerical_error if it is not positive and finite
+  double length(Halfedge_index h) const
+  {
+    if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
+      return shared_length(h);
+    double length = 0;
+    try_with_more_digits([&](auto& corners) {
+      length = rounded_length(development(corners).uncrossed_strip(h), corners);
+      return !std::isnan(length);
+    });
+    if(!m_pair.traits().is_length_object()(length))
+      throw Numerical_error("edge " + std::to_string(m_mesh.edge(h).idx()) +
+                            " has no positive finite length");
+    return length;
+  }
+
+  // returns the length of the edge of `h`, which is shared; it may be too short to be positive
+  double shared_length(Halfedge_index h) const
+  {
+    return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
+  }
+
+  // Returns the angle at the source of `h` in its face, between 0 and pi: where it is near to one of
+  // them, rounding can make the corner clockwise.
+  double rounded_angle(Halfedge_index h) const
+  {
+    const auto [corner, error] =
+      rounded_corner(h, [](const std::complex<double>& corner) { return std::abs(corner); });
+    return std::abs(std::arg(corner));
+  }
+
+  // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j, its imaginary part
+  // correct up to a small relative error. This is zero if no digits make sure that it is not, as
+  // where the face has no area.
+  std::complex<double> rounded_corner(Halfedge_index h) const
+  {
+    const auto [corner, error] =
+      rounded_corner(h, [](const std::complex<double>& corner) { return corner.imag(); });
+    return {corner.real(), std::abs(corner.imag()) > error ? corner.imag() : 0};
+  }
+
+  // Returns the circumradius of the face `f`; infinite if it has no area.
+  double rounded_circumradius(Face_index f) const
+  {
+    const Halfedge_index h = shortest_side(f);
+    const std::complex<double> corner = rounded_corner(h);
+    return corner.imag() > 0 ? m_pair.length(m_mesh.edge(h)) * std::abs(corner) *
+                                 std::abs(corner - 1.0) / (2 * corner.imag())
+                             : std::numeric_limits<double>::infinity();
+  }
+
+  // returns the side from which a face is laid out without loss of digits
+  Halfedge_index shortest_side(Face_index f) const
+  {
+    const auto side = sides(f, m_mesh);
+    return *std::min_element(side.begin(), side.end(), [&](Halfedge_index a, Halfedge_index b) {
+      return m_pair.length(m_mesh.edge(a)) < m_pair.length(m_mesh.edge(b));
+    });
+  }
+
+  // the corners of T1 that are kept, with more digits than `double` has
+  Rounded<Double_double>& extended_corners() const { return m_extended; }
+
+protected:
+  Certain_measures(const Pair& pair, const Crossings& crossings)
+    : m_pair(pair),
+      m_mesh(pair.mesh()),
+      m_metric(pair.input_metric()),
+      m_crossings(crossings),
+      m_double(m_metric, pair.input()),
+      m_extended(m_metric, pair.input()),
+      m_long(m_metric, pair.input())
+  {}
+
+  bool has_inserted_end(Halfedge_index h) const
+  {
+    return m_mesh.num_vertices() > m_pair.input_mesh().num_vertices() &&
+           (m_pair.is_inserted(m_mesh.source(h)) || m_pair.is_inserted(m_mesh.target(h)));
+  }
+
+  template <typename Corners>
+  auto development(Corners& corners) const
+  {
+    return Development<Traits, Crossings, Corners>(m_pair, m_crossings, corners);
+  }
+
+  // Calls `attempt(corners)` with corners of more and more digits until it returns true.
+  template <typename Attempt>
+  void try_with_more_digits(const Attempt& attempt) const
+  {
+    if(attempt(m_double) || attempt(m_extended))
+      return;
+    const Long_float_precision precision(512);
+    attempt(m_long);
+  }
+
+  template <typename Strip>
+  static Uncertain<Sign> straightness(const Strip& strip)
+  {
+    const auto direction = conj(strip.end);
+    Sign least = POSITIVE;
+    bool is_known = true;
+    for(const auto& side : strip.crossed)
+      for(const Uncertain<Sign> sign : {sign_of_imaginary(direction * side.target),
+                                        -sign_of_imaginary(direction * side.source)}) {
+        is_known = is_known && is_certain(sign);
+        if(is_certain(sign))
+          least = (std::min)(least, get_certain(sign));
+      }
+    return is_known || least == NEGATIVE ? Uncertain<Sign>(least)
+                                         : Uncertain<Sign>::indeterminate();
+  }
+
+  const Pair& m_pair;
+  const Delta_complex& m_mesh;
+  const Metric& m_metric;
+  Crossings m_crossings;
+
+private:
+  // what lengths say about the other diagonal of two faces of T1; `rounding_unit()` covers them
+  Straight_edge other_diagonal(Halfedge_index input) const
+  {
+    const auto length = diamond(m_pair.input_length_map(), input, m_pair.input_mesh());
+    const Bounded_length flipped = flipped_length(length, input_length_error());
+    return {Euclidean_geometry_traits<double>::Is_convex()(length),
+            flipped.is_good() ? flipped.length : std::numeric_limits<double>::quiet_NaN()};
+  }
+
+  // Returns a corner and its error, which is small in comparison with `size(corner)` if more digits
+  // can help.
+  template <typename Size>
+  std::pair<std::complex<double>, double> rounded_corner(Halfedge_index h, const Size& size) const
+  {
+    std::pair<std::complex<double>, double> result;
+    try_with_more_digits([&](auto& corners) {
+      const auto [j, k] = development(corners).ends(h);
+      const auto product = k * conj(j), square = j * conj(j);
+      const auto quotient = [&](const auto& x) {
+        return to_double(decltype(square.x)(x / square.x));
+      };
+      result = {{quotient(product.x), quotient(product.y)}, product.radius / to_double(square.x)};
+      return result.second <= size(result.first) * certified_length_error();
+    });
+    return result;
+  }
+
+  // NaN if it is not known up to `certified_length_error()`
+  template <typename Strip, typename Corners>
+  static double rounded_length(const Strip& strip, const Corners& corners)
+  {
+    const auto length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
+    const double midpoint = to_double(length.x);
+    return length.radius <= midpoint * certified_length_error() / 2
+             ? midpoint
+             : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  mutable Rounded<double> m_double;
+  mutable Rounded<Double_double> m_extended;
+  mutable Rounded<Long_float> m_long;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_CERTAIN_MEASURES_H
