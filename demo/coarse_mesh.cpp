@@ -46,8 +46,10 @@ std::vector<Mesh::Face_index> polygons(const Mesh& mesh)
 Vertex_kind kind(const Coarse_subdivision& subdivision, std::size_t number_of_input_vertices,
                  IS::Vertex_index v)
 {
-  if(subdivision.is_vertex(IS::Level::fine, v))
-    return v.idx() < number_of_input_vertices ? Vertex_kind::input : Vertex_kind::inserted;
+  if(v.idx() < number_of_input_vertices)
+    return Vertex_kind::input;
+  if(subdivision.is_vertex(IS::Level::fine, v) || subdivision.is_vertex(IS::Level::coarse, v))
+    return Vertex_kind::inserted;
   return subdivision.place(IS::Level::fine, v).along.is_valid() ? Vertex_kind::crossing
                                                                 : Vertex_kind::bend;
 }

@@ -381,6 +381,10 @@ void add_simplify(CLI::App& app, Options& options)
   add_number(command, "--refine", own.minimum_angle,
              "Refine to this angle in degrees before, so that there are vertices to choose from",
              CLI::Range(0., 30.));
+  add_number(command, "--min-angle", own.coarse_minimum_angle,
+             "Insert vertices into the coarse triangulation until all its angles have this many "
+             "degrees, see `intrinsic refine`",
+             CLI::Range(0., 60.));
   add_common_options(command, options.common);
   add_exact(command, options.common,
             "Decide exactly about the intrinsic Delaunay triangulation from which vertices are "

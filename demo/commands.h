@@ -194,12 +194,14 @@ struct Simplify_options : Output_options
   std::optional<double> maximum_cost;
   std::vector<std::string> weights; // as "name=value"
   std::size_t number_of_levels = 1;
-  double minimum_angle = 0; // of the refined triangulation, in degrees; 0 for no refinement
+  double minimum_angle = 0;        // of the refined triangulation, in degrees; 0 for no refinement
+  double coarse_minimum_angle = 0; // of the coarse triangulation; 0 for no refinement
 };
 
-// Removes vertices from the intrinsic Delaunay triangulation, refined if that is wanted, and writes
-// its common subdivision with the coarse triangulation, and the matrices that take functions from
-// coarse vertices to those of the level before. Returns the exit code.
+// Removes vertices from the intrinsic Delaunay triangulation, refined if that is wanted, refines
+// what is left if that is wanted, and writes its common subdivision with the input, and the
+// matrices that take functions from coarse vertices to those of the level before. Returns the exit
+// code.
 int simplify(const Common_options& common, const Simplify_options& options);
 
 #endif // INTRINSIC_COMMANDS_H

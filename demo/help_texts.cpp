@@ -234,23 +234,28 @@ the last vertex whose cost is not above. Where vertices cannot be removed any mo
 ends early, with exit code 0 and the status "nothing_removable" in the statistics. Vertices
 without faces stay; --vertices and --ratio do not count them.
 
-With --exact, refinement and the intrinsic Delaunay triangulation from which vertices are removed
-are decided exactly and certified, as by `intrinsic delaunay --exact`; removals change the surface,
+With --min-angle, vertices are inserted into the coarse triangulation in the end until its angles
+obey the bound, or faces are at vertices too narrow for that, as by `intrinsic refine`. All output
+is about the refined coarse triangulation.
+
+With --exact, refinement before and the intrinsic Delaunay triangulation from which vertices are
+removed are decided exactly and certified, as by `intrinsic delaunay --exact`; removals change the surface,
 by rounded numbers, and are not.
 
 The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp
 faces have the properties "coarse_face" and "input_face", and a color by which adjacent coarse
 faces differ; in .ply edges have "coarse_edge" and "input_edge", or -1, and .vtp has the coarse
 edges as poly-lines. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input
-vertex, 1 crossing of a coarse edge with an edge, 2 vertex inserted by --refine, 3 bend of a
-coarse edge inside a face. With --refine more edges lead to the inserted vertices, within the
+vertex, 1 crossing of a coarse edge with an edge, 2 inserted vertex, 3 bend of a coarse edge
+inside a face. With --refine more edges lead to the inserted vertices, within the
 faces of the mesh.
 
 P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its
 rows are barycentric coordinates: not negative, with sum 1. With L levels there are L matrices,
 P_1.mtx to P_L.mtx, each from one level to the one before; the vertices of the levels are those of
 the mesh that are left, in their order. Vertices inserted by --refine follow those of the mesh;
-they can be coarse vertices, but have no rows in the first matrix.
+they can be coarse vertices, but have no rows in the first matrix. Those of --min-angle are the
+last of the coarse vertices.
 
 --save writes all levels and the operations between them; with --refine, the mesh with the
 inserted vertices before.

@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_simplification/io.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
+#include <CGAL/Intrinsic_simplification/refine.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
@@ -115,7 +116,9 @@ public:
     m_run.plan({is_flipped ? delaunay_stages : Stages{"build"},
                 refinement_stages(options.minimum_angle),
                 certificate_stages(common),
-                {"simplify", "map"}});
+                {"simplify"},
+                options.coarse_minimum_angle > 0 ? Stages{"refine_coarse"} : Stages{},
+                {"map"}});
   }
 
   void run()
@@ -129,6 +132,8 @@ public:
     if(m_run.options().is_exact)
       make_exactly_Delaunay(surface, start);
     m_run.timed("simplify", [&] { simplify(surface); });
+    if(m_options.coarse_minimum_angle > 0)
+      m_run.timed("refine_coarse", [&] { refine_coarse(surface); });
     describe_levels();
     const auto [mesh, matrices] = m_run.timed("map", [&] {
       return std::pair(common_mesh(surface.history()), prolongations(surface.history()));
@@ -252,6 +257,24 @@ private:
     statistics["greatest_cost"] = result.greatest_cost;
     for(std::size_t s = 1; s < result.skipped.size(); ++s)
       statistics["skipped"][name_of(static_cast<IS::Removal_status>(s))] = result.skipped[s];
+    statistics["operations"] = surface.history().size();
+  }
+
+  // The last level gets better faces. Its vertices are described anew.
+  void refine_coarse(IS::Evolving_surface& surface)
+  {
+    const IT::Refinement_result result = IS::refine(
+      surface, IS::parameters::minimum_angle(m_options.coarse_minimum_angle)
+                 .maximum_number_of_insertions(Refinement_bounds().maximum_number_of_insertions));
+    m_levels.back() = IS::Surface_level(surface);
+    Statistics& statistics = m_run.statistics();
+    statistics["coarse_inserted_vertices"] = result.insertions - result.removals;
+    statistics["coarse_faces_below_bound"] = result.remaining.size();
+    statistics["coarse_faces_excused"] =
+      std::count_if(result.remaining.begin(), result.remaining.end(), IT::is_excused);
+    statistics["coarse_refinement_status"] = IT::to_string(result.status);
+    statistics["coarse_vertices"] = surface.mesh().number_of_vertices();
+    statistics["coarse_faces"] = surface.mesh().number_of_faces();
     statistics["operations"] = surface.history().size();
   }
 

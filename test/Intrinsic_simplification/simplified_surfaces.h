@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/Transport_cost.h>
+#include <CGAL/Intrinsic_simplification/refine.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 
 #include <algorithm>
@@ -66,8 +67,16 @@ inline Simplified simplified_twice()
   return {std::move(surface), fine, coarse};
 }
 
+// with better faces than simplification leaves, and with vertices that the fine level has not
+inline Simplified refined_after(Simplified s, double angle)
+{
+  IS::refine(s.surface, IS::parameters::minimum_angle(angle).maximum_number_of_insertions(1000));
+  const Surface_level refined(s.surface);
+  return {std::move(s.surface), s.fine, refined};
+}
+
 template <typename Check>
-void for_each_random_surface(const Check& check)
+void for_each_simplified_random_surface(const Check& check)
 {
   for(const Named_complex& c : complexes())
     for(unsigned int seed = 0; seed < 3; ++seed) {
@@ -78,14 +87,40 @@ void for_each_random_surface(const Check& check)
 }
 
 template <typename Check>
-void for_each_surface(const Check& check)
+void for_each_simplified_surface(const Check& check)
 {
-  for_each_random_surface(check);
+  for_each_simplified_random_surface(check);
   for(const Named_mesh& m : meshes()) {
     SCOPED_TRACE(m.name);
     const Simplified s(Evolving_surface(m.mesh), 0);
     check(s, Surface_map(s.surface, s.fine, s.coarse));
   }
+}
+
+// Checks each surface refined, too.
+template <typename Check>
+auto with_refinement(const Check& check)
+{
+  return [&check](const Simplified& s, const Surface_map& map) {
+    check(s, map);
+    for(const double angle : {20., 30.}) {
+      SCOPED_TRACE("refined to " + std::to_string(angle));
+      const Simplified r = refined_after(s, angle);
+      check(r, Surface_map(r.surface, r.fine, r.coarse));
+    }
+  };
+}
+
+template <typename Check>
+void for_each_random_surface(const Check& check)
+{
+  for_each_simplified_random_surface(with_refinement(check));
+}
+
+template <typename Check>
+void for_each_surface(const Check& check)
+{
+  for_each_simplified_surface(with_refinement(check));
 }
 
 inline Location location(Halfedge_index h, double t, const Delta_complex& mesh)

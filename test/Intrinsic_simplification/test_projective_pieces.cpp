@@ -134,7 +134,7 @@ std::size_t expect_mapped(const Pieces& pieces, const Surface_map& map, double t
 TEST(Projective_pieces, of_all_surfaces)
 {
   std::size_t found = 0;
-  for_each_surface([&](const Simplified&, const Surface_map& map) {
+  for_each_simplified_surface([&](const Simplified&, const Surface_map& map) {
     const Pieces pieces = all_pieces(map);
     for(const Projective_piece& p : pieces)
       expect_convex(p);

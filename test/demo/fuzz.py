@@ -206,6 +206,7 @@ def arguments(dice, mesh):
                "simplify": ["--ratio", "0.5", "--prolongation", "o.mtx"]}.get(command, [])
     if command == "simplify":
         result += dice.choice([[], ["--weight", "color=1"], ["--weight", "quality=2"]])
+        result += dice.choice([[], ["--min-angle", "20"]])
     result += dice.choice([[], ["--repair"], ["--mollify", "1e-6"], ["--strict"]])
     if command in ("distance", "operators"):
         result += dice.choice([[], ["--neighbors", "9"]])

@@ -186,6 +186,24 @@ claim "m, s = ply('a.ply'), json('a.json')" "near(area(m) / area(ply('b.ply')), 
   "m.vertex['kind'].count(0) == 1320" "m.vertex['kind'].count(2) == s.inserted_vertices"
 is_colored a.ply
 
+# Refinement afterwards: good angles, of the coarse triangulation that all output is about.
+expect 0 simplify slivers.mesh.off -o b.ply --vertices 20 --prolongation b.mtx --stats b.json
+expect 0 simplify slivers.mesh.off -o a.ply --vertices 20 --min-angle 25 --prolongation a.mtx --stats a.json --save a.txt
+claim "m, s, t = ply('a.ply'), json('a.json'), json('b.json')" \
+  's.coarse_vertices == t.coarse_vertices + s.coarse_inserted_vertices' \
+  's.coarse_inserted_vertices > 0' 's.coarse_faces_below_bound == s.coarse_faces_excused' \
+  't.min_angle_degrees < 25 <= s.min_angle_degrees or s.coarse_faces_excused > 0' \
+  'near(s.area_ratio, t.area_ratio, 1e-9)' "is_prolongation(mtx('a.mtx'), 1320, s.coarse_vertices)" \
+  "set(m.face['coarse_face']) == set(range(s.coarse_faces))" \
+  "set(m.face['input_face']) == set(range(2640))" \
+  "sorted(c for c in m.vertex['coarse_vertex'] if c >= 0) == list(range(s.coarse_vertices))" \
+  "m.vertex['kind'].count(2) == s.coarse_inserted_vertices" "near(area(m) / area(ply('b.ply')), 1, 1e-9)"
+is_colored a.ply
+grep -q '^4 ' a.txt
+expect 0 simplify slivers.mesh.off -o a.vtp --vertices 20 --levels 3 --refine 20 --min-angle 30 --prolongation a.mtx
+[ -s a_3.mtx ] || fail "no third matrix"
+rm a.* a_?.mtx
+
 # What is inserted in flat faces is removed without cost: eight times as wide as high, and refined.
 grid cells 16 0
 awk 'FNR > 2 && NF == 3 { $1 *= 8 } { print }' cells.mesh.off >wide.mesh.off

@@ -27,11 +27,17 @@
 
 namespace CGAL::Intrinsic_simplification {
 
+namespace internal {
+template <typename Visitor>
+class Refinement_follower;
+}
+
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a surface from which vertices are removed, with the history that maps points of the surface as
 /// it was to points of the surface as it is.
 ///
-/// Elements keep their indices; removed ones leave gaps. Vertices have the indices of the input.
+/// Elements keep their indices; removed ones leave gaps. Vertices have the indices of the input;
+/// those that `refine()` inserts come after them.
 /// \cgalModels `IntrinsicSurface`
 class Evolving_surface
 {
@@ -68,9 +74,16 @@ public:
   const Surface_history& history() const { return m_history; }
 
   /// makes `v` a vertex that cannot be removed.
-  void protect(Vertex_index v) { m_is_protected[v] = 1; }
+  void protect(Vertex_index v)
+  {
+    m_is_protected.resize(mesh().num_vertices(), 0);
+    m_is_protected[v] = 1;
+  }
   /// returns whether `v` has been protected.
-  bool is_protected(Vertex_index v) const { return m_is_protected[v] != 0; }
+  bool is_protected(Vertex_index v) const
+  {
+    return v.idx() < m_is_protected.size() && m_is_protected[v] != 0;
+  }
 
   /// computes the star of `v` as it would be if `v` was removed. Complexity: linear in the degree
   /// of `v`.
@@ -138,6 +151,9 @@ public:
   }
 
 private:
+  template <typename Visitor>
+  friend class internal::Refinement_follower;
+
   // Flips the edges of the surface that have been flipped in another triangulation.
   struct Flip_follower : Intrinsic_triangulations::Default_flip_visitor
   {

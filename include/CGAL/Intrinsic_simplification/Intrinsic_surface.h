@@ -18,6 +18,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -78,6 +79,7 @@ public:
         m_is_constrained[e] = 1;
       }
     }
+    m_mesh.set_recycle_garbage(false);
     const IT::Tangent_frames<double> frames(*this);
     for(Halfedge_index h : m_mesh.halfedges())
       m_direction.push_back(std::polar(1., frames.angle(h)));
@@ -155,6 +157,55 @@ public:
     place_between_neighbors(opposite(h));
   }
 
+  /// inserts a vertex into the face of `h` (see `Intrinsic_triangulations::split_face()`). It gets
+  /// a frame in which the direction of the first spoke is 1. Elements get new indices, never those
+  /// of removed ones. Complexity: constant, amortized.
+  /// \param h a halfedge
+  /// \param new_length the lengths of the edges from the vertex to the source and the target of `h`
+  ///   and to the opposite corner
+  /// \returns the halfedge from the vertex to the source of `h`
+  Halfedge_index split_face(Halfedge_index h, const std::array<double, 3>& new_length)
+  {
+    const Halfedge_index a = m_mesh.next(Intrinsic_triangulations::split_face(h, m_mesh));
+    add_data();
+    Halfedge_index spoke = a;
+    for(double length : new_length) {
+      set_length(m_mesh.edge(spoke), length);
+      spoke = next_spoke(spoke, m_mesh);
+    }
+    direct_spokes(m_mesh.source(a));
+    return a;
+  }
+
+  /// inserts a vertex into the boundary edge of `h`, as `split_face()` into a face.
+  /// \param h a halfedge that is not on the border; afterwards it leads from the vertex to its
+  ///   target
+  /// \param new_length the lengths of the edges from the vertex to the target and the source of `h`
+  ///   and to the opposite corner
+  /// \pre `opposite(h)` is a border halfedge
+  void split_border_edge(Halfedge_index h, const std::array<double, 3>& new_length)
+  {
+    CGAL_precondition(!m_mesh.is_border(h) && m_mesh.is_border(opposite(h)));
+    const Halfedge_index first = Intrinsic_triangulations::split_edge(h, m_mesh);
+    add_data();
+    set_direction(first, direction(h));
+    set_length(m_mesh.edge(h), new_length[0]);
+    set_length(m_mesh.edge(first), new_length[1]);
+    set_length(m_mesh.edge(next_spoke(h, m_mesh)), new_length[2]);
+    if(is_constrained(m_mesh.edge(h)))
+      constrain(m_mesh.edge(first), true);
+    direct_spokes(m_mesh.source(h));
+  }
+
+  /// says whether `e` must stay.
+  void constrain(Edge_index e, bool is_constrained)
+  {
+    if(is_constrained)
+      m_is_constrained.resize(m_mesh.num_edges(), 0);
+    if(!m_is_constrained.empty())
+      m_is_constrained[e] = is_constrained ? 1 : 0;
+  }
+
   /// changes the length of `e`; the direction of neither halfedge changes.
   void set_length(Edge_index e, double new_length) { m_length[e] = new_length; }
 
@@ -181,6 +232,30 @@ public:
   /// @}
 
 private:
+  // for new edges, which are not constrained
+  void add_data()
+  {
+    m_length.resize(m_mesh.num_edges());
+    m_direction.resize(m_mesh.num_halfedges());
+    if(!m_is_constrained.empty())
+      m_is_constrained.resize(m_mesh.num_edges(), 0);
+  }
+
+  // gives directions to both ends of the edges at the new vertex `v`
+  void direct_spokes(Vertex_index v)
+  {
+    double sum = 0, angle = 0;
+    for_each_spoke(v, m_mesh,
+                   [&](Halfedge_index h) { sum += m_mesh.is_border(h) ? 0 : corner_angle(h); });
+    const double all = m_mesh.is_border(v) ? pi<double>() : 2 * pi<double>();
+    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+      set_direction(h, std::polar(1., angle));
+      if(!m_mesh.is_border(h) && sum > 0)
+        angle += corner_angle(h) * (all / sum);
+      place_between_neighbors(opposite(h));
+    });
+  }
+
   // the angle between 0, exclusive, and a full turn, inclusive
   static double positive(double angle) { return angle > 0 ? angle : angle + 2 * pi<double>(); }
 

@@ -49,7 +49,7 @@ inline Eigen::VectorXd
 prolonged_distances_from(Vertex_index source, const Surface_map& map,
                          const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation)
 {
-  const Vertex_index there = map.coarse().level_vertex(map.fine().surface_vertex(source));
+  const Vertex_index there = map.coarse_vertex(source);
   if(there.is_valid())
     return prolongation * internal::geodesic_distances(there, map.coarse());
   return prolongation * internal::geodesic_distances(image_of_vertex(source, map), map.coarse());

@@ -38,7 +38,7 @@ public:
   /// returns the operation with index `t`.
   const Surface_operation& operator[](Time t) const { return m_operations[t]; }
 
-  /// returns the corners of the faces that a flip or a removal changes.
+  /// returns the corners of the faces that a flip, a removal or an insertion changes.
   template <typename Operation>
   static const auto& corners(const Operation& operation)
   {
@@ -107,6 +107,33 @@ public:
       Border_removal{{Face_corner(a, mesh), Face_corner(next_spoke(a, mesh), mesh)}, w_a});
   }
 
+  /// appends the insertion of a vertex into a face, which has just happened.
+  /// \param a the spoke to the first corner of the face as it was
+  /// \param mesh the mesh
+  /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and
+  ///   the next spoke
+  void add_insertion(Halfedge_index a, const Delta_complex& mesh, double w_a, double w_b)
+  {
+    const Halfedge_index b = next_spoke(a, mesh), c = next_spoke(b, mesh);
+    add_insertion(
+      Insertion{{Face_corner(a, mesh), Face_corner(b, mesh), Face_corner(c, mesh)}, {w_a, w_b}});
+  }
+
+  /// appends the insertion of a vertex into a boundary edge, which has just happened.
+  /// \param a the first spoke of the vertex
+  /// \param mesh the mesh
+  /// \param whole the corner of the face as it was that is the target of `a`
+  /// \param w_a the barycentric coordinate of the vertex that belongs to this corner
+  void add_border_insertion(Halfedge_index a, const Delta_complex& mesh, Face_corner whole,
+                            double w_a)
+  {
+    add_insertion(
+      Border_insertion{{Face_corner(a, mesh), Face_corner(next_spoke(a, mesh), mesh)}, whole, w_a});
+  }
+
+  /// returns one more than the greatest index of a face that an insertion has made, or 0.
+  std::size_t end_of_inserted_faces() const { return m_end_of_inserted_faces; }
+
   /// discards all operations but the first `t`.
   void truncate(Time t)
   {
@@ -125,8 +152,17 @@ public:
   }
 
 private:
+  template <typename Operation>
+  void add_insertion(const Operation& operation)
+  {
+    m_operations.emplace_back(operation);
+    for(const Face_corner& c : operation.corners)
+      m_end_of_inserted_faces = (std::max)(m_end_of_inserted_faces, std::size_t(c.face()) + 1);
+  }
+
   std::vector<Surface_operation> m_operations;
   std::vector<Face_corner> m_corners; // of all scalings
+  std::size_t m_end_of_inserted_faces = 0;
 };
 
 } // namespace CGAL::Intrinsic_simplification

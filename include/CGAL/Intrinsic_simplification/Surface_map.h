@@ -68,6 +68,13 @@ public:
   /// returns the level on whose surface the map ends.
   const Surface_level& coarse() const { return m_coarse; }
 
+  /// returns the vertex of the coarse level that is the vertex `v` of the fine level; null if it
+  /// has been removed. Complexity: logarithmic.
+  Vertex_index coarse_vertex(Vertex_index v) const
+  {
+    return m_coarse.level_vertex(m_fine.surface_vertex(v));
+  }
+
   /// returns the operations.
   const Surface_history& history() const { return m_history; }
 
@@ -146,12 +153,26 @@ private:
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the place of a vertex of the fine level on the coarse surface.
+/// returns the place of a vertex of the fine surface on the coarse surface.
+/// \tparam Map `Surface_map`, `Correspondence_map` or `Composed_map`
 /// \pre `v` is not isolated
-inline Surface_map::Location image_of_vertex(Vertex_index v, const Surface_map& map)
+template <typename Map>
+Surface_map::Location image_of_vertex(Vertex_index v, const Map& map)
 {
   const Delta_complex& mesh = map.fine().mesh();
   return map.to_coarse(Intrinsic_triangulations::face_location(
+    Intrinsic_triangulations::Edge_point<double>{first_spoke(v, mesh), 0}, mesh));
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// returns the place of a vertex of the coarse surface on the fine surface.
+/// \tparam Map `Surface_map`, `Correspondence_map` or `Composed_map`
+/// \pre `v` is not isolated
+template <typename Map>
+Surface_map::Location preimage_of_vertex(Vertex_index v, const Map& map)
+{
+  const Delta_complex& mesh = map.coarse().mesh();
+  return map.to_fine(Intrinsic_triangulations::face_location(
     Intrinsic_triangulations::Edge_point<double>{first_spoke(v, mesh), 0}, mesh));
 }
 

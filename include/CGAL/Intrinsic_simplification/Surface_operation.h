@@ -97,8 +97,28 @@ struct Border_removal
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
+/// the inverse of a `Removal`: a face becomes three around a new vertex. The corners of the face
+/// are the targets of the first, the second and the third spoke.
+struct Insertion
+{
+  static constexpr int code = 4;      ///< the index of the type in files
+  std::array<Face_corner, 3> corners; ///< the corners of the new faces at the vertex
+  std::array<double, 2> weight;       ///< its first two barycentric coordinates in the face
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the inverse of a `Border_removal`: a face becomes two at a new boundary vertex.
+struct Border_insertion
+{
+  static constexpr int code = 5;      ///< the index of the type in files
+  std::array<Face_corner, 2> corners; ///< the corners of the new faces at the vertex
+  Face_corner whole; ///< the corner of the face that is the target of the first spoke
+  double weight;     ///< the barycentric coordinate of the vertex that belongs to this corner
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
 /// a change of a surface, with all that is needed to carry points through it, in 32 bytes: a
-/// `Scaling`, a `Flip`, a `Removal` or a `Border_removal`.
+/// `Scaling`, a `Flip`, a `Removal`, a `Border_removal`, an `Insertion` or a `Border_insertion`.
 class Surface_operation
 {
 public:
@@ -123,6 +143,19 @@ public:
     : m_code(r.code), m_id{r.corners[0].m_code, r.corners[1].m_code, 0}, m_x{r.weight, 0}
   {}
 
+  /// makes an insertion.
+  Surface_operation(const Insertion& i)
+    : m_code(i.code),
+      m_id{i.corners[0].m_code, i.corners[1].m_code, i.corners[2].m_code},
+      m_x(i.weight)
+  {}
+  /// makes an insertion at the boundary.
+  Surface_operation(const Border_insertion& i)
+    : m_code(i.code),
+      m_id{i.corners[0].m_code, i.corners[1].m_code, i.whole.m_code},
+      m_x{i.weight, 0}
+  {}
+
   /// calls `visitor` with the operation as what it is, and returns what that returns.
   template <typename Visitor>
   decltype(auto) visit(Visitor&& visitor) const
@@ -133,7 +166,9 @@ public:
       case Flip::code:
         return visitor(Flip{Halfedge_index(m_id[0]), {corner(1), corner(2)}, m_x[0], m_x[1]});
       case Removal::code: return visitor(Removal{{corner(0), corner(1), corner(2)}, m_x});
-      default: return visitor(Border_removal{{corner(0), corner(1)}, m_x[0]});
+      case Border_removal::code: return visitor(Border_removal{{corner(0), corner(1)}, m_x[0]});
+      case Insertion::code: return visitor(Insertion{{corner(0), corner(1), corner(2)}, m_x});
+      default: return visitor(Border_insertion{{corner(0), corner(1)}, corner(2), m_x[0]});
     }
   }
 

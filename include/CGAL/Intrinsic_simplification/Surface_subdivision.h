@@ -61,8 +61,12 @@ inline Level_place fine_place(Vertex_index v, const Marked_fine_edges& edges)
   if(edges.is_fine_vertex(v))
     return vertex_place(v, fine);
   if(edges.mark_of(v) == no_index) {
-    const Curve_segment& s = edges.pieces()[edges.piece_before(v)].segment;
-    Surface_map::Location p{s.face, s.to.weight};
+    Strand s{edges.piece_before(v), true};
+    if(edges.is_new_vertex(v)) {
+      s = edges.first_strand(edges.new_vertex(v));
+      s.is_forward = !s.is_forward;
+    }
+    Surface_map::Location p{edges.pieces()[s.piece].segment.face, edges.strands().end(s).weight};
     normalize(p.second);
     return {Halfedge_index(), p};
   }
@@ -77,9 +81,9 @@ inline Level_place coarse_place(Vertex_index v, const Marked_fine_edges& edges)
   const Surface_map& map = edges.map();
   if(edges.is_fine_bend(v))
     return {Halfedge_index(), edges.fine_bend(v)};
-  const Vertex_index coarse = edges.is_fine_vertex(v)
-                                ? map.coarse().level_vertex(map.fine().surface_vertex(v))
-                                : Vertex_index();
+  const Vertex_index coarse = edges.is_new_vertex(v)    ? edges.new_vertex(v)
+                              : edges.is_fine_vertex(v) ? map.coarse_vertex(v)
+                                                        : Vertex_index();
   if(coarse.is_valid())
     return vertex_place(coarse, map.coarse().mesh());
   if(edges.piece_before(v) == no_index)
@@ -123,10 +127,11 @@ inline Surface_map::Location moved_into(Face_index f, const Surface_map::Locatio
 /// the polygon mesh into which the edges of the fine and the coarse level together cut the surface.
 /// Each face is part of one face of both levels.
 ///
-/// The vertices are those of the fine level, with their numbers; then the points where edges of the
-/// coarse level cross those of the fine level or bend on its surface; then, if they are wanted,
-/// those where edges of the fine level bend on the coarse surface. So the polygons have straight
-/// sides on the fine surface, and with the last on the coarse surface too. They need not be convex.
+/// The vertices are those of the fine level, with their numbers; then those that only the coarse
+/// level has, in their order; then the points where edges of the coarse level cross those of the
+/// fine level or bend on its surface; then, if they are wanted, those where edges of the fine level
+/// bend on the coarse surface. So the polygons have straight sides on the fine surface, and with
+/// the last on the coarse surface too. They need not be convex.
 ///
 /// The map from a polygon on one level to the polygon on the other is continuous and one-to-one. It
 /// is made of projective pieces that are smaller in general, one for each sequence of faces through
@@ -184,9 +189,12 @@ public:
   Vertex_index parent_vertex(Level side, Vertex_index v) const
   {
     const Vertex_index fine = Base::parent_vertex(Level::fine, v);
-    return side == Level::fine || !fine.is_valid()
-             ? fine
-             : level(Level::coarse).level_vertex(level(Level::fine).surface_vertex(fine));
+    if(side == Level::fine)
+      return fine;
+    if(fine.is_valid())
+      return level(Level::coarse).level_vertex(level(Level::fine).surface_vertex(fine));
+    const size_type n = v.idx() - this->mesh(Level::fine).number_of_vertices();
+    return n < m_new_vertices.size() ? m_new_vertices[n] : Vertex_index();
   }
 
   /// returns the place of `v`; that of an isolated vertex has no face.
@@ -281,6 +289,7 @@ private:
   class Builder;
 
   std::array<const Surface_level*, 2> m_levels;
+  std::vector<Vertex_index> m_new_vertices; // of the coarse level, that the fine one lacks
   std::array<std::vector<Intrinsic_triangulations::Surface_place<double>>, 2> m_place;
   std::vector<Halfedge_index> m_coarse_parts;      // of all edges of the coarse level
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
@@ -304,6 +313,7 @@ public:
 
   void build()
   {
+    m_result.m_new_vertices = m_edges.new_vertices();
     do {
       make_edges();
       link_vertices();

@@ -57,6 +57,17 @@ inline void write_operation(std::ostream& os, const Flip& f)
              hexadecimal_text(f.crossing_after));
 }
 
+inline void write_operation(std::ostream& os, const Insertion& i)
+{
+  write_line(os, i.code, i.corners[0].face(), hexadecimal_text(i.weight[0]),
+             hexadecimal_text(i.weight[1]));
+}
+
+inline void write_operation(std::ostream& os, const Border_insertion& i)
+{
+  write_line(os, i.code, i.whole.face(), i.whole.index(), hexadecimal_text(i.weight));
+}
+
 template <typename Operation>
 void write_removal(std::ostream& os, const Operation& r, double x, double y)
 {
@@ -88,6 +99,7 @@ public:
     m_mesh = m_reader.read_input();
     const auto length =
       m_mesh.add_property_map<Edge_index, double>("e:length", 0.).first; // exists already
+    m_mesh.set_recycle_garbage(false);
     if(!Intrinsic_triangulations::is_valid_Delta_complex(m_mesh))
       throw Intrinsic_triangulations::Invalid_input("the first level is no triangulated surface");
     for(Edge_index e : m_mesh.edges())
@@ -141,9 +153,11 @@ private:
 
   void read_operation()
   {
-    switch(const int code = m_lines.integer<int>(Scaling::code, Border_removal::code); code) {
+    switch(const int code = m_lines.integer<int>(Scaling::code, Border_insertion::code); code) {
       case Scaling::code: return read_scaling();
       case Flip::code: return read_flip();
+      case Insertion::code: return read_insertion();
+      case Border_insertion::code: return read_border_insertion();
       default: return read_removal(code == Border_removal::code);
     }
   }
@@ -182,11 +196,38 @@ private:
     IT::flip_edge(h, m_mesh);
   }
 
+  Face_index read_face()
+  {
+    const Face_index f(index(m_mesh.num_faces()));
+    check(!m_mesh.is_removed(f), "there is no such face");
+    return f;
+  }
+
+  void read_insertion()
+  {
+    const Face_index f = read_face();
+    const double w_a = part(), w_b = part();
+    const Halfedge_index in = Intrinsic_triangulations::split_face(m_mesh.halfedge(f), m_mesh);
+    m_result.history.add_insertion(m_mesh.next(in), m_mesh, w_a, w_b);
+  }
+
+  void read_border_insertion()
+  {
+    const Face_index f = read_face();
+    const auto sides = Intrinsic_triangulations::sides(f, m_mesh);
+    const std::size_t c = m_lines.integer<std::size_t>(0, 2);
+    const Halfedge_index h = sides[(c + 2) % 3];
+    check(m_mesh.is_border(m_mesh.opposite(h)), "the edge is not on the boundary");
+    const double w = part();
+    const Face_corner whole(f, c);
+    Intrinsic_triangulations::split_edge(h, m_mesh);
+    m_result.history.add_border_insertion(h, m_mesh, whole, w);
+  }
+
   void read_removal(bool is_border)
   {
     namespace IT = Intrinsic_triangulations;
-    const Face_index f(index(m_mesh.num_faces()));
-    check(!m_mesh.is_removed(f), "there is no such face");
+    const Face_index f = read_face();
     const Halfedge_index a = IT::sides(f, m_mesh)[m_lines.integer<std::size_t>(0, 2)];
     const double w_a = part(), w_b = part();
     const Vertex_index v = m_mesh.source(a);

@@ -132,6 +132,8 @@ OutputIterator write_pieces(Face_index f, const Surface_map& map, Face_cutter& c
 /// \param map the map
 /// \param out an output iterator to which `Projective_piece` can be assigned
 /// \returns the end of the output
+/// \throws Intrinsic_triangulations::Invalid_input if a vertex has been inserted into the face
+///   between the levels (see `refine()`)
 /// Complexity: linear in the parts into which edges of any time cut the face, times the operations
 /// that move a part and the logarithms of both numbers.
 template <typename OutputIterator>

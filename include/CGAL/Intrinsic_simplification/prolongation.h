@@ -18,17 +18,33 @@
 
 namespace CGAL::Intrinsic_simplification {
 
+namespace internal {
+
+// Calls `visit` with the vertices of the face of a point and their barycentric coordinates, except
+// zero.
+template <typename Visit>
+void for_each_weight(const Surface_map::Location& p, const Delta_complex& mesh, const Visit& visit)
+{
+  const auto sides = Intrinsic_triangulations::sides(p.first, mesh);
+  for(std::size_t s = 0; s < 3; ++s)
+    if(p.second[s] != 0)
+      visit(mesh.source(sides[s]), p.second[s]);
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicSimplificationRef
-/// returns the matrix \f$P\f$ that takes values of a function at the vertices of the coarse level
-/// to values at the vertices of the fine level (Section 5.2.3). A row holds the barycentric
+/// returns the matrix \f$P\f$ that takes values of a function at the vertices of the coarse surface
+/// to values at the vertices of the fine surface (Section 5.2.3). A row holds the barycentric
 /// coordinates of a fine vertex on the coarse surface: no entry is negative, and the sum is one.
-/// The rows of vertices that both levels have are those of the identity. Complexity: linear in the
-/// vertices and the operations that move them.
+/// The rows of vertices that both have are those of the identity. Complexity: that of mapping the
+/// vertices.
 ///
-/// Its transpose takes integrals against hat functions of the fine level to those of the coarse
-/// level.
+/// Its transpose takes integrals against hat functions of the fine surface to those of the coarse
+/// one.
+/// \tparam Map `Surface_map`, `Correspondence_map` or `Composed_map`
 /// \tparam NamedParameters a sequence of named parameters
-/// \param map the map between the levels
+/// \param map the map
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{concurrency_tag}
@@ -38,10 +54,9 @@ namespace CGAL::Intrinsic_simplification {
 ///     \cgalParamDefault{`CGAL::Sequential_tag`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
-template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+template <typename Map, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Eigen::SparseMatrix<double>
-prolongation_matrix(const Surface_map& map,
-                    const NamedParameters& np = CGAL::parameters::default_values())
+prolongation_matrix(const Map& map, const NamedParameters& np = CGAL::parameters::default_values())
 {
   const Delta_complex &fine = map.fine().mesh(), &coarse = map.coarse().mesh();
   const auto collect = [&](std::size_t i, auto& entries) {
@@ -50,12 +65,8 @@ prolongation_matrix(const Surface_map& map,
       entries.emplace_back(static_cast<int>(w.idx()), value);
     };
     if(fine.is_isolated(v))
-      return add(map.coarse().level_vertex(map.fine().surface_vertex(v)), 1);
-    const auto [f, coordinates] = image_of_vertex(v, map);
-    const auto sides = Intrinsic_triangulations::sides(f, coarse);
-    for(std::size_t s = 0; s < 3; ++s)
-      if(coordinates[s] != 0)
-        add(coarse.source(sides[s]), coordinates[s]);
+      return add(map.coarse_vertex(v), 1);
+    internal::for_each_weight(image_of_vertex(v, map), coarse, add);
   };
   Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows;
   Intrinsic_triangulations::internal::assemble_in_chunks(
@@ -69,8 +80,9 @@ prolongation_matrix(const Surface_map& map,
 /// at the vertices of the coarse level: means, weighted with the area of a fine vertex and its
 /// share in a coarse one. No entry is negative, and the sum of a row is one. With lumped masses,
 /// \f$R = M_c^{-1} P^T M\f$ with \f$M_c\f$ the diagonal matrix of the sums of the rows of
-/// \f$P^T M\f$: the integral of a function is kept. A coarse vertex with no area around it keeps
-/// its value. Complexity: linear.
+/// \f$P^T M\f$: the integral of a function is kept. A coarse vertex in which no fine vertex with
+/// an area has a share gets the value at its place. Complexity: linear, and that of `Surface_map`
+/// for such vertices.
 /// \param prolongation the matrix \f$P\f$
 /// \param map the map from which it was made
 inline Eigen::SparseMatrix<double>
@@ -84,8 +96,12 @@ restriction_matrix(const Eigen::SparseMatrix<double>& prolongation, const Surfac
     const double sum = result.row(row).sum();
     if(sum > 0)
       result.row(row) /= sum;
-    else
+    else if(coarse.mesh().is_isolated(v))
       result.coeffRef(row, static_cast<int>(fine.level_vertex(coarse.surface_vertex(v)))) = 1;
+    else
+      internal::for_each_weight(
+        preimage_of_vertex(v, map), fine.mesh(),
+        [&](Vertex_index w, double x) { result.coeffRef(row, static_cast<int>(w)) += x; });
   }
   return result;
 }

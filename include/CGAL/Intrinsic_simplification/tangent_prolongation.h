@@ -66,7 +66,7 @@ public:
     Intrinsic_triangulations::internal::Sparse_assembly<Complex> assembly(std::size_t(3) *
                                                                           m_fine.num_vertices());
     for(Vertex_index v : m_fine.vertices()) {
-      const Vertex_index coarse = m_map.coarse().level_vertex(m_map.fine().surface_vertex(v));
+      const Vertex_index coarse = m_map.coarse_vertex(v);
       if(m_fine.is_isolated(v))
         assembly.add(v, coarse, 1);
       else if(coarse.is_valid())

@@ -77,10 +77,10 @@ inline std::vector<Trace_piece> trace_pieces(const std::vector<Curve_segment>& s
 /// traces an edge of the coarse level over the fine level (Section 5.2.2).
 ///
 /// The curve is straight on the coarse surface. On the fine one it is a sequence of pieces, each of
-/// them straight, that starts and ends at vertices. It runs through other vertices where it comes
-/// to them within rounding. It may bend on edges, and inside faces: changes of scale bend a curve
-/// on the edges that it crosses at that time. Where nothing is scaled, it is a geodesic, and all
-/// its pieces end on edges.
+/// them straight, that starts and ends at vertices, or where vertices have been inserted. It runs
+/// through other vertices where it comes to them within rounding. It may bend on edges, and inside
+/// faces: changes of scale bend a curve on the edges that it crosses at that time. Where nothing is
+/// scaled, it is a geodesic, and all its pieces end on edges.
 /// \param h a halfedge of the coarse level
 /// \param map the map
 /// \returns the pieces from the source of `h` to its target. One begins where the other ends; if

@@ -364,6 +364,19 @@ public:
     number_inserted_spokes();
   }
 
+  /// adds a property of the elements of \f$T_2\f$, which follows them when they get other numbers.
+  /// It is lost when \f$T_2\f$ becomes another triangulation, by assignment or
+  /// `reset_to_input()`. Complexity: linear.
+  /// \tparam Index the type of the elements
+  /// \param name the name
+  /// \param value the value of all elements, and of new ones
+  template <typename Index, typename Value>
+  Delta_complex::Property_map<Index, Value> add_property_map(const std::string& name,
+                                                             const Value& value)
+  {
+    return m_mesh.template add_property_map<Index, Value>(name, value).first;
+  }
+
   /// @}
   /// \name Validity
   /// @{

@@ -160,7 +160,7 @@ private:
 
   void pass(const Vertex_sectors& sectors, const Curve_segment& s)
   {
-    if(!m_route.is_forward())
+    if(m_route.is_forward() == sectors.is_insertion())
       return insert_vertex(sectors, s);
     const Patch_face face = sectors[sectors.sector_of(s.face)];
     add_part(sectors.whole(), sectors.in_whole(face.in_patch(s.from)),

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Turned_edge.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Vertex_sectors.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -161,6 +162,9 @@ private:
 
   void pass(const Vertex_sectors& sectors, Timed_cell& c)
   {
+    if(sectors.is_insertion())
+      throw Intrinsic_triangulations::Invalid_input(
+        "a vertex has been inserted between the levels");
     const Patch_face sector = sectors[sectors.sector_of(c.cell.face)];
     c.cell.face = sectors.whole().face;
     change_points(c.cell, [&](const Face_point& p) {

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_simplification/internal/maps/Curve_strands.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 
@@ -30,89 +31,80 @@ using Intrinsic_triangulations::opposite;
 class Crossing_order
 {
 public:
-  Crossing_order(const std::vector<Coarse_piece>& pieces, const Delta_complex& mesh)
-    : m_pieces(pieces), m_mesh(mesh)
+  Crossing_order(const Traced_curves& traced, const Surface_map& map)
+    : m_strands(traced.pieces, traced.first_piece, map.coarse().mesh()), m_mesh(map.fine().mesh())
   {}
 
   // Compares the places on the first halfedge of an edge where two pieces end: negative if that of
   // `a` is before that of `b`, zero if the curves never separate.
   int compare(std::size_t a, std::size_t b) const
   {
-    const Halfedge_index left = first_halfedge(Edge_index(side_of_end(a)));
-    const int result = compare_ahead(strand(a, left), strand(b, left), left);
-    const Halfedge_index right = opposite(left);
-    return result != 0 ? result : -compare_ahead(strand(a, right), strand(b, right), right);
+    const Halfedge_index left = first_halfedge(Edge_index(side_of_end({a, true})));
+    const int result = compare_on_left(a, b, left);
+    return result != 0 ? result : -compare_on_left(a, b, opposite(left));
   }
 
 private:
-  // a piece, followed with or against the direction of its edge
-  struct Strand
+  Halfedge_index side_of_end(const Strand& s) const
   {
-    std::size_t piece;
-    bool is_forward;
-  };
-
-  Halfedge_index side_of_end(std::size_t piece) const
-  {
-    const Curve_segment& segment = m_pieces[piece].segment;
-    return internal::side_of_end(segment, segment.to, m_mesh);
+    return internal::side_of_end(m_strands.piece(s).segment, m_strands.end(s), m_mesh);
   }
 
   // on the left of `h`, away from where a piece comes to its edge
   Strand strand(std::size_t piece, Halfedge_index h) const
   {
-    return side_of_end(piece) == h ? Strand{piece, false} : Strand{piece + 1, true};
+    return side_of_end({piece, true}) == h ? Strand{piece, false} : Strand{piece + 1, true};
   }
 
-  const Face_point& end(const Strand& s) const
+  // compares the places on `h` where two pieces end, by the ways on its left
+  int compare_on_left(std::size_t a, std::size_t b, Halfedge_index h) const
   {
-    const Curve_segment& segment = m_pieces[s.piece].segment;
-    return s.is_forward ? segment.to : segment.from;
-  }
-
-  static void advance(Strand& s) { s.piece = s.is_forward ? s.piece + 1 : s.piece - 1; }
-
-  // goes on to where a curve leaves the face
-  void leave_face(Strand& s) const
-  {
-    while(is_bend(end(s)))
-      advance(s);
+    const int result = compare_ahead(strand(a, h), strand(b, h), h, Turn::left);
+    return result != 0 ? result : compare_ahead(strand(a, h), strand(b, h), h, Turn::right);
   }
 
   // Where the curve leaves a face that it has entered by side `n`, counterclockwise: odd at
   // corners, even at sides; zero if it bends back to that side.
   std::size_t exit(const Strand& s, std::size_t n) const
   {
-    const Face_point& p = end(s);
+    const Face_point& p = m_strands.end(s);
     return is_on_side(p) ? 2 * ((side_number(p) + 3 - n) % 3)
                          : 2 * ((corner_number(p) + 2 - n) % 3) + 1;
   }
 
-  // Compares the places where two curves enter the face of `h` by `h`.
-  int compare_ahead(Strand a, Strand b, Halfedge_index h) const
+  // Compares the places where two curves enter the face of `h` by `h`. They go on at vertices
+  // inside of faces, but not for ever.
+  int compare_ahead(Strand a, Strand b, Halfedge_index h, Turn turn) const
   {
-    for(;;) {
-      leave_face(a);
-      leave_face(b);
+    const Strand start = a;
+    do {
+      if(!m_strands.leave_face(a, turn) || !m_strands.leave_face(b, turn))
+        return 0;
       const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
       const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
-      if(exit_a == 0 || exit_b == 0 || (exit_a == exit_b && is_at_corner(end(a))))
+      if(exit_a == 0 || exit_b == 0 ||
+         (exit_a == exit_b && (is_at_corner(m_strands.end(a)) || ends(a) || ends(b))))
         return 0;
       if(exit_a != exit_b)
         return exit_a > exit_b ? -1 : 1;
-      h = opposite(internal::side_of_end(m_pieces[a.piece].segment, end(a), m_mesh));
-      advance(a);
-      advance(b);
-    }
+      h = opposite(side_of_end(a));
+      m_strands.advance(a, turn);
+      m_strands.advance(b, turn);
+    } while(a.piece != start.piece && a.piece != b.piece);
+    return 0;
   }
 
-  const std::vector<Coarse_piece>& m_pieces;
+  // whether the curve has come to a vertex on a boundary edge
+  bool ends(const Strand& s) const { return m_strands.is_last(s) && is_on_side(m_strands.end(s)); }
+
+  Curve_strands m_strands;
   const Delta_complex& m_mesh;
 };
 
 // The marks on the edges of the fine level, in their order along these, and the pieces of the edges
-// of the coarse level between them. Vertices of a subdivision are those of the fine level, marks,
-// and bends.
+// of the coarse level between them. Vertices of a subdivision are those of the fine level, those
+// that only the coarse level has, marks, and bends. A vertex that only the coarse level has is a
+// mark too if it is on the boundary.
 //
 // Curves that come to a vertex within rounding run through it: where they cross the edges there,
 // their marks are moved to the vertex, in their order along the edge. So what does not cross before
@@ -128,9 +120,11 @@ public:
   {
     Traced_curves traced(map);
     order_crossings(traced);
+    number_new_vertices();
     m_is_along.assign(m_fine.number_of_edges(), 0);
     run_through_near_vertices(traced);
     m_first_fine_bend = m_number_of_vertices;
+    add_new_border_vertices();
     if(with_fine_bends)
       add_fine_bends();
     order(m_marks, m_pieces);
@@ -141,6 +135,29 @@ public:
   const Surface_map& map() const { return m_map; }
   Curve_index number_of_vertices() const { return m_number_of_vertices; }
   bool is_fine_vertex(Vertex_index v) const { return v.idx() < m_fine.number_of_vertices(); }
+
+  // ---- Vertices that only the coarse level has ----
+
+  bool is_new_vertex(Vertex_index v) const
+  {
+    return !is_fine_vertex(v) && v.idx() - m_fine.number_of_vertices() < m_new_vertices.size();
+  }
+
+  // its index in the coarse level
+  Vertex_index new_vertex(Vertex_index v) const
+  {
+    return m_new_vertices[v.idx() - m_fine.number_of_vertices()];
+  }
+  const std::vector<Vertex_index>& new_vertices() const { return m_new_vertices; }
+
+  // the ways along the edges of the coarse level
+  Curve_strands strands() const { return {m_pieces, m_first_piece, m_map.coarse().mesh()}; }
+
+  // the first piece of an edge that starts at the vertex `v` of the coarse level
+  Strand first_strand(Vertex_index v) const
+  {
+    return strands().first(first_spoke(v, m_map.coarse().mesh()));
+  }
 
   // ---- Pieces of edges of the coarse level ----
 
@@ -155,6 +172,7 @@ public:
 
   const Curve_mark& mark(Curve_index n) const { return m_marks[n]; }
   Curve_index mark_of(Vertex_index v) const { return m_mark_of_vertex[v.idx()]; }
+  Curve_index mark_of_coarse(Vertex_index v) const { return mark_of(m_vertex_of_coarse[v.idx()]); }
 
   // the numbers of all marks, and of those that are kept
   const Edge_marks& numbers() const { return m_numbers; }
@@ -244,7 +262,7 @@ private:
     Marks& marks = traced.marks;
     order(marks, traced.pieces);
     std::vector<Curve_index> order = indices(marks.size());
-    const Crossing_order curves(traced.pieces, m_fine);
+    const Crossing_order curves(traced, m_map);
     const auto are_exchanged = [&](Curve_index x, Curve_index y) {
       return marks[x].edge == marks[y].edge && curves.compare(marks[x].piece, marks[y].piece) > 0;
     };
@@ -284,7 +302,36 @@ private:
 
   // ---- Vertices ----
 
-  Vertex_index new_vertex()
+  void number_new_vertices()
+  {
+    const Surface_level &fine = m_map.fine(), &coarse = m_map.coarse();
+    m_vertex_of_coarse.reserve(coarse.mesh().number_of_vertices());
+    for(Vertex_index v : coarse.mesh().vertices()) {
+      m_vertex_of_coarse.push_back(fine.level_vertex(coarse.surface_vertex(v)));
+      if(!m_vertex_of_coarse.back().is_valid()) {
+        m_vertex_of_coarse.back() = add_vertex();
+        m_new_vertices.push_back(v);
+      }
+    }
+  }
+
+  // Such a vertex is a mark that is kept, whatever its place.
+  void add_new_border_vertices()
+  {
+    for(Vertex_index v : m_new_vertices) {
+      if(!m_map.coarse().mesh().is_border(v))
+        continue;
+      const Strand s = first_strand(v);
+      const Curve_segment& segment = m_pieces[s.piece].segment;
+      const auto [edge, ratio] =
+        edge_ratio(segment, s.is_forward ? segment.from : segment.to, m_fine);
+      const double least = 2 * rounding();
+      m_marks.push_back(
+        {edge, std::clamp(ratio, least, 1 / least), no_index, m_vertex_of_coarse[v]});
+    }
+  }
+
+  Vertex_index add_vertex()
   {
     const Vertex_index v(m_number_of_vertices);
     m_number_of_vertices = checked_index(m_number_of_vertices + std::size_t(1));
@@ -300,15 +347,16 @@ private:
     for(std::size_t e = 0; e + 1 < traced.first_piece.size(); ++e) {
       m_first_piece.push_back(checked_index(m_pieces.size()));
       for(Curve_index p = traced.first_piece[e]; p < traced.first_piece[e + 1]; ++p)
-        keep_piece(traced.pieces[p], entry);
+        keep_piece(traced.pieces[p], p == traced.first_piece[e], p + 1 == traced.first_piece[e + 1],
+                   entry);
     }
     m_first_piece.push_back(checked_index(m_pieces.size()));
   }
 
-  void keep_piece(Coarse_piece piece, Entry& entry)
+  void keep_piece(Coarse_piece piece, bool is_first, bool is_last, Entry& entry)
   {
     const Curve_segment& s = piece.segment;
-    if(!is_bend(s.from))
+    if(is_first || !is_bend(s.from))
       entry = {corner_near(s, s.from, piece.marks[0]), checked_index(m_pieces.size()),
                m_number_of_vertices};
     const std::size_t exit = corner_near(s, s.to, piece.marks[1]);
@@ -318,7 +366,10 @@ private:
       return;
     }
     const auto side = Intrinsic_triangulations::sides(s.face, m_fine);
-    piece.target = exit < 3 ? m_fine.source(side[exit]) : new_vertex();
+    piece.target = exit < 3 ? m_fine.source(side[exit])
+                   : is_last
+                     ? m_vertex_of_coarse[m_map.coarse().mesh().target(first_halfedge(piece.edge))]
+                     : add_vertex();
     if(piece.marks[1] != no_index)
       m_marks[piece.marks[1]].vertex = piece.target;
     if(!is_bend(s.from) && entry.corner < 3 && exit < 3)
@@ -355,7 +406,7 @@ private:
     const double ratio = s.to.along[1] / s.to.along[0];
     if(!is_kept(ratio))
       return;
-    m_marks.push_back({e, ratio, no_index, new_vertex()});
+    m_marks.push_back({e, ratio, no_index, add_vertex()});
     Surface_map::Location p{m_map.coarse().level_face(s.face), s.to.weight};
     normalize(p.second);
     m_fine_bends.push_back(p);
@@ -364,6 +415,8 @@ private:
   const Surface_map& m_map;
   const Delta_complex& m_fine;
   Curve_index m_number_of_vertices, m_first_fine_bend = no_index;
+  std::vector<Vertex_index> m_vertex_of_coarse; // of each vertex of the coarse level
+  std::vector<Vertex_index> m_new_vertices;     // those that only the coarse level has
   Pieces m_pieces;
   std::vector<Curve_index> m_first_piece; // of each edge of the coarse level, and the end
   std::vector<Curve_index> m_piece_before, m_mark_of_vertex; // of each vertex

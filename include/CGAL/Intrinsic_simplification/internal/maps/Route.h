@@ -27,7 +27,7 @@ public:
   typedef Surface_history::Time Time;
 
   Operations_by_face(const Surface_history& history, Time first, Time last, std::size_t faces)
-    : m_end(faces + 1, 0)
+    : m_end((std::max)(faces, history.end_of_inserted_faces()) + 1, 0)
   {
     if(last > std::numeric_limits<std::uint32_t>::max())
       throw Intrinsic_triangulations::Overflow_error("too many operations for a map");

@@ -64,6 +64,17 @@ inline Halfedge_index edge_along(const Curve_segment& s, std::size_t from, std::
   return to == (from + 1) % 3 ? side[from] : Intrinsic_triangulations::opposite(side[to]);
 }
 
+// the edge on which an end of a segment lies, and the ratio of its distances from the source and
+// the target of the first halfedge
+inline std::pair<Edge_index, double> edge_ratio(const Curve_segment& s, const Face_point& end,
+                                                const Delta_complex& mesh)
+{
+  const std::size_t n = side_number(end);
+  const Halfedge_index h = side_of_end(s, end, mesh);
+  const double from = end.weight[n], to = end.weight[(n + 1) % 3];
+  return {Edge_index(h), Intrinsic_triangulations::is_first_halfedge(h) ? to / from : from / to};
+}
+
 // a straight part of an edge of the coarse level in a face of the fine level, the marks at its
 // ends, and the vertex where it ends
 struct Coarse_piece
@@ -97,35 +108,33 @@ struct Traced_curves
     Curve_tracer tracer(map, false);
     for(Edge_index e : map.coarse().mesh().edges()) {
       first_piece.push_back(checked_index(pieces.size()));
+      const auto& segments = tracer.trace(Intrinsic_triangulations::first_halfedge(e));
       Curve_index mark = no_index;
-      for(Curve_segment s : tracer.trace(Intrinsic_triangulations::first_halfedge(e))) {
-        s.face = map.fine().level_face(s.face);
-        add_piece(s, e, mark, map.fine().mesh());
-      }
+      for(std::size_t n = 0; n < segments.size(); ++n)
+        add_piece(segments[n], e, n + 1 < segments.size(), mark, map.fine());
     }
     first_piece.push_back(checked_index(pieces.size()));
   }
 
 private:
-  // the mark where the piece starts becomes that where it ends
-  void add_piece(const Curve_segment& s, Edge_index e, Curve_index& mark, const Delta_complex& fine)
+  // The mark where the piece starts becomes that where it ends. An edge may end at a vertex on a
+  // side, which is no crossing.
+  void add_piece(Curve_segment s, Edge_index e, bool is_followed, Curve_index& mark,
+                 const Surface_level& fine)
   {
+    s.face = fine.level_face(s.face);
     const Curve_index from = std::exchange(mark, no_index);
-    if(is_on_side(s.to)) {
+    if(is_followed && is_on_side(s.to)) {
       mark = checked_index(marks.size());
-      add_crossing(s, fine);
+      add_crossing(s, fine.mesh());
     }
     pieces.push_back({s, e, {from, mark}, Vertex_index()});
   }
 
   void add_crossing(const Curve_segment& s, const Delta_complex& fine)
   {
-    const std::size_t n = side_number(s.to);
-    const Halfedge_index h = side_of_end(s, s.to, fine);
-    double from = s.to.weight[n], to = s.to.weight[(n + 1) % 3];
-    if(!Intrinsic_triangulations::is_first_halfedge(h))
-      std::swap(from, to);
-    marks.push_back({Edge_index(h), to / from, checked_index(pieces.size()), Vertex_index()});
+    const auto [edge, ratio] = edge_ratio(s, s.to, fine);
+    marks.push_back({edge, ratio, checked_index(pieces.size()), Vertex_index()});
   }
 };
 

@@ -7,7 +7,9 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_simplification/internal/maps/Curve_strands.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Marked_fine_edges.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
 
 #include <algorithm>
 #include <array>
@@ -71,6 +73,8 @@ public:
     if(m_edges.is_fine_vertex(v))
       return collect_spokes_of_fine_vertex(v, out);
     const Curve_index mark = m_edges.mark_of(v), piece = m_edges.piece_before(v);
+    if(m_edges.is_new_vertex(v))
+      return collect_spokes_of_new_vertex(v, mark, out);
     if(mark == no_index) {
       out = {m_halfedge[piece + 1], opposite(m_halfedge[piece])};
       return;
@@ -84,12 +88,16 @@ public:
   }
 
 private:
-  // A piece that leaves a vertex of the fine level into a corner of a face, and where the face,
-  // counterclockwise from this corner, is met again; at last the order of those along one edge.
+  // A corner of a face, or a mark on one of its sides.
+  typedef std::pair<std::size_t, Curve_index> Position;
+
+  // A piece that leaves a vertex of the fine level into a corner of a face, and between which
+  // places, counterclockwise from this corner, the sides of the face are met again; at last the
+  // order of those along one edge.
   struct Chord_end
   {
     std::size_t corner;
-    std::tuple<std::size_t, Curve_index, std::ptrdiff_t> order;
+    std::tuple<Position, Position, std::ptrdiff_t> order;
     Halfedge_index out;
 
     friend bool operator<(const Chord_end& a, const Chord_end& b)
@@ -169,19 +177,10 @@ private:
       const auto& [s, e, marks, target] = m_pieces[p];
       add_to_mark(s, s.from, marks[0], m_halfedge[p]);
       add_to_mark(s, s.to, marks[1], opposite(m_halfedge[p]));
-      if(is_at_corner(s.from)) {
-        Curve_index end = p;
-        while(is_bend(m_pieces[end].segment.to))
-          ++end;
-        add_chord_end(p, s.from, m_pieces[end].segment.to, m_pieces[end].marks[1], m_halfedge[p]);
-      }
-      if(is_at_corner(s.to)) {
-        Curve_index start = p;
-        while(is_bend(m_pieces[start].segment.from))
-          --start;
-        add_chord_end(p, s.to, m_pieces[start].segment.from, m_pieces[start].marks[0],
-                      opposite(m_halfedge[p]));
-      }
+      if(is_at_corner(s.from))
+        add_chord_end({p, true}, s.from, m_halfedge[p]);
+      if(is_at_corner(s.to))
+        add_chord_end({p, false}, s.to, opposite(m_halfedge[p]));
     }
     std::sort(m_chord_ends.begin(), m_chord_ends.end());
   }
@@ -199,21 +198,48 @@ private:
     return m_chords_at_mark[mark][is_first_halfedge(h) ? 0 : 1];
   }
 
-  void add_chord_end(Curve_index piece, const Face_point& at_corner, const Face_point& other,
-                     Curve_index other_mark, Halfedge_index out)
+  // A chord may end at a vertex inside the face: then ways on its right and on its left, which
+  // cross no edge, determine its place.
+  void add_chord_end(const Strand& chord, const Face_point& at_corner, Halfedge_index out)
   {
-    const Curve_segment& s = m_pieces[piece].segment;
+    const Curve_strands strands = m_edges.strands();
     const std::size_t c = corner_number(at_corner);
-    if(other_mark == no_index) {
-      const std::size_t turn = (corner_number(other) + 3 - c) % 3;
-      const auto p = static_cast<std::ptrdiff_t>(piece);
-      m_chord_ends.push_back({corner_index(s.face, c), {turn, 0, turn == 1 ? p : -p}, out});
-    } else {
-      const Curve_index mark =
-        m_edges.numbers().position(side_of_end(s, other, m_fine), other_mark);
-      m_chord_ends.push_back(
-        {corner_index(s.face, c), {(side_number(other) + 3 - c) % 3, 1 + mark, 0}, out});
+    const auto [right, chords_on_right] = way_out(chord, at_corner.corners, Turn::right);
+    const Strand left = way_out(chord, at_corner.corners, Turn::left).first;
+    const Position first = position(right, c), last = position(left, c);
+    std::ptrdiff_t tie = chords_on_right;
+    if(strands.edge(left) == strands.edge(chord) && is_at_corner(strands.end(left)))
+      tie = (first.first == 1 ? 1 : -1) * static_cast<std::ptrdiff_t>(chord.piece);
+    m_chord_ends.push_back(
+      {corner_index(strands.piece(chord).segment.face, c), {first, last, tie}, out});
+  }
+
+  // Where the way on one side of a chord leaves its face. If it comes back to the corner by another
+  // chord, that is the next one there, and its way is followed. Returns the number of these too.
+  std::pair<Strand, std::ptrdiff_t> way_out(const Strand& chord, Corner_set corner, Turn turn) const
+  {
+    const Curve_strands strands = m_edges.strands();
+    Strand end = chord;
+    for(std::ptrdiff_t chords = 0;; ++chords) {
+      strands.leave_face(end, turn);
+      if(strands.end(end).corners != corner || end.piece == chord.piece)
+        return {end, chords};
+      end.is_forward = !end.is_forward;
     }
+  }
+
+  // Where a way from corner `c` of a face comes to another corner or a side, counterclockwise from
+  // this corner.
+  Position position(const Strand& s, std::size_t c) const
+  {
+    const Curve_strands strands = m_edges.strands();
+    const Face_point& end = strands.end(s);
+    if(is_at_corner(end))
+      return {(corner_number(end) + 3 - c) % 3, 0};
+    const Curve_index mark =
+      strands.is_last(s) ? m_edges.mark_of_coarse(strands.target(s)) : strands.end_mark(s);
+    const Halfedge_index h = side_of_end(strands.piece(s).segment, end, m_fine);
+    return {(side_number(end) + 3 - c) % 3, 1 + m_edges.numbers().position(h, mark)};
   }
 
   static std::size_t corner_index(Face_index f, std::size_t c) { return 3 * std::size_t(f) + c; }
@@ -230,11 +256,31 @@ private:
         return;
       const std::size_t corner =
         corner_index(m_fine.face(h), Intrinsic_triangulations::side_number(h, m_fine));
-      auto end = std::lower_bound(m_chord_ends.begin(), m_chord_ends.end(),
-                                  Chord_end{corner, {0, 0, 0}, Halfedge_index()});
+      auto end = std::lower_bound(m_chord_ends.begin(), m_chord_ends.end(), corner,
+                                  [](const Chord_end& a, std::size_t b) { return a.corner < b; });
       for(; end != m_chord_ends.end() && end->corner == corner; ++end)
         out.push_back(end->out);
     });
+  }
+
+  // around a vertex that only the coarse level has, as there
+  void collect_spokes_of_new_vertex(Vertex_index v, Curve_index mark,
+                                    std::vector<Halfedge_index>& out) const
+  {
+    const Curve_strands strands = m_edges.strands();
+    for_each_spoke(m_edges.new_vertex(v), m_edges.map().coarse().mesh(), [&](Halfedge_index h) {
+      const Strand s = strands.first(h);
+      out.push_back(s.is_forward ? m_halfedge[s.piece] : opposite(m_halfedge[s.piece]));
+    });
+    if(mark == no_index)
+      return;
+    auto [before, after] = m_edges.pieces_around_mark(mark);
+    if(m_fine.is_border(first_halfedge(m_edges.mark(mark).edge)))
+      std::tie(before, after) = std::pair(opposite(after), opposite(before));
+    if(out.front() != after)
+      out.insert(out.begin(), after);
+    if(out.back() != opposite(before))
+      out.push_back(opposite(before));
   }
 
   // the first piece of `h`, and the chords at the marks that have been moved to its source

@@ -17,21 +17,21 @@
 
 namespace CGAL::Intrinsic_simplification::internal {
 
-// The removal of a vertex or its inverse: the sectors m01, m12 and m20, of which m20 is missing at
-// the boundary, are the face 012.
+// The removal of a vertex or its inverse, an insertion: the sectors m01, m12 and m20, of which m20
+// is missing at the boundary, are the face 012.
 class Vertex_sectors
 {
 public:
   static constexpr std::size_t m = 3;
 
-  Vertex_sectors(const Removal& removal)
-    : Vertex_sectors(removal.corners, removal.weight[0], removal.weight[1], 0, false)
+  Vertex_sectors(const Removal& o) : Vertex_sectors(o, false) {}
+  Vertex_sectors(const Insertion& o) : Vertex_sectors(o, true) {}
+  Vertex_sectors(const Border_removal& o)
+    : Vertex_sectors(o, Face_corner(o.corners[0].face(), 1), false)
   {}
-  Vertex_sectors(const Border_removal& removal)
-    : Vertex_sectors({removal.corners[0], removal.corners[1], Face_corner()}, removal.weight, 0, 1,
-                     true)
-  {}
+  Vertex_sectors(const Border_insertion& o) : Vertex_sectors(o, o.whole, true) {}
 
+  bool is_insertion() const { return m_is_insertion; }
   bool is_border() const { return m_is_border; }
   Patch_face whole() const { return Patch_face(m_whole, {0, 1, 2}); }
   Patch_face operator[](std::size_t n) const
@@ -138,12 +138,22 @@ private:
   static constexpr Corner_set whole_face() { return bit(0) | bit(1) | bit(2); }
   static constexpr Corner_set border_side() { return bit(0) | bit(2); }
 
-  Vertex_sectors(const std::array<Face_corner, 3>& corners, double x, double y, std::size_t first,
-                 bool is_border)
-    : m_is_border(is_border),
-      m_vertex{x, y, (std::max)(1 - x - y, 0.)},
-      m_whole(corners[0].face(), first),
-      m_sector(corners)
+  template <typename Operation>
+  Vertex_sectors(const Operation& o, bool is_insertion)
+    : m_is_border(false),
+      m_is_insertion(is_insertion),
+      m_vertex{o.weight[0], o.weight[1], (std::max)(1 - o.weight[0] - o.weight[1], 0.)},
+      m_whole(o.corners[0].face(), 0),
+      m_sector(o.corners)
+  {}
+
+  template <typename Operation>
+  Vertex_sectors(const Operation& o, Face_corner whole, bool is_insertion)
+    : m_is_border(true),
+      m_is_insertion(is_insertion),
+      m_vertex{o.weight, 0, (std::max)(1 - o.weight, 0.)},
+      m_whole(whole),
+      m_sector{o.corners[0], o.corners[1], Face_corner()}
   {}
 
   // The corner of which a point has the least, compared with the vertex: the point and this corner
@@ -163,7 +173,7 @@ private:
     return std::abs(m_vertex[a] * x.weight[c] - m_vertex[c] * x.weight[a]);
   }
 
-  bool m_is_border;
+  bool m_is_border, m_is_insertion;
   Coordinates m_vertex; // in the whole face
   Face_corner m_whole;  // 0
   std::array<Face_corner, 3> m_sector;

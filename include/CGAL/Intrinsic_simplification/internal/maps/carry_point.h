@@ -47,7 +47,7 @@ public:
 
   void pass(const Vertex_sectors& sectors)
   {
-    if constexpr(is_forward) {
+    if(is_forward != sectors.is_insertion()) {
       const Coordinates& b = m_point.second;
       const std::size_t n = sectors.sector_of(m_point.first);
       Patch_coordinates x = n == 0   ? sectors[0].in_patch(b)

@@ -48,6 +48,27 @@ inline void flip(Halfedge_index h, const Flip_geometry& geometry, Intrinsic_surf
   surface.flip(h, geometry.length);
 }
 
+// Inserts a vertex into the face of `h` and records it. Its barycentric coordinates and the lengths
+// of its edges are in the order of those of the face. Returns the halfedge to the first corner.
+inline Halfedge_index insert(Face_index f, const std::array<double, 3>& weight,
+                             const std::array<double, 3>& length, Intrinsic_surface& surface,
+                             Surface_history& history)
+{
+  const Halfedge_index a = surface.split_face(surface.mesh().halfedge(f), length);
+  history.add_insertion(a, surface.mesh(), weight[0], weight[1]);
+  return a;
+}
+
+// Inserts a vertex into the boundary edge of `h` at `t`, see `Intrinsic_surface`, and records it.
+inline void insert_on_border(Halfedge_index h, double t, const std::array<double, 3>& length,
+                             Intrinsic_surface& surface, Surface_history& history)
+{
+  const Delta_complex& mesh = surface.mesh();
+  const Face_corner whole(mesh.next(h), mesh);
+  surface.split_border_edge(h, length);
+  history.add_border_insertion(h, mesh, whole, t);
+}
+
 // Flattens the center of a star and records it. Directions stay.
 inline void scale(const Flattened_star& star, Intrinsic_surface& surface, Surface_history& history)
 {

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Surfaces simplified to a hundredth of their vertices, and then refined to angles of 25 degrees:
+// the least angles, faces below the bound that a narrow vertex excuses and others, how far points
+// of the refined surface are away after having been to the input and back, the common subdivision,
+// and errors of a Poisson equation (see Poisson_comparison.h) and of distances from a vertex,
+// without and with refinement. Of the meshes on the command line, or of all of CGAL's that are
+// surfaces.
+
+#include "Poisson_comparison.h"
+#include "surfaces.h"
+
+#include <CGAL/Intrinsic_simplification/Prolonged_distances.h>
+#include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
+#include <CGAL/Intrinsic_simplification/refine.h>
+#include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+typedef IS::Surface_map::Location Location;
+
+double least_angle(const IS::Surface_level& level)
+{
+  return IT::diagnose(level.mesh(), IT::parameters::edge_length_map(level.length_map()))
+    .statistics()
+    .min_angle;
+}
+
+// How far points are apart, by their coordinates: those that an edge or a vertex shares between
+// faces are equal.
+double difference(const Location& p, const Location& q, const IS::Delta_complex& mesh)
+{
+  std::map<IT::Vertex_index, double> sum;
+  const auto p_sides = IT::sides(p.first, mesh), q_sides = IT::sides(q.first, mesh);
+  for(std::size_t s = 0; s < 3; ++s) {
+    sum[mesh.source(p_sides[s])] += p.second[s];
+    sum[mesh.source(q_sides[s])] -= q.second[s];
+  }
+  double result = 0;
+  for(const auto& [v, x] : sum)
+    result = (std::max)(result, std::abs(x));
+  return result;
+}
+
+double error_there_and_back(const IS::Surface_map& map)
+{
+  const IS::Delta_complex& mesh = map.coarse().mesh();
+  CGAL::Random random(1);
+  double result = 0;
+  for(const IT::Face_index f : mesh.faces())
+    for(int n = 0; n < 4; ++n) {
+      const double x = random.get_double(), y = random.get_double(0, 1 - x);
+      const Location p{f, {x, y, 1 - x - y}};
+      result = (std::max)(result, difference(p, map.to_coarse(map.to_fine(p)), mesh));
+    }
+  return result;
+}
+
+// of three sources, in percent
+double distance_error(const IS::Surface_map& map, const Eigen::SparseMatrix<double>& prolongation)
+{
+  const unsigned n = map.fine().mesh().number_of_vertices();
+  double error = 0, sum = 0;
+  for(unsigned k = 0; k < 3; ++k) {
+    const IT::Vertex_index source(k * n / 3);
+    const Eigen::VectorXd exact = IS::internal::geodesic_distances(source, map.fine());
+    const Eigen::VectorXd near = IS::prolonged_distances_from(source, map, prolongation);
+    for(Eigen::Index v = 0; v < exact.size(); ++v)
+      if(std::isfinite(exact[v]) && std::isfinite(near[v])) {
+        error += std::abs(exact[v] - near[v]);
+        sum += exact[v];
+      }
+  }
+  return 100 * error / sum;
+}
+
+std::string subdivision_of(const IS::Surface_map& map)
+{
+  try {
+    return std::to_string(IS::Surface_subdivision<>(map).mesh().number_of_vertices());
+  } catch(const IT::Numerical_error&) {
+    return "none";
+  }
+}
+
+struct Errors
+{
+  double poisson, distance;
+};
+
+Errors errors(const IS::Surface_map& map, const Poisson_comparison& comparison)
+{
+  const Eigen::SparseMatrix<double> p = IS::prolongation_matrix(map);
+  return {100 * comparison.error(map.coarse(), p), distance_error(map, p)};
+}
+
+void benchmark(const std::string& name, const Mesh& mesh)
+{
+  IS::Evolving_surface surface(mesh);
+  const IS::Surface_level fine(surface);
+  IS::simplify(surface, IS::parameters::number_of_vertices(
+                          std::size_t(std::ceil(mesh.number_of_vertices() / 100.))));
+  const IS::Surface_level coarse(surface);
+  const IT::Refinement_result result = IS::refine(surface);
+  const IS::Surface_level refined(surface);
+  const auto excused = static_cast<std::size_t>(
+    std::count_if(result.remaining.begin(), result.remaining.end(), IT::is_excused));
+  const IS::Surface_map to_coarse(surface, fine, coarse), to_refined(surface, fine, refined);
+  const Poisson_comparison comparison(mesh);
+  const Errors before = errors(to_coarse, comparison), after = errors(to_refined, comparison);
+  std::printf("%-30s%9u%8u%8u%7.1f%7.1f%6zu%6zu%10.1e%9s%9.3f%9.3f%8.2f%8.2f\n", name.c_str(),
+              mesh.number_of_vertices(), coarse.mesh().number_of_vertices(),
+              refined.mesh().number_of_vertices(), least_angle(coarse), least_angle(refined),
+              excused, result.remaining.size() - excused, error_there_and_back(to_refined),
+              subdivision_of(to_refined).c_str(), before.poisson, after.poisson, before.distance,
+              after.distance);
+  std::fflush(stdout);
+}
+
+void benchmark_file(const std::string& path)
+{
+  try {
+    const Mesh mesh = read_surface(path);
+    if(mesh.number_of_vertices() > 0)
+      benchmark(name_of(path), mesh);
+  } catch(const std::exception& e) {
+    std::printf("%-30s %s\n", name_of(path).c_str(), e.what());
+  }
+}
+
+std::vector<std::string> data_files()
+{
+  std::vector<std::string> result;
+  for(const auto& file : std::filesystem::directory_iterator(
+        std::filesystem::path(CGAL::data_file_path("meshes/elephant.off")).parent_path()))
+    result.push_back(file.path().string());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  std::printf("%-30s%9s%8s%8s%14s%12s%10s%9s%18s%16s\n", "mesh", "vertices", "coarse", "refined",
+              "angle", "excused,not", "there+back", "subdiv.", "Poisson %", "distances %");
+  for(const std::string& path :
+      argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : data_files())
+    benchmark_file(path);
+}

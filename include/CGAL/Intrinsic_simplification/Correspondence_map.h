@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_CORRESPONDENCE_MAP_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_CORRESPONDENCE_MAP_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+
+namespace CGAL::Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// the identity of a surface as a map between its triangulations: from \f$T_1\f$, called fine, to
+/// \f$T_2\f$, called coarse, whichever has more vertices. It has the names of `Surface_map`, so
+/// that `Composed_map` joins maps that integer coordinates give and maps that a history gives.
+///
+/// The object refers to the triangulation and is valid until that changes.
+class Correspondence_map
+{
+public:
+  /// the type of the crossings.
+  typedef Intrinsic_triangulations::Correspondence<> Correspondence;
+  /// a face and barycentric coordinates that sum up to one.
+  typedef Surface_map::Location Location;
+  /// the type of the triangulation.
+  typedef Correspondence::Triangulation Triangulation;
+
+  /// prepares the map. Complexity and exceptions: those of
+  /// `Intrinsic_triangulations::Correspondence`.
+  explicit Correspondence_map(const Triangulation& tri) : m_correspondence(tri) {}
+
+  /// returns the crossings of both triangulations.
+  const Correspondence& correspondence() const { return m_correspondence; }
+
+  /// returns \f$T_1\f$ as a model of `IntrinsicSurface`.
+  auto fine() const { return m_correspondence.triangulation().input(); }
+  /// returns \f$T_2\f$ as a model of `IntrinsicSurface`.
+  auto coarse() const { return m_correspondence.triangulation().intrinsic(); }
+
+  /// returns `v`: vertices of \f$T_1\f$ are vertices of \f$T_2\f$.
+  Vertex_index coarse_vertex(Vertex_index v) const { return v; }
+
+  /// maps a point of \f$T_1\f$ to \f$T_2\f$. Complexity: that of
+  /// `Intrinsic_triangulations::point_across()`.
+  Location to_coarse(const Location& p) const
+  {
+    return Intrinsic_triangulations::point_across(m_correspondence,
+                                                  Intrinsic_triangulations::Side::input, p);
+  }
+
+  /// maps a point of \f$T_2\f$ to \f$T_1\f$. Complexity: as `to_coarse()`.
+  Location to_fine(const Location& p) const
+  {
+    return Intrinsic_triangulations::point_across(m_correspondence,
+                                                  Intrinsic_triangulations::Side::intrinsic, p);
+  }
+
+private:
+  Correspondence m_correspondence;
+};
+
+} // namespace CGAL::Intrinsic_simplification
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_CORRESPONDENCE_MAP_H

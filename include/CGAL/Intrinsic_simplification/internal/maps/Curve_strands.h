@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_CURVE_STRANDS_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_CURVE_STRANDS_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_simplification::internal {
+
+// a piece of an edge of the coarse level, followed with or against the direction of its edge
+struct Strand
+{
+  std::size_t piece;
+  bool is_forward;
+};
+
+// Where a curve goes on at a vertex of the coarse level that lies inside a fine face: along the
+// next edge on one side, so that the way does not cross any edge.
+enum class Turn
+{
+  left,
+  right
+};
+
+// The ways along the edges of the coarse level over the faces of the fine level.
+class Curve_strands
+{
+public:
+  Curve_strands(const std::vector<Coarse_piece>& pieces,
+                const std::vector<Curve_index>& first_piece, const Delta_complex& coarse)
+    : m_pieces(pieces), m_first_piece(first_piece), m_coarse(coarse)
+  {}
+
+  const Coarse_piece& piece(const Strand& s) const { return m_pieces[s.piece]; }
+  Edge_index edge(const Strand& s) const { return piece(s).edge; }
+
+  const Face_point& end(const Strand& s) const
+  {
+    return s.is_forward ? piece(s).segment.to : piece(s).segment.from;
+  }
+  Curve_index end_mark(const Strand& s) const { return piece(s).marks[s.is_forward ? 1 : 0]; }
+
+  // whether there is no piece of the edge after this one
+  bool is_last(const Strand& s) const
+  {
+    const Edge_index e = edge(s);
+    return s.is_forward ? s.piece + 1 == m_first_piece[e.idx() + 1]
+                        : s.piece == m_first_piece[e.idx()];
+  }
+
+  // the first piece of the halfedge `h` of the coarse level
+  Strand first(Halfedge_index h) const
+  {
+    const Edge_index e(h);
+    return Intrinsic_triangulations::is_first_halfedge(h)
+             ? Strand{m_first_piece[e.idx()], true}
+             : Strand{m_first_piece[e.idx() + 1] - std::size_t(1), false};
+  }
+
+  // the vertex of the coarse level at the end of the edge
+  Vertex_index target(const Strand& s) const { return m_coarse.target(halfedge(s)); }
+
+  void advance(Strand& s, Turn turn) const
+  {
+    if(is_last(s))
+      s = first(next(halfedge(s), turn));
+    else
+      s.piece = s.is_forward ? s.piece + 1 : s.piece - 1;
+  }
+
+  // Goes on to where the way leaves the face; whether it does. An edge that comes from outside is
+  // followed by two edges of its face at most before.
+  bool leave_face(Strand& s, Turn turn) const
+  {
+    for(int edges = 0; is_bend(end(s)); advance(s, turn))
+      if(is_last(s) && ++edges > 2)
+        return false;
+    return true;
+  }
+
+private:
+  Halfedge_index halfedge(const Strand& s) const
+  {
+    const Halfedge_index h = Intrinsic_triangulations::first_halfedge(edge(s));
+    return s.is_forward ? h : Intrinsic_triangulations::opposite(h);
+  }
+
+  // vertices inside faces are not on the boundary
+  Halfedge_index next(Halfedge_index h, Turn turn) const
+  {
+    return turn == Turn::left ? m_coarse.next(h)
+                              : m_coarse.opposite(m_coarse.prev(m_coarse.opposite(h)));
+  }
+
+  const std::vector<Coarse_piece>& m_pieces;
+  const std::vector<Curve_index>& m_first_piece; // of each edge of the coarse level, and the end
+  const Delta_complex& m_coarse;
+};
+
+} // namespace CGAL::Intrinsic_simplification::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_MAPS_CURVE_STRANDS_H

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_REFINE_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_REFINE_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Evolving_surface.h>
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/internal/operations/Refinement_follower.h>
+#include <CGAL/Intrinsic_simplification/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_simplification {
+
+namespace internal {
+
+// An intrinsic triangulation that is a level of a surface, with its constraints.
+inline Evolving_surface::Triangulation constrained_triangulation(const Surface_level& level,
+                                                                 const Intrinsic_surface& surface)
+{
+  std::vector<char> is_constrained;
+  for(Edge_index e : surface.mesh().edges())
+    is_constrained.push_back(surface.is_constrained(e) ? 1 : 0);
+  const auto map = boost::make_function_property_map<Edge_index>(
+    [&](Edge_index e) { return is_constrained[e] != 0; });
+  return Evolving_surface::Triangulation(
+    level.mesh(), Intrinsic_triangulations::parameters::edge_length_map(level.length_map())
+                    .edge_is_constrained_map(map));
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// inserts vertices into a surface and flips it to Delaunay until every face obeys the bounds or is
+/// excused, as `Intrinsic_triangulations::refine()` does with an intrinsic triangulation of it: the
+/// surface as it is, with its geometry, gets better faces. What is done is recorded like the
+/// removals before: maps, subdivisions and prolongations lead through both.
+///
+/// \tparam NamedParameters a sequence of named parameters
+/// \param surface the surface
+/// \param np the parameters of `Intrinsic_triangulations::refine()`. The predicate and the visitor
+///   get elements of an intrinsic triangulation of the surface, with indices without gaps.
+///
+/// Complexity: that of `Intrinsic_triangulations::refine()`, and linear in the elements.
+/// \returns what has been done, how it ended, and the faces of the surface that violate the bounds,
+///   with the reason
+/// \throws what `Intrinsic_triangulations::refine()` throws; after that the surface is valid
+template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Intrinsic_triangulations::Refinement_result
+refine(Evolving_surface& surface, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  namespace IT = Intrinsic_triangulations;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  IT::Default_refinement_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  typedef std::remove_reference_t<decltype(visitor)> Visitor;
+  Evolving_surface::Triangulation tri =
+    internal::constrained_triangulation(Surface_level(surface), surface.surface());
+  internal::Refinement_follower<Visitor> follower(tri, surface, visitor);
+  IT::Refinement_result result = IT::refine(tri, np.visitor(std::ref(follower)));
+  follower.take_lengths();
+  for(IT::Remaining_face& f : result.remaining) {
+    f.face = follower.image(f.face);
+    if(f.vertex.is_valid())
+      f.vertex = follower.image(f.vertex);
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_simplification
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_REFINE_H
