@@ -157,6 +157,10 @@ void add_refine(CLI::App& app, Options& options)
     app, "refine", "Insert vertices until all faces have a good shape", options.common.input);
   add_subdivision_options(command, options.refine, options.common);
   add_bounds(command, options.refine.bounds);
+  command.add_flag(
+    "--simplicial", options.refine.bounds.is_simplicial,
+    "Insert vertices until no edge is a loop and no two have the same ends, and write "
+    "the triangulation itself, its faces flat in space, in place of the subdivision");
   add_exact(command, options.common,
             "Decide exactly about edges and inserted vertices, and certify the triangulation");
   command.footer(Help::refine);

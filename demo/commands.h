@@ -78,6 +78,7 @@ struct Refinement_bounds
   double minimum_angle = 25; // in degrees; 0 for none
   double maximum_circumradius = std::numeric_limits<double>::infinity();
   std::size_t maximum_number_of_insertions = 10000000;
+  bool is_simplicial = false;
 };
 
 struct Refine_options : Output_options
@@ -89,7 +90,7 @@ struct Refine_options : Output_options
 };
 
 // Inserts vertices into the intrinsic Delaunay triangulation until its faces obey the bounds, and
-// writes its common subdivision with the input. Returns the exit code.
+// writes its common subdivision with the input, or its own faces. Returns the exit code.
 int refine(const Common_options& common, const Refine_options& options);
 
 struct Distance_options : Output_options

@@ -55,7 +55,11 @@ flipped as well, "decisions" how the certificate was reached.
 Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an
 input edge with an intrinsic edge, 2 inserted vertex.
 
-Example:
+With --simplicial the output is an ordinary mesh, for other programs: its vertices lie on the surface,
+its edges are straight in space, and their property "length" is that on the surface.
+
+Examples:
+  intrinsic refine scan.ply -o mesh.ply --simplicial
   intrinsic refine scan.ply -o refined.vtp --min-angle 25 --stats refined.json)";
 
 const char* const distance =

@@ -8,7 +8,11 @@
 #include "Mesh_writer.h"
 #include "triangulation_stages.h"
 
+#include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
+
 #include <sstream>
+
+namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
@@ -32,6 +36,21 @@ faces_below_bounds(const CGAL::Intrinsic_triangulations::Refinement_result& refi
   return {"faces below the bounds", true, parts_of(faces, "intrinsic_face", mesh), {}, {}};
 }
 
+// The faces of the triangulation itself, flat in space.
+Output_mesh own_faces(const Triangulation& triangulation, const Mesh& input)
+{
+  const Mesh mesh = IT::extrinsic_mesh(triangulation, input.points());
+  Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
+  const auto kind = [&](IT::Vertex_index v) {
+    return static_cast<std::int64_t>(triangulation.is_inserted(v) ? Vertex_kind::inserted
+                                                                  : Vertex_kind::input);
+  };
+  result.point_data = {attribute("kind", mesh.vertices(), kind)};
+  result.edge_data = {
+    attribute("length", mesh.edges(), [&](IT::Edge_index e) { return triangulation.length(e); })};
+  return result;
+}
+
 } // namespace
 
 int refine(const Common_options& common, const Refine_options& options)
@@ -45,7 +64,9 @@ int refine(const Common_options& common, const Refine_options& options)
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
     const Output_mesh mesh = subdivision_mesh(subdivision);
-    run.add_output(options.output, mesh, format);
+    run.add_output(options.output,
+                   options.bounds.is_simplicial ? own_faces(triangulation, run.input().mesh) : mesh,
+                   format);
     run.show([&](View_page& page) {
       show(page, run, triangulation, subdivision, mesh);
       page.add_marks(faces_below_bounds(refinement, mesh));

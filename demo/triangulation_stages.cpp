@@ -50,6 +50,7 @@ IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bou
   return IT::refine(triangulation,
                     IT::parameters::minimum_angle(bounds.minimum_angle)
                       .maximum_circumradius(bounds.maximum_circumradius)
+                      .simplicial(bounds.is_simplicial)
                       .maximum_number_of_insertions(bounds.maximum_number_of_insertions)
                       .exact_decisions(is_exact));
 }

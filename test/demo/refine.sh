@@ -162,3 +162,17 @@ if [ -n "$data" ]; then
     claim "json('mesh.json').faces_below_bound > 0 or shape(ply('mesh.ply'))[0] >= 25 - 1e-6"
   done
 fi
+
+# A pillow with a thin corner: its triangulation is no simplicial complex before.
+off pillow '0 0 0,1 0 0,0.5 0.1 0' '3 0 1 2,3 0 2 1'
+expect 0 refine pillow.mesh.off -o a.ply --simplicial --min-angle 0 --stats a.json
+claim "s = json('a.json')" "m = ply('a.ply')" "s.status == 'bounds_met'" \
+  "m.vertex['kind'] == [0] * 3 + [2] * s.inserted_vertices" \
+  'len({frozenset(f) for f in m.faces}) == s.faces' \
+  'len({frozenset(e) for e in m.edges}) == s.edges' 'all(len(set(e)) == 2 for e in m.edges)'
+for format in off obj vtp; do
+  expect 0 refine slivers.mesh.off -o "a.$format" --simplicial
+done
+expect 1 refine pillow.mesh.off -o b.ply --simplicial --max-insertions 1
+says 'has a side that is a loop'
+rm a.*

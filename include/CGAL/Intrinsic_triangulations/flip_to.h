@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -54,6 +55,33 @@ void interpolate(typename Subdivision::Side side, const Subdivision& subdivision
   };
   internal::for_each_in_chunks<Vertex_index>(internal::concurrency_of(np), subdivision.mesh(),
                                              interpolate_at);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// computes the values at the vertices of \f$T_2\f$ of a function that is linear on the faces of
+/// \f$T_1\f$. Vertices of \f$T_1\f$ keep their values, bitwise. Complexity: linear.
+///
+/// \param pair the two triangulations
+/// \param value a readable property map from the vertices of \f$T_1\f$ to the values of the
+///        function: numbers, or points or vectors of a kernel
+/// \param result a writable property map from the vertices of \f$T_2\f$ to values
+template <typename Traits, typename ValueMap, typename ResultMap>
+void interpolate(const Triangulation_pair<Traits>& pair, const ValueMap& value, ResultMap result)
+{
+  const Delta_complex& input = pair.input_mesh();
+  for(Vertex_index v : pair.mesh().vertices()) {
+    if(!pair.is_inserted(v)) {
+      put(result, v, get(value, v));
+      continue;
+    }
+    const auto& [face, weight] = pair.inserted_vertex(v).location;
+    const auto side = sides(face, input);
+    const auto& first = get(value, input.source(side[0]));
+    auto sum = first;
+    for(std::size_t c = 1; c < 3; ++c)
+      sum = sum + weight[c] * (get(value, input.source(side[c])) - first);
+    put(result, v, sum);
+  }
 }
 
 } // namespace CGAL::Intrinsic_triangulations

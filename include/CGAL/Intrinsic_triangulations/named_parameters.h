@@ -19,6 +19,7 @@
   DO(time_step_factor)                                                                             \
   DO(minimum_angle)                                                                                \
   DO(maximum_circumradius)                                                                         \
+  DO(simplicial)                                                                                   \
   DO(face_predicate)                                                                               \
   DO(maximum_number_of_insertions)
 
@@ -86,6 +87,10 @@ auto minimum_angle(const Number& value);
 /// names the greatest circumradius that faces shall have.
 template <typename Number>
 auto maximum_circumradius(const Number& value);
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// names whether the triangulation shall be simplicial.
+auto simplicial(bool value);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// names a function that determines whether a face of \f$T_2\f$ is refined.

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Delaunay_refinement.h>
+#include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
@@ -53,10 +54,11 @@ class Face_bounds
 
 public:
   Face_bounds(const Triangulation& tri, const FT& degrees, const FT& circumradius,
-              const Predicate& predicate)
+              bool is_simplicial, const Predicate& predicate)
     : m_tri(tri),
       m_sine(std::sin(degrees * pi<FT>() / 180)),
       m_circumradius(circumradius),
+      m_is_simplicial(is_simplicial),
       m_predicate(predicate)
   {}
 
@@ -78,6 +80,16 @@ public:
            m_predicate(f);
   }
 
+  // Returns the least angle around a vertex at which faces can have 30 degrees. Three of them are
+  // necessary there in a simplicial triangulation.
+  FT narrow_angle() const { return m_is_simplicial ? pi<FT>() / 2 : pi<FT>() / 3; }
+
+  // returns whether `f` keeps the triangulation from being simplicial, as it shall be
+  bool is_not_simplicial(Face_index f) const
+  {
+    return m_is_simplicial && !is_simplicial(f, m_tri.mesh());
+  }
+
 private:
   std::array<FT, 3> sides_of(Face_index f) const
   {
@@ -89,6 +101,7 @@ private:
 
   const Triangulation& m_tri;
   FT m_sine, m_circumradius;
+  bool m_is_simplicial;
   const Predicate& m_predicate;
 };
 
@@ -117,14 +130,14 @@ template <typename Traits, typename Bounds>
 std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits>& tri,
                                             const Bounds& bounds, const Refinement_result& result)
 {
-  const Narrow_vertices<Traits> narrow(tri, result.is_exact);
+  const Narrow_vertices<Traits> narrow(tri, bounds.narrow_angle(), result.is_exact);
   const Crossing_lists<Traits> lists(tri);
   std::vector<Remaining_face> remaining;
   const auto unexcused = [&](Face_index f) {
     return Remaining_face{f, reason_left(tri, f, result), tri.mesh().null_vertex()};
   };
   for(Face_index f : tri.mesh().faces()) {
-    if(bounds.is_too_large(f))
+    if(bounds.is_too_large(f) || bounds.is_not_simplicial(f))
       remaining.push_back(unexcused(f));
     else if(bounds.is_too_thin(f)) {
       const auto excuse = narrow.excuse(f, lists);
@@ -254,8 +267,9 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// boundary or constrained edge that hides it is split in the middle. The surface and the vertices
 /// of the input stay as they are.
 ///
-/// Vertices with an angle sum of less than 60 degrees, or less than 60 degrees between two boundary
-/// or constrained edges, are narrow: no triangulation has large angles there. A face that violates
+/// Vertices with an angle sum of less than 60 degrees (90 if \f$T_2\f$ is to be simplicial: three
+/// faces must be there), or less than 60 degrees between two boundary or constrained edges, are
+/// narrow: no triangulation has large angles there. A face that violates
 /// the bound on angles, and only this one, is excused if exactly one of its corners is narrow, or
 /// if there is a narrow vertex \f$v\f$ such that it lies in faces of \f$T_1\f$ at \f$v\f$ and is
 /// crossed only by edges of \f$T_1\f$ that end at \f$v\f$. (In Section 3.6 it must lie in one face
@@ -290,6 +304,12 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   \cgalParamNBegin{maximum_circumradius}
 ///     \cgalParamDescription{the greatest circumradius}
 ///     \cgalParamDefault{infinite}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{simplicial}
+///     \cgalParamDescription{whether \f$T_2\f$ is to be simplicial, see `is_simplicial()`: without
+///       loops, and with one edge at most between two vertices}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{face_predicate}
 ///     \cgalParamDescription{a function that returns whether a face of \f$T_2\f$ is to be refined}
@@ -341,6 +361,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const FT degrees(choose_parameter(get_parameter(np, internal_np::minimum_angle), FT(25)));
   const FT circumradius(choose_parameter(get_parameter(np, internal_np::maximum_circumradius),
                                          std::numeric_limits<FT>::infinity()));
+  const bool simplicial = choose_parameter(get_parameter(np, internal_np::simplicial), false);
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
   const auto insertions = static_cast<std::size_t>(choose_parameter(
@@ -352,7 +373,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   const internal::Face_bounds<Traits, decltype(predicate)> bounds(tri, degrees, circumradius,
-                                                                  predicate);
+                                                                  simplicial, predicate);
   const internal::Refinement_limits limits{insertions, flips};
   if constexpr(internal::has_metric<Traits>())
     if(internal::Is_exact<Traits>::value ||

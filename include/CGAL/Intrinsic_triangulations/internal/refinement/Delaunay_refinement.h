@@ -14,6 +14,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Circumcenter_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Narrow_vertices.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Vertex_surroundings.h>
+#include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,8 +54,8 @@ using Layout_of = typename Layout_selection<Traits, is_exact>::type;
 // or the boundary or constrained edge that hides it is split and circumcenters near by are removed
 // again.
 //
-// `Bounds` has is_too_thin(f) and is_too_large(f); only faces that are too thin can be excused. The
-// visitor is notified of every change.
+// `Bounds` has is_too_thin(f), is_too_large(f) and is_not_simplicial(f); only faces that are too thin
+// can be excused. The visitor is notified of every change.
 template <typename Traits, typename Bounds, typename Visitor, bool is_exact>
 class Delaunay_refinement
 {
@@ -63,17 +65,19 @@ class Delaunay_refinement
   typedef Layout_of<Traits, is_exact> Layout;
   typedef Circumcenter_walk<Edge_length_map, Layout> Walk;
 
-  // a bad face, as it was when it was found; the greatest circumradius comes first
+  // A bad face, as it was when it was found. Those of bad shape come first: where angles are large, the
+  // middle of an edge is not near to a vertex.
   struct Candidate
   {
-    FT circumradius;
+    bool has_bad_shape;
+    FT rank; // the greatest comes first
     Face_index face;
     std::size_t version;
 
     friend bool operator<(const Candidate& a, const Candidate& b)
     {
-      return std::make_tuple(a.circumradius, b.face.idx()) <
-             std::make_tuple(b.circumradius, a.face.idx());
+      return std::make_tuple(a.has_bad_shape, a.rank, b.face.idx()) <
+             std::make_tuple(b.has_bad_shape, b.rank, a.face.idx());
     }
   };
 
@@ -86,7 +90,7 @@ public:
       m_limits(limits),
       m_visitor(visitor),
       m_inserter(tri, is_exact),
-      m_narrow(tri, is_exact),
+      m_narrow(tri, bounds.narrow_angle(), is_exact),
       m_walk(tri.intrinsic(), layout()),
       m_ball(tri.intrinsic()),
       m_stack(m_mesh.num_edges())
@@ -109,7 +113,7 @@ public:
         result.status = Refinement_status::insertion_limit;
         break;
       }
-      refine(c.face);
+      refine(c);
     }
     return !m_is_in_doubt;
   }
@@ -138,16 +142,19 @@ private:
     return a * b * c / quadrupled_area(a, b, c);
   }
 
-  bool is_bad(Face_index f) const
+  bool has_bad_shape(Face_index f) const
   {
     return m_bounds.is_too_large(f) ||
            (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, m_inserter.crossing_lists()));
   }
 
+  // The greatest circle comes first; sides are split in turn, lest one of them waits for ever.
   void push_if_bad(Face_index f)
   {
-    if(is_bad(f))
-      m_queue.push({circumradius(f), f, version(f)});
+    if(has_bad_shape(f))
+      m_queue.push({true, circumradius(f), f, version(f)});
+    else if(side_to_split(f).is_valid())
+      m_queue.push({false, -FT(++m_number_of_turns), f, version(f)});
   }
 
   // the number of changes of a face
@@ -160,15 +167,16 @@ private:
 
   bool is_current(const Candidate& c)
   {
-    return !m_mesh.is_removed(c.face) && version(c.face) == c.version && is_bad(c.face);
+    return !m_mesh.is_removed(c.face) && version(c.face) == c.version &&
+           (c.has_bad_shape ? has_bad_shape(c.face) : side_to_split(c.face).is_valid());
   }
 
   // A face stays as it is where rounded numbers leave no room for the new vertex. Exceptions of the
   // visitor go on to the caller.
-  void refine(Face_index f)
+  void refine(const Candidate& c)
   {
     try {
-      insert_circumcenter(f);
+      c.has_bad_shape ? insert_circumcenter(c.face) : make_simplicial(c.face);
     } catch(const Numerical_error&) {
       if(m_is_visited)
         throw;
@@ -182,6 +190,77 @@ private:
     m_is_visited = true;
     call();
     m_is_visited = false;
+  }
+
+  // ---- Simplicial triangulations ----
+
+  // Surrounds a corner that has too few neighbors, or else splits a side. The parts of a Delaunay
+  // edge are Delaunay, and keep edges of other vertices from running around the surface beside it.
+  void make_simplicial(Face_index f)
+  {
+    for(Halfedge_index h : sides(f, m_mesh)) {
+      const Vertex_index v = m_mesh.source(h);
+      if(!m_mesh.is_border(v) && surroundings(v).is_pointed_without_neighbors())
+        return surround(v);
+    }
+    const Halfedge_index h = side_to_split(f);
+    const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);
+    add_vertex(m);
+    m_is_free[m.idx()] = false;
+  }
+
+  // returns whether the edge of `h` is a loop, or longer than another with its ends
+  bool is_superfluous(Halfedge_index h) const
+  {
+    const auto rank = [this](Halfedge_index x) {
+      return std::make_pair(m_tri.length(m_mesh.edge(x)), m_mesh.edge(x));
+    };
+    bool result = m_mesh.source(h) == m_mesh.target(h);
+    for_each_spoke(m_mesh.source(h), m_mesh, [&](Halfedge_index x) {
+      result = result || (m_mesh.target(x) == m_mesh.target(h) && rank(x) < rank(h));
+    });
+    return result;
+  }
+
+  // Returns a loop among the sides of `f`, or else the shortest superfluous one, which runs around a
+  // thin part of the surface: where such are split, long ones along it are simplicial. If no side is
+  // superfluous, it is any side of a face whose corners are those of another, or null.
+  Halfedge_index side_to_split(Face_index f) const
+  {
+    if(!m_bounds.is_not_simplicial(f))
+      return {};
+    const auto rank = [this](Halfedge_index h) {
+      return std::make_tuple(!is_superfluous(h), m_mesh.source(h) != m_mesh.target(h),
+                             m_tri.length(m_mesh.edge(h)));
+    };
+    const auto side = sides(f, m_mesh);
+    const Halfedge_index first =
+      *std::min_element(side.begin(), side.end(),
+                        [&](Halfedge_index a, Halfedge_index b) { return rank(a) < rank(b); });
+    const bool is_alone = std::any_of(
+      side.begin(), side.end(), [this](Halfedge_index h) { return !is_simplicial(h, m_mesh); });
+    return is_alone && !is_superfluous(first) ? Halfedge_index() : first;
+  }
+
+  auto surroundings(Vertex_index v) const
+  {
+    return Vertex_surroundings<Edge_length_map>(v, m_tri.intrinsic());
+  }
+
+  // Inserts three vertices around `v`, a third of its angle from each other and nearer than all
+  // others: so they are its neighbors, and remain so.
+  void surround(Vertex_index v)
+  {
+    const FT distance = surroundings(v).shortest_spoke() / 2;
+    Halfedge_index spoke = first_spoke(v, m_mesh);
+    for(FT part : {FT(1) / 6, FT(1) / 3, FT(1) / 3}) {
+      if(m_result->insertions == m_limits.insertions)
+        return;
+      const Vertex_index m = m_inserter.insert(surroundings(v).place(spoke, part, distance));
+      add_vertex(m);
+      m_is_free[m.idx()] = false;
+      spoke = surroundings(v).spoke_to(m);
+    }
   }
 
   void insert_circumcenter(Face_index f)
@@ -323,6 +402,7 @@ private:
   Dijkstra_ball<Edge_length_map> m_ball;
   Refinement_result* m_result = nullptr;
   std::priority_queue<Candidate> m_queue;
+  std::size_t m_number_of_turns = 0;
   Edge_stack m_stack;
   std::vector<Face_index> m_changed;
   std::vector<std::size_t> m_version;

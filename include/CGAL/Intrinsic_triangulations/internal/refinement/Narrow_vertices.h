@@ -25,8 +25,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The vertices at which no triangulation can have large angles: the angle around them, or between
-// two boundary or constrained edges, is less than 60 degrees (Section 3.6).
+// The vertices at which no triangulation can have large angles: the angle between two boundary or
+// constrained edges there is less than 60 degrees (Section 3.6), or the angle around them less than
+// `least_sum`.
 template <typename Traits>
 class Narrow_vertices
 {
@@ -34,13 +35,13 @@ class Narrow_vertices
   typedef typename Traits::FT FT;
 
 public:
-  Narrow_vertices(const Triangulation& tri, bool has_exact_angles)
+  Narrow_vertices(const Triangulation& tri, const FT& least_sum, bool has_exact_angles)
     : m_tri(tri),
       m_has_exact_angles(has_exact_angles),
       m_is_narrow(tri.mesh().num_vertices(), false)
   {
     for(Vertex_index v : tri.mesh().vertices())
-      m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && least_sector(v) < pi<FT>() / 3;
+      m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && has_narrow_sector(v, least_sum);
   }
 
   // Returns why a face that violates the bound on angles is excused, and by which narrow vertex: if
@@ -122,9 +123,7 @@ private:
     return exact_decisions(m_tri).rounded_angle(h);
   }
 
-  // Returns the least of the angles between fixed edges, or the whole angle if there are fewer than
-  // two.
-  FT least_sector(Vertex_index v) const
+  bool has_narrow_sector(Vertex_index v, const FT& least_sum) const
   {
     const Delta_complex& mesh = m_tri.mesh();
     FT least(-1), sector(0), before_first_fixed(0);
@@ -141,10 +140,11 @@ private:
       if(!mesh.is_border(h))
         sector += angle(h);
     });
+    const FT limit = pi<FT>() / 3;
     if(mesh.is_border(v))
-      return least;
+      return least < limit;
     const FT closing = sector + before_first_fixed;
-    return least < 0 ? closing : (std::min)(least, closing);
+    return least < 0 ? closing < least_sum : (std::min)(least, closing) < limit;
   }
 
   const Triangulation& m_tri;

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_VERTEX_SURROUNDINGS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_VERTEX_SURROUNDINGS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The neighbors and corners of an interior vertex.
+template <typename EdgeLengthMap>
+class Vertex_surroundings
+{
+  typedef typename boost::property_traits<EdgeLengthMap>::value_type FT;
+
+public:
+  Vertex_surroundings(Vertex_index v, const Surface_view<EdgeLengthMap>& surface)
+    : m_surface(surface)
+  {
+    for_each_spoke(v, surface.mesh(), [&](Halfedge_index h) { m_spokes.push_back(h); });
+  }
+
+  // Returns whether fewer than three vertices are its neighbors, and the circumcenters of its faces
+  // would hide them all and leave it with fewer than three again, as on a pointed cone.
+  bool is_pointed_without_neighbors() const
+  {
+    FT sum(0);
+    for(Halfedge_index h : m_spokes)
+      sum += angle_at_source(h, m_surface);
+    return sum < pi<FT>() && number_of_neighbors() < 3;
+  }
+
+  FT shortest_spoke() const
+  {
+    FT least = edge_length(m_spokes[0], m_surface);
+    for(Halfedge_index h : m_spokes)
+      least = (std::min)(least, edge_length(h, m_surface));
+    return least;
+  }
+
+  // returns the point at this distance whose direction is a part of the angle around the vertex
+  // counterclockwise from `spoke`
+  Face_location<FT> place(Halfedge_index spoke, const FT& part, const FT& distance) const
+  {
+    const FT angle = Vertex_angles<FT>(spoke, m_surface).normalized(FT(0)) + 2 * pi<FT>() * part;
+    return trace_geodesic(m_surface, m_surface.mesh().source(spoke), std::polar(distance, angle))
+      .end;
+  }
+
+  // \throws Numerical_error if `v` is no neighbor
+  Halfedge_index spoke_to(Vertex_index v) const
+  {
+    for(Halfedge_index h : m_spokes)
+      if(m_surface.mesh().target(h) == v)
+        return h;
+    throw Numerical_error("rounding has hidden a vertex from its nearest neighbor");
+  }
+
+private:
+  std::size_t number_of_neighbors() const
+  {
+    std::vector<Vertex_index> neighbors;
+    for(Halfedge_index h : m_spokes)
+      neighbors.push_back(m_surface.mesh().target(h));
+    std::sort(neighbors.begin(), neighbors.end());
+    return std::size_t(std::unique(neighbors.begin(), neighbors.end()) - neighbors.begin());
+  }
+
+  Surface_view<EdgeLengthMap> m_surface;
+  std::vector<Halfedge_index> m_spokes;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REFINEMENT_VERTEX_SURROUNDINGS_H
