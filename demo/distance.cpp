@@ -160,9 +160,8 @@ public:
     Triangulation triangulation = make_delaunay_triangulation(m_run);
     refine_if_wanted(m_run, triangulation, m_options.minimum_angle);
     describe(m_run, triangulation);
-    const std::vector<double> values = m_run.timed("solve", [&] {
-      return distances(triangulation, m_run.input().covered, sources, m_options);
-    });
+    const std::vector<double> values = m_run.timed(
+      "solve", [&] { return distances(triangulation, m_run.input().covered, sources, m_options); });
     describe_distances(m_run.statistics(), m_options, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });

@@ -20,6 +20,7 @@
 #include <complex>
 #include <iterator>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -73,7 +74,9 @@ public:
     const Path path = m_run.timed("search", [&] { return search(triangulation); });
     describe_path(path, triangulation);
     m_run.timed("write", [&] {
-      m_run.add_output(m_options.output, polyline(path), m_format);
+      const Output_mesh line = polyline(path);
+      m_run.add_output(m_options.output, line, m_format);
+      m_run.show([&](View_page& page) { show(page, line); });
       save(m_run, triangulation);
     });
     m_run.finish(summary(path));
@@ -184,6 +187,20 @@ private:
     }
     result.lines.close();
     return result;
+  }
+
+  // The surface, with the points of the line after its own.
+  void show(View_page& page, const Output_mesh& line)
+  {
+    Output_mesh surface = output_mesh(m_run.input().mesh);
+    const auto first = static_cast<Polygons::Index>(surface.points.size());
+    surface.points.insert(surface.points.end(), line.points.begin(), line.points.end());
+    Surface_marks marks{"path", false, {}, {}, {}};
+    for(Polygons::Index i = 0; i < line.points.size(); ++i)
+      marks.lines.add_corner(first + i);
+    marks.lines.close();
+    page.add_surface("surface", std::move(surface));
+    page.add_marks(std::move(marks));
   }
 
   void describe_path(const Path& path, const Triangulation& triangulation)
