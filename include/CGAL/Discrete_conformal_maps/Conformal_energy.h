@@ -158,6 +158,7 @@ FT Conformal_energy<FT, Triangle>::value() const
   return weighted_value([](Vertex_index) { return 1.; }, [](Face_index) { return 1.; });
 }
 
+#ifndef DOXYGEN_RUNNING
 template <typename FT, typename Triangle>
 template <typename Vertex_weight, typename Face_weight>
 FT Conformal_energy<FT, Triangle>::weighted_value(const Vertex_weight& vertex_weight,
@@ -184,6 +185,7 @@ FT Conformal_energy<FT, Triangle>::weighted_value(const Vertex_weight& vertex_we
   }
   return sum;
 }
+#endif
 
 } // namespace CGAL::Discrete_conformal_maps
 
