@@ -191,13 +191,15 @@ export class Panel {
   }
 }
 
-// Nested values have the names of both.
+// Nested values have the names of both; of a list of records there is the number.
 function rowsOf(statistics, prefix = '') {
   return Object.entries(statistics).flatMap(([key, value]) => {
     const name = prefix + key.replace(/_/g, ' ');
+    if(Array.isArray(value))
+      return [[name, value.every(x => typeof x !== 'object') ? value.map(x => format(x)).join(', ')
+        : format(value.length)]];
     if(value !== null && typeof value === 'object')
-      return Array.isArray(value) && value.every(x => typeof x !== 'object')
-        ? [[name, value.map(x => format(x)).join(', ')]] : rowsOf(value, `${name}, `);
+      return rowsOf(value, `${name}, `);
     return key === 'command' || key === 'input' ? [] : [[name, format(value)]];
   });
 }

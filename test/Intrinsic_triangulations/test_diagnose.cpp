@@ -148,7 +148,7 @@ TEST(Diagnose, keeps_as_many_occurrences_as_asked_for)
 {
   std::vector<std::array<double, 3>> points(100, {0, 0, 0});
   const std::vector<std::vector<std::size_t>> none_used;
-  const Input_diagnosis d = diagnose_polygon_soup(points, none_used, 40);
+  const Input_diagnosis d = IT::diagnose_polygon_soup(points, none_used, 40);
   EXPECT_EQ(d.count(Defect_kind::ISOLATED_VERTEX), 100u);
   EXPECT_EQ(d.occurrences(Defect_kind::ISOLATED_VERTEX).size(), 40u);
 }
