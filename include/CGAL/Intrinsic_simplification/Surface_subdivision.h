@@ -353,6 +353,9 @@ private:
         m_mesh.set_halfedge(v, in);
       }
     }
+    for(Halfedge_index h : m_mesh.halfedges())
+      if(!m_mesh.next(h).is_valid())
+        fail();
   }
 
   void collect_coarse_parts()
