@@ -13,9 +13,27 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Returns the value at a point of a function that is linear on a simplex, from its first `size`
+// vertices and the barycentric coordinates of the point, which sum up to one.
+template <typename ValueMap, typename Vertices, typename Weights>
+auto linear_value(const ValueMap& value, const Vertices& vertex, const Weights& weight,
+                  std::size_t size)
+{
+  const auto& first = get(value, vertex[0]);
+  auto sum = first;
+  for(std::size_t c = 1; c < size; ++c)
+    sum = sum + weight[c] * (get(value, vertex[c]) - first);
+  return sum;
+}
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// pulls a function that is linear on the faces of one triangulation onto a subdivision, on which
@@ -47,11 +65,7 @@ void interpolate(typename Subdivision::Side side, const Subdivision& subdivision
 {
   const auto interpolate_at = [&](Vertex_index v) {
     const auto w = subdivision.weights(side, v);
-    const auto& first = get(value, w.vertex[0]);
-    auto sum = first;
-    for(std::size_t c = 1; c < w.size; ++c)
-      sum = sum + w.weight[c] * (get(value, w.vertex[c]) - first);
-    put(result, v, sum);
+    put(result, v, internal::linear_value(value, w.vertex, w.weight, w.size));
   };
   internal::for_each_in_chunks<Vertex_index>(internal::concurrency_of(np), subdivision.mesh(),
                                              interpolate_at);
@@ -76,11 +90,9 @@ void interpolate(const Triangulation_pair<Traits>& pair, const ValueMap& value, 
     }
     const auto& [face, weight] = pair.inserted_vertex(v).location;
     const auto side = sides(face, input);
-    const auto& first = get(value, input.source(side[0]));
-    auto sum = first;
-    for(std::size_t c = 1; c < 3; ++c)
-      sum = sum + weight[c] * (get(value, input.source(side[c])) - first);
-    put(result, v, sum);
+    const std::array<Vertex_index, 3> corner{input.source(side[0]), input.source(side[1]),
+                                             input.source(side[2])};
+    put(result, v, internal::linear_value(value, corner, weight, 3));
   }
 }
 

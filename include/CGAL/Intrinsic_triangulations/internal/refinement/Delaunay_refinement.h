@@ -237,9 +237,9 @@ private:
     const Halfedge_index first =
       *std::min_element(side.begin(), side.end(),
                         [&](Halfedge_index a, Halfedge_index b) { return rank(a) < rank(b); });
-    const bool is_alone = std::any_of(
-      side.begin(), side.end(), [this](Halfedge_index h) { return !is_simplicial(h, m_mesh); });
-    return is_alone && !is_superfluous(first) ? Halfedge_index() : first;
+    const bool has_twin = std::all_of(
+      side.begin(), side.end(), [this](Halfedge_index h) { return is_simplicial(h, m_mesh); });
+    return has_twin || is_superfluous(first) ? first : Halfedge_index();
   }
 
   auto surroundings(Vertex_index v) const
