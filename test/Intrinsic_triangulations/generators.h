@@ -88,7 +88,27 @@ inline Mesh cube()
                             {3, 7, 5}});
 }
 
-// The convex hull of random points on the unit sphere.
+// The faces of a mesh by the places of their corners in `points`, in increasing order.
+inline Triangles sorted_triangles(const Mesh& mesh, const std::vector<Point>& points)
+{
+  std::map<Point, std::size_t> number;
+  for(std::size_t n = 0; n < points.size(); ++n)
+    number.emplace(points[n], n);
+  Triangles result;
+  for(Face_index f : mesh.faces()) {
+    std::array<std::size_t, 3> corner;
+    auto c = corner.begin();
+    for(Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      *c++ = number.at(mesh.point(v));
+    std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
+    result.push_back(corner);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// The convex hull of random points on the unit sphere. Its elements have the order of the points,
+// not that in which CGAL finds them, which depends on addresses.
 inline Mesh random_sphere(std::size_t n, unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -99,9 +119,9 @@ inline Mesh random_sphere(std::size_t n, unsigned int seed)
     if(const double length = std::sqrt(v.squared_length()); length > 0.1)
       points.push_back(CGAL::ORIGIN + v / length);
   }
-  Mesh mesh;
-  CGAL::convex_hull_3(points.begin(), points.end(), mesh);
-  return mesh;
+  Mesh hull;
+  CGAL::convex_hull_3(points.begin(), points.end(), hull);
+  return make_mesh(points, sorted_triangles(hull, points));
 }
 
 // A ring of n points between two apexes; with height 0 a disk with two sides.

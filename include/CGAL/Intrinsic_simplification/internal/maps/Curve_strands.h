@@ -56,6 +56,12 @@ public:
                         : s.piece == m_first_piece[e.idx()];
   }
 
+  // whether both follow one edge in one direction
+  bool is_on_same_way(const Strand& s, const Strand& other) const
+  {
+    return halfedge(s) == halfedge(other);
+  }
+
   // the first piece of the halfedge `h` of the coarse level
   Strand first(Halfedge_index h) const
   {

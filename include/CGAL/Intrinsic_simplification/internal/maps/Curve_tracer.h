@@ -230,20 +230,23 @@ private:
   }
 
   // Joins what is straight: a point inside a face where the curve does not bend was on an edge
-  // once. A piece that leads from a side back to the same side, or from a corner to itself, is
-  // there by rounding only.
+  // once, and where the curve comes to a side and goes on in its face, it runs along the boundary.
+  // A piece that leads from a side back to the same side, or from a corner to itself, is there by
+  // rounding only.
   void join_straight_pieces()
   {
     std::size_t size = 0;
     bool is_joint = false;
-    for(const Curve_segment& s : m_result) {
+    for(std::size_t n = 0; n < m_result.size(); ++n) {
       if(is_joint)
-        m_result[size - 1].to = s.to;
+        m_result[size - 1].to = m_result[n].to;
       else
-        m_result[size++] = s;
+        m_result[size++] = m_result[n];
       const Curve_segment& last = m_result[size - 1];
-      is_joint = last.to.corners == inside && !m_is_bend[last.to.node];
-      if(!is_joint && leads_back(last)) {
+      const bool is_end = n + 1 == m_result.size();
+      is_joint = (last.to.corners == inside && !m_is_bend[last.to.node]) ||
+                 (!is_end && stays_in_face(last, m_result[n + 1]));
+      if(!is_joint && leads_back(last) && !(is_end && size == 1)) {
         --size;
         is_joint = is_pair(last.to.corners);
       }
@@ -254,6 +257,12 @@ private:
     m_result.back().to.along = {0, 1, 0};
     for(std::size_t n = 1; n < size; ++n)
       m_result[n].from.along = m_result[n - 1].to.along;
+  }
+
+  // whether the curve comes to a side and does not cross it
+  static bool stays_in_face(const Curve_segment& s, const Curve_segment& next)
+  {
+    return is_pair(s.to.corners) && next.face == s.face && next.from.corners == s.to.corners;
   }
 
   // the ends of the curve have the nodes 0 and 1

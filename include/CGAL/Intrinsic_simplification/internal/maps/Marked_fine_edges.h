@@ -72,18 +72,39 @@ private:
                          : 2 * ((corner_number(p) + 2 - n) % 3) + 1;
   }
 
+  // Goes on to where the way from side `n` leaves the face; whether it does. If the way has turned
+  // and comes back to this side by another curve, no curve lies between the two, and that one is
+  // followed.
+  bool leave_face(Strand& s, std::size_t n, Turn turn, std::size_t other) const
+  {
+    const Strand start = s;
+    while(m_strands.leave_face(s, turn)) {
+      if(exit(s, n) != 0)
+        return true;
+      if(s.piece == start.piece || m_strands.is_on_same_way(s, start))
+        return false;
+      if(s.piece == other)
+        return true;
+      s.is_forward = !s.is_forward;
+    }
+    return false;
+  }
+
   // Compares the places where two curves enter the face of `h` by `h`. They go on at vertices
-  // inside of faces, but not for ever.
+  // inside of faces, but not for ever. A way that comes back by the other curve has that on the
+  // side to which it turns.
   int compare_ahead(Strand a, Strand b, Halfedge_index h, Turn turn) const
   {
     const Strand start = a;
     do {
-      if(!m_strands.leave_face(a, turn) || !m_strands.leave_face(b, turn))
-        return 0;
       const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
+      const std::size_t from_a = a.piece, from_b = b.piece;
+      if(!leave_face(a, n, turn, from_b) || !leave_face(b, n, turn, from_a))
+        return 0;
       const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
-      if(exit_a == 0 || exit_b == 0 ||
-         (exit_a == exit_b && (is_at_corner(m_strands.end(a)) || ends(a) || ends(b))))
+      if(exit_a == 0 || exit_b == 0)
+        return (turn == Turn::left ? 1 : -1) * (int(exit_a == 0) - int(exit_b == 0));
+      if(exit_a == exit_b && (is_at_corner(m_strands.end(a)) || ends(a) || ends(b)))
         return 0;
       if(exit_a != exit_b)
         return exit_a > exit_b ? -1 : 1;
