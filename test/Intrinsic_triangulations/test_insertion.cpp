@@ -254,7 +254,7 @@ TEST(Insertion, exact_places_on_input_edges)
     std::vector<Halfedge_index> next;
     for(Halfedge_index h : parts) {
       inserter.split_edge(h, 0.5);
-      next.push_back(t.first_part(h));
+      next.push_back(IT::first_part(h, t.mesh()));
       next.push_back(h);
     }
     parts = next;

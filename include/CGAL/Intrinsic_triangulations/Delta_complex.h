@@ -277,6 +277,15 @@ Halfedge_index split_edge(Halfedge_index h, Surface_mesh<P>& mesh)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns the first part of an edge that has been split, of which `h` is the second part.
+/// Complexity: constant.
+template <typename P>
+Halfedge_index first_part(Halfedge_index h, const Surface_mesh<P>& mesh)
+{
+  return mesh.prev(mesh.is_border(h) ? h : mesh.opposite(mesh.prev(h)));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
 /// returns whether `v` can be removed by `remove_degree_3_vertex()`. Complexity: constant.
 template <typename P>
 Operation_status removal_status(Vertex_index v, const Surface_mesh<P>& mesh)

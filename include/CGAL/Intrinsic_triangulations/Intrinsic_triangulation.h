@@ -21,6 +21,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iostream>
@@ -323,12 +324,6 @@ public:
     return split_edge(h, n, r, q, length);
   }
 
-  /// returns the first part of an edge that has been split, of which `h` is the second part.
-  Halfedge_index first_part(Halfedge_index h) const
-  {
-    return m_mesh.prev(m_mesh.is_border(h) ? h : m_mesh.opposite(m_mesh.prev(h)));
-  }
-
   /// removes an inserted vertex that three edges, or on the boundary two faces, are left at (see
   /// `remove_degree_3_vertex()`). If it lies on an edge of \f$T_1\f$ and both parts are edges of
   /// \f$T_2\f$, the edge in their place is shared again. The elements are marked as removed, see
@@ -350,8 +345,7 @@ public:
   /// those of the input keep theirs. Complexity: linear.
   void collect_garbage()
   {
-    typedef Inserted_vertex<FT> Place;
-    auto place = m_mesh.template add_property_map<Vertex_index, Place>("v:inserted", Place()).first;
+    auto place = add_property_map<Vertex_index>("v:inserted", Inserted_vertex<FT>());
     for(Vertex_index v : m_mesh.vertices())
       if(is_inserted(v))
         place[v] = inserted_vertex(v);
@@ -367,7 +361,6 @@ public:
   /// adds a property of the elements of \f$T_2\f$, which follows them when they get other numbers.
   /// It is lost when \f$T_2\f$ becomes another triangulation, by assignment or
   /// `reset_to_input()`. Complexity: linear.
-  /// \tparam Index the type of the elements
   /// \param name the name
   /// \param value the value of all elements, and of new ones
   template <typename Index, typename Value>
@@ -386,9 +379,8 @@ public:
   /// crossings.
   bool is_valid(bool verbose = false) const
   {
-    std::string defect = internal::Delta_complex_defect(m_mesh);
-    if(defect.empty())
-      defect = internal::correspondence_defect(*this);
+    const std::string of_mesh = internal::Delta_complex_defect(m_mesh),
+                      defect = of_mesh.empty() ? internal::correspondence_defect(*this) : of_mesh;
     if(verbose && !defect.empty())
       std::cerr << defect << '\n';
     return defect.empty();
@@ -437,7 +429,7 @@ private:
     const Vertex_index m =
       m_coordinates.split_edge(h, n, r, first_inserted_spoke(q.along), m_mesh, m_spokes);
     set_inserted(m, q);
-    const Halfedge_index im = first_part(h);
+    const Halfedge_index im = first_part(h, m_mesh);
     set_edge(im, length.im, was_constrained);
     set_edge(h, length.mj, was_constrained);
     if(!m_mesh.is_border(im))
@@ -490,8 +482,7 @@ private:
   void set_inserted(Vertex_index v, const Inserted_vertex<FT>& place)
   {
     const std::size_t i = v.idx() - m_input.number_of_vertices();
-    if(i >= m_inserted.size())
-      m_inserted.resize(i + 1);
+    m_inserted.resize((std::max)(m_inserted.size(), i + 1));
     m_inserted[i] = place;
   }
 

@@ -388,7 +388,7 @@ private:
   void update_split(Halfedge_index h)
   {
     const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index o = mesh.opposite(h), im = m_tri.first_part(h);
+    const Halfedge_index o = mesh.opposite(h), im = first_part(h, mesh);
     m_lists.after_split(im, h);
     if(!mesh.is_border(im) && !mesh.is_border(o))
       m_lists.after_cut({mesh.next(im), mesh.next(o)});
