@@ -31,6 +31,7 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
 {
   if(!options.view.empty())
     View_page::check_available();
+  check_picture_available(options.picture);
   if(!options.view.empty() || !options.picture.empty())
     m_page.emplace();
   read(command, are_soups_allowed);
@@ -124,7 +125,8 @@ void Command_run::write_page()
   show([&](View_page& page) {
     page.set_statistics(m_statistics);
     m_output.add(m_options.view, [&](Text& text) { page.write_html(text); });
-    m_output.add(m_options.picture, [&](Text& text) { page.write_svg(text); });
+    m_output.add(m_options.picture,
+                 [&](Text& text) { page.write_picture(text, m_options.picture); });
   });
 }
 

@@ -7,7 +7,7 @@
 
 #include "Shown_surface.h"
 #include "Statistics.h"
-#include "Svg_picture.h"
+#include "Surface_picture.h"
 #include "Text.h"
 
 #include <string>
@@ -15,7 +15,7 @@
 #include <vector>
 
 // What a command shows: surfaces, charts and numbers. It is written as a page of HTML, which a browser
-// opens without a network; or the surfaces alone as an SVG picture.
+// opens without a network; or the surfaces alone as a picture.
 class View_page
 {
 public:
@@ -47,8 +47,11 @@ public:
 
   void write_html(Text& text) const;
 
-  // See Svg_picture.h.
-  void write_svg(Text& text) const { ::write_svg(text, m_surfaces); }
+  // See Surface_picture.h.
+  void write_picture(Text& text, const std::string& path) const
+  {
+    ::write_picture(text, m_surfaces, path);
+  }
 
 private:
   std::vector<Shown_surface> m_surfaces;

@@ -51,7 +51,7 @@ void add_common_options(CLI::App& command, Common_options& options)
   command.add_option("--stats", options.statistics, "JSON file for statistics");
   command.add_option("--view", options.view,
                      "HTML file that shows the result in a browser, see `intrinsic view`");
-  command.add_option("--picture", options.picture, "SVG file with a picture of the result");
+  command.add_option("--picture", options.picture, "SVG or PNG file with a picture of the result");
   add_number(command, "--mollify", options.mollification,
              "Lengthen all edges until every triangle inequality has this slack, "
              "relative to the mean edge length",
@@ -90,7 +90,8 @@ void add_info(CLI::App& app, Options& options)
   command.add_flag("--json", options.info.is_json, "Print JSON");
   command.add_option("--view", options.info.view,
                      "HTML file that shows the mesh, and its defects in red");
-  command.add_option("--picture", options.info.picture, "SVG file with a picture of the mesh");
+  command.add_option("--picture", options.info.picture,
+                     "SVG or PNG file with a picture of the mesh");
   command.footer("Example:\n  intrinsic info bunny.obj --json\n\n"
                  "Exit code: 0 if the mesh can be worked on, 2 if not.");
 }

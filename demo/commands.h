@@ -17,7 +17,7 @@ struct Info_options
 {
   std::string input;
   std::string view;    // a page; empty if it is not wanted
-  std::string picture; // of SVG; empty if it is not wanted
+  std::string picture; // SVG or PNG; empty if it is not wanted
   bool is_json = false;
 };
 
@@ -41,7 +41,7 @@ struct Common_options
   std::string save;
   std::string statistics;
   std::string view;    // a page
-  std::string picture; // of SVG
+  std::string picture; // SVG or PNG
   double mollification = 0;
   bool is_repair_wanted = false;
   bool is_strict = false;              // faces must be triangles

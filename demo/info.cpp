@@ -80,6 +80,7 @@ void write_page(const Info_options& options, const Polygon_soup& soup,
 {
   if(!options.view.empty())
     View_page::check_available();
+  check_picture_available(options.picture);
   if(options.view.empty() && options.picture.empty())
     return;
   Output output(options.input, {options.view, options.picture});
@@ -87,7 +88,7 @@ void write_page(const Info_options& options, const Polygon_soup& soup,
   show(page, "input", soup);
   page.set_statistics(statistics_of(options.input, diagnosis));
   output.add(options.view, [&](Text& text) { page.write_html(text); });
-  output.add(options.picture, [&](Text& text) { page.write_svg(text); });
+  output.add(options.picture, [&](Text& text) { page.write_picture(text, options.picture); });
   output.commit();
 }
 

@@ -3,20 +3,30 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Installs the Debian packages that are missing and unpacks CGAL's data files into build/cgal_data.
-# Does nothing, quickly, when all is there.
+# set_up.sh [program|tests]: installs the Debian packages that are missing and unpacks CGAL's data files
+# into build/cgal_data. For `program`, only what building and using the program `intrinsic` takes; for
+# `tests`, the default, what all tests take. Does nothing, quickly, when all is there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Chromium is for the tests of pages, ca-certificates for fetching three.js.
+# ca-certificates is for fetching three.js.
 packages=(
-  g++ clang clang-format cmake ninja-build ccache doxygen libjs-mathjax
+  g++ cmake ninja-build python3 ca-certificates
   libcgal-dev libcgal-demo libeigen3-dev libgmp-dev libmpfr-dev
-  libceres-dev libsuitesparse-dev libopenblas0-serial libtbb-dev libcli11-dev nlohmann-json3-dev
-  libgtest-dev libopenmesh-dev python3 ca-certificates chromium fonts-dejavu-core)
+  libsuitesparse-dev libopenblas0-serial libtbb-dev libcli11-dev nlohmann-json3-dev libcairo2-dev)
+# Chromium is for the tests of pages.
+test_packages=(
+  clang clang-format ccache doxygen libjs-mathjax libceres-dev libgtest-dev libopenmesh-dev
+  python3-scipy chromium fonts-dejavu-core)
 data_archive=/usr/share/doc/libcgal-dev/data.tar.gz
 data_dir=build/cgal_data
 log=$PWD/build/set_up.log
+
+case ${1:-tests} in
+  program) ;;
+  tests) packages+=("${test_packages[@]}") ;;
+  *) echo "usage: set_up.sh [program|tests]" >&2; exit 2 ;;
+esac
 
 fail()
 {
@@ -44,7 +54,7 @@ install_packages()
 {
   [[ $EUID -eq 0 ]] || command -v sudo >/dev/null ||
     fail "neither root nor sudo; please install: $*"
-  echo "set_up: installing $*"
+  echo "set_up: installing $# packages: $*"
   quietly as_root apt-get update
   quietly as_root env DEBIAN_FRONTEND=noninteractive \
     apt-get install -y --no-install-recommends "$@"

@@ -143,4 +143,25 @@ expect 0 flatten flat.mesh.off -o a.obj --picture b.svg
 cmp a.svg b.svg
 python3 -c 'import sys, xml.dom.minidom as dom
 paths = dom.parse("a.svg").getElementsByTagName("path")
-sys.exit(len(paths) != 2 * 72)' || fail 'polygons are missing in a.svg'
+polygons = [p for p in paths if p.hasAttribute("style")]
+sys.exit(len(polygons) != 2 * 72)' || fail 'polygons are missing in a.svg'
+
+# As PNG too, where the program can: beside each other, and drawn on.
+result=0
+"$program" flatten flat.mesh.off -o a.obj --picture a.png 2>err || result=$?
+if [ "$result" -eq 2 ]; then
+  says 'libcairo2-dev'
+else
+  python3 -c 'import struct, sys, zlib
+data, pieces = open("a.png", "rb").read(), b""
+assert data[:8] == b"\x89PNG\r\n\x1a\n"
+width, height = struct.unpack(">II", data[16:24])
+place = 8
+while place < len(data):
+    size, kind = struct.unpack(">I4s", data[place:place + 8])
+    pieces += data[place + 8:place + 8 + size] if kind == b"IDAT" else b""
+    place += size + 12
+pixels = zlib.decompress(pieces)
+sys.exit((width, height) != (2400, 1200) or len(pixels) != 1200 * (3 * 2400 + 1) or len(set(pixels)) < 20)' ||
+    fail 'a.png is no picture'
+fi

@@ -2,12 +2,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Svg_picture.h"
+#include "Surface_picture.h"
+
+#include "Canvas.h"
+#include "Program_error.h"
+#include "file_extension.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -86,42 +89,35 @@ void fit(std::vector<Vector>& points, const std::pair<Vector, Vector>& box)
          size / 2 - scale * (p[1] - low[1] / 2 - high[1] / 2), scale * p[2]};
 }
 
-std::string color_text(const Vector& rgb)
-{
-  std::array<char, 8> text;
-  const auto channel = [&](std::size_t k) {
-    return static_cast<unsigned>(std::lround((std::min)((std::max)(rgb[k], 0.), 255.)));
-  };
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", channel(0), channel(1), channel(2));
-  return text.data();
-}
-
-// The kinds of lines, the last over the others.
+// Lines of a kind, the last over the others.
 struct Layer
 {
   const char* attribute;
-  const char* style;
+  Line_style style;
 };
-constexpr std::array<Layer, 7> layers = {{{"input_edge", "i"},
-                                          {"intrinsic_edge", "t"},
-                                          {"flat_edge", "f"},
-                                          {"sphere_edge", "f"},
-                                          {"coarse_edge", "c"},
-                                          {"path_edge", "p"},
-                                          {"is_seam", "s"}}};
-constexpr const char* style =
-  "<style>path{stroke-width:.4;stroke-linejoin:round}line{stroke-linecap:round}"
-  ".i{stroke:#8795a3;stroke-width:.5}.t{stroke:#c8501e;stroke-width:1}.f{stroke:#1f6fb2;stroke-"
-  "width:.8}.c{stroke:#14202c;stroke-width:1.2}.p{stroke:#147a5a;stroke-width:2}.s{stroke:#7a2fa0;"
-  "stroke-width:1.8}.e{stroke:#8795a3;stroke-width:.6}polyline{fill:none;stroke:#9aa7b3;stroke-"
-  "width:.6}</style>\n";
+constexpr Line_style plain_edge{'e', {135, 149, 163}, .6}, outline{'o', {154, 167, 179}, .6};
+constexpr std::array<Layer, 7> layers = {{{"input_edge", {'i', {135, 149, 163}, .5}},
+                                          {"intrinsic_edge", {'t', {200, 80, 30}, 1}},
+                                          {"flat_edge", {'f', {31, 111, 178}, .8}},
+                                          {"sphere_edge", {'f', {31, 111, 178}, .8}},
+                                          {"coarse_edge", {'c', {20, 32, 44}, 1.2}},
+                                          {"path_edge", {'p', {20, 122, 90}, 2}},
+                                          {"is_seam", {'s', {122, 47, 160}, 1.8}}}};
+
+std::vector<Line_style> all_styles()
+{
+  std::vector<Line_style> result{plain_edge, outline};
+  for(const Layer& layer : layers)
+    result.push_back(layer.style);
+  return result;
+}
 
 // One surface, in its place or in its image.
 class Surface_drawing
 {
 public:
-  Surface_drawing(Text& text, const Shown_surface& surface, bool is_image)
-    : m_text(text),
+  Surface_drawing(Canvas& canvas, const Shown_surface& surface, bool is_image)
+    : m_canvas(canvas),
       m_surface(surface),
       m_polygons(is_image && surface.mesh.texture.dimension > 0 ? surface.mesh.texture.polygons
                                                                 : surface.mesh.polygons),
@@ -138,7 +134,7 @@ public:
   void draw()
   {
     for(const auto& line : m_outlines)
-      add_outline(line);
+      m_canvas.add_line(line, outline);
     std::vector<std::size_t> order(m_polygons.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::vector<double> depth;
@@ -167,10 +163,11 @@ private:
     fit(m_positions, box);
     if(is_image)
       for(const auto& line : m_surface.outlines) {
-        m_outlines.emplace_back();
+        std::vector<Vector> points;
         for(const std::array<double, 2>& p : line)
-          m_outlines.back().push_back({p[0], p[1], 0});
-        fit(m_outlines.back(), box);
+          points.push_back({p[0], p[1], 0});
+        fit(points, box);
+        m_outlines.push_back(on_canvas(points));
       }
   }
 
@@ -182,15 +179,15 @@ private:
       return; // they would hide the colors
     for(std::size_t e = 0; e < mesh.edges.size(); ++e) {
       const auto [v, w] = mesh.edges[e];
-      const char* name = mesh.edge_data.empty() ? "e" : nullptr;
+      const Line_style* style = mesh.edge_data.empty() ? &plain_edge : nullptr;
       for(const Layer& layer : layers)
         if(const Attribute* a = find_attribute(mesh.edge_data, layer.attribute)) {
           const std::int64_t value = std::get<0>(a->values)[e];
           if(std::string_view(layer.attribute) == "is_seam" ? value == 1 : value >= 0)
-            name = layer.style;
+            style = &layer.style;
         }
-      if(name != nullptr)
-        m_edge_style[{(std::min)(v, w), (std::max)(v, w)}] = name;
+      if(style != nullptr)
+        m_edge_style[{(std::min)(v, w), (std::max)(v, w)}] = style;
     }
   }
 
@@ -244,76 +241,87 @@ private:
     return {40 + 210 * t, 55 + 185 * t, 110 + 70 * t};
   }
 
+  // Its border is one shape with it if all sides have one style.
   void add_polygon(std::size_t i)
   {
-    const std::string fill = color_text(color(i));
-    const Polygons::Polygon p = m_polygons[i];
-    m_text << "<path fill=\"" << fill << "\" stroke=\"" << fill << "\" d=\"M";
-    for(const Polygons::Index c : p)
-      add_position(m_positions[c], ' ');
-    m_text << "z\"/>\n";
-    const Polygons::Polygon points = m_surface.mesh.polygons[i];
+    const Polygons::Polygon p = m_polygons[i], points = m_surface.mesh.polygons[i];
+    std::vector<Vector> corners;
+    std::vector<const Line_style*> sides;
     for(std::size_t k = 0; k < p.size(); ++k) {
-      const std::size_t l = (k + 1) % p.size();
-      const auto found =
-        m_edge_style.find({(std::min)(points[k], points[l]), (std::max)(points[k], points[l])});
-      if(found != m_edge_style.end())
-        add_line(found->second, m_positions[p[k]], m_positions[p[l]]);
+      corners.push_back(m_positions[p[k]]);
+      sides.push_back(style(points[k], points[(k + 1) % p.size()]));
     }
+    const std::vector<Canvas_point> polygon = on_canvas(corners);
+    if(std::all_of(sides.begin(), sides.end(), [&](auto s) { return s == sides[0]; })) {
+      m_canvas.add_polygon(polygon, fill(i), sides[0]);
+      return;
+    }
+    m_canvas.add_polygon(polygon, fill(i), nullptr);
+    for(std::size_t k = 0; k < p.size(); ++k)
+      if(sides[k] != nullptr)
+        m_canvas.add_line({polygon[k], polygon[(k + 1) % p.size()]}, *sides[k]);
   }
 
-  void add_line(const char* name, const Vector& from, const Vector& to)
+  const Line_style* style(Polygons::Index v, Polygons::Index w) const
   {
-    m_text << "<line class=\"" << name << "\" x1=\"" << rounded(from[0]) << "\" y1=\""
-           << rounded(from[1]) << "\" x2=\"" << rounded(to[0]) << "\" y2=\"" << rounded(to[1])
-           << "\"/>\n";
+    const auto found = m_edge_style.find({(std::min)(v, w), (std::max)(v, w)});
+    return found == m_edge_style.end() ? nullptr : found->second;
   }
 
-  void add_outline(const std::vector<Vector>& line)
+  Rgb fill(std::size_t i) const
   {
-    m_text << "<polyline points=\"";
-    for(const Vector& p : line)
-      add_position(p, ' ');
-    m_text << "\"/>\n";
+    const Vector rgb = color(i);
+    const auto channel = [&](std::size_t k) {
+      return static_cast<unsigned char>(std::lround((std::min)((std::max)(rgb[k], 0.), 255.)));
+    };
+    return {channel(0), channel(1), channel(2)};
   }
 
-  void add_position(const Vector& p, char separator)
+  static std::vector<Canvas_point> on_canvas(const std::vector<Vector>& points)
   {
-    m_text << rounded(p[0]) << ',' << rounded(p[1]) << separator;
+    std::vector<Canvas_point> result;
+    for(const Vector& p : points)
+      result.push_back({p[0], p[1]});
+    return result;
   }
 
-  static double rounded(double x) { return std::round(100 * x) / 100; }
-
-  Text& m_text;
+  Canvas& m_canvas;
   const Shown_surface& m_surface;
   const Polygons& m_polygons;
   bool m_is_flat;
   std::vector<Vector> m_positions;
-  std::vector<std::vector<Vector>> m_outlines;
-  std::map<std::pair<Polygons::Index, Polygons::Index>, const char*> m_edge_style;
+  std::vector<std::vector<Canvas_point>> m_outlines;
+  std::map<std::pair<Polygons::Index, Polygons::Index>, const Line_style*> m_edge_style;
   std::vector<std::int64_t> m_failures; // polygons
 };
 
+bool is_png(const std::string& path) { return extension_of(path) == ".png"; }
+
 } // namespace
 
-void write_svg(Text& text, const std::vector<Shown_surface>& surfaces)
+void check_picture_available(const std::string& path)
+{
+  Text text;
+  if(is_png(path) && !png_canvas(text, 1, 1))
+    throw Program_error("--picture: this program was built without Cairo, which draws PNG; name a "
+                        ".svg file, or install libcairo2-dev and build again");
+}
+
+void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const std::string& path)
 {
   std::size_t count = 0;
   for(const Shown_surface& surface : surfaces)
     count += surface.kind == Image_kind::none ? 1 : 2;
-  text << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << size * double(count)
-       << "\" height=\"" << size << "\">\n"
-       << style;
-  std::size_t place = 0;
-  const auto draw = [&](const Shown_surface& surface, bool is_image) {
-    text << "<g transform=\"translate(" << size * double(place++) << ")\">\n";
-    Surface_drawing(text, surface, is_image).draw();
-    text << "</g>\n";
-  };
-  for(const Shown_surface& surface : surfaces) {
-    draw(surface, false);
-    if(surface.kind != Image_kind::none)
-      draw(surface, true);
-  }
-  text << "</svg>\n";
+  const double width = size * double(count);
+  const std::unique_ptr<Canvas> canvas =
+    is_png(path) ? png_canvas(text, width, size) : svg_canvas(text, width, size, all_styles());
+  double left = 0;
+  for(const Shown_surface& surface : surfaces)
+    for(const bool is_image : {false, true})
+      if(!is_image || surface.kind != Image_kind::none) {
+        canvas->move_to(left);
+        Surface_drawing(*canvas, surface, is_image).draw();
+        left += size;
+      }
+  canvas->finish();
 }

@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_SURFACE_PICTURE_H
+#define INTRINSIC_SURFACE_PICTURE_H
+
+#include "Shown_surface.h"
+#include "Text.h"
+
+#include <string>
+#include <vector>
+
+// Adds a picture of surfaces beside each other: each in a parallel projection, polygons behind before
+// those in front of them, with the edges of its triangulations; then its image in the plane or the
+// disk, if there is one. It is PNG if the path ends with .png, else SVG.
+void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const std::string& path);
+
+// Throws Program_error if the path asks for PNG and the program was built without Cairo.
+void check_picture_available(const std::string& path);
+
+#endif // INTRINSIC_SURFACE_PICTURE_H
