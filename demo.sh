@@ -23,7 +23,7 @@ runs=(
 
 scripts/set_up.sh program
 cmake -S . -B build -G Ninja >build/configure.log || { cat build/configure.log >&2; false; }
-echo 'Building the program: two minutes or three on two cores'
+echo "Building the program with $(nproc) processes"
 cmake --build build --target intrinsic
 
 mkdir -p results

@@ -3,8 +3,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# make_figures.sh PROGRAM DATA: draws the figures of the manuals that show pages, or results as
-# pictures, from meshes that CGAL ships. Needs Chromium, and pngquant to make files small.
+# make_figures.sh PROGRAM DATA: draws the figures of the manuals: those that explain ideas, and those that
+# show pages or results, from meshes that CGAL ships. Needs Chromium, matplotlib, and pngquant to make files
+# small.
 set -euo pipefail
 program=$(realpath "$1")
 meshes=$(realpath "$2")/meshes
@@ -28,6 +29,10 @@ result()
   "$program" "$1" "$meshes/$2" "${@:3}" --quiet --view page.html --picture picture.svg
 }
 
+python3 "$doc/draw_figures.py"
+result delaunay joint.off -o out.ply
+python3 "$doc/Intrinsic_triangulations/fig/draw_subdivision.py" out.ply shot.png
+pngquant --force --output "$doc/Intrinsic_triangulations/fig/delaunay.png" 128 shot.png
 result delaunay cow.off -o out.ply
 screenshot Intrinsic_triangulations viewer_delaunay
 result flatten nefertiti.off -o out.obj --boundary disk

@@ -61,6 +61,8 @@ def facts(statistics):
             result.append((label, pattern.format(**statistics)))
         except KeyError:
             pass
+    if "status" in statistics:
+        result.append(("status", statistics["status"].replace("_", " ")))
     return result + [("seconds", f"{sum(statistics['seconds'].values()):.2f}")]
 
 

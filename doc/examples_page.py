@@ -1,0 +1,94 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Writes the manual's page of examples with what they print: examples_page.py PROGRAMS, the directory
+of the compiled examples. With --check, compares with the page instead, numbers up to a relative
+difference of 0.001; examples that have not been compiled are left out."""
+
+import argparse
+import re
+import subprocess
+import sys
+import tempfile
+import textwrap
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+PAGE = HERE / "Intrinsic_triangulations" / "Examples.txt"
+PACKAGES = {"Intrinsic_triangulations": "Intrinsic Triangulations",
+            "Discrete_conformal_maps": "Discrete Conformal Maps",
+            "Intrinsic_simplification": "Intrinsic Simplification"}
+MOST_LINES = 12
+
+INTRODUCTION = """/*!
+\\page Chapter_Examples Examples and What They Print
+
+[TOC]
+
+There is a program for each task, in the directory `examples`. Without arguments they read CGAL's
+meshes; all take the name of a mesh. The tests run them and compare what they print with this page,
+which `doc/examples_page.py` writes.
+"""
+
+
+def comment(source):
+    """The first comment after the copyright, as text."""
+    for block in re.findall(r"(?:^//.*\n)+", source.read_text(), re.M):
+        if "Copyright" not in block:
+            return " ".join(line[2:].strip() for line in block.split("\n")[:-1])
+    raise ValueError(f"{source} has no comment")
+
+
+def printed(program):
+    with tempfile.TemporaryDirectory() as scratch: # some write files
+        result = subprocess.run([program.resolve()], cwd=scratch, capture_output=True, text=True, check=True)
+    lines = result.stdout.split("\n")[:-1]
+    return lines if len(lines) <= MOST_LINES else lines[:MOST_LINES] + ["..."]
+
+
+def section(package, source, lines):
+    name = source.stem
+    return "\n".join([f"\\subsection ex_{name} {name.replace('_', ' ')}", "", textwrap.fill(comment(source), 100), "",
+                      f"File: \\ref {package}/{name}.cpp", "", "\\verbatim", *lines, "\\endverbatim", ""])
+
+
+def blocks(text):
+    """What each example prints according to the page, by name."""
+    found = re.findall(r"\\subsection ex_(\w+) .*?\\verbatim\n(.*?)\\endverbatim", text, re.S)
+    return {name: block.split("\n")[:-1] for name, block in found}
+
+
+NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+
+
+def agree(a, b):
+    """Whether two lines are the same but for rounding."""
+    if re.sub(NUMBER, "#", a) != re.sub(NUMBER, "#", b):
+        return False
+    pairs = zip(map(float, re.findall(NUMBER, a)), map(float, re.findall(NUMBER, b)))
+    return all(abs(x - y) <= 1e-9 + 1e-3 * max(abs(x), abs(y)) for x, y in pairs)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("programs", type=Path)
+    parser.add_argument("--check", action="store_true")
+    arguments = parser.parse_args()
+    text, expected = INTRODUCTION, blocks(PAGE.read_text()) if PAGE.exists() else {}
+    for package, title in PACKAGES.items():
+        text += f"\n\\section ex_{package} {title}\n\n"
+        for source in sorted((HERE.parent / "examples" / package).glob("*.cpp")):
+            program = arguments.programs / source.stem
+            if not program.exists() and arguments.check:
+                continue
+            lines = printed(program)
+            text += section(package, source, lines) + "\n"
+            old = expected.get(source.stem, [])
+            if arguments.check and not (len(old) == len(lines) and all(map(agree, old, lines))):
+                sys.exit(f"{source.name} prints something else than doc/{PAGE.name} says:\n" + "\n".join(lines))
+    if not arguments.check:
+        PAGE.write_text(text.rstrip("\n") + "\n*/\n")
+
+
+main()
