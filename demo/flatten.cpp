@@ -43,7 +43,8 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
   check_boundary(options.boundary);
 #ifndef INTRINSIC_USE_CERES
   if(options.solver == "ceres")
-    throw Program_error("--solver ceres: this program was built without the Ceres Solver");
+    throw Program_error("--solver ceres: this program was built without the Ceres Solver; "
+                        "install libceres-dev and build again");
 #endif
   if(is_exact && options.solver == "cetm")
     throw Program_error("--exact: --solver cetm makes no triangulation Delaunay");

@@ -1,0 +1,174 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# What the program says when something is wrong: each row of a table is a call, and what it says. In the
+# end, every message in the sources of the program must have been seen.
+source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
+
+off pillow '0 0 0,1 0 0,0 1 0' '0 1 2,2 1 0'
+off narrow_polygon "$square" '0 1'
+off bow "0 0 0,1 1 0,1 0 0,0 1 0" '0 1 2 3'
+off doubled "$square" '0 1 2 3,0 1 2,0 2 3'
+off lonely '0 0 0,1 1 1' ''
+grid flat 4 0
+# text NAME LINES: separated by ;
+text() { tr ';' '\n' <<<"$2" >"$1"; }
+text a.mesh.xyz '0 0 0;1 0 0;2 0 0;3 0 0'
+text number.mesh.off 'OFF;3 1 0;0 0 zero;1 0 0;0 1 0;3 0 1 2'
+printf 'OFF\n3 1 0\n0 0' >missing.mesh.off
+text infinite.mesh.off 'OFF;3 1 0;0 0 1e999;1 0 0;0 1 0;3 0 1 2'
+text head.mesh.off 'OBJ;3 1 0'
+text short.mesh.off 'OFF;3 1 0;0 0;1 0 0;0 1 0;3 0 1 2'
+text negative.mesh.off 'OFF;-3 1 0'
+text index.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 7'
+text half.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 1.5'
+text far.mesh.off '4OFF;3 1 0;0 0 0 0;1 0 0 1;0 1 0 1;3 0 1 2'
+text index.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 0'
+text word.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;what 1 2 3'
+text a.mesh.ply 'plx'
+text b.mesh.ply 'ply;element vertex 3'
+text c.mesh.ply 'ply;format ebcdic 1.0'
+text d.mesh.ply 'ply;format ascii 1.0;something'
+text e.mesh.ply 'ply;format ascii 1.0;property float x'
+text f.mesh.ply 'ply;format ascii 1.0;element vertex 1;property list float int x'
+text g.mesh.ply 'ply;format ascii 1.0;element vertex 1;property string x'
+text h.mesh.ply 'ply;format ascii 1.0;element vertex -1'
+text i.mesh.ply 'ply;format ascii 1.0;element face 1;property list int int vertex_indices;end_header;-2 0 0'
+ply_vertices='element vertex 3;property float x;property float y;property float z'
+ply_face='element face 1;property list uchar int vertex_indices;end_header'
+text k.mesh.ply "ply;format ascii 1.0;$ply_vertices;property float heat;$ply_face;0 0 0 1;1 0 0 1;0 1 0 1;3 0 1 2"
+{
+  tr ';' '\n' <<<"ply;format binary_little_endian 1.0;$ply_vertices;property float heat;$ply_face"
+  for point in '\0\0\0\0\0\0\0\0' '\0\0\x80\x3f\0\0\0\0' '\0\0\0\0\0\0\x80\x3f'; do
+    printf "$point"'\0\0\0\0\0\0\xc0\x7f' # at a height of 0, NaN
+  done
+  printf '\3\0\0\0\0\1\0\0\0\2\0\0\0'
+} >j.mesh.ply
+text a.mesh.stl 'solid;what'
+text b.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;vertex 0 1 0;vertex 1 1 1;endloop;endfacet;endsolid'
+text c.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;vertex 0 1 0;endloop'
+text d.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;endloop;endfacet;endsolid'
+text words.txt '0 1 2'
+text value.txt '0 one'
+text range.txt '99 1'
+text twice.txt '0 1;0 2'
+text inside.txt '0 1'
+mkdir folder.off
+off repeated_only "$square" '0 2 2'
+
+off pillow "$tetrahedron" "$tetrahedron_faces"
+off two_triangles '0 0 0,1 0 0,0 1 0,5 0 0,6 0 0,5 1 0' '0 1 2,3 4 5'
+off apart '0 0 0,1 0 0,0 1 0,7 7 7' '0 1 2'
+off crossed '0 0 0,1 0 0,1 1 0,0 1 0' '0 2 1 3'
+off folded "$square,0 0 1,0 0 2" '0 1 2 3,1 0 4,4 0 2,3 2 5,5 2 0,1 4 3,1 3 5'
+
+: >seen
+# CODE | what is said | arguments, of which a word may not have spaces
+while IFS='|' read -r code said arguments; do
+  read -ra words <<<"$arguments"
+  expect "${code// /}" "${words[@]}"
+  says "$(sed 's/^ *//; s/ *$//' <<<"$said")"
+  cat out err >>seen
+done <<'TABLE'
+2 | no such file | info nothing.mesh.off
+2 | is a directory | info folder.off
+2 | line 3 cannot be understood: 'zero' is not a number | info number.mesh.off
+2 | ends too early | info missing.mesh.off
+2 | a number is missing | info short.mesh.off
+2 | '1e999' is not a finite number | info infinite.mesh.off
+2 | 'OFF' expected | info head.mesh.off
+2 | a number of elements is negative | info negative.mesh.off
+2 | there is no vertex 7 | info index.mesh.off
+2 | '1.5' is not an integer | info half.mesh.off
+2 | a vertex is infinitely far away | info far.mesh.off
+2 | there is no vertex 0 | info index.mesh.obj
+2 | 'what' is not known | info word.mesh.obj
+2 | 'ply' expected | info a.mesh.ply
+2 | 'format' expected | info b.mesh.ply
+2 | the format is none of ascii, binary_little_endian and binary_big_endian | info c.mesh.ply
+2 | 'element', 'property', 'comment' or 'end_header' expected | info d.mesh.ply
+2 | a property comes before any element | info e.mesh.ply
+2 | the size of a list is an integer | info f.mesh.ply
+2 | there is no such type of numbers | info g.mesh.ply
+2 | a number of elements is negative | info h.mesh.ply
+2 | the size of a list is negative or not an integer | info i.mesh.ply
+2 | 'facet' or 'endsolid' expected | info a.mesh.stl
+2 | a facet has more than three vertices | info b.mesh.stl
+2 | ends too early | info c.mesh.stl
+2 | a facet has fewer than three vertices | info d.mesh.stl
+2 | has no faces after the repair | delaunay repeated_only.mesh.off --repair -o a.ply
+2 | no point has neighbors in two directions | operators a.mesh.xyz --neighbors 3 --prefix a
+2 | has fewer than three corners | delaunay narrow_polygon.mesh.off -o a.ply
+2 | crosses or touches itself, seen along every axis | delaunay crossed.mesh.off -o a.ply
+2 | cannot be split into triangles without an edge that another face has | delaunay folded.mesh.off -o a.ply
+2 | --repair makes it a surface | delaunay edge_of_three.mesh.off -o a.ply
+2 | no such output format: '.foo' (there are off, obj, ply and vtp) | delaunay flat.mesh.off -o a.foo
+2 | this format cannot be binary (.ply can) | delaunay flat.mesh.off -o a.vtp --binary
+2 | is a directory | delaunay flat.mesh.off -o folder.off
+2 | there is no directory | delaunay flat.mesh.off -o nowhere/a.ply
+2 | is the input, which is never overwritten | delaunay flat.mesh.off -o flat.mesh.off
+2 | is named for two outputs | delaunay flat.mesh.off -o a.ply --stats a.ply
+2 | this format cannot carry distances (.ply and .vtp can) | distance flat.mesh.off --source 0 -o a.off
+2 | there is no vertex 99 to be a source; the vertices are 0 to 24 | distance flat.mesh.off --source 99 -o a.ply
+2 | --exact: --solver cetm makes no triangulation Delaunay | flatten flat.mesh.off -o a.obj --exact --solver cetm
+2 | --max-log-scale is for --cones greedy | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
+2 | --boundary: 'round' is none of free, straight, scale, curvature, rectangle and disk | flatten flat.mesh.off -o a.obj --boundary round
+2 | --boundary scale: the name of a file is missing | flatten flat.mesh.off -o a.obj --boundary scale
+2 | --boundary free: 'x' is one word too many | flatten flat.mesh.off -o a.obj --boundary free x
+2 | line 1: vertex 0 is not inside | flatten flat.mesh.off -o a.obj --cones inside.txt
+2 | is not "index value" | flatten flat.mesh.off -o a.obj --cones words.txt
+2 | 'one' is not a finite number | flatten flat.mesh.off -o a.obj --cones value.txt
+2 | there is no vertex 99; the vertices are 0 to 24 | flatten flat.mesh.off -o a.obj --cones range.txt
+2 | vertex 0 is in line 1 | flatten flat.mesh.off -o a.obj --cones twice.txt
+2 | this format cannot carry texture coordinates (.obj, .ply and .vtp can) | flatten flat.mesh.off -o a.off
+2 | --svg is for hyperbolic surfaces | uniformize flat.mesh.off -o a.obj --svg a.svg
+2 | this format has no lines (.obj, .ply and .vtp have) | path flat.mesh.off --from 0 --to 1 -o a.off
+2 | --straightest starts at --from, and takes no other points | path flat.mesh.off --from 0 --to 1 --straightest 10 1 -o a.obj
+2 | a loop goes back to --from and has no --to | path flat.mesh.off --from 0 --to 1 --loop -o a.obj
+2 | --to or --loop is missing | path flat.mesh.off --from 0 -o a.obj
+2 | --via is for --flips and --loop | path flat.mesh.off --from 0 --to 1 --via 2 -o a.obj
+2 | there is no path from 0 to 4 | path two_triangles.mesh.off --from 0 --to 4 -o a.obj
+2 | there is no path from 0 to 4 | path two_triangles.mesh.off --from 0 --to 4 --flips -o a.obj
+2 | the path contracts to a point | path pillow.mesh.off --from 0 --loop --via 1 --via 2 -o a.obj
+2 | 'x' is no point of the mesh | path flat.mesh.off --from x --to 1 -o a.obj
+2 | vertex 3 has no face | path apart.mesh.off --from 3 --to 1 -o a.obj
+2 | barycentric coordinates are not negative and sum up to 1 | path flat.mesh.off --from 0:1,1,1 --to 1 -o a.obj
+2 | the faces are 0 to 31 | path flat.mesh.off --from 99:1,0,0 --to 1 -o a.obj
+2 | give a vertex, face:a,b,c or x,y,z | path flat.mesh.off --from 0,1 --to 1 -o a.obj
+2 | is no vertex: --flips and --loop go from vertex to vertex | path flat.mesh.off --from .3,.1,0 --to 1 --flips -o a.obj
+2 | has no faces | path lonely.mesh.off --from 0 --to 1 -o a.obj
+2 | cannot be read | flatten flat.mesh.off -o a.obj --cones folder.off
+2 | a weight is a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=-1
+2 | is not NAME=W | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area
+2 | area_change alone is no cost | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0 --weight curvature=0
+2 | --levels needs --vertices or --ratio | simplify flat.mesh.off -o a.ply --error 0.1 --levels 3
+2 | the mesh had to be repaired, and its vertices are not those of the file | simplify repeated.mesh.off --repair -o a.ply --ratio 0.5 --weight color=1
+2 | vertices have no property 'heat' (.ply can have properties) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight heat=1
+2 | vertices have no property 'cold'; they have | simplify k.mesh.ply -o a.ply --ratio 0.5 --weight cold=1
+2 | vertices have no colors (.ply and .off can have them) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight color=1
+2 | a value of 'heat' is not finite | simplify j.mesh.ply -o a.ply --ratio 0.5 --weight heat=1
+1 | cannot be written | delaunay flat.mesh.off -o /proc/a.ply
+TABLE
+
+# Every message in the sources has been seen, except those that no call can reach here.
+python3 - "$tests/../../demo" seen <<'PYTHON' || fail 'messages that no test has seen'
+import re, sys
+from pathlib import Path
+# another build, a damaged disk, or a fault of the program
+UNREACHED = """built without | cannot be opened | cannot be read: | could not be written completely | Cairo says
+  | has not come | is not planned | too many corners | not all vertices have one value
+  | there are no faces | 'endfacet' expected""".split("|")
+seen = open(sys.argv[2], errors="replace").read()
+missing = []
+for source in sorted(Path(sys.argv[1]).glob("*.[ch]*")):
+    text = re.sub(r'"\s*\n\s*"', "", source.read_text())
+    for call in re.findall(r'(?:throw [\w:]*[eE]rror\(|\bfail\(|\brefuse\()(.*?);', text, re.S):
+        pieces = [p.replace(r'\"', '"') for p in re.findall(r'"((?:[^"\\]|\\.)*)"', call)]
+        longest = max(pieces, key=len, default="").strip()
+        if len(longest) > 3 and longest not in seen and not any(u.strip() in longest for u in UNREACHED):
+            missing.append(f"{source.name}: {longest}")
+print(*missing, sep="\n")
+sys.exit(bool(missing))
+PYTHON
