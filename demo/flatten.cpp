@@ -186,7 +186,7 @@ void describe(Command_run& run, const DCM::Planar_conformal_map& map, const Outp
   describe_sizes(statistics, map, run.input().mesh, result);
 }
 
-std::string summary_of(const Statistics& s)
+std::string flat_summary(const Statistics& s)
 {
   std::ostringstream text;
   text << s["cones"] << " cones, log scale factors " << s["log_scale_min"].get<double>() << " to "
@@ -212,7 +212,7 @@ void finish(Command_run& run, const Texture_options& options, Mesh_format format
       page.add_marks({"flipped triangles", true, flipped_polygons(result), {}, {}});
     });
   });
-  run.finish(summary_of(run.statistics()));
+  run.finish(flat_summary(run.statistics()));
 }
 
 int flatten(const Common_options& common, const Flatten_options& options)

@@ -85,7 +85,7 @@ void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map,
     statistics["groups"].push_back(description(map.group(c)));
 }
 
-std::string summary_of(const Statistics& s)
+std::string hyperbolic_summary(const Statistics& s)
 {
   std::ostringstream text;
   text << "area " << s["area"].get<double>() << ", log scale factors "
@@ -127,7 +127,7 @@ void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format for
     if(!options.picture.empty())
       run.add_output(options.picture, disk_picture(map, options.depth));
   });
-  run.finish(summary_of(run.statistics()));
+  run.finish(hyperbolic_summary(run.statistics()));
 }
 
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options)

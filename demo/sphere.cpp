@@ -50,7 +50,7 @@ void describe(Command_run& run, const DCM::Spherical_conformal_map& map, const O
   describe_sizes(statistics, map, run.input().mesh, result);
 }
 
-std::string summary_of(const Statistics& s)
+std::string spherical_summary(const Statistics& s)
 {
   std::ostringstream text;
   text << (s["disk"] ? "hemisphere" : "sphere") << ", convex, log scale factors "
@@ -94,7 +94,7 @@ void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
     if(!options.precise.empty())
       run.add_output(options.precise, precise_positions(map, run.input().mesh));
   });
-  run.finish(summary_of(run.statistics()));
+  run.finish(spherical_summary(run.statistics()));
 }
 
 int sphere(const Common_options& common, const Sphere_options& options)

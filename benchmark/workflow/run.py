@@ -1,0 +1,34 @@
+# Copyright (c) 2026 The Intrinsic_triangulations authors.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""run.py PROGRAM MESH RESULT TIMEOUT COMMAND ARGUMENT...: runs the program on a mesh and writes a JSON
+file with how that ended, whatever it was, and the statistics if there are any. OUT in an argument
+stands for an output that is thrown away."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+program, mesh, result, timeout, command, *arguments = sys.argv[1:]
+row = {"mesh": Path(mesh).name, "command": Path(result).parent.name, "bytes": Path(mesh).stat().st_size}
+with tempfile.TemporaryDirectory() as scratch:
+    arguments = [a.replace("OUT", scratch + "/out") for a in arguments]
+    statistics = Path(scratch) / "statistics.json"
+    call = [program, command, mesh, *arguments, "--stats", statistics, "--quiet", "--threads", "1"]
+    start = time.monotonic()
+    try:
+        run = subprocess.run(call, capture_output=True, text=True, errors="replace", timeout=float(timeout))
+        row["outcome"] = {0: "success", 1: "failure", 2: "refused"}.get(run.returncode, "crash")
+        row["message"] = run.stderr.strip().split("\n")[-1]
+    except subprocess.TimeoutExpired:
+        row["outcome"], row["message"] = "timeout", f"none after {timeout} seconds"
+    except OSError as error:
+        sys.exit(f"{program}: {error}")
+    row["seconds"] = time.monotonic() - start
+    if statistics.exists():
+        row["statistics"] = json.loads(statistics.read_text())
+Path(result).write_text(json.dumps(row))
