@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 include(GoogleTest)
-find_package(OpenMesh QUIET)
+find_package(OpenMesh QUIET NO_MODULE) # CGAL's module does not find it
 
 add_custom_target(unit_tests)
 add_custom_target(unit_tests_syntax)
