@@ -152,7 +152,9 @@ done <<'TABLE'
 1 | cannot be written | delaunay flat.mesh.off -o /proc/a.ply
 TABLE
 
-# Every message in the sources has been seen, except those that no call can reach here.
+# Every message in the sources has been seen, here or in the test of a command, except those that no call
+# can reach.
+grep -h '^ *says ' "$tests"/*.sh >>seen
 python3 - "$tests/../../demo" seen <<'PYTHON' || fail 'messages that no test has seen'
 import re, sys
 from pathlib import Path
