@@ -4,10 +4,14 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include "more_generators.h"
 #include "surface_curves.h"
 
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/curve_across.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
 #include <gtest/gtest.h>
 
@@ -113,7 +117,8 @@ TEST(Surface_curve, follows_shortest_paths)
     for(int i = 0; i < 30; ++i) {
       const auto dimension = static_cast<std::size_t>(i) % 3;
       const Location p = random_place(surface.mesh(), dimension, random),
-                     q = random_place(surface.mesh(), (dimension + i / 3) % 3, random);
+                     q = random_place(surface.mesh(),
+                                      (dimension + static_cast<std::size_t>(i) / 3) % 3, random);
       IT::Shortest_paths paths(surface);
       paths.add_source(p);
       paths.run();
@@ -123,6 +128,60 @@ TEST(Surface_curve, follows_shortest_paths)
       const Curve curve = IT::curve_through(surface, path.places);
       EXPECT_EQ(curve.size(), path.places.size() - 1);
       EXPECT_NEAR(IT::curve_length(surface, curve), path.length, 1e-9 * (1 + path.length));
+    }
+  }
+}
+
+// A single search goes no further than it must.
+TEST(Surface_curve, single_shortest_paths)
+{
+  CGAL::Random random(8);
+  for(const Triangulation& t :
+      {Triangulation(embedded_torus(24, 12)), triangulation(flat_torus(2, 1, 1))})
+    for(std::size_t i = 0; i < 30; ++i) {
+      const auto surface = t.input();
+      const Location p = random_place(surface.mesh(), i % 3, random),
+                     q = random_place(surface.mesh(), i / 3 % 3, random);
+      IT::Shortest_paths paths(surface);
+      paths.add_source(p);
+      paths.run();
+      const auto path = IT::shortest_path(surface, p, q);
+      EXPECT_NEAR(path.length, paths.distance(q), 1e-12 * (1 + path.length));
+      if(path.places.size() > 1)
+        EXPECT_NEAR(IT::curve_length(surface, IT::curve_through(surface, path.places)), path.length,
+                    1e-9 * (1 + path.length));
+    }
+}
+
+// There and back, segments are cut but cover what they did.
+TEST(Surface_curve, across)
+{
+  CGAL::Random random(9);
+  std::vector<Triangulation> triangulations{Triangulation(unit_sphere(4)),
+                                            Triangulation(perturbed(unit_square(5, 1), 0.05, 2)),
+                                            triangulation(flat_torus(3, 2, 1))};
+  for(Triangulation& t : triangulations)
+    flip_at_random(t, 200, 1);
+  Triangulation refined(unit_square(3, 1));
+  IT::refine(refined, IT::parameters::minimum_angle(28).maximum_circumradius(0.1));
+  triangulations.push_back(refined);
+  for(const Triangulation& t : triangulations) {
+    const IT::Correspondence correspondence(t);
+    for(const Side side : {Side::input, Side::intrinsic}) {
+      Curve curve;
+      for(std::size_t i = 0; i < 200; ++i) {
+        const Location p = random_place(t.surface(side).mesh(), i % 3, random);
+        Location q = random_place(t.surface(side).mesh(), i / 3 % 3, random);
+        curve.push_back({p.first, p.second, q.second});
+      }
+      const double length = IT::curve_length(t.surface(side), curve);
+      const Curve there = IT::curve_across(correspondence, side, curve);
+      EXPECT_NEAR(IT::curve_length(t.surface(other(side)), there), length, 1e-9 * length);
+      const Curve back = IT::curve_across(correspondence, other(side), there);
+      EXPECT_NEAR(IT::curve_length(t.surface(side), back), length, 1e-9 * length);
+      for(const auto& segment : back)
+        for(const double b : {segment.source[0], segment.source[1], segment.source[2]})
+          EXPECT_GE(b, 0);
     }
   }
 }
