@@ -181,18 +181,22 @@ void add_distance(CLI::App& app, Options& options)
                                   options.common.input);
   Distance_options& own = options.distance;
   command
-    .add_option(
-      "--source", own.sources,
-      "Vertex to which distances are measured, counted from 0; with several, to the nearest")
-    ->required()
+    .add_option("--source", own.sources,
+                "Point to which distances are measured, with several to the nearest: a vertex "
+                "counted from 0, face:a,b,c (barycentric), or x,y,z (nearest)")
     ->allow_extra_args(false);
+  command.add_option("--curve", own.curve,
+                     "File of polylines (.obj, or .xyz for one) to which distances are measured");
+  command.add_flag("--signed", own.is_signed,
+                   "Compute signed distances to --curve: negative on its left");
   add_distance_outputs(command, own);
   add_save(command, options.common);
   add_common_options(command, options.common);
   add_exact(command, options.common);
-  add_number(command, "--time-step", own.time_step_factor,
-             "Time for which heat flows, in squared mean edge lengths", CLI::PositiveNumber)
-    ->capture_default_str();
+  add_number(
+    command, "--time-step", own.time_step_factor,
+    "Time for which heat flows, in squared mean edge lengths; 1 by default, 4 with --signed",
+    CLI::PositiveNumber);
   add_angle(command, own.minimum_angle);
   command.add_flag("--exact-distance", own.is_shortest,
                    "Compute the lengths of shortest paths instead, to rounding");

@@ -98,8 +98,10 @@ struct Distance_options : Output_options
   Distance_options() : Output_options("ply") {}
 
   std::string subdivision;
-  std::vector<std::int64_t> sources;
-  double time_step_factor = 1;
+  std::vector<std::string> sources; // points as `surface_point()` reads them
+  std::string curve;                // a file; empty for none
+  bool is_signed = false;
+  std::optional<double> time_step_factor;
   double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
   bool is_shortest = false; // exact distances, by shortest paths
 };

@@ -67,12 +67,17 @@ const char* const distance =
 coarse or uneven ones by more. With --exact-distance they are the lengths of shortest paths. The
 distance of a vertex that no source can reach is -1.
 
+The points of a curve are moved to the surface and joined by shortest paths. With --signed,
+distances are negative on its left, as inside a loop that runs counterclockwise; gaps and single
+pieces of the wrong direction are bridged.
+
 Triangles need not be a surface: edges of three and more faces, vertices of several fans and any
 orientation are worked on through their tufted cover. With --neighbors points without faces are
 triangulated with their neighbors.
 
 Example:
-  intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply)";
+  intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply
+  intrinsic distance bunny.obj --curve loop.obj --signed -o distance.vtp)";
 
 const char* const path =
   R"(The path is the shortest of all, to rounding. With --flips it is a geodesic instead: the shortest

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
 #include <string>
+#include <vector>
 
 using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 
@@ -17,6 +18,33 @@ using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 // barycentric coordinates in the order of the corners of the face, or "x,y,z", the nearest point of
 // the mesh. Throws Program_error if it stands for none.
 Surface_location surface_point(const std::string& text, const Mesh& mesh);
+
+// Finds nearest points of a mesh.
+class Point_finder
+{
+public:
+  // The mesh has faces, and stays.
+  explicit Point_finder(const Mesh& mesh);
+
+  // Points further away are not meant to be on the mesh: a twentieth of its diagonal.
+  double tolerance() const { return m_tolerance; }
+
+  Surface_location operator()(const Point& p) const;
+
+private:
+  struct Ball // around a face
+  {
+    Point center;
+    double radius;
+  };
+
+  const Mesh& m_mesh;
+  std::vector<Ball> m_balls;
+  double m_tolerance;
+};
+
+// As surface_point(), but a point "x,y,z" further away than the tolerance of a Point_finder is none.
+Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh);
 
 // The vertex at `p`. Throws Program_error, which names the point `text`, if there is none.
 CGAL::Intrinsic_triangulations::Vertex_index vertex_at(const Surface_location& p,

@@ -201,7 +201,8 @@ def arguments(dice, mesh):
     result += ["--prefix", "o"] if command == "operators" else ["-o", output]
     if output == "o.ply" and command != "operators":
         result += dice.choice([[], ["--binary"]])
-    result += {"refine": ["--max-insertions", "300"], "distance": ["--source", "0"],
+    result += {"refine": ["--max-insertions", "300"], "distance": dice.choice([["--source", "0"], ["--source", "0:0.2,0.3,0.5"],
+                                        ["--source", "0,0,0", "--exact-distance"]]),
                "path": ["--from", "0", "--to", "1", dice.choice(["--flips", "--quiet"])],
                "simplify": ["--ratio", "0.5", "--prolongation", "o.mtx"]}.get(command, [])
     if command == "simplify":
