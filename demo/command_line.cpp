@@ -233,6 +233,26 @@ void add_path(CLI::App& app, Options& options)
   command.footer(Help::path);
 }
 
+void add_transfer(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "transfer", "Take points or functions to the intrinsic triangulation and back",
+                options.common.input);
+  Transfer_options& own = options.transfer;
+  command.add_option("-o,--output", own.output, "Text file; - for standard output")->required();
+  command.add_option("--points", own.points,
+                     "Text file of points, one in a line: a vertex, face:a,b,c (barycentric), or "
+                     "x,y,z (nearest)");
+  command.add_option("--data", own.data, "Text file of values at vertices: index value");
+  command.add_flag("--back", own.is_back,
+                   "Take what is given on the intrinsic triangulation to the mesh");
+  add_save(command, options.common);
+  add_common_options(command, options.common);
+  add_exact(command, options.common);
+  add_angle(command, own.minimum_angle);
+  command.footer(Help::transfer);
+}
+
 void add_operators(CLI::App& app, Options& options)
 {
   CLI::App& command =
@@ -418,6 +438,7 @@ void define_command_line(CLI::App& app, Options& options)
   add_refine(app, options);
   add_distance(app, options);
   add_path(app, options);
+  add_transfer(app, options);
   add_operators(app, options);
   add_flatten(app, options);
   add_hyperbolic(app, options);

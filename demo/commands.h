@@ -127,6 +127,19 @@ struct Path_options : Output_options
 // Returns the exit code.
 int path(const Common_options& common, const Path_options& options);
 
+struct Transfer_options
+{
+  std::string output;
+  std::string points;       // a file; empty if functions are transferred
+  std::string data;         // a file; empty if points are
+  bool is_back = false;     // from the intrinsic triangulation to the mesh
+  double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
+};
+
+// Takes points or a function from the mesh to its intrinsic Delaunay triangulation, refined if that
+// is wanted, or back. Returns the exit code.
+int transfer(const Common_options& common, const Transfer_options& options);
+
 struct Operators_options
 {
   std::string prefix;

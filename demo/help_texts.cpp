@@ -96,6 +96,17 @@ Examples:
   intrinsic path bunny.obj --from 17 --via 99 --via 612 --loop -o loop.obj --stats loop.json
   intrinsic path bunny.obj --from 0.1,0.2,0 --straightest 30 0.25 -o ray.ply)";
 
+const char* const transfer =
+  R"(Of --points each line of the output has two places, face:a,b,c on the mesh and on the intrinsic
+triangulation; with --back such lines are read. Of --data the output has a value for each vertex of
+the other triangulation, in lines "index value": of the linear function that is closest in the mean
+square, with the same integral. Faces and vertices of the intrinsic triangulation are those that
+--save writes. Statistics say how far points or values are off after going there and back.
+
+Examples:
+  intrinsic transfer bunny.obj --points points.txt -o places.txt
+  intrinsic transfer bunny.obj --data heights.txt --min-angle 25 -o refined.txt --stats s.json)";
+
 const char* const operators =
   R"(Files, with v vertices and f faces of the intrinsic triangulation:
   PREFIX_laplacian.mtx             cotan Laplacian, positive semidefinite (v x v, symmetric)

@@ -73,14 +73,14 @@ Surface_location at_vertex(Mesh::Vertex_index v, const Mesh& mesh)
 }
 
 // Rounding must not leave a sum other than one.
-Surface_location in_face(double f, const std::vector<double>& weights, const Mesh& mesh,
+Surface_location in_face(double f, const std::vector<double>& weights, std::size_t number_of_faces,
                          const std::string& text)
 {
   const auto least = *std::min_element(weights.begin(), weights.end());
   const double sum = weights[0] + weights[1] + weights[2];
   if(least < 0 || std::abs(sum - 1) > 1e-6)
     refuse(text, "barycentric coordinates are not negative and sum up to 1");
-  const auto i = static_cast<Mesh::size_type>(index(f, mesh.number_of_faces(), "faces", text));
+  const auto i = static_cast<Mesh::size_type>(index(f, number_of_faces, "faces", text));
   return {Mesh::Face_index(i), {weights[0] / sum, weights[1] / sum, weights[2] / sum}};
 }
 
@@ -166,7 +166,7 @@ Surface_location surface_point(const std::string& text, const Mesh& mesh)
     numbers(colon == std::string::npos ? text : text.substr(colon + 1), text);
   const auto face = number(text.substr(0, colon));
   if(colon != std::string::npos && face && list.size() == 3)
-    return in_face(*face, list, mesh, text);
+    return in_face(*face, list, mesh.number_of_faces(), text);
   if(colon == std::string::npos && list.size() == 3)
     return Point_finder(mesh)(Point(list[0], list[1], list[2]));
   if(colon != std::string::npos || list.size() != 1)
@@ -174,6 +174,17 @@ Surface_location surface_point(const std::string& text, const Mesh& mesh)
   return at_vertex(Mesh::Vertex_index(static_cast<Mesh::size_type>(
                      index(list[0], mesh.number_of_vertices(), "vertices", text))),
                    mesh);
+}
+
+Surface_location face_point(const std::string& text, std::size_t number_of_faces)
+{
+  const std::size_t colon = text.find(':');
+  const auto face = number(text.substr(0, colon));
+  const std::vector<double> list =
+    numbers(colon == std::string::npos ? "" : text.substr(colon + 1), text);
+  if(!face || list.size() != 3)
+    refuse(text, "give face:a,b,c");
+  return in_face(*face, list, number_of_faces, text);
 }
 
 Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh)

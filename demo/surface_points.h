@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 // barycentric coordinates in the order of the corners of the face, or "x,y,z", the nearest point of
 // the mesh. Throws Program_error if it stands for none.
 Surface_location surface_point(const std::string& text, const Mesh& mesh);
+
+// The point "face:a,b,c" of a triangulation with so many faces. Throws Program_error if there is none.
+Surface_location face_point(const std::string& text, std::size_t number_of_faces);
 
 // Finds nearest points of a mesh.
 class Point_finder

@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
+#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -25,12 +26,11 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -61,6 +61,8 @@ class Signed_heat_distance
 public:
   /// the type of distances.
   typedef Length_of<Surface> FT;
+  static_assert(std::is_constructible<Tangent_frames<FT>, const Surface&>::value,
+                "vertices of a soup have no tangent spaces; those of its tufted cover have");
   /// the type of functions: a value for each vertex, by its index.
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
 
