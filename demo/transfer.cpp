@@ -102,7 +102,7 @@ private:
 
   // ---- Points ----
 
-  Surface_location point(const std::string& text, const Correspondence& correspondence) const
+  Surface_location point(const std::string& text, const Correspondence& correspondence)
   {
     return m_side == IT::Side::input
              ? surface_point_nearby(text, m_run.input().mesh)

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -109,7 +110,7 @@ public:
   }
 
   /// adds all elements of a range of sources, such as a `Surface_curve`.
-  template <typename Range, typename = decltype(std::declval<const Range&>().begin())>
+  template <typename Range, typename = decltype(std::begin(std::declval<const Range&>()))>
   void add(const Range& sources)
   {
     for(const auto& source : sources)
