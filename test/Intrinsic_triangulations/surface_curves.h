@@ -24,8 +24,8 @@ namespace Test_surfaces {
 
 typedef IT::Surface_curve<double> Curve;
 
-// Where the function that is linear on faces and has these values at vertices is zero, with negative
-// values on the left.
+// Where the function that is linear on faces and has these values at vertices is zero, with
+// negative values on the left.
 inline Curve level_set(const Delta_complex& mesh, const std::vector<double>& value)
 {
   Curve result;

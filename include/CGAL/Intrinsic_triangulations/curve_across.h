@@ -150,8 +150,8 @@ private:
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// finds a curve of one triangulation on the other: its segments are cut at the edges of that. Their
-/// order and directions stay. Parts of a length within rounding are left out.
+/// finds a curve of one triangulation on the other: its segments are cut at the edges of that.
+/// Their order and directions stay. Parts of a length within rounding are left out.
 /// \param correspondence the crossings of both
 /// \param side the triangulation whose faces `curve` refers to
 /// \param curve segments with barycentric coordinates that are not negative and sum up to one

@@ -36,8 +36,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// computes geodesic distances on a triangulated surface by the heat method \cgalCite{CWW17}, for
 /// one set of sources after the other; the two matrices are factorized once.
 ///
-/// Sources are vertices, or with `Distance_sources` points anywhere and curves. The distance is zero
-/// at every vertex that is a source: it is the function with this property whose gradient comes
+/// Sources are vertices, or with `Distance_sources` points anywhere and curves. The distance is
+/// zero at every vertex that is a source: it is the function with this property whose gradient comes
 /// closest to the direction away from the sources. Without the condition, the function with that
 /// gradient takes different values at different sources, by many edge lengths if these fill a
 /// region, so that no constant subtracted from it is right; one source needs no more than a
@@ -213,8 +213,8 @@ private:
 /// computes the geodesic distance of every vertex to the nearest source (see `Heat_distance`).
 /// Complexity: two sparse Cholesky factorizations.
 /// \param surface a model of `IntrinsicSurface`
-/// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Curve_segment`, a range of one of
-///        these, such as a `Surface_curve`, or `Distance_sources`
+/// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Curve_segment`, a range of one
+///        of these, such as a `Surface_curve`, or `Distance_sources`
 /// \param np as for `Heat_distance`
 /// \throws Numerical_error, Invalid_input as `Heat_distance`
 template <typename Surface, typename Sources,

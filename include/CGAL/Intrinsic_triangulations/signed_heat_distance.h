@@ -49,8 +49,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// Distances are approximate. Heat that flows for a longer time rounds off the level sets of curves
 /// whose curvature varies, by an error of the first order in the edge lengths; a shorter time makes
 /// the directions of edges felt, by an error that does not vanish with the edge lengths, but is
-/// small: hence a greater default than that of `Heat_distance`. Distances are zero on the curve only
-/// up to these errors. A Delaunay triangulation is much to be preferred.
+/// small: hence a greater default than that of `Heat_distance`. Distances are zero on the curve
+/// only up to these errors. A Delaunay triangulation is much to be preferred.
 ///
 /// The object refers to the surface, which must not change as long as it is used.
 ///
@@ -94,8 +94,8 @@ public:
   /// computes the signed distance of every vertex to a curve; infinite on a component without a
   /// segment of positive length. Complexity: linear in the size of the factorizations.
   /// \param curve segments, with the negative side on their left
-  /// \throws Numerical_error if normals are below the range of `FT` somewhere, which takes a distance
-  ///         as with `Heat_distance`, or cancel on a whole component
+  /// \throws Numerical_error if normals are below the range of `FT` somewhere, which takes a
+  ///         distance as with `Heat_distance`, or cancel on a whole component
   Vector distances(const Surface_curve<FT>& curve) const
   {
     const std::vector<FT> length = length_on_components(curve);

@@ -57,8 +57,8 @@ public:
     return -std::polar(FT(1), m_angle[opposite(h).idx()] - m_angle[h.idx()]);
   }
 
-  // the rotations that take vectors from the corners of a face to its frame, and keep the directions
-  // of bisectors
+  // the rotations that take vectors from the corners of a face to its frame, and keep the
+  // directions of bisectors
   std::array<Complex, 3> to_face(Face_index f) const
   {
     const auto h = sides(f, m_surface.mesh());
@@ -96,8 +96,8 @@ public:
         "heat flow of vectors")
   {}
 
-  // Returns the heat from the unit normals on the right of the segments of a curve: its mean on each
-  // face, with components as in gradient_matrix(), times a common factor.
+  // Returns the heat from the unit normals on the right of the segments of a curve: its mean on
+  // each face, with components as in gradient_matrix(), times a common factor.
   Vector spread(const Surface_curve<FT>& curve) const
   {
     const Field heat = m_factorization.solve(normalized(moments(curve)));
