@@ -147,9 +147,10 @@ TEST(Surface_curve, single_shortest_paths)
       paths.run();
       const auto path = IT::shortest_path(surface, p, q);
       EXPECT_NEAR(path.length, paths.distance(q), 1e-12 * (1 + path.length));
-      if(path.places.size() > 1)
+      if(path.places.size() > 1) {
         EXPECT_NEAR(IT::curve_length(surface, IT::curve_through(surface, path.places)), path.length,
                     1e-9 * (1 + path.length));
+      }
     }
 }
 
