@@ -182,18 +182,22 @@ void add_distance(CLI::App& app, Options& options)
                                   options.common.input);
   Distance_options& own = options.distance;
   command
-    .add_option(
-      "--source", own.sources,
-      "Vertex to which distances are measured, counted from 0; with several, to the nearest")
-    ->required()
+    .add_option("--source", own.sources,
+                "Point to which distances are measured, with several to the nearest: a vertex "
+                "counted from 0, face:a,b,c (barycentric), or x,y,z (nearest)")
     ->allow_extra_args(false);
+  command.add_option("--curve", own.curve,
+                     "File of polylines (.obj, or .xyz for one) to which distances are measured");
+  command.add_flag("--signed", own.is_signed,
+                   "Compute signed distances to --curve: negative on its left");
   add_distance_outputs(command, own);
   add_save(command, options.common);
   add_common_options(command, options.common);
   add_exact(command, options.common);
-  add_number(command, "--time-step", own.time_step_factor,
-             "Time for which heat flows, in squared mean edge lengths", CLI::PositiveNumber)
-    ->capture_default_str();
+  add_number(
+    command, "--time-step", own.time_step_factor,
+    "Time for which heat flows, in squared mean edge lengths; 1 by default, 4 with --signed",
+    CLI::PositiveNumber);
   add_angle(command, own.minimum_angle);
   command.add_flag("--exact-distance", own.is_shortest,
                    "Compute the lengths of shortest paths instead, to rounding");
@@ -228,6 +232,26 @@ void add_path(CLI::App& app, Options& options)
   add_save(command, options.common);
   add_common_options(command, options.common);
   command.footer(Help::path);
+}
+
+void add_transfer(CLI::App& app, Options& options)
+{
+  CLI::App& command =
+    add_command(app, "transfer", "Take points or functions to the intrinsic triangulation and back",
+                options.common.input);
+  Transfer_options& own = options.transfer;
+  command.add_option("-o,--output", own.output, "Text file; - for standard output")->required();
+  command.add_option("--points", own.points,
+                     "Text file of points, one in a line: a vertex, face:a,b,c (barycentric), or "
+                     "x,y,z (nearest)");
+  command.add_option("--data", own.data, "Text file of values at vertices: index value");
+  command.add_flag("--back", own.is_back,
+                   "Take what is given on the intrinsic triangulation to the mesh");
+  add_save(command, options.common);
+  add_common_options(command, options.common);
+  add_exact(command, options.common);
+  add_angle(command, own.minimum_angle);
+  command.footer(Help::transfer);
 }
 
 void add_operators(CLI::App& app, Options& options)
@@ -415,6 +439,7 @@ void define_command_line(CLI::App& app, Options& options)
   add_refine(app, options);
   add_distance(app, options);
   add_path(app, options);
+  add_transfer(app, options);
   add_operators(app, options);
   add_flatten(app, options);
   add_hyperbolic(app, options);

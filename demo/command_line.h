@@ -19,6 +19,7 @@ struct Options
   Refine_options refine;
   Distance_options distance;
   Path_options path;
+  Transfer_options transfer;
   Operators_options operators;
   Flatten_options flatten;
   Hyperbolic_options hyperbolic;

@@ -98,8 +98,10 @@ struct Distance_options : Output_options
   Distance_options() : Output_options("ply") {}
 
   std::string subdivision;
-  std::vector<std::int64_t> sources;
-  double time_step_factor = 1;
+  std::vector<std::string> sources; // points as `surface_point()` reads them
+  std::string curve;                // a file; empty for none
+  bool is_signed = false;
+  std::optional<double> time_step_factor;
   double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
   bool is_shortest = false; // exact distances, by shortest paths
 };
@@ -124,6 +126,19 @@ struct Path_options : Output_options
 // Finds a shortest path, a geodesic or a loop, or a straightest path, and writes it as a line.
 // Returns the exit code.
 int path(const Common_options& common, const Path_options& options);
+
+struct Transfer_options
+{
+  std::string output;
+  std::string points;       // a file; empty if functions are transferred
+  std::string data;         // a file; empty if points are
+  bool is_back = false;     // from the intrinsic triangulation to the mesh
+  double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
+};
+
+// Takes points or a function from the mesh to its intrinsic Delaunay triangulation, refined if that
+// is wanted, or back. Returns the exit code.
+int transfer(const Common_options& common, const Transfer_options& options);
 
 struct Operators_options
 {

@@ -7,19 +7,33 @@
 #include "Command_run.h"
 #include "Mesh_writer.h"
 #include "Program_error.h"
+#include "surface_curves.h"
+#include "surface_points.h"
 #include "triangulation_stages.h"
 
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
+#include <CGAL/Intrinsic_triangulations/curve_across.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
@@ -35,18 +49,61 @@ Mesh_format format_with_attributes(const std::string& path, const Output_options
   return format;
 }
 
-std::vector<IT::Vertex_index> checked_sources(const std::vector<std::int64_t>& numbers,
-                                              const std::string& path, const Input_mesh& input)
+// What distances are measured from, on one of the triangulations.
+struct Sources
+{
+  std::vector<std::int64_t> vertices;
+  std::vector<Surface_location> points;
+  IT::Surface_curve<double> curve;
+
+  static IT::Vertex_index vertex(std::int64_t number)
+  {
+    return IT::Vertex_index(static_cast<IT::Vertex_index::size_type>(number));
+  }
+};
+
+std::int64_t checked_vertex(const std::string& text, const std::string& path,
+                            const Input_mesh& input)
 {
   const auto last = static_cast<std::int64_t>(input.number_of_vertices()) - 1;
-  std::vector<IT::Vertex_index> result;
-  for(const std::int64_t n : numbers) {
-    if(n < 0 || n > last)
-      throw Program_error(path + ": there is no vertex " + std::to_string(n) +
-                          " to be a source; the vertices are 0 to " + std::to_string(last));
-    result.emplace_back(static_cast<IT::Vertex_index::size_type>(n));
-  }
+  std::int64_t n = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  if(error == std::errc::invalid_argument || end != text.data() + text.size())
+    throw Program_error("'" + text +
+                        "' is no point of the mesh: give a vertex, face:a,b,c or x,y,z");
+  if(error != std::errc() || n < 0 || n > last)
+    throw Program_error(path + ": there is no vertex " + text +
+                        " to be a source; the vertices are 0 to " + std::to_string(last));
+  return n;
+}
+
+// On the input.
+Sources parsed_sources(const Distance_options& options, const std::string& path,
+                       const Input_mesh& input)
+{
+  Sources result;
+  for(const std::string& text : options.sources)
+    if(text.find_first_of(":,") == std::string::npos)
+      result.vertices.push_back(checked_vertex(text, path, input));
+    else if(input.covered && text.find(':') != std::string::npos)
+      throw Program_error("'" + text +
+                          "' is no point of the mesh: on triangles that are no surface, "
+                          "give a vertex or x,y,z");
+    else
+      result.points.push_back(surface_point_nearby(text, input.mesh));
   return result;
+}
+
+// On the triangulation T2.
+Sources sources_across(Sources sources, const Triangulation& triangulation)
+{
+  if(sources.points.empty() && sources.curve.empty())
+    return sources;
+  const IT::Correspondence correspondence(triangulation);
+  for(Surface_location& p : sources.points)
+    p = IT::point_across(correspondence, IT::Side::input, p);
+  sources.curve = IT::curve_across(correspondence, IT::Side::input, sources.curve);
+  return sources;
 }
 
 // Values below zero are errors of the method.
@@ -56,12 +113,14 @@ double presentable(double distance)
 }
 
 std::vector<double> lengths_of_shortest_paths(const Triangulation& triangulation,
-                                              const std::vector<IT::Vertex_index>& sources)
+                                              const Sources& sources)
 {
   const auto surface = triangulation.intrinsic();
   IT::Shortest_paths paths(surface);
-  for(IT::Vertex_index v : sources)
-    paths.add_source(v);
+  for(const std::int64_t v : sources.vertices)
+    paths.add_source(Sources::vertex(v));
+  for(const Surface_location& p : sources.points)
+    paths.add_source(p);
   paths.run();
   std::vector<double> result;
   for(IT::Vertex_index v : surface.mesh().vertices())
@@ -69,23 +128,49 @@ std::vector<double> lengths_of_shortest_paths(const Triangulation& triangulation
   return result;
 }
 
-// At the vertices of the input, then at inserted ones.
-std::vector<double> distances(const Triangulation& triangulation,
-                              const std::optional<Covered_soup>& covered,
-                              const std::vector<IT::Vertex_index>& sources,
-                              const Distance_options& options)
+template <class Surface>
+std::vector<double> heat_distances(const Surface& surface, const Sources& sources,
+                                   const Distance_options& options)
 {
-  if(options.is_shortest)
-    return lengths_of_shortest_paths(triangulation, sources);
-  const auto np = IT::parameters::time_step_factor(options.time_step_factor);
-  const auto surface = triangulation.intrinsic();
-  const auto values =
-    covered ? IT::heat_distance(IT::Tufted_surface<>(covered->cover, surface, covered->share()),
-                                sources, np)
-            : IT::heat_distance(surface, sources, np);
+  IT::Distance_sources<Surface> all(surface);
+  for(const std::int64_t v : sources.vertices)
+    all.add(Sources::vertex(v));
+  all.add(sources.points);
+  all.add(sources.curve);
+  const auto values = IT::heat_distance(
+    surface, all, IT::parameters::time_step_factor(options.time_step_factor.value_or(1)));
   std::vector<double> result(values.begin(), values.end());
   std::transform(result.begin(), result.end(), result.begin(), presentable);
   return result;
+}
+
+std::vector<double> signed_distances(const Triangulation& triangulation, const Sources& sources,
+                                     const Distance_options& options)
+{
+  const auto values = IT::signed_heat_distance(
+    triangulation.intrinsic(), sources.curve,
+    IT::parameters::time_step_factor(options.time_step_factor.value_or(4)));
+  for(Eigen::Index v = 0; v < values.size(); ++v)
+    if(!std::isfinite(values[v]))
+      throw Program_error("vertex " + std::to_string(v) +
+                          " has no signed distance: no part of the curve is on its component "
+                          "(--repair removes isolated vertices)");
+  return {values.begin(), values.end()};
+}
+
+// At the vertices of the input, then at inserted ones.
+std::vector<double> distances(const Triangulation& triangulation,
+                              const std::optional<Covered_soup>& covered, const Sources& sources,
+                              const Distance_options& options)
+{
+  if(options.is_signed)
+    return signed_distances(triangulation, sources, options);
+  if(options.is_shortest)
+    return lengths_of_shortest_paths(triangulation, sources);
+  const auto surface = triangulation.intrinsic();
+  return covered ? heat_distances(IT::Tufted_surface<>(covered->cover, surface, covered->share()),
+                                  sources, options)
+                 : heat_distances(surface, sources, options);
 }
 
 // At the vertices of the triangulation.
@@ -114,12 +199,26 @@ std::vector<double> interpolated(const std::vector<double>& values, const Subdiv
   return result;
 }
 
-void describe_distances(Statistics& statistics, const Distance_options& options,
-                        const std::vector<double>& values)
+// A vertex by its number.
+Statistics description(const Sources& sources)
 {
-  statistics["sources"] = options.sources;
+  Statistics result = Statistics::array();
+  for(const std::int64_t v : sources.vertices)
+    result.push_back(v);
+  for(const Surface_location& p : sources.points)
+    result.push_back({{"face", p.first.idx()}, {"barycentric", p.second}});
+  return result;
+}
+
+void describe_distances(Statistics& statistics, const Distance_options& options,
+                        const Sources& sources, const std::vector<double>& values)
+{
+  statistics["sources"] = description(sources);
+  if(options.is_signed)
+    statistics["min_distance"] = *std::min_element(values.begin(), values.end());
   statistics["max_distance"] = *std::max_element(values.begin(), values.end());
-  statistics["unreachable_vertices"] = std::count(values.begin(), values.end(), unreachable);
+  statistics["unreachable_vertices"] =
+    options.is_signed ? 0 : std::count(values.begin(), values.end(), unreachable);
 }
 
 Output_mesh with_distances(Output_mesh mesh, std::vector<double> distances)
@@ -133,6 +232,8 @@ std::string summary_of(Command_run& run)
   const Statistics& s = run.statistics();
   std::ostringstream text;
   text << summary_of_changes(run) << ", greatest distance " << s["max_distance"].get<double>();
+  if(s.contains("min_distance"))
+    text << ", least " << s["min_distance"].get<double>();
   if(s["unreachable_vertices"] > 0)
     text << ", " << s["unreachable_vertices"] << " vertices out of reach (distance -1)";
   return text.str();
@@ -145,8 +246,10 @@ public:
     : m_options(options),
       m_format(format_with_attributes(options.output, options)),
       m_subdivision_format(subdivision_format(options)),
-      m_run("distance", common, {options.output, options.subdivision}, !options.is_shortest)
+      m_run("distance", common, {options.output, options.subdivision},
+            !options.is_shortest && options.curve.empty())
   {
+    check_options();
     m_run.plan({delaunay_stages,
                 refinement_stages(options.minimum_angle),
                 certificate_stages(common),
@@ -156,19 +259,49 @@ public:
 
   void run()
   {
-    const auto sources = checked_sources(m_options.sources, m_run.options().input, m_run.input());
+    m_sources = parsed_sources(m_options, m_run.options().input, m_run.input());
     Triangulation triangulation = make_delaunay_triangulation(m_run);
     refine_if_wanted(m_run, triangulation, m_options.minimum_angle);
     describe(m_run, triangulation);
-    const std::vector<double> values = m_run.timed(
-      "solve", [&] { return distances(triangulation, m_run.input().covered, sources, m_options); });
-    describe_distances(m_run.statistics(), m_options, at_input_vertices(values));
+    const std::vector<double> values = m_run.timed("solve", [&] {
+      read_curve_if_wanted(triangulation);
+      return distances(triangulation, m_run.input().covered,
+                       sources_across(m_sources, triangulation), m_options);
+    });
+    describe_distances(m_run.statistics(), m_options, m_sources, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
     m_run.finish(summary_of(m_run));
   }
 
 private:
+  void check_options() const
+  {
+    const bool has_curve = !m_options.curve.empty();
+    if(m_options.is_signed && !has_curve)
+      throw Program_error("--signed needs a --curve");
+    if(m_options.sources.empty() && !has_curve)
+      throw Program_error("--source or --curve is missing");
+    if(m_options.is_signed && !m_options.sources.empty())
+      throw Program_error("--signed is for a --curve alone, without --source");
+    if(m_options.is_shortest && has_curve)
+      throw Program_error("--exact-distance is for --source, not for --curve");
+  }
+
+  void read_curve_if_wanted(const Triangulation& triangulation)
+  {
+    if(m_options.curve.empty())
+      return;
+    Curves_on_surface curves = read_curves(m_options.curve, m_run.input().mesh, triangulation);
+    Statistics& s = m_run.statistics()["curve"];
+    s["polylines"] = curves.number_of_polylines;
+    s["points"] = curves.number_of_points;
+    s["segments"] = curves.segments.size();
+    s["length"] = IT::curve_length(triangulation.input(), curves.segments);
+    s["greatest_distance_from_surface"] = curves.greatest_distance;
+    m_sources.curve = std::move(curves.segments);
+  }
+
   // These come before the inserted ones.
   std::vector<double> at_input_vertices(const std::vector<double>& values)
   {
@@ -214,22 +347,41 @@ private:
   {
     if(m_subdivision_format)
       m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
-    m_run.show([&](View_page& page) {
-      show(page, m_run, triangulation, subdivision, mesh);
-      page.add_marks({"sources", false, {}, {}, sources_on(triangulation)});
-    });
+    m_run.show([&](View_page& page) { show_sources(page, mesh, subdivision, triangulation); });
+  }
+
+  // Points and curves come after the points of the subdivision.
+  void show_sources(View_page& page, Output_mesh mesh, const Subdivision& subdivision,
+                    const Triangulation& triangulation)
+  {
+    Surface_marks marks{"sources", false, {}, {}, vertex_sources_on(triangulation)};
+    const auto add_point = [&](const Surface_location& p) {
+      mesh.points.push_back(position(p, m_run.input().mesh));
+      return static_cast<std::int64_t>(mesh.points.size()) - 1;
+    };
+    for(const Surface_location& p : m_sources.points)
+      marks.points.push_back(add_point(p));
+    for(const auto& segment : m_sources.curve) {
+      marks.lines.add_corner(static_cast<std::size_t>(add_point({segment.face, segment.source})));
+      marks.lines.add_corner(static_cast<std::size_t>(add_point({segment.face, segment.target})));
+      marks.lines.close();
+    }
+    for(Attribute& attribute : mesh.point_data)
+      std::visit([&](auto& values) { values.resize(mesh.points.size(), 0); }, attribute.values);
+    show(page, m_run, triangulation, subdivision, mesh);
+    page.add_marks(std::move(marks));
   }
 
   // One for each umbrella of the cover.
-  std::vector<std::int64_t> sources_on(const Triangulation& triangulation)
+  std::vector<std::int64_t> vertex_sources_on(const Triangulation& triangulation)
   {
     const std::optional<Covered_soup>& covered = m_run.input().covered;
     if(!covered)
-      return m_options.sources;
+      return m_sources.vertices;
     std::vector<std::int64_t> result;
     for(const IT::Vertex_index v : triangulation.mesh().vertices())
       if(const auto n = static_cast<std::int64_t>(covered->cover.input_vertex(v));
-         std::count(m_options.sources.begin(), m_options.sources.end(), n) > 0)
+         std::count(m_sources.vertices.begin(), m_sources.vertices.end(), n) > 0)
         result.push_back(number_of(v));
     return result;
   }
@@ -238,6 +390,7 @@ private:
   Mesh_format m_format;
   std::optional<Mesh_format> m_subdivision_format; // none if it is not wanted
   Command_run m_run;
+  Sources m_sources; // on the input
 };
 
 } // namespace

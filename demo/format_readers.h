@@ -12,7 +12,8 @@
 // these are null. They throw Program_error if the file does not follow the format. Memory is taken
 // for what was read, not for what a file announces.
 
-void read_obj(Scanner& in, Polygon_soup& soup);
+// with polylines unless `lines` is null
+void read_obj(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);
 void read_xyz(Scanner& in, Polygon_soup& soup);
 void read_stl(Scanner& in, Polygon_soup& soup);
 void read_off(Scanner& in, Polygon_soup& soup, Vertex_functions* functions);

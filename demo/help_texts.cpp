@@ -67,12 +67,17 @@ const char* const distance =
 coarse or uneven ones by more. With --exact-distance they are the lengths of shortest paths. The
 distance of a vertex that no source can reach is -1.
 
+The points of a curve are moved to the surface and joined by shortest paths. With --signed,
+distances are negative on its left, as inside a loop that runs counterclockwise; gaps and single
+pieces of the wrong direction are bridged.
+
 Triangles need not be a surface: edges of three and more faces, vertices of several fans and any
 orientation are worked on through their tufted cover. With --neighbors points without faces are
 triangulated with their neighbors.
 
 Example:
-  intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply)";
+  intrinsic distance bunny.obj --source 17 --source 99 -o distance.ply
+  intrinsic distance bunny.obj --curve loop.obj --signed -o distance.vtp)";
 
 const char* const path =
   R"(The path is the shortest of all, to rounding. With --flips it is a geodesic instead: the shortest
@@ -90,6 +95,17 @@ Examples:
   intrinsic path bunny.obj --from 17 --to 1000:0.2,0.3,0.5 -o path.vtp
   intrinsic path bunny.obj --from 17 --via 99 --via 612 --loop -o loop.obj --stats loop.json
   intrinsic path bunny.obj --from 0.1,0.2,0 --straightest 30 0.25 -o ray.ply)";
+
+const char* const transfer =
+  R"(Of --points each line of the output has two places, face:a,b,c on the mesh and on the intrinsic
+triangulation; with --back such lines are read. Of --data the output has a value for each vertex of
+the other triangulation, in lines "index value": of the linear function that is closest in the mean
+square, with the same integral. Faces and vertices of the intrinsic triangulation are those that
+--save writes. Statistics say how far points or values are off after going there and back.
+
+Examples:
+  intrinsic transfer bunny.obj --points points.txt -o places.txt
+  intrinsic transfer bunny.obj --data heights.txt --min-angle 25 -o refined.txt --stats s.json)";
 
 const char* const operators =
   R"(Files, with v vertices and f faces of the intrinsic triangulation:

@@ -13,6 +13,7 @@ extern const char* const view;
 extern const char* const refine;
 extern const char* const distance;
 extern const char* const path;
+extern const char* const transfer;
 extern const char* const operators;
 extern const char* const flatten;
 extern const char* const hyperbolic;

@@ -37,6 +37,8 @@ int run_command(const CLI::App& app, const Options& options)
     return distance(options.common, options.distance);
   if(app.got_subcommand("path"))
     return path(options.common, options.path);
+  if(app.got_subcommand("transfer"))
+    return transfer(options.common, options.transfer);
   if(app.got_subcommand("flatten"))
     return flatten(options.common, options.flatten);
   if(app.got_subcommand("hyperbolic"))

@@ -38,18 +38,26 @@ std::size_t read_index(Scanner& in, std::size_t number_of_points)
   return i > 0 ? static_cast<std::size_t>(i - 1) : number_of_points - static_cast<std::size_t>(-i);
 }
 
-void read_line(Scanner& in, Polygon_soup& soup)
+void read_corners(Scanner& in, std::size_t number_of_points, Polygons& polygons)
+{
+  while(!in.at_line_end('#'))
+    polygons.add_corner(read_index(in, number_of_points));
+  polygons.close();
+}
+
+// Polylines are read unless `lines` is null.
+void read_line(Scanner& in, Polygon_soup& soup, Polygons* lines)
 {
   const Scanner::Place start = in.place();
   const std::string_view key = in.word();
   if(key == "v")
     soup.points.push_back(read_point(in));
-  else if(key == "f") {
-    while(!in.at_line_end('#'))
-      soup.polygons.add_corner(read_index(in, soup.points.size()));
-    soup.polygons.close();
-  } else if(std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
-            std::end(ignored_keywords)) {
+  else if(key == "f")
+    read_corners(in, soup.points.size(), soup.polygons);
+  else if(key == "l" && lines != nullptr)
+    read_corners(in, soup.points.size(), *lines);
+  else if(std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
+          std::end(ignored_keywords)) {
     in.return_to(start);
     in.fail("'" + std::string(key) + "' is not known");
   }
@@ -58,8 +66,8 @@ void read_line(Scanner& in, Polygon_soup& soup)
 
 } // namespace
 
-void read_obj(Scanner& in, Polygon_soup& soup)
+void read_obj(Scanner& in, Polygon_soup& soup, Polygons* lines)
 {
   for(in.skip_comments('#'); !in.at_end(); in.skip_comments('#'))
-    read_line(in, soup);
+    read_line(in, soup, lines);
 }

@@ -73,14 +73,14 @@ Surface_location at_vertex(Mesh::Vertex_index v, const Mesh& mesh)
 }
 
 // Rounding must not leave a sum other than one.
-Surface_location in_face(double f, const std::vector<double>& weights, const Mesh& mesh,
+Surface_location in_face(double f, const std::vector<double>& weights, std::size_t number_of_faces,
                          const std::string& text)
 {
   const auto least = *std::min_element(weights.begin(), weights.end());
   const double sum = weights[0] + weights[1] + weights[2];
   if(least < 0 || std::abs(sum - 1) > 1e-6)
     refuse(text, "barycentric coordinates are not negative and sum up to 1");
-  const auto i = static_cast<Mesh::size_type>(index(f, mesh.number_of_faces(), "faces", text));
+  const auto i = static_cast<Mesh::size_type>(index(f, number_of_faces, "faces", text));
   return {Mesh::Face_index(i), {weights[0] / sum, weights[1] / sum, weights[2] / sum}};
 }
 
@@ -113,26 +113,48 @@ std::array<double, 3> nearest(const Point& p, const std::array<Point, 3>& c)
   return best;
 }
 
-Surface_location nearest_point(const Point& p, const Mesh& mesh)
-{
-  Surface_location best;
-  double least = std::numeric_limits<double>::infinity();
-  for(Mesh::Face_index f : mesh.faces()) {
-    const Surface_location q{f, nearest(p, corners(f, mesh))};
-    if(const double square = CGAL::squared_distance(p, position(q, mesh)); square < least) {
-      least = square;
-      best = q;
-    }
-  }
-  return best;
-}
-
 } // namespace
 
 Point position(const Surface_location& p, const Mesh& mesh)
 {
   const auto c = corners(p.first, mesh);
   return CGAL::barycenter(c[0], p.second[0], c[1], p.second[1], c[2], p.second[2]);
+}
+
+Point_finder::Point_finder(const Mesh& mesh) : m_mesh(mesh)
+{
+  CGAL::Bbox_3 box;
+  m_balls.reserve(mesh.number_of_faces());
+  for(Mesh::Face_index f : mesh.faces()) {
+    const auto c = corners(f, mesh);
+    const Point center = CGAL::centroid(c[0], c[1], c[2]);
+    double radius = 0;
+    for(const Point& p : c) {
+      radius = (std::max)(radius, std::sqrt(CGAL::squared_distance(center, p)));
+      box += p.bbox();
+    }
+    m_balls.push_back({center, radius});
+  }
+  m_tolerance =
+    std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()) / 20;
+}
+
+Surface_location Point_finder::operator()(const Point& p) const
+{
+  Surface_location best;
+  double least = std::numeric_limits<double>::infinity();
+  for(Mesh::Face_index f : m_mesh.faces()) {
+    const Ball& ball = m_balls[f.idx()];
+    const double reach = std::sqrt(least) + ball.radius;
+    if(CGAL::squared_distance(p, ball.center) > reach * reach * (1 + 1e-9))
+      continue;
+    const Surface_location q{f, nearest(p, corners(f, m_mesh))};
+    if(const double square = CGAL::squared_distance(p, position(q, m_mesh)); square < least) {
+      least = square;
+      best = q;
+    }
+  }
+  return best;
 }
 
 Surface_location surface_point(const std::string& text, const Mesh& mesh)
@@ -144,14 +166,39 @@ Surface_location surface_point(const std::string& text, const Mesh& mesh)
     numbers(colon == std::string::npos ? text : text.substr(colon + 1), text);
   const auto face = number(text.substr(0, colon));
   if(colon != std::string::npos && face && list.size() == 3)
-    return in_face(*face, list, mesh, text);
+    return in_face(*face, list, mesh.number_of_faces(), text);
   if(colon == std::string::npos && list.size() == 3)
-    return nearest_point(Point(list[0], list[1], list[2]), mesh);
+    return Point_finder(mesh)(Point(list[0], list[1], list[2]));
   if(colon != std::string::npos || list.size() != 1)
     refuse(text, "give a vertex, face:a,b,c or x,y,z");
   return at_vertex(Mesh::Vertex_index(static_cast<Mesh::size_type>(
                      index(list[0], mesh.number_of_vertices(), "vertices", text))),
                    mesh);
+}
+
+Surface_location face_point(const std::string& text, std::size_t number_of_faces)
+{
+  const std::size_t colon = text.find(':');
+  const auto face = number(text.substr(0, colon));
+  const std::vector<double> list =
+    numbers(colon == std::string::npos ? "" : text.substr(colon + 1), text);
+  if(!face || list.size() != 3)
+    refuse(text, "give face:a,b,c");
+  return in_face(*face, list, number_of_faces, text);
+}
+
+Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh)
+{
+  const Surface_location result = surface_point(text, mesh);
+  if(text.find(':') != std::string::npos || text.find(',') == std::string::npos)
+    return result;
+  const std::vector<double> list = numbers(text, text);
+  const double distance =
+    std::sqrt(CGAL::squared_distance(Point(list[0], list[1], list[2]), position(result, mesh)));
+  if(const double tolerance = Point_finder(mesh).tolerance(); !(distance <= tolerance))
+    refuse(text, "it is " + std::to_string(distance) + " away from it, more than " +
+                   std::to_string(tolerance));
+  return result;
 }
 
 IT::Vertex_index vertex_at(const Surface_location& p, const std::string& text, const Mesh& mesh)

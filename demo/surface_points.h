@@ -9,7 +9,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 
@@ -17,6 +19,36 @@ using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 // barycentric coordinates in the order of the corners of the face, or "x,y,z", the nearest point of
 // the mesh. Throws Program_error if it stands for none.
 Surface_location surface_point(const std::string& text, const Mesh& mesh);
+
+// The point "face:a,b,c" of a triangulation with so many faces. Throws Program_error if there is none.
+Surface_location face_point(const std::string& text, std::size_t number_of_faces);
+
+// Finds nearest points of a mesh.
+class Point_finder
+{
+public:
+  // The mesh has faces, and stays.
+  explicit Point_finder(const Mesh& mesh);
+
+  // Points further away are not meant to be on the mesh: a twentieth of its diagonal.
+  double tolerance() const { return m_tolerance; }
+
+  Surface_location operator()(const Point& p) const;
+
+private:
+  struct Ball // around a face
+  {
+    Point center;
+    double radius;
+  };
+
+  const Mesh& m_mesh;
+  std::vector<Ball> m_balls;
+  double m_tolerance;
+};
+
+// As surface_point(), but a point "x,y,z" further away than the tolerance of a Point_finder is none.
+Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh);
 
 // The vertex at `p`. Throws Program_error, which names the point `text`, if there is none.
 CGAL::Intrinsic_triangulations::Vertex_index vertex_at(const Surface_location& p,

@@ -111,6 +111,110 @@ expect 2 distance slivers.mesh.off --source 0 -o a.ply --time-step 0
 expect 2 distance polygon.mesh.off --source 0 -o a.ply --strict
 expect_files
 
+# ---- Points anywhere ----
+
+# points_are_close FILE X Y: distances in the plane to the point, approximately.
+points_are_close()
+{
+  claim "m = ply('$1')" "e, truth = errors(m.vertex['distance'], m.points, ($2, $3))" \
+    'sum(e) <= 0.03 * sum(truth)'
+}
+
+for options in "" "--exact-distance" "--min-angle 30"; do
+  expect 0 distance sheared.mesh.off --source 1.17,0.43,0.01 -o a.ply --stats a.json $options
+  points_are_close a.ply 1.17 0.43
+done
+claim "s = json('a.json').sources[0]" "near(sum(s['barycentric']), 1, 1e-12)"
+expect 0 distance sheared.mesh.off --source 1.17,0.43,0 --exact-distance -o a.ply
+claim "m = ply('a.ply')" \
+  "all(near(d, dist(p, (1.17, 0.43, 0)), 1e-9) for d, p in zip(m.vertex['distance'], m.points))"
+# A vertex is a vertex, whatever its name.
+expect 0 distance square.mesh.off --source 840 -o a.ply
+expect 0 distance square.mesh.off --source "$(sed -n 843p square.mesh.off | tr ' ' ,)" -o b.ply
+claim "ply('a.ply').vertex['distance'] == ply('b.ply').vertex['distance']"
+expect 0 distance square.mesh.off --source 3 --source 7:0.2,0.3,0.5 --source 0.9,0.9,0 -o a.ply \
+  --stats a.json --view a.html --picture a.svg
+claim "s = json('a.json').sources" 's[0] == 3' "s[1] == {'face': 7, 'barycentric': [0.2, 0.3, 0.5]}"
+expect 2 distance square.mesh.off --source 0,0,3 -o a.ply
+says "'0,0,3' is no point of the mesh: it is 3.000000 away from it, more than 0.070711"
+expect 2 distance square.mesh.off --source 0:1,1,1 -o a.ply
+expect 2 distance square.mesh.off --source 99999:1,0,0 -o a.ply
+rm a.* b.*
+
+# ---- Curves ----
+
+# circle FILE DIRECTION X: around (X, 0.45) with radius 0.2, counterclockwise or not.
+circle()
+{
+  python3 - "$2" "$3" >"$1" <<'END'
+import math, sys
+n = 80
+for k in range(n):
+    a = 2 * math.pi * k / n * int(sys.argv[1])
+    print('v', float(sys.argv[2]) + 0.2 * math.cos(a), 0.45 + 0.2 * math.sin(a), 0)
+print('l', *range(1, n + 1), 1)
+END
+}
+
+# on_circle FILE X BOUND FUNCTION: relative to its mean, the function of signed distances is so
+# close.
+on_circle()
+{
+  claim "m = ply('$1')" "t = [$4(dist(p, ($2, 0.45, 0)) - 0.2) for p in m.points]" \
+    "sum(abs(d - e) for d, e in zip(m.vertex['distance'], t)) <= $3 * sum(map(abs, t))"
+}
+
+# a square and a parallelogram
+for case in "square 0.5" "sheared 1.4"; do
+  read -r mesh x <<<"$case"
+  circle left.mesh.obj 1 "$x"
+  circle right.mesh.obj -1 "$x"
+  expect 0 distance $mesh.mesh.off --curve left.mesh.obj --signed -o a.ply --stats a.json
+  on_circle a.ply "$x" 0.05 ''
+  claim "s = json('a.json')" 'near(s.curve.length, 1.2563, 1e-3)' 's.curve.polylines == 1' \
+    's.curve.points == 81' 's.min_distance < -0.15' 's.sources == []'
+  expect 0 distance $mesh.mesh.off --curve right.mesh.obj --signed -o a.ply --min-angle 28
+  on_circle a.ply "$x" 0.05 -
+  expect 0 distance $mesh.mesh.off --curve right.mesh.obj -o a.ply --subdivision b.ply
+  on_circle a.ply "$x" 0.05 abs
+done
+circle left.mesh.obj 1 0.5
+expect 0 distance square.mesh.off --curve left.mesh.obj --signed -o a.ply --view a.html --picture a.svg
+rm a.* b.*
+
+# What path writes is a curve.
+expect 0 path square.mesh.off --from 0.1,0.1,0 --to 0.9,0.7,0 -o path.mesh.obj
+expect 0 distance square.mesh.off --curve path.mesh.obj --source 0 -o a.ply
+expect 0 distance square.mesh.off --curve path.mesh.obj --signed --time-step 9 -o a.ply
+printf '0 0.5 0\n1 0.5 0\n' >line.mesh.xyz
+expect 0 distance square.mesh.off --curve line.mesh.xyz --signed -o a.ply
+claim "m = ply('a.ply')" \
+  "all(near(d, 0.5 - p[1], 1e-9) for d, p in zip(m.vertex['distance'], m.points))"
+rm a.*
+
+refuses_curve()
+{
+  expect 2 distance "${@:2}" -o a.ply
+  says "$1"
+}
+printf 'v 0 0 0\n' >none.mesh.obj
+printf 'v 0 0 0\nl 1\n' >one.mesh.obj
+printf 'v 0 0 0\nl 1 9\n' >bad.mesh.obj
+printf 'v 0 0 0\nv 0 0 1\nl 1 2\n' >far.mesh.obj
+refuses_curve 'none.mesh.obj: has no polylines' square.mesh.off --curve none.mesh.obj
+refuses_curve 'one.mesh.obj: a polyline has less than two points' square.mesh.off --curve one.mesh.obj
+refuses_curve 'names a point that does not exist' square.mesh.off --curve bad.mesh.obj
+refuses_curve 'far.mesh.obj: point 2 is 1.000000 away from the surface' square.mesh.off --curve far.mesh.obj
+refuses_curve 'curves are read from .obj and .xyz' square.mesh.off --curve square.mesh.off
+refuses_curve 'no such file' square.mesh.off --curve nothing.obj
+refuses_curve '--signed needs a --curve' square.mesh.off --source 0 --signed
+refuses_curve '--source or --curve is missing' square.mesh.off
+refuses_curve 'without --source' square.mesh.off --source 0 --curve left.mesh.obj --signed
+refuses_curve 'not for --curve' square.mesh.off --curve left.mesh.obj --exact-distance
+printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >edge.mesh.obj
+refuses_curve 'has no signed distance' two_components.mesh.off --curve edge.mesh.obj --signed
+expect_files
+
 if [ -w /dev/full ]; then
   expect 1 distance slivers.mesh.off --source 0 -o a.ply --subdivision b.ply --stats /dev/full
   expect_files

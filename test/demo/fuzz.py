@@ -189,7 +189,7 @@ def damaged(dice, content, others):
 
 def arguments(dice, mesh):
     command = dice.choice("info view delaunay refine distance path flatten hyperbolic uniformize sphere"
-                          " simplify operators".split())
+                          " simplify operators transfer".split())
     result = [command, mesh]
     if command == "info":
         return result + dice.choice([[], ["--json"], ["--view", "o.html", "--picture", "o.svg"]])
@@ -199,9 +199,12 @@ def arguments(dice, mesh):
                "flatten": ["obj", "ply", "vtp"], "uniformize": ["obj", "ply", "vtp"]}
     output = "o." + dice.choice(formats.get(command, ["off", "obj", "ply", "vtp"]))
     result += ["--prefix", "o"] if command == "operators" else ["-o", output]
-    if output == "o.ply" and command != "operators":
+    if output == "o.ply" and command not in ("operators", "transfer"):
         result += dice.choice([[], ["--binary"]])
-    result += {"refine": ["--max-insertions", "300"], "distance": ["--source", "0"],
+    sources = [["--source", "0"], ["--source", "0:0.2,0.3,0.5"], ["--source", "0,0,0", "--exact-distance"],
+               ["--curve", mesh, "--signed"]]
+    result += {"refine": ["--max-insertions", "300"], "distance": dice.choice(sources),
+               "transfer": [dice.choice(["--points", "--data"]), mesh],
                "path": ["--from", "0", "--to", "1", dice.choice(["--flips", "--quiet"])],
                "simplify": ["--ratio", "0.5", "--prolongation", "o.mtx"]}.get(command, [])
     if command == "simplify":

@@ -184,6 +184,30 @@ private:
   bool m_is_run = false;
 };
 
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// returns the shortest path from one point of a face to another (see `Shortest_paths`). There are
+/// no places if there is no path. The search stops at the distance of `target`. Complexity: linear
+/// for initialization, and as `Shortest_paths::run()` in the views up to that distance.
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
+/// \param source, target points with coordinates that are not negative and sum up to one
+/// \throws Numerical_error if the angles at a vertex have no positive finite sum
+template <typename Surface>
+Surface_path<Length_of<Surface>> shortest_path(const Surface& surface,
+                                               const Face_location<Length_of<Surface>>& source,
+                                               const Face_location<Length_of<Surface>>& target)
+{
+  internal::Path_search search(internal::view_of(surface));
+  search.add_source(source);
+  const Vertex_index v = internal::vertex_at(target, surface.mesh());
+  v == Delta_complex::null_vertex() ? search.run_to(target) : search.run_to(v);
+  const auto part = search.to(target);
+  Surface_path<Length_of<Surface>> result{part.length, {}};
+  if(part.length < std::numeric_limits<Length_of<Surface>>::infinity())
+    search.trace(part, target, result.places);
+  std::reverse(result.places.begin(), result.places.end());
+  return result;
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATHS_H

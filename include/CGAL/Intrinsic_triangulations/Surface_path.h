@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -31,6 +32,24 @@ template <typename FT>
 Surface_place<FT> place_on(const Edge_point<FT>& p, const Delta_complex& mesh)
 {
   return {p.halfedge, face_location(mesh.is_border(p.halfedge) ? reversed(p, mesh) : p, mesh)};
+}
+
+// returns the place of a point with its halfedge, if it lies on one or at a vertex
+template <typename FT>
+Surface_place<FT> surface_place(const Face_location<FT>& p, const Delta_complex& mesh)
+{
+  for(std::size_t s = 0; s < 3; ++s)
+    if(p.second[(s + 2) % 3] == 0 && p.second[s] != 0)
+      return {sides(p.first, mesh)[s], p};
+  return {Delta_complex::null_halfedge(), p};
+}
+
+// The vertex where `p` is; null if it is none.
+template <typename FT>
+Vertex_index vertex_at(const Face_location<FT>& p, const Delta_complex& mesh)
+{
+  return is_corner(p.second) ? mesh.source(surface_place(p, mesh).along)
+                             : Delta_complex::null_vertex();
 }
 
 } // namespace internal

@@ -15,6 +15,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <complex>
 #include <vector>
 
@@ -22,10 +23,21 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-template <typename FT>
+// Negative weights, and with them all risk of an indefinite matrix, are left out. A Delaunay
+// triangulation has them on border edges only. Parallel fields stay parallel.
+template <typename Surface>
+std::vector<Length_of<Surface>> nonnegative_weights(const Surface& surface)
+{
+  auto weights = cotan_weights(surface);
+  for(auto& w : weights)
+    w = (std::max)(w, Length_of<Surface>(0));
+  return weights;
+}
+
+template <typename FT, typename Frames>
 Eigen::SparseMatrix<std::complex<FT>> connection_laplacian(const Delta_complex& mesh,
                                                            const std::vector<FT>& weights,
-                                                           const Tangent_frames<FT>& frames)
+                                                           const Frames& frames)
 {
   Sparse_assembly<std::complex<FT>> assembly(4 * mesh.number_of_edges());
   for(Edge_index e : mesh.edges()) {

@@ -72,8 +72,11 @@ public:
                        const NamedParameters& np = CGAL::parameters::default_values())
     : m_frames(surface),
       m_flow(surface, np),
-      m_vector_flow(internal::plus_diagonal(definite_laplacian(surface), m_flow.rates()),
-                    m_flow.order(), "heat flow of vectors")
+      m_vector_flow(
+        internal::plus_diagonal(internal::connection_laplacian(
+                                  surface.mesh(), internal::nonnegative_weights(surface), m_frames),
+                                m_flow.rates()),
+        m_flow.order(), "heat flow of vectors")
   {}
 
   /// returns the frames of the tangent spaces.
@@ -109,17 +112,6 @@ public:
 
 private:
   typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
-
-  // Negative weights, and with them all risk of an indefinite matrix, are left out. A Delaunay
-  // triangulation has them on border edges only. Parallel fields stay parallel.
-  template <typename Surface>
-  Eigen::SparseMatrix<std::complex<FT>> definite_laplacian(const Surface& surface) const
-  {
-    std::vector<FT> weights = internal::cotan_weights(surface);
-    for(FT& w : weights)
-      w = (std::max)(w, FT(0));
-    return internal::connection_laplacian(surface.mesh(), weights, m_frames);
-  }
 
   // Directions come from the heat of the vectors, lengths from the heat of their lengths over that
   // of the sources.

@@ -23,24 +23,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// returns the place of a point with its halfedge, if it lies on one or at a vertex
-template <typename FT>
-Surface_place<FT> surface_place(const Face_location<FT>& p, const Delta_complex& mesh)
-{
-  for(std::size_t s = 0; s < 3; ++s)
-    if(p.second[(s + 2) % 3] == 0 && p.second[s] != 0)
-      return {sides(p.first, mesh)[s], p};
-  return {Delta_complex::null_halfedge(), p};
-}
-
-// The vertex where `p` is; null if it is none.
-template <typename FT>
-Vertex_index vertex_at(const Face_location<FT>& p, const Delta_complex& mesh)
-{
-  return is_corner(p.second) ? mesh.source(surface_place(p, mesh).along)
-                             : Delta_complex::null_vertex();
-}
-
 // The sources of shortest paths, the views from them, and the shortest paths back to them.
 template <typename EdgeLengthMap>
 class Path_search

@@ -27,12 +27,12 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 template <typename FT, typename NamedParameters>
-FT checked_time_step_factor(const NamedParameters& np)
+FT checked_time_step_factor(const NamedParameters& np, const FT& standard = FT(1))
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   typedef Intrinsic_triangulations::internal_np::time_step_factor_t Tag;
-  const FT factor(choose_parameter(get_parameter(np, Tag()), FT(1)));
+  const FT factor(choose_parameter(get_parameter(np, Tag()), standard));
   if(!(factor > 0) || !CGAL::is_finite(factor))
     throw Invalid_input("the time step factor is not positive and finite");
   return factor;
@@ -56,6 +56,21 @@ std::vector<FT> time_steps(const Surface& surface, const FT& factor,
   return result;
 }
 
+// A / t, where a third of the area around a vertex is its capacity for heat.
+template <typename Surface, typename FT>
+Eigen::Matrix<FT, Eigen::Dynamic, 1> decay_rates(const Surface& surface, const FT& factor,
+                                                 const Mesh_components& components)
+{
+  const auto time = time_steps(surface, factor, components);
+  Eigen::Matrix<FT, Eigen::Dynamic, 1> result = lumped_mass_matrix(surface).diagonal();
+  for(Eigen::Index v = 0; v < result.size(); ++v)
+    if(const FT t = time[components[static_cast<std::size_t>(v)]]; t > 0)
+      result[v] /= t;
+    else
+      result[v] = FT(1); // an isolated vertex has no other entry in its row
+  return result;
+}
+
 template <typename Scalar, typename Vector>
 Eigen::SparseMatrix<Scalar> plus_diagonal(const Eigen::SparseMatrix<Scalar>& matrix,
                                           const Vector& diagonal)
@@ -66,7 +81,7 @@ Eigen::SparseMatrix<Scalar> plus_diagonal(const Eigen::SparseMatrix<Scalar>& mat
 }
 
 // Lets heat flow for one backward Euler step: (A / t + L) u = sources, in which no unit of length
-// is left. A third of the area around a vertex is its capacity for heat.
+// is left.
 template <typename FT>
 class Heat_flow
 {
@@ -76,7 +91,7 @@ public:
   template <typename Surface, typename NamedParameters>
   Heat_flow(const Surface& surface, const NamedParameters& np)
     : m_components(surface.mesh()),
-      m_rate(decay_rates(surface, checked_time_step_factor<FT>(np))),
+      m_rate(decay_rates(surface, checked_time_step_factor<FT>(np), m_components)),
       m_factorization(plus_diagonal(cotan_laplacian(surface), m_rate), "heat flow")
   {}
 
@@ -132,19 +147,6 @@ public:
   }
 
 private:
-  template <typename Surface>
-  Vector decay_rates(const Surface& surface, const FT& factor) const
-  {
-    const auto time = time_steps(surface, factor, m_components);
-    Vector result = lumped_mass_matrix(surface).diagonal();
-    for(Eigen::Index v = 0; v < result.size(); ++v)
-      if(const FT t = time[m_components[static_cast<std::size_t>(v)]]; t > 0)
-        result[v] /= t;
-      else
-        result[v] = FT(1); // an isolated vertex has no other entry in its row
-    return result;
-  }
-
   Mesh_components m_components;
   Vector m_rate;
   Factorization<FT> m_factorization;

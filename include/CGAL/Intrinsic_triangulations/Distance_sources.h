@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DISTANCE_SOURCES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DISTANCE_SOURCES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
+#include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+template <typename FT>
+class Heat_distance;
+
+namespace internal {
+
+// What a vertex knows of a source in one of its faces: the integral of its hat function over the
+// source, and the distance within the face.
+template <typename FT>
+struct Vertex_and_source
+{
+  Vertex_index vertex;
+  FT moment, distance;
+};
+
+// A vertex, a point or a segment; with the corners of the face, edge or vertex that it lies in.
+template <typename FT>
+struct Source_part
+{
+  FT length; // zero for a point
+  std::vector<Vertex_and_source<FT>> corners;
+
+  static Source_part at_vertex(Vertex_index v) { return {FT(0), {{v, FT(1), FT(0)}}}; }
+
+  Vertex_index vertex() const { return corners.front().vertex; }
+  bool is_vertex() const { return corners.size() == 1; }
+};
+
+// The distance of 0 from the segment between two points.
+template <typename FT>
+FT distance_from_segment(const std::complex<FT>& p, const std::complex<FT>& q)
+{
+  const std::complex<FT> d = q - p;
+  const FT squared = dot(d, d);
+  const FT t = squared > 0 ? std::clamp<FT>(-dot(p, d) / squared, FT(0), FT(1)) : FT(0);
+  return norm_of(p + t * d);
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// collects what distances are measured from: vertices, points on edges and in faces, and curves.
+///
+/// The object refers to the surface, which must not change as long as sources are added.
+///
+/// \tparam Surface a model of `IntrinsicSurface` with floating point lengths
+template <typename Surface>
+class Distance_sources
+{
+public:
+  /// the number type of lengths.
+  typedef Length_of<Surface> FT;
+
+  /// makes an empty set of sources on a surface.
+  explicit Distance_sources(const Surface& surface) : m_surface(internal::view_of(surface)) {}
+
+  /// adds a vertex.
+  void add(Vertex_index v) { m_parts.push_back(internal::Source_part<FT>::at_vertex(v)); }
+
+  /// adds a point of a face, also on its boundary.
+  /// \pre the coordinates of `p` are not negative and sum up to one
+  void add(const Face_location<FT>& p) { add(Curve_segment<FT>{p.first, p.second, p.second}); }
+
+  /// adds a point on an edge.
+  void add(const Edge_point<FT>& p) { add(internal::place_on(p, m_surface.mesh()).location); }
+
+  /// adds all points of a segment.
+  void add(const Curve_segment<FT>& segment)
+  {
+    const auto h = sides(segment.face, m_surface.mesh());
+    const internal::Flat_face<FT> face(h[0], m_surface);
+    const FT length = internal::norm_of(face.between(segment.source, segment.target));
+    m_parts.push_back({length, {}});
+    for(std::size_t k = 0; k < 3; ++k)
+      if(const FT weight = segment.source[k] + segment.target[k]; weight > 0)
+        m_parts.back().corners.push_back(
+          {m_surface.mesh().source(h[k]), (length > 0 ? length : FT(1)) * weight / 2,
+           internal::distance_from_segment(face.to_corner(k, segment.source),
+                                           face.to_corner(k, segment.target))});
+  }
+
+  /// adds all sources of another set on the surface.
+  void add(const Distance_sources& other)
+  {
+    m_parts.insert(m_parts.end(), other.m_parts.begin(), other.m_parts.end());
+  }
+
+  /// adds all elements of a range of sources, such as a `Surface_curve`.
+  template <typename Range, typename = decltype(std::begin(std::declval<const Range&>()))>
+  void add(const Range& sources)
+  {
+    for(const auto& source : sources)
+      add(source);
+  }
+
+private:
+  friend class Heat_distance<FT>;
+
+  Surface_view<Length_map_of<Surface>> m_surface;
+  std::vector<internal::Source_part<FT>> m_parts;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DISTANCE_SOURCES_H

@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_CURVE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_CURVE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// a straight segment in a face, from one point to another.
+template <typename FT>
+struct Curve_segment
+{
+  Face_index face;          ///< the face
+  std::array<FT, 3> source; ///< the barycentric coordinates of its start, as in `Face_location`
+  std::array<FT, 3> target; ///< the barycentric coordinates of its end
+};
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// a set of segments: one curve or several, closed or not, with or without gaps and crossings. The
+/// order of the segments is of no importance, their directions are where a side is meant.
+template <typename FT>
+using Surface_curve = std::vector<Curve_segment<FT>>;
+
+namespace internal {
+
+template <typename FT>
+FT segment_length(const std::array<FT, 3>& side, const Curve_segment<FT>& segment)
+{
+  const auto &p = segment.source, &q = segment.target;
+  return vector_length<FT>(side, {FT(q[0] - p[0]), FT(q[1] - p[1]), FT(q[2] - p[2])});
+}
+
+template <typename Surface, typename FT>
+FT segment_length(const Surface& surface, const Curve_segment<FT>& segment)
+{
+  const auto h = sides(segment.face, surface.mesh());
+  return segment_length<FT>(
+    {edge_length(h[0], surface), edge_length(h[1], surface), edge_length(h[2], surface)}, segment);
+}
+
+// Calls `visit` for the point `p` as each of the faces around it sees it.
+template <typename FT, typename Visit>
+void for_each_location(const Face_location<FT>& p, const Delta_complex& mesh, const Visit& visit)
+{
+  const Halfedge_index along = surface_place(p, mesh).along;
+  const auto visit_on = [&](const Edge_point<FT>& q) {
+    if(!mesh.is_border(q.halfedge))
+      visit(face_location(q, mesh));
+  };
+  if(is_corner(p.second))
+    return for_each_spoke(mesh.source(along), mesh, [&](Halfedge_index h) {
+      visit_on(Edge_point<FT>{h, FT(0)});
+    });
+  visit(p);
+  if(along.is_valid())
+    visit_on(reversed(edge_point(along, p, mesh), mesh));
+}
+
+// The shortest segment from `p` to `q` in a face of both; without a face if there is none.
+template <typename Surface, typename FT>
+Curve_segment<FT> segment_between(const Surface& surface, const Face_location<FT>& p,
+                                  const Face_location<FT>& q)
+{
+  Curve_segment<FT> best{Delta_complex::null_face(), p.second, q.second};
+  FT least(0);
+  for_each_location(p, surface.mesh(), [&](const Face_location<FT>& from) {
+    for_each_location(q, surface.mesh(), [&](const Face_location<FT>& to) {
+      if(from.first != to.first)
+        return;
+      const Curve_segment<FT> segment{from.first, from.second, to.second};
+      const FT length = segment_length(surface, segment);
+      if(best.face == Delta_complex::null_face() || length < least) {
+        best = segment;
+        least = length;
+      }
+    });
+  });
+  return best;
+}
+
+template <typename FT>
+const Face_location<FT>& location_of(const Face_location<FT>& p)
+{
+  return p;
+}
+
+template <typename FT>
+const Face_location<FT>& location_of(const Surface_place<FT>& p)
+{
+  return p.location;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// returns the length of a curve. Complexity: linear.
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
+/// \param curve segments on it
+template <typename Surface>
+Length_of<Surface> curve_length(const Surface& surface,
+                                const Surface_curve<Length_of<Surface>>& curve)
+{
+  Length_of<Surface> sum(0);
+  for(const auto& segment : curve)
+    sum += internal::segment_length(surface, segment);
+  return sum;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// makes a curve through points, each of which shares a face with the next one. Between them it is
+/// straight; of several segments in different faces it takes the shortest. Complexity: linear, and
+/// quadratic in the degree of a vertex that is one of the points.
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
+/// \param points a range of `Face_location` or `Surface_place`, such as the places of a
+///        `Surface_path`; to close the curve, the last is the first
+/// \throws Invalid_input if a point shares no face with the next one
+template <typename Surface, typename PointRange>
+Surface_curve<Length_of<Surface>> curve_through(const Surface& surface, const PointRange& points)
+{
+  Surface_curve<Length_of<Surface>> result;
+  const auto* previous = &*std::begin(points);
+  std::size_t i = 0;
+  for(const auto& p : points) {
+    if(i++ > 0) {
+      result.push_back(internal::segment_between(surface, internal::location_of(*previous),
+                                                 internal::location_of(p)));
+      if(result.back().face == Delta_complex::null_face())
+        throw Invalid_input("points " + std::to_string(i - 2) + " and " + std::to_string(i - 1) +
+                            " of the curve share no face");
+    }
+    previous = &p;
+  }
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// makes a curve of edges. Complexity: linear.
+/// \param surface a model of `IntrinsicSurface`
+/// \param halfedges a range of halfedges, which give the directions
+template <typename Surface, typename HalfedgeRange>
+Surface_curve<Length_of<Surface>> curve_along_edges(const Surface& surface,
+                                                    const HalfedgeRange& halfedges)
+{
+  typedef Length_of<Surface> FT;
+  const Delta_complex& mesh = surface.mesh();
+  Surface_curve<FT> result;
+  for(const Halfedge_index h : halfedges) {
+    const bool is_border = mesh.is_border(h);
+    const Halfedge_index inner = is_border ? mesh.opposite(h) : h;
+    const auto at = [&](int t) {
+      return face_location(Edge_point<FT>{inner, FT(is_border ? 1 - t : t)}, mesh).second;
+    };
+    result.push_back({mesh.face(inner), at(0), at(1)});
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_CURVE_H

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SIGNED_HEAT_DISTANCE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SIGNED_HEAT_DISTANCE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Vertex_vector_heat.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/poisson.h>
+#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// computes signed distances to curves on a triangulated surface by the signed heat method
+/// \cgalCite{FC24}, for one curve after the other; the matrices are factorized once.
+///
+/// The distance is negative on the left of the curve and positive on its right: negative inside a
+/// loop that runs counterclockwise around a region. The normals of the curve flow over the surface
+/// like heat; the distance is the function whose gradient comes closest to their directions, less
+/// its mean over the curve. A curve with gaps, or a part of a boundary curve, is completed in this
+/// way. Where no side is right, as beyond the end of a curve, or on a surface that a closed curve
+/// does not separate, so is no sign: the distance is a compromise there.
+///
+/// Distances are approximate. Heat that flows for a longer time rounds off the level sets of curves
+/// whose curvature varies, by an error of the first order in the edge lengths; a shorter time makes
+/// the directions of edges felt, by an error that does not vanish with the edge lengths, but is
+/// small: hence a greater default than that of `Heat_distance`. Distances are zero on the curve
+/// only up to these errors. A Delaunay triangulation is much to be preferred.
+///
+/// The object refers to the surface, which must not change as long as it is used.
+///
+/// \tparam Surface a model of `IntrinsicSurface` with floating point lengths
+template <typename Surface>
+class Signed_heat_distance
+{
+public:
+  /// the type of distances.
+  typedef Length_of<Surface> FT;
+  static_assert(std::is_constructible<Tangent_frames<FT>, const Surface&>::value,
+                "vertices of a soup have no tangent spaces; those of its tufted cover have");
+  /// the type of functions: a value for each vertex, by its index.
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
+
+  /// prepares for distances on a surface. Complexity: two sparse Cholesky factorizations, one of a
+  /// complex matrix.
+  ///
+  /// \param surface any number of components, with or without boundary
+  /// \param np
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{time_step_factor}
+  ///     \cgalParamDescription{the time for which heat flows, in squared mean edge lengths}
+  ///     \cgalParamType{a number}
+  ///     \cgalParamDefault{4}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  /// \throws Numerical_error if the area of a face is zero or out of range, or if rounding leaves a
+  ///         matrix without a factorization
+  /// \throws Invalid_input if the factor is not positive and finite
+  template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Signed_heat_distance(const Surface& surface,
+                                const NamedParameters& np = CGAL::parameters::default_values())
+    : m_surface(internal::view_of(surface)),
+      m_components(surface.mesh()),
+      m_flow(m_surface, m_components, internal::checked_time_step_factor<FT>(np, FT(4))),
+      m_divergence(divergence_matrix(surface)),
+      m_poisson(surface)
+  {}
+
+  /// computes the signed distance of every vertex to a curve; infinite on a component without a
+  /// segment of positive length. Complexity: linear in the size of the factorizations.
+  /// \param curve segments, with the negative side on their left
+  /// \throws Numerical_error if normals are below the range of `FT` somewhere, which takes a
+  ///         distance as with `Heat_distance`, or cancel on a whole component
+  Vector distances(const Surface_curve<FT>& curve) const
+  {
+    const std::vector<FT> length = length_on_components(curve);
+    Vector result = m_poisson.solve(-(m_divergence * normals(curve, length)));
+    subtract_mean(result, curve, length);
+    return result;
+  }
+
+private:
+  std::size_t component(Face_index f) const
+  {
+    return m_components[m_surface.mesh().source(m_surface.mesh().halfedge(f)).idx()];
+  }
+
+  std::vector<FT> length_on_components(const Surface_curve<FT>& curve) const
+  {
+    std::vector<FT> result(m_components.size(), FT(0));
+    for(const Curve_segment<FT>& segment : curve)
+      result[component(segment.face)] += internal::segment_length(m_surface, segment);
+    return result;
+  }
+
+  // of unit length; zero where normals from several sides cancel exactly
+  Vector normals(const Surface_curve<FT>& curve, const std::vector<FT>& length) const
+  {
+    Vector field = m_flow.spread(curve);
+    std::vector<char> is_zero(m_components.size(), 1);
+    for(Face_index f : m_surface.mesh().faces()) {
+      auto vector = field.template segment<2>(2 * Eigen::Index(f.idx()));
+      const FT norm = std::hypot(vector[0], vector[1]);
+      if(!(norm > 0))
+        continue;
+      if(norm < least_norm())
+        throw Numerical_error("the normals of the curve do not reach face " +
+                              std::to_string(f.idx()) + "; a greater time step factor is needed");
+      vector /= norm;
+      is_zero[component(f)] = 0;
+    }
+    for(std::size_t c = 0; c < length.size(); ++c)
+      if(is_zero[c] && length[c] > 0)
+        throw Numerical_error("the normals of the curve cancel everywhere");
+    return field;
+  }
+
+  // What is less has lost digits.
+  static FT least_norm()
+  {
+    return (std::numeric_limits<FT>::min)() / std::numeric_limits<FT>::epsilon();
+  }
+
+  void subtract_mean(Vector& distance, const Surface_curve<FT>& curve,
+                     const std::vector<FT>& length) const
+  {
+    std::vector<FT> integral(m_components.size(), FT(0));
+    for(const Curve_segment<FT>& segment : curve) {
+      const auto h = sides(segment.face, m_surface.mesh());
+      const FT half = internal::segment_length(m_surface, segment) / 2;
+      for(std::size_t k = 0; k < 3; ++k)
+        integral[component(segment.face)] += half * (segment.source[k] + segment.target[k]) *
+                                             distance[m_surface.mesh().source(h[k]).idx()];
+    }
+    for(Eigen::Index v = 0; v < distance.size(); ++v) {
+      const std::size_t c = m_components[static_cast<std::size_t>(v)];
+      distance[v] = length[c] > 0 ? FT(distance[v] - integral[c] / length[c])
+                                  : std::numeric_limits<FT>::infinity();
+    }
+  }
+
+  Surface_view<Length_map_of<Surface>> m_surface;
+  internal::Mesh_components m_components;
+  internal::Vertex_vector_heat<Surface_view<Length_map_of<Surface>>> m_flow;
+  Eigen::SparseMatrix<FT> m_divergence;
+  Poisson_solver<FT> m_poisson;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// computes the signed distance of every vertex to a curve (see `Signed_heat_distance`).
+/// Complexity: two sparse Cholesky factorizations.
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
+/// \param curve segments, with the negative side on their left
+/// \param np as for `Signed_heat_distance`
+/// \throws Numerical_error, Invalid_input as `Signed_heat_distance`
+template <typename Surface, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+auto signed_heat_distance(const Surface& surface, const Surface_curve<Length_of<Surface>>& curve,
+                          const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return Signed_heat_distance<Surface>(surface, np).distances(curve);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SIGNED_HEAT_DISTANCE_H
