@@ -55,6 +55,18 @@ struct Minimization_result
   double gradient_error =
     0; ///< the rounding error of that gradient: of its computation, and of storing
        ///< the point
+
+  /// returns the result of this minimization as the continuation of another: numbers are added.
+  Minimization_result after(const Minimization_result& first) const
+  {
+    Minimization_result result = *this;
+    result.iterations += first.iterations;
+    result.evaluations += first.evaluations;
+    result.factorizations += first.factorizations;
+    result.symbolic_analyses += first.symbolic_analyses;
+    result.orderings += first.orderings;
+    return result;
+  }
 };
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers

@@ -181,7 +181,7 @@ private:
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
     const Cut_graph cut(mesh(), length, m_is_wall, m_map.m_is_laid_out, terminals());
     const std::vector<FT> exact = m_builder.scaled_lengths(u);
-    const Flat_layout<FT> layout(mesh(), exact, cut, m_layout);
+    const Flat_layout<FT> layout(mesh(), exact, cut, *m_problem.expanded_order(), m_layout);
     for(Halfedge_index h : mesh().halfedges())
       m_map.m_position.push_back(layout.position(h));
     for(Edge_index e : mesh().edges())

@@ -12,6 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Least_squares_shift.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Spectral_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -36,9 +37,9 @@ class Flat_layout
   typedef Plane_vector<FT> Vector;
 
 public:
-  // `length` has the lengths of all edges
+  // `length` has the lengths of all edges, `order` is that of the vertices
   Flat_layout(const Delta_complex& mesh, const std::vector<FT>& length, const Cut_graph& cut,
-              Layout layout = Layout::least_squares)
+              const Shared_order& order, Layout layout = Layout::least_squares)
     : m_mesh(mesh),
       m_length(length),
       m_position(mesh.num_halfedges(), Vector{FT(0), FT(0)}),
@@ -54,13 +55,9 @@ public:
       if(!mesh.is_isolated(v))
         unite_corners(v, cut);
     if(layout == Layout::spectral)
-      improve_charts(cut);
-    if(layout != Layout::least_squares)
-      return;
-    distribute_errors(cut);
-    // with more digits than shifts have, what the first has left
-    if(!std::is_same<FT, double>::value)
-      distribute_errors(cut);
+      improve_charts(cut, order);
+    if(layout == Layout::least_squares)
+      distribute_errors(cut, order);
   }
 
   // the position of the source of `h` in the face of `h`
@@ -119,8 +116,10 @@ private:
     } while(first != start);
     Halfedge_index h = first;
     do {
-      if(h == first || cut.is_seam(Edge_index(h)))
+      if(h == first || cut.is_seam(Edge_index(h))) {
         m_united.push_back(m_position[h.idx()]);
+        m_vertex.push_back(v);
+      }
       m_point[h.idx()] = static_cast<int>(m_united.size()) - 1;
       h = Intrinsic_triangulations::next_spoke(h, m_mesh);
     } while(h != first);
@@ -128,37 +127,56 @@ private:
 
   // The sum over all sides of faces of the squared change of the side, relative to its length, is
   // least.
-  void distribute_errors(const Cut_graph& cut)
+  void distribute_errors(const Cut_graph& cut, const Shared_order& order)
   {
     Least_squares_shift shift(m_united.size(), 3 * cut.steps().size());
-    for(const Cut_graph::Step& step : cut.steps())
-      for(Halfedge_index h : Intrinsic_triangulations::sides(step.face, m_mesh)) {
-        const Vector misfit = side(h) - (united(m_mesh.next(h)) - united(h));
-        const double weight = static_cast<double>(1 / (length(h) * length(h)));
-        shift.add(point(h), point(m_mesh.next(h)), weight, to_complex(misfit));
-      }
+    for_each_side(cut,
+                  [&](Halfedge_index h) { shift.add(point(h), point(m_mesh.next(h)), weight(h)); });
     for(const Cut_graph::Step& step : cut.steps())
       if(!step.entry.is_valid())
         shift.hold(point(m_mesh.halfedge(step.face)));
-    shift.solve();
-    for(std::size_t i = 0; i < m_united.size(); ++i)
-      m_united[i] = m_united[i] + Vector{FT(shift(i).real()), FT(shift(i).imag())};
+    shift.factorize(order.refined(m_vertex));
+    distribute_errors(cut, shift);
+    // with more digits than shifts have, what the first has left
+    if(!std::is_same<FT, double>::value)
+      distribute_errors(cut, shift);
   }
 
-  void improve_charts(const Cut_graph& cut)
+  void distribute_errors(const Cut_graph& cut, Least_squares_shift& shift)
+  {
+    for_each_side(cut, [&](Halfedge_index h) {
+      const Halfedge_index n = m_mesh.next(h);
+      shift.want(point(h), point(n), weight(h), to_complex(side(h) - (united(n) - united(h))));
+    });
+    const std::vector<std::complex<double>> by = shift.solve();
+    for(std::size_t i = 0; i < m_united.size(); ++i)
+      m_united[i] = m_united[i] + Vector{FT(by[i].real()), FT(by[i].imag())};
+  }
+
+  template <typename Function>
+  void for_each_side(const Cut_graph& cut, const Function& function) const
+  {
+    for(const Cut_graph::Step& step : cut.steps())
+      for(Halfedge_index h : Intrinsic_triangulations::sides(step.face, m_mesh))
+        function(h);
+  }
+
+  double weight(Halfedge_index h) const { return static_cast<double>(1 / (length(h) * length(h))); }
+
+  void improve_charts(const Cut_graph& cut, const Shared_order& order)
   {
     m_number.assign(m_united.size(), none);
     const auto& steps = cut.steps();
     for(auto root = steps.begin(); root != steps.end();) {
       const auto end = std::find_if(
         root + 1, steps.end(), [](const Cut_graph::Step& step) { return !step.entry.is_valid(); });
-      improve_chart(root, end, cut);
+      improve_chart(root, end, cut, order);
       root = end;
     }
   }
 
   template <typename Iterator>
-  void improve_chart(Iterator begin, Iterator end, const Cut_graph& cut)
+  void improve_chart(Iterator begin, Iterator end, const Cut_graph& cut, const Shared_order& order)
   {
     Spectral_layout<FT> spectral;
     std::vector<std::size_t> points;
@@ -175,9 +193,12 @@ private:
                                      static_cast<double>(length(h)));
     }
     std::vector<Vector> position;
-    for(std::size_t i : points)
+    std::vector<Vertex_index> vertex;
+    for(std::size_t i : points) {
       position.push_back(m_united[i]);
-    spectral.improve(position);
+      vertex.push_back(m_vertex[i]);
+    }
+    spectral.improve(position, *order.refined(vertex));
     for(std::size_t k = 0; k < points.size(); ++k)
       m_united[points[k]] = position[k];
   }
@@ -203,11 +224,12 @@ private:
 
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;
-  std::vector<Vector> m_position;    // of the source of each halfedge
-  std::vector<Vector> m_direction;   // of each halfedge
-  std::vector<int> m_point;          // the number of the point at the source of each halfedge
-  std::vector<Vector> m_united;      // the points
-  std::vector<std::size_t> m_number; // of each point in its chart
+  std::vector<Vector> m_position;     // of the source of each halfedge
+  std::vector<Vector> m_direction;    // of each halfedge
+  std::vector<int> m_point;           // the number of the point at the source of each halfedge
+  std::vector<Vector> m_united;       // the points
+  std::vector<Vertex_index> m_vertex; // of which each point is a corner
+  std::vector<std::size_t> m_number;  // of each point in its chart
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

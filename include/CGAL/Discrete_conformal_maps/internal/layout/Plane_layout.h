@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Cut_graph.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 
 #include <algorithm>
 #include <array>
@@ -25,12 +26,14 @@ class Plane_layout
 public:
   typedef std::array<FT, 2> Point;
 
-  Plane_layout(const Delta_complex& mesh, const std::vector<FT>& length, Vertex_index at_infinity)
+  // `order` is that of the vertices
+  Plane_layout(const Delta_complex& mesh, const std::vector<FT>& length, Vertex_index at_infinity,
+               const Shared_order& order)
     : m_mesh(mesh), m_length(length), m_at_infinity(at_infinity), m_position(mesh.num_vertices())
   {
     const std::vector<char> is_used = finite_faces();
     if(std::count(is_used.begin(), is_used.end(), 1) > 0)
-      lay_out_faces(is_used);
+      lay_out_faces(is_used, order);
     else
       lay_out_edges();
   }
@@ -48,7 +51,7 @@ private:
     return result;
   }
 
-  void lay_out_faces(const std::vector<char>& is_used)
+  void lay_out_faces(const std::vector<char>& is_used, const Shared_order& order)
   {
     std::vector<char> is_wall(m_mesh.num_edges()), is_terminal(m_mesh.num_vertices(), 0);
     std::vector<double> rounded(m_mesh.num_edges());
@@ -61,7 +64,7 @@ private:
         is_terminal[m_mesh.source(h).idx()] = is_terminal[m_mesh.target(h).idx()] = 1;
     }
     const Cut_graph cut(m_mesh, rounded, is_wall, is_used, is_terminal);
-    const Flat_layout<FT> layout(m_mesh, m_length, cut);
+    const Flat_layout<FT> layout(m_mesh, m_length, cut, order);
     for(Halfedge_index h : m_mesh.halfedges())
       if(is_used[m_mesh.face(h).idx()])
         m_position[m_mesh.source(h).idx()] = layout.exact_position(h);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -64,12 +65,16 @@ public:
   // energy does not rise. The area of the result is that of the faces. A chart with a face without
   // area stays as it is.
   // \throws Numerical_error if L has no factorization
-  void improve(std::vector<Vector>& z) const
+  // `order` is that of the points
+  void improve(std::vector<Vector>& z, const Shared_order& order = {}) const
   {
     Energy energy = evaluate(z);
     if(!std::isfinite(energy.value))
       return;
-    Dirichlet_solver solver(matrix(z.size()), held_points(z));
+    std::vector<std::size_t> point(2 * z.size()); // of each coordinate
+    for(std::size_t k = 0; k < point.size(); ++k)
+      point[k] = k / 2;
+    Dirichlet_solver solver(matrix(z.size()), held_points(z), order.refined(point, 2));
     for(double last = std::numeric_limits<double>::infinity();;) {
       const Eigen::VectorXd step = solver.solve(residual(energy, z));
       std::vector<Vector> better = corrected(z, step);

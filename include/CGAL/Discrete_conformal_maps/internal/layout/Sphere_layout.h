@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Stereographic_triangulation.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ public:
                 const std::vector<double>& mass, const Doubled_problem& problem)
     : m_problem(problem),
       m_at_infinity(at_infinity),
-      m_position(Plane_layout<FT>(mesh, length, at_infinity).positions())
+      m_position(Plane_layout<FT>(mesh, length, at_infinity, *problem.expanded_order()).positions())
   {
     for(Vertex_index v : mesh.vertices())
       if(problem.is_on_boundary(v) && v != at_infinity)

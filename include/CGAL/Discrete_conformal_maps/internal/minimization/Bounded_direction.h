@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -35,8 +37,9 @@ public:
   typedef Eigen::VectorXd Vector;
   typedef Newton_direction::Solver Solver;
 
-  explicit Bounded_direction(const Bounded_variables& variables)
-    : m_variables(variables), m_solver(variables.indices())
+  explicit Bounded_direction(const Bounded_variables& variables,
+                             std::shared_ptr<Shared_order> order = std::make_shared<Shared_order>())
+    : m_variables(variables), m_solver(variables.indices(), std::move(order))
   {}
 
   const Solver& solver() const { return m_solver; }

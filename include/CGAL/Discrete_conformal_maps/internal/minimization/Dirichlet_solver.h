@@ -14,6 +14,8 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -27,8 +29,9 @@ public:
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Eigen::VectorXd Vector;
 
-  Dirichlet_solver(const Matrix& matrix, const std::vector<char>& is_fixed)
-    : m_solver(free_variables(is_fixed))
+  Dirichlet_solver(const Matrix& matrix, const std::vector<char>& is_fixed,
+                   std::shared_ptr<Shared_order> order = std::make_shared<Shared_order>())
+    : m_solver(free_variables(is_fixed), std::move(order))
   {
     // the lift, relative to the diagonal, is against rounding where weights differ by many orders
     for(double lift = 0; !m_solver.factorize(matrix, lift * matrix.diagonal());

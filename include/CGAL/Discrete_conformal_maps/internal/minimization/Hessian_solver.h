@@ -7,18 +7,21 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Factorization_counts.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Reordered_matrix.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // Solves with matrix after matrix of similar pattern. The order of elimination, the costly part of
-// the analysis, is kept while it is still good. `Cholesky` is `Simplicial_Cholesky` or
-// `Supernodal_Cholesky`.
+// the analysis, is kept while it is still good, and shared with others. `Cholesky` is
+// `Simplicial_Cholesky` or `Supernodal_Cholesky`.
 template <typename Cholesky>
 class Hessian_solver
 {
@@ -26,12 +29,15 @@ public:
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Reordered_matrix::Order Order;
 
-  // the rows and columns that are taken from every matrix
-  explicit Hessian_solver(Order rows) : m_order(std::move(rows)) {}
+  // `rows` are the rows and columns that are taken from every matrix; `shared` is an order of all
+  explicit Hessian_solver(Order rows,
+                          std::shared_ptr<Shared_order> shared = std::make_shared<Shared_order>())
+    : m_order(std::move(rows)), m_shared(std::move(shared))
+  {}
 
-  std::size_t factorizations() const { return m_factorizations; }
-  std::size_t symbolic_analyses() const { return m_symbolic_analyses; }
-  std::size_t orderings() const { return m_orderings; }
+  std::size_t factorizations() const { return m_counts.factorizations; }
+  std::size_t symbolic_analyses() const { return m_counts.symbolic_analyses; }
+  std::size_t orderings() const { return m_counts.orderings; }
 
   // Factorizes `matrix` with `diagonal` added; returns false if that is not positive definite.
   bool factorize(const Matrix& matrix, const Eigen::VectorXd& diagonal)
@@ -41,7 +47,7 @@ public:
     if(!m_matrix.has_pattern_of(matrix))
       analyze(matrix);
     m_matrix.set_values(matrix, diagonal, m_order);
-    ++m_factorizations;
+    count(&Factorization_counts::factorizations);
     return m_cholesky.factorize(m_matrix.upper());
   }
 
@@ -57,38 +63,45 @@ public:
 private:
   void analyze(const Matrix& matrix)
   {
-    if(m_orderings > 0) {
+    if(m_shared->is_known()) {
       analyze_in_order(matrix);
-      if(m_cholesky.size() <= 1.2 * m_size_when_ordered) // else the order is outdated
+      if(m_shared->is_good(entries_of_row()))
         return;
     }
     reorder(matrix);
     analyze_in_order(matrix);
-    m_size_when_ordered = m_cholesky.size();
+    m_shared->set_entries(entries_of_row());
   }
 
   void analyze_in_order(const Matrix& matrix)
   {
+    m_order = m_shared->sorted(m_order);
     m_matrix.set_pattern(matrix, m_order);
     m_cholesky.analyze(m_matrix.upper());
-    ++m_symbolic_analyses;
+    count(&Factorization_counts::symbolic_analyses);
   }
 
+  // Variables that are left out have a place, too: others may take them.
   void reorder(const Matrix& matrix)
   {
-    m_matrix.set_pattern(matrix, m_order);
-    const Order old(m_order);
-    const Eigen::VectorXi order = Cholesky::fill_reducing_order(m_matrix.upper());
-    for(std::size_t k = 0; k < old.size(); ++k)
-      m_order[k] = old[static_cast<std::size_t>(order[static_cast<Eigen::Index>(k)])];
-    ++m_orderings;
+    const Eigen::VectorXi order = Cholesky::fill_reducing_order(matrix);
+    m_shared->set(Order(order.begin(), order.end()));
+    count(&Factorization_counts::orderings);
+  }
+
+  double entries_of_row() { return m_cholesky.size() / static_cast<double>(m_order.size()); }
+
+  void count(std::size_t Factorization_counts::*what)
+  {
+    ++(m_counts.*what);
+    ++(m_shared->counts().*what);
   }
 
   Order m_order;
+  std::shared_ptr<Shared_order> m_shared;
   Reordered_matrix m_matrix;
   Cholesky m_cholesky;
-  double m_size_when_ordered = 0;
-  std::size_t m_factorizations = 0, m_symbolic_analyses = 0, m_orderings = 0;
+  Factorization_counts m_counts;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

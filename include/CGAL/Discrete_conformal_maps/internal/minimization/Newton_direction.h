@@ -14,6 +14,9 @@
 
 #include <Eigen/SparseCore>
 
+#include <memory>
+#include <utility>
+
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // What is added to the diagonal of a Hessian against steps beyond a bound: see `Newton_direction`.
@@ -39,8 +42,9 @@ public:
   typedef Eigen::SparseMatrix<double> Matrix;
   typedef Hessian_solver<Intrinsic_triangulations::internal::Cholesky<double>> Solver;
 
-  explicit Newton_direction(const Free_variables& variables)
-    : m_variables(&variables), m_solver(variables.indices())
+  explicit Newton_direction(const Free_variables& variables,
+                            std::shared_ptr<Shared_order> order = std::make_shared<Shared_order>())
+    : m_variables(&variables), m_solver(variables.indices(), std::move(order))
   {}
 
   const Solver& solver() const { return m_solver; }

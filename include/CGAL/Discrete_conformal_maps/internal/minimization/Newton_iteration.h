@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Descent.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Newton_direction.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <Eigen/Core>
@@ -31,7 +32,9 @@ class Newton_iteration
 public:
   Newton_iteration(Energy& energy, Eigen::VectorXd& best, const Variables& variables,
                    const Minimization_limits& limits, Visitor& visitor)
-    : m_descent(energy, best, variables, limits), m_visitor(visitor), m_direction(variables)
+    : m_descent(energy, best, variables, limits),
+      m_visitor(visitor),
+      m_direction(variables, Order_of_energy<Energy>::get(energy))
   {}
 
   Minimization_result run()

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -23,30 +24,36 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // cone is placed where they are greatest, and the estimate is zero there from then on. For a new
 // cone the system is not factorized again: it takes one column of the inverse, from which what
 // former cones take away is subtracted.
+//
+// The Laplacian does not see constants on a component without fixed vertices. One vertex is held
+// there, and all that sums to zero has a solution. The first cone takes the rest.
 class Cone_placement
 {
   typedef Eigen::VectorXd Vector;
+  typedef Intrinsic_triangulations::internal::Mesh_components Components;
 
 public:
-  // `Laplacian` and `defect` are those of the surface, cones are not needed on components with
-  // fixed vertices
-  Cone_placement(const Eigen::SparseMatrix<double>& Laplacian, const Vector& defect,
-                 const std::vector<char>& is_fixed)
-    : m_solver(Laplacian, is_fixed)
-  {
-    m_estimate = m_solver.solve(-defect);
-  }
+  // `is_held` are the fixed vertices, and one of every component without any
+  Cone_placement(const Eigen::SparseMatrix<double>& Laplacian, const std::vector<char>& is_held,
+                 const Components& components, const std::shared_ptr<Shared_order>& order)
+    : m_solver(Laplacian, is_held, order), m_components(components), m_first(components.size(), -1)
+  {}
+
+  // Estimates scale factors; the sum of `defect` is zero on components without fixed vertices.
+  void estimate(const Vector& defect) { m_estimate = solve(-defect); }
+
+  // Makes `v` the first cone of its component, which has no fixed vertices.
+  void add_first(std::size_t v) { m_first[m_components[v]] = index(v); }
 
   const Vector& estimate() const { return m_estimate; }
 
   // the vertex of component `c` with the greatest estimate
-  std::size_t worst(const Intrinsic_triangulations::internal::Mesh_components& component,
-                    std::size_t c) const
+  std::size_t worst(std::size_t c) const
   {
     std::size_t result = 0;
     double greatest = -1;
     for(std::size_t v = 0; v < std::size_t(m_estimate.size()); ++v)
-      if(component[v] == c && std::abs(m_estimate[index(v)]) > greatest) {
+      if(m_components[v] == c && std::abs(m_estimate[index(v)]) > greatest) {
         greatest = std::abs(m_estimate[index(v)]);
         result = v;
       }
@@ -58,7 +65,7 @@ public:
   {
     Vector source = Vector::Zero(m_estimate.size());
     source[index(v)] = 1;
-    Vector column = m_solver.solve(source);
+    Vector column = solve(source);
     for(const Column& c : m_columns)
       column -= (column[c.at] / c.values[c.at]) * c.values;
     m_columns.push_back({index(v), column});
@@ -76,7 +83,27 @@ private:
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
+  // zero at fixed vertices and first cones
+  Vector solve(Vector right_side)
+  {
+    Vector sum = Vector::Zero(index(m_first.size())), at_first = sum;
+    for(std::size_t v = 0; v < std::size_t(right_side.size()); ++v)
+      sum[index(m_components[v])] += right_side[index(v)];
+    for(std::size_t c = 0; c < m_first.size(); ++c)
+      if(m_first[c] >= 0)
+        right_side[m_first[c]] -= sum[index(c)];
+    Vector result = m_solver.solve(right_side);
+    for(std::size_t c = 0; c < m_first.size(); ++c)
+      if(m_first[c] >= 0)
+        at_first[index(c)] = result[m_first[c]];
+    for(std::size_t v = 0; v < std::size_t(right_side.size()); ++v)
+      result[index(v)] -= at_first[index(m_components[v])];
+    return result;
+  }
+
   Dirichlet_solver m_solver;
+  const Components& m_components;
+  std::vector<Eigen::Index> m_first; // the first cone of each component, -1 if there is none
   std::vector<Column> m_columns;
   Vector m_estimate;
 };

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -27,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -87,6 +89,12 @@ public:
   // T^A and T^B
   const Triangulation& triangulation() const { return m_triangulation; }
   Triangulation& triangulation() { return m_triangulation; }
+
+  // in which the vertices of the surface are eliminated, wherever they are variables
+  const std::shared_ptr<Shared_order>& order() const { return m_order; }
+
+  // that of the vertices of the triangulation
+  std::shared_ptr<Shared_order> expanded_order() const { return m_order->refined(m_front); }
 
   // from T^A to T^B
   std::size_t number_of_flips() const { return m_number_of_flips; }
@@ -429,6 +437,7 @@ private:
   std::vector<Edge_index> m_exceeded;  // where the copy is not deep enough
   std::vector<char> m_is_fixed;
   Vector m_value; // a scale factor or an angle defect
+  std::shared_ptr<Shared_order> m_order = std::make_shared<Shared_order>();
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Cone_placement.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
@@ -37,13 +38,17 @@ public:
     auto energy =
       symmetric_energy<double, Flat_triangle<double>>(m_problem, m_problem.triangulation());
     energy.evaluate(Vector::Zero(Eigen::Index(m_problem.size())));
-    place_first_cones(energy, bound);
-    Cone_placement placement(energy.Hessian(), energy.gradient(), with_pins());
+    Cone_placement placement(energy.Hessian(), with_pins(), m_problem.components(),
+                             m_problem.order());
+    placement.estimate(balanced(energy.gradient()));
+    place_first_cones(placement, bound);
+    placement.estimate(balanced(energy.gradient()));
     for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
-      const std::size_t v = placement.worst(m_problem.components(), c);
+      const std::size_t v = placement.worst(c);
       placement.add(v);
       add_cone(v);
     }
+    start_from_estimate(energy, placement.estimate());
   }
 
   // Makes a cone of the vertex with the greatest scale factor, if it is out of bounds. Says whether
@@ -80,8 +85,7 @@ private:
     return result;
   }
 
-  // The Laplacian does not see constants on a component without prescribed scale factors: one
-  // vertex is held.
+  // the vertices with prescribed scale factors, and one of every component without any
   std::vector<char> with_pins() const
   {
     std::vector<char> result = m_problem.is_fixed();
@@ -99,9 +103,36 @@ private:
     m_cones.push_back(cone);
   }
 
-  // A component without prescribed scale factors gets a cone where the estimate is farthest from
-  // its middle, unless it needs none.
-  void place_first_cones(const Symmetric_energy<Conformal_energy<>>& energy, double bound)
+  // The estimate is the first step of Newton's method from scale factors of zero: if the slope of
+  // the energy lets the minimizer take it, it need not be computed again.
+  void start_from_estimate(Symmetric_energy<Conformal_energy<>>& energy, Vector step)
+  {
+    const Free_variables variables(domain(), m_problem.size());
+    variables.remove_means(step);
+    if(m_problem.flipping() == Flipping::none || !values().isZero(0) || has_prescribed_scale())
+      return;
+    const auto slope = [&] {
+      Vector gradient = energy.gradient();
+      variables.set_fixed_to_zero(gradient);
+      return gradient.dot(step);
+    };
+    const double first = slope();
+    energy.evaluate(step);
+    if(slope() <= -first / 2)
+      start_from({step.begin(), step.end()});
+  }
+
+  // whether a scale factor is prescribed that is not zero
+  bool has_prescribed_scale() const
+  {
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_problem.scale_factor(v) != 0)
+        return true;
+    return false;
+  }
+
+  // `defect`, with a sum of zero on components without prescribed scale factors
+  Vector balanced(Vector defect) const
   {
     const auto& component = m_problem.components();
     const std::vector<double> excess = m_problem.curvature_excess();
@@ -109,19 +140,26 @@ private:
     std::vector<double> size(component.size(), 0);
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       size[component[v]] += m_problem.number_of_copies(v);
-    Vector balanced = energy.gradient();
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(fixed[component[v]] == 0)
-        balanced[Eigen::Index(v)] += m_problem.part(v) * excess[component[v]] / size[component[v]];
-    Dirichlet_solver solver(energy.Hessian(), with_pins());
-    const Vector estimate = solver.solve(-balanced);
-    for(std::size_t c = 0; c < component.size(); ++c)
-      if(fixed[c] == 0 && size[c] > 1)
-        place_first_cone(c, estimate, excess[c], bound);
+        defect[Eigen::Index(v)] += m_problem.part(v) * excess[component[v]] / size[component[v]];
+    return defect;
   }
 
-  void place_first_cone(std::size_t c, const Vector& estimate, double excess, double bound)
+  // A component without prescribed scale factors gets a cone where the estimate is farthest from
+  // its middle, unless it needs none.
+  void place_first_cones(Cone_placement& placement, double bound)
   {
+    const std::vector<double> excess = m_problem.curvature_excess();
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    for(std::size_t c = 0; c < fixed.size(); ++c)
+      if(fixed[c] == 0)
+        place_first_cone(c, placement, excess[c], bound);
+  }
+
+  void place_first_cone(std::size_t c, Cone_placement& placement, double excess, double bound)
+  {
+    const Vector& estimate = placement.estimate();
     std::size_t least = none, greatest = none;
     double sum = 0, count = 0;
     for(std::size_t v = 0; v < m_problem.size(); ++v)
@@ -136,8 +174,11 @@ private:
       }
     const double below = sum / count - estimate[Eigen::Index(least)],
                  above = estimate[Eigen::Index(greatest)] - sum / count;
-    if(Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound)
+    if(count > 1 &&
+       (Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound)) {
+      placement.add_first(above > below ? greatest : least);
       add_cone(above > below ? greatest : least);
+    }
   }
 
   // a component with cones whose estimate is out of bounds, or that needs more of them

@@ -89,6 +89,16 @@ public:
     return energy.scale_factors();
   }
 
+protected:
+  Minimization_domain domain() const
+  {
+    Minimization_domain result{m_problem.is_fixed(), {}};
+    if(Triangle<double>::has_similar_ones)
+      for(std::size_t v = 0; v < m_problem.size(); ++v)
+        result.component.push_back(m_problem.components()[v]);
+    return result;
+  }
+
 private:
   // rounding counts as well
   bool is_within(double tolerance) const
@@ -124,11 +134,7 @@ private:
     energy.move_origin();
     Vector x = Vector::Zero(m_u.size());
     const Minimization_result last = minimizer(energy, x, domain(), visitor);
-    const std::size_t iterations = m_result.iterations + last.iterations,
-                      evaluations = m_result.evaluations + last.evaluations;
-    m_result = last;
-    m_result.iterations = iterations;
-    m_result.evaluations = evaluations;
+    m_result = last.after(m_result);
     m_has_layout =
       m_problem.flipping() == Flipping::to_Delaunay || energy.energy().number_of_flat_faces() == 0;
     m_status = status(x);
@@ -198,15 +204,6 @@ private:
       add(-m_problem.part(f) * pi * least);
     }
     return slope < -tolerance::cancellation * size;
-  }
-
-  Minimization_domain domain() const
-  {
-    Minimization_domain result{m_problem.is_fixed(), {}};
-    if(Triangle<double>::has_similar_ones)
-      for(std::size_t v = 0; v < m_problem.size(); ++v)
-        result.component.push_back(m_problem.components()[v]);
-    return result;
   }
 
   Doubled_problem& m_problem;

@@ -119,11 +119,7 @@ private:
 
   void add_result(const Minimization_result& last)
   {
-    const std::size_t iterations = m_result.iterations + last.iterations,
-                      evaluations = m_result.evaluations + last.evaluations;
-    m_result = last;
-    m_result.iterations = iterations;
-    m_result.evaluations = evaluations;
+    m_result = last.after(m_result);
     if(last.gradient_norm <= tolerance::gradient)
       m_result.status = Minimization_status::converged; // less than that is used, no more
   }

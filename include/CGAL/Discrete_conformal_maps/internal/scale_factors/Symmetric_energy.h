@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -51,6 +52,9 @@ public:
   }
 
   std::size_t size() const { return m_problem.size(); }
+
+  // of the variables
+  std::shared_ptr<Shared_order> shared_order() const { return m_problem.order(); }
 
   void evaluate(const Vector& x)
   {

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_FACTORIZATION_COUNTS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_FACTORIZATION_COUNTS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <cstddef>
+
+namespace CGAL::Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsMinimizers
+/// what has been done to solve sparse linear systems.
+struct Factorization_counts
+{
+  std::size_t factorizations = 0;    ///< the number of numeric factorizations
+  std::size_t symbolic_analyses = 0; ///< how often the pattern of a factor has been found
+  std::size_t orderings = 0;         ///< how often a fill-reducing order has been computed
+};
+
+} // namespace CGAL::Discrete_conformal_maps
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_FACTORIZATION_COUNTS_H
