@@ -17,6 +17,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
@@ -47,13 +48,13 @@ public:
   // by the vertices of the input
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
 
-  // Cones are placed for a finite `bound` of scale factors.
+  // Cones are placed for a finite `bound` of scale factors, at the first call before the others.
   template <typename Minimizer>
   void find_scale_factors(const Minimizer& minimizer, double bound)
   {
     m_visitor.start(Flattening_stage::cones);
     const bool is_bounded = bound < std::numeric_limits<double>::infinity();
-    if(is_bounded)
+    if(is_bounded && !std::exchange(m_has_placed_cones, true))
       m_scale.place_cones(bound);
     m_problem.check();
     m_visitor.start(Flattening_stage::optimize);
@@ -61,6 +62,14 @@ public:
       m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
     while(is_bounded && m_scale.add_cone_if_beyond(bound));
     m_map.m_cones = m_scale.cones();
+  }
+
+  bool has_succeeded() const { return m_scale.status() == Map_status::success; }
+
+  // the lengths in the plane of the edges on the boundary of the surface
+  std::vector<double> boundary_lengths()
+  {
+    return flat_boundary_lengths(m_problem, m_scale.values());
   }
 
   Planar_conformal_map finish(Layout layout)
@@ -213,6 +222,7 @@ private:
   Flat_scale_factors m_scale;
   Planar_conformal_map m_map;
   Map_builder m_builder;
+  bool m_has_placed_cones = false;
   std::vector<char> m_is_wall; // edges of T^C that are not passed
   Layout m_layout = Layout::least_squares;
 };
@@ -234,11 +244,13 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
 
 // Does what `flatten()` documents, for conditions and scale factors to start from by vertices.
 // Cones are placed if the bound of scale factors, `default_bound` if `np` has none, is finite.
-template <typename NamedParameters>
+// `solve(problem, flattening, find)` calls `find()`, which finds the scale factors, until the
+// problem is what it should be.
+template <typename NamedParameters, typename Solve>
 Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
                                const std::vector<Vertex_condition>& conditions,
                                const std::vector<double>& log_scale, double default_bound,
-                               const NamedParameters& np)
+                               const NamedParameters& np, const Solve& solve)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -254,11 +266,23 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, input.mesh().num_faces(), visitor);
   flattening.start_from(log_scale);
-  flattening.find_scale_factors(
-    choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
-    double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), default_bound)));
+  solve(problem, flattening, [&] {
+    flattening.find_scale_factors(
+      choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
+      double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), default_bound)));
+  });
   return flattening.finish(
     choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares));
+}
+
+template <typename NamedParameters>
+Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
+                               const std::vector<Vertex_condition>& conditions,
+                               const std::vector<double>& log_scale, double default_bound,
+                               const NamedParameters& np)
+{
+  return flattened(input, conditions, log_scale, default_bound, np,
+                   [](auto&, auto&, const auto& find) { find(); });
 }
 
 } // namespace internal

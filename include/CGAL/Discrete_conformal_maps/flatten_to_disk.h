@@ -40,20 +40,21 @@ public:
     m_angle = angles([&](Edge_index e) { return surface.length(e); });
   }
 
-  void apply_to(std::vector<Vertex_condition>& conditions) const
+  // Calls `set(v, condition)` with what the angles prescribe at each vertex of the boundary.
+  template <typename Set>
+  void prescribe(const Set& set) const
   {
     for(const Boundary_loop& loop : m_loops)
       for(Halfedge_index h : loop) {
-        const std::size_t v = mesh_index(h);
-        conditions[v] = Vertex_condition::curvature(m_angle[Eigen::Index(v)]);
+        const Vertex_index v = m_mesh.source(h);
+        set(v, Vertex_condition::curvature(m_angle[Eigen::Index(v.idx())]));
       }
   }
 
   // Moves the angles towards those of circles with the lengths of the image, and returns the
   // greatest difference of both before.
-  double update(const Planar_conformal_map& map)
+  double update(const std::vector<double>& length)
   {
-    const std::vector<double> length = flat_boundary_lengths(map);
     const Vector image = angles([&](Edge_index e) { return length[e.idx()]; });
     const double change = (image - m_angle).lpNorm<Eigen::Infinity>();
     const Vector next = m_acceleration.next(m_angle, image);
@@ -143,25 +144,26 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
   const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   std::vector<Vertex_condition> conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
-  std::vector<double> log_scale = internal::initial_log_scales(g, np);
   internal::Circular_boundary boundary(input);
-  double change = 0;
-  for(std::size_t i = 0; i < rounds; ++i) {
-    boundary.apply_to(conditions);
-    Planar_conformal_map map = internal::flattened(input, conditions, log_scale,
-                                                   std::numeric_limits<double>::infinity(), np);
-    if(map.status() != Map_status::success && map.status() != Map_status::layout_collapsed)
-      return map;
-    change = boundary.update(map);
-    if(change <= internal::tolerance::circle_angle)
-      return map;
-    for(Vertex_index v : input.mesh().vertices())
-      log_scale[v.idx()] = map.log_scale(v);
-  }
-  std::ostringstream text;
-  text << "the boundary has not become a circle: after " << rounds
-       << " rounds its angles still change by " << change << " radians";
-  throw Intrinsic_triangulations::Numerical_error(text.str());
+  boundary.prescribe([&](Vertex_index v, const auto& c) { conditions[v.idx()] = c; });
+  const auto solve = [&](auto& problem, auto& flattening, const auto& find) {
+    double change = 0;
+    for(std::size_t i = 0; i < rounds; ++i) {
+      boundary.prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
+      find();
+      if(!flattening.has_succeeded())
+        return;
+      change = boundary.update(flattening.boundary_lengths());
+      if(change <= internal::tolerance::circle_angle)
+        return;
+    }
+    std::ostringstream text;
+    text << "the boundary has not become a circle: after " << rounds
+         << " rounds its angles still change by " << change << " radians";
+    throw Intrinsic_triangulations::Numerical_error(text.str());
+  };
+  return internal::flattened(input, conditions, internal::initial_log_scales(g, np),
+                             std::numeric_limits<double>::infinity(), np, solve);
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -7,10 +7,23 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// Returns the exponent of two that is just above `x`.
+template <typename FT>
+int exponent_of(const FT& x)
+{
+  using std::frexp;
+  int result = 0;
+  (void)frexp(x, &result);
+  return result;
+}
+inline int exponent_of(const Extended& x) { return exponent_of(x.high()); }
 
 // The cosine and the sine of an angle, up to a common factor.
 template <typename FT>
@@ -24,11 +37,16 @@ struct Corner
     return atan2(sine, cosine);
   }
 
-  // with a factor for which the greater of both is 1 or -1
+  // with a power of two as factor, for which the greater of both is from 1/2 to 1; NaN if both are
+  // zero
   Corner scaled() const
   {
     const FT size = (std::max)(cosine < 0 ? FT(-cosine) : cosine, sine < 0 ? FT(-sine) : sine);
-    return {cosine / size, sine / size};
+    if(!(size > 0))
+      return {cosine / size, sine / size};
+    using std::ldexp;
+    const int exponent = exponent_of(size);
+    return {ldexp(cosine, -exponent), ldexp(sine, -exponent)};
   }
 
   // in double precision

@@ -98,6 +98,7 @@ public:
 
   // from T^A to T^B
   std::size_t number_of_flips() const { return m_number_of_flips; }
+  const std::vector<Halfedge_index>& flips() const { return m_flips; }
 
   // the surface itself
   const Delta_complex& surface() const { return m_half; }
@@ -182,6 +183,20 @@ public:
   {
     deepen(m_rings, flips);
     m_rings *= 2;
+  }
+
+  // Returns the surface in T^C of these scale factors, for which the copy is made deep enough.
+  Penner_surface<double> scaled(const Vector& scale)
+  {
+    for(;;) {
+      Penner_surface<double> result(m_triangulation.mesh(), m_triangulation.length_map(),
+                                    m_flipping);
+      const Vector all = expanded(scale);
+      result.scale({all.begin(), all.end()});
+      if(!has_exceeded(result.flips()))
+        return result;
+      deepen(result.flips());
+    }
   }
 
   // Copies all of the surface.

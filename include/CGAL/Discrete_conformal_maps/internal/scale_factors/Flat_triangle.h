@@ -27,8 +27,7 @@ std::array<FT, 3> in_range(const std::array<FT, 3>& side)
 }
 inline std::array<Extended, 3> in_range(const std::array<Extended, 3>& side)
 {
-  int exponent;
-  (void)std::frexp((std::max)({side[0], side[1], side[2]}).high(), &exponent);
+  const int exponent = exponent_of((std::max)({side[0], side[1], side[2]}));
   return {ldexp(side[0], -exponent), ldexp(side[1], -exponent), ldexp(side[2], -exponent)};
 }
 

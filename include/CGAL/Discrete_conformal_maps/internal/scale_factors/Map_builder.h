@@ -62,9 +62,7 @@ public:
   template <typename Scale_factors>
   void trace(const Scale_factors& scale)
   {
-    std::vector<Halfedge_index> flips;
-    if(m_problem.flipping() == Flipping::to_Delaunay)
-      flips = flips_to_Delaunay(scale);
+    const std::vector<Halfedge_index> flips = m_problem.scaled(scale.values()).flips();
     set_scale_factors(scale);
     trace(flips);
   }
@@ -112,20 +110,6 @@ public:
   }
 
 private:
-  template <typename Scale_factors>
-  std::vector<Halfedge_index> flips_to_Delaunay(const Scale_factors& scale)
-  {
-    for(;;) {
-      const auto& triangulation = m_problem.triangulation();
-      Penner_surface<double> surface(triangulation.mesh(), triangulation.length_map());
-      const auto all = m_problem.expanded(scale.values());
-      surface.scale({all.data(), all.data() + all.size()});
-      if(!m_problem.has_exceeded(surface.flips()))
-        return surface.flips();
-      m_problem.deepen(surface.flips());
-    }
-  }
-
   void take_triangulation()
   {
     m_data.input_vertex = m_problem.front();

@@ -11,6 +11,8 @@
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
+#include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
@@ -20,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
@@ -62,6 +65,7 @@ public:
     for(std::size_t v = 0; v < m_problem.size(); ++v)
       if(m_problem.is_fixed()[v])
         m_u[Eigen::Index(v)] = m_problem.scale_factor(v);
+    m_extended.clear();
     auto energy = energy_at_start<double>(m_problem.triangulation());
     run(energy, minimizer, visitor);
     if(is_rounded(tolerance) && !has_no_solution())
@@ -76,8 +80,8 @@ public:
     const double limit =
       tolerance::roundings_of_gradient * static_cast<double>(std::numeric_limits<FT>::epsilon());
     auto energy = energy_at_start<FT>(triangulation);
-    for(double before = 1, norm = max_norm(energy.gradient());
-        norm > limit && norm < before / 10;) {
+    double norm = improve(energy, limit, visitor);
+    for(double before = 1; norm > limit && norm < before / 10;) {
       energy.move_origin();
       Vector x = Vector::Zero(m_u.size());
       before = norm;
@@ -100,6 +104,36 @@ protected:
   }
 
 private:
+  // Takes steps with the Hessian at the start, close to the minimum: each gains as many digits as
+  // `double` has there. Returns the gradient that is left, once it is within `limit` or a step gains
+  // less than a digit.
+  template <typename FT, typename Visitor>
+  double improve(Energy<FT>& energy, double limit, Visitor& visitor)
+  {
+    const Free_variables variables(domain(), m_problem.size());
+    Vector gradient;
+    const auto norm = [&] {
+      gradient = energy.gradient();
+      variables.set_fixed_to_zero(gradient);
+      return max_norm(gradient);
+    };
+    double before = 1, now = norm();
+    if(!(now > limit))
+      return now;
+    Dirichlet_solver solver(energy.Hessian(), m_problem.is_fixed(), m_problem.order());
+    for(std::size_t i = 1; now > limit && now < before / 10; ++i) {
+      energy.move_origin();
+      const Vector step = -solver.solve(gradient);
+      energy.evaluate(step);
+      before = std::exchange(now, norm());
+      visitor.after_iteration(i, now, max_norm(step));
+    }
+    if(now < before)
+      return now;
+    energy.evaluate(Vector::Zero(m_u.size()));
+    return before;
+  }
+
   // rounding counts as well
   bool is_within(double tolerance) const
   {

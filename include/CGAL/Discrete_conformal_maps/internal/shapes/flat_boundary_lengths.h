@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FLAT_BOUNDARY_LENGTHS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FLAT_BOUNDARY_LENGTHS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Penner_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
+#include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
+#include <CGAL/Intrinsic_triangulations/trace.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// T^C with its lengths in the plane, and the crossings of T^A. The boundary of the surface is the
+// axis of the flat double, on which its edges are straight lines.
+class Flat_strips
+{
+  typedef Intrinsic_triangulations::Intrinsic_triangulation<
+    Intrinsic_triangulations::Ideal_geometry_traits<>>
+    Triangulation;
+
+public:
+  Flat_strips(Doubled_problem& problem, const Eigen::VectorXd& scale)
+  {
+    const Penner_surface<double> surface = problem.scaled(scale);
+    for(Edge_index e : surface.mesh().edges())
+      m_length.push_back(surface.scaled_length(e));
+    const auto& ab = problem.triangulation();
+    m_triangulation =
+      Triangulation(ab.input_mesh(), Intrinsic_triangulations::parameters::edge_length_map(
+                                       ab.input_length_map())); // crossings know no lengths
+    for(Halfedge_index h : problem.flips())
+      m_triangulation.flip(h);
+    for(Halfedge_index h : surface.flips())
+      m_triangulation.flip(h);
+  }
+
+  // for `lay_out_strip()`
+  const Delta_complex& mesh() const { return m_triangulation.mesh(); }
+  const std::vector<double>& length_map() const { return m_length; }
+
+  // the length of the straight line that the edge of `h`, a halfedge of T^A, is
+  double length(Halfedge_index h) const
+  {
+    const auto trace = trace_input_edge(m_triangulation, h);
+    if(trace.size() == 2)
+      return m_length[Edge_index(trace.front().on_intrinsic.halfedge).idx()];
+    Intrinsic_triangulations::Euclidean_strip<double> strip;
+    Intrinsic_triangulations::internal::lay_out_strip(
+      strip, *this, [&](std::size_t m) { return trace[m + 1].on_intrinsic.halfedge; },
+      trace.size() - 2);
+    return strip.length();
+  }
+
+private:
+  Triangulation m_triangulation;
+  std::vector<double> m_length;
+};
+
+// Returns the lengths in the plane of the edges on the boundary of the surface, for these scale
+// factors; zero for others.
+inline std::vector<double> flat_boundary_lengths(Doubled_problem& problem,
+                                                 const Eigen::VectorXd& scale)
+{
+  const Flat_strips strips(problem, scale);
+  std::vector<double> result(problem.surface().num_edges(), 0);
+  for(Edge_index e : problem.surface().edges())
+    if(const Halfedge_index h = problem.surface().halfedge(e); problem.surface().is_border(e))
+      result[e.idx()] = strips.length(h);
+  return result;
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SHAPES_FLAT_BOUNDARY_LENGTHS_H
