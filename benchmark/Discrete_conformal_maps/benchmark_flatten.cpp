@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where the time of flattening goes (Figure 4.24), in seconds of CPU time and in percent, how it
+// How many steps, factorizations and fill-reducing orders flattening takes, where the time goes
+// (Figure 4.24), in seconds of CPU time and in percent, how it
 // grows (with the number of vertices to the power printed last), and the greatest memory; and what a
 // certificate of the map costs beside it. Arguments are names of meshes, or numbers of vertices of
 // the largest spheres and tori to be generated.
@@ -22,8 +23,8 @@
 
 void print_head()
 {
-  std::printf("Factorization: %s\n%-16s%8s%6s%6s", factorization, "mesh", "vertices", "cones",
-              "steps");
+  std::printf("Factorization: %s\n%-16s%8s%6s%6s%6s%7s", factorization, "mesh", "vertices", "cones",
+              "steps", "fact.", "orders");
   print_stage_names();
   std::printf("%10s%10s%16s%8s\n", "curvature", "ratios", "certify", "growth");
 }
@@ -43,8 +44,9 @@ double benchmark(const std::string& name, const Mesh& mesh)
   const DCM::Planar_conformal_map map =
     DCM::flatten(mesh, CGAL::parameters::visitor(std::ref(watch)));
   watch.stop();
-  std::printf("%-16s%8u%6zu%6zu", name.c_str(), mesh.number_of_vertices(), map.cones().size(),
-              map.minimization().iterations);
+  std::printf("%-16s%8u%6zu%6zu%6zu%7zu", name.c_str(), mesh.number_of_vertices(),
+              map.cones().size(), map.minimization().iterations,
+              map.factorization_counts().factorizations, map.factorization_counts().orderings);
   print(watch);
   std::printf("%10.1e%10.1e", map.max_curvature_error(), DCM::max_cross_ratio_error(map));
   const double certify = seconds_of_certificate(map);

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Factorization_counts.h>
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
@@ -99,6 +100,10 @@ public:
   /// returns how the minimization of the energy has ended.
   const Minimization_result& minimization() const { return m_data->minimization; }
 
+  /// returns the numbers of factorizations of all stages: of cones, `Newton_minimizer` or
+  /// `Bounded_Newton_minimizer`, and the layout, which share their fill-reducing order.
+  const Factorization_counts& factorization_counts() const { return *m_data->counts; }
+
   /// returns the greatest difference of a curvature from what was prescribed, in radians.
   double max_curvature_error() const { return m_data->max_curvature_error; }
 
@@ -135,6 +140,7 @@ private:
     std::vector<double> log_scale;
     Map_status status = Map_status::success;
     Minimization_result minimization;
+    std::shared_ptr<const Factorization_counts> counts = std::make_shared<Factorization_counts>();
     double max_curvature_error = 0;
     std::array<std::size_t, 3> number_of_flips{0, 0, 0};
   };

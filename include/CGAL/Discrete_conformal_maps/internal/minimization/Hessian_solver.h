@@ -94,7 +94,7 @@ private:
   void count(std::size_t Factorization_counts::*what)
   {
     ++(m_counts.*what);
-    ++(m_shared->counts().*what);
+    ++((*m_shared->counts()).*what);
   }
 
   Order m_order;

@@ -81,7 +81,7 @@ public:
   }
 
   // what all who share the order have done
-  Factorization_counts& counts() { return *m_counts; }
+  const std::shared_ptr<Factorization_counts>& counts() const { return m_counts; }
 
 private:
   Order m_order;

@@ -35,6 +35,7 @@ public:
     : m_problem(problem), m_data(*map.m_data)
   {
     m_data.number_of_front_faces = number_of_front_faces;
+    m_data.counts = problem.order()->counts();
   }
 
   // `scale` has the scale factors, and how they were found
