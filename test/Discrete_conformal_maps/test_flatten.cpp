@@ -472,6 +472,22 @@ TEST(Flatten, visitor_sees_all_stages_and_steps)
   EXPECT_GT(visitor.steps, 0u);
 }
 
+// All stages share an order: there is one factorization for the cones, one for each step, and one
+// for the layout.
+TEST(Flatten, takes_few_factorizations_and_orders)
+{
+  for(unsigned int seed = 1; seed <= 5; ++seed)
+    for(const Mesh& mesh : {random_sphere(400, seed), embedded_torus(20, 15)}) {
+      const Planar_conformal_map map = DCM::flatten(mesh);
+      const DCM::Factorization_counts& all = map.factorization_counts();
+      const DCM::Minimization_result& steps = map.minimization();
+      EXPECT_EQ(all.factorizations, steps.factorizations + 2) << seed;
+      EXPECT_LE(2 * all.factorizations, 3 * (steps.iterations + 2)) << seed;
+      EXPECT_GE(all.orderings, 1u);
+      EXPECT_LT(all.orderings, all.symbolic_analyses) << seed;
+    }
+}
+
 struct Stopping_visitor : DCM::Default_flattening_visitor
 {
   DCM::Flattening_stage last;

@@ -301,6 +301,34 @@ TEST(Flatten_to_disk, puts_the_boundary_on_a_circle)
     }
 }
 
+// Lengths in strips of T^C are those in the plane, also where edges of T^C cross the boundary.
+TEST(Flatten_to_disk, measures_the_boundary_in_strips)
+{
+  std::size_t crossed = 0;
+  for(unsigned int seed = 1; seed <= 8; ++seed)
+    for(const Mesh& mesh : {random_disk(seed), punctured(random_sphere(40, seed), {0})}) {
+      const Planar_conformal_map map = DCM::flatten_to_disk(mesh);
+      const IT::Intrinsic_triangulation<> input(mesh);
+      DCM::internal::Doubled_problem problem(
+        input, std::vector<Vertex_condition>(input.mesh().num_vertices()),
+        DCM::Flipping::to_Delaunay);
+      Eigen::VectorXd scale(Eigen::Index(problem.size()));
+      for(std::size_t v = 0; v < problem.size(); ++v)
+        scale[Eigen::Index(v)] = log_scale(map, v);
+      const std::vector<double> strips = DCM::internal::flat_boundary_lengths(problem, scale),
+                                plane = DCM::internal::flat_boundary_lengths(map);
+      for(IT::Edge_index e : input.mesh().edges())
+        EXPECT_NEAR(strips[e.idx()], plane[e.idx()], 1e-8 * (1 + plane[e.idx()])) << seed;
+      std::size_t segments = 0, edges = 0;
+      for(IT::Edge_index e : input.mesh().edges())
+        edges += input.mesh().is_border(e);
+      for(const auto h : map.subdivision().mesh().halfedges())
+        segments += map.is_front(h) && !map.is_front(IT::opposite(h));
+      crossed += segments > edges;
+    }
+  EXPECT_GT(crossed, 0u);
+}
+
 // A regular polygon keeps its shape.
 TEST(Flatten_to_disk, leaves_regular_polygons_as_they_are)
 {
