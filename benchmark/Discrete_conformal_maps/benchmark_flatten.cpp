@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How many steps, factorizations and fill-reducing orders flattening takes, where the time goes
-// (Figure 4.24), in seconds of CPU time and in percent, how it
-// grows (with the number of vertices to the power printed last), and the greatest memory; and what a
-// certificate of the map costs beside it. Arguments are names of meshes, or numbers of vertices of
-// the largest spheres and tori to be generated.
+// (Figure 4.24), in seconds of CPU time and in percent, how it grows (with the number of vertices
+// to the power printed last), and the greatest memory; and what a certificate of the map costs
+// beside it. Arguments are names of meshes, or numbers of vertices of the largest spheres and tori
+// to be generated.
 
 #include "stages.h"
 

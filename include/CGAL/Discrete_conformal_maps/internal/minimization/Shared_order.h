@@ -19,9 +19,9 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The order in which the variables of a problem are eliminated, where all who factorize its matrices
-// find it: an order takes as long as several factorizations. The matrices differ by some flips, and
-// by variables that are left out.
+// The order in which the variables of a problem are eliminated, where all who factorize its
+// matrices find it: an order takes as long as several factorizations. The matrices differ by some
+// flips, and by variables that are left out.
 class Shared_order
 {
 public:

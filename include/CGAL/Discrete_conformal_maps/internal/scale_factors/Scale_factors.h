@@ -105,8 +105,8 @@ protected:
 
 private:
   // Takes steps with the Hessian at the start, close to the minimum: each gains as many digits as
-  // `double` has there. Returns the gradient that is left, once it is within `limit` or a step gains
-  // less than a digit.
+  // `double` has there. Returns the gradient that is left, once it is within `limit` or a step
+  // gains less than a digit.
   template <typename FT, typename Visitor>
   double improve(Energy<FT>& energy, double limit, Visitor& visitor)
   {
