@@ -109,7 +109,8 @@ void check_random_paths(Triangulation t, int n, unsigned int seed)
       IT::Shortest_paths shortest(t.input());
       shortest.add_source(v);
       shortest.run();
-      EXPECT_GE(paths.length(0), shortest.distance(w) * (1 - 1e-12));
+      // the search knows flat triangles by their rounded lengths
+      EXPECT_GE(paths.length(0), shortest.distance(w) * (1 - 1e-9));
       EXPECT_NEAR(IT::path_on_input(t, path).length, paths.length(0), 1e-12 * before);
     }
   }

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "hard_meshes.h"
 #include "known_surfaces.h"
-#include "near_degenerate_meshes.h"
 #include "tied_meshes.h"
 #include "unfolding.h"
 
@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <gtest/gtest.h>
@@ -263,6 +264,33 @@ TEST(Shortest_paths, on_near_degenerate_meshes)
     const Named_mesh m = near_degenerate_mesh(seed);
     SCOPED_TRACE(m.name);
     check_itself(Triangulation(m.mesh), Side::input);
+  }
+}
+
+// Down to angle sums of zero: no failure, no NaN, and distances between those in space and those along
+// edges, up to half of the digits: lengths say no more of a flat triangle.
+TEST(Shortest_paths, on_hard_meshes)
+{
+  for(std::uint64_t seed = 0; seed < 120; ++seed) {
+    const Named_mesh m = hard_mesh(seed);
+    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+    const Triangulation t(m.mesh);
+    const auto surface = t.input();
+    const Vertex_index source(static_cast<unsigned>(7 * seed % m.mesh.number_of_vertices()));
+    Paths paths(surface);
+    paths.add_source(source);
+    paths.run();
+    for(Vertex_index v : surface.mesh().vertices()) {
+      double along_edges = 0;
+      for(Halfedge_index h : IT::shortest_edge_path(surface, source, v))
+        along_edges += t.input_length(surface.mesh().edge(h));
+      EXPECT_LE(paths.distance(v), along_edges * (1 + 1e-12)) << v;
+      EXPECT_GE(paths.distance(v),
+                std::sqrt(CGAL::squared_distance(m.mesh.point(source), m.mesh.point(v))) -
+                  1e-6 * along_edges)
+        << v;
+      EXPECT_NEAR(paths.path(v).length, paths.distance(v), 1e-9 * along_edges) << v;
+    }
   }
 }
 

@@ -9,12 +9,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Fan_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_lists.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <queue>
@@ -63,10 +64,12 @@ inline const char* to_string(Shortening_status status)
 /// paths that end at one vertex are a network. A loop has no end; a loop that contracts to a point
 /// becomes empty.
 ///
-/// Decisions: an angle is less than \f$\pi\f$ exactly for exact traits. In floating point, up to a
-/// tolerance of \f$2^{-20}\f$ for `double`, by which the corners of a nearly flat triangle are
-/// uncertain; and a vertex counts as straight where the path would gain no length but rounding. An
-/// edge is flipped as `is_flippable()` decides.
+/// Decisions: for exact traits, and for lengths of type `double`, it is decided exactly which angles
+/// are less than \f$\pi\f$ and which edges can be flipped, and lengths stay within a relative error
+/// of \f$2^{-40}\f$ of those of the surface, however many flips led to them. With `double`, the edges
+/// of \f$T_2\f$ must be straight at the start, see `certify_Delaunay()`. With other numbers
+/// an angle is less than \f$\pi\f$ if it is so by more than rounding of lengths, and a vertex counts as
+/// straight where the path would gain no length but rounding.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`, Euclidean
 template <typename Traits>
@@ -74,6 +77,7 @@ class Edge_paths
 {
   typedef internal::Segment_lists Segments;
   typedef Segments::Index Index;
+  typedef internal::Fan_flipping<Traits> Flipping;
 
 public:
   /// the triangulation.
@@ -81,9 +85,11 @@ public:
   /// the number type of lengths.
   typedef typename Traits::FT FT;
 
-  /// prepares for paths on the second triangulation of `tri`, which is referred to and changed by
-  /// `shorten()` only. It must not be flipped in the meantime.
-  explicit Edge_paths(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
+  /// prepares for paths on the second triangulation of `tri`, which is referred to and flipped by
+  /// `shorten()` only. It must not be flipped in the meantime. Lengths of type `double` of edges
+  /// that are not in \f$T_1\f$ are computed afresh. Complexity: linear.
+  /// \throws Numerical_error if a length is not positive and finite
+  explicit Edge_paths(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()), m_flipping(tri) {}
 
   /// \name Paths
   /// @{
@@ -228,7 +234,7 @@ private:
     if(m_straight.count({s, t}) > 0)
       return false;
     const Spokes spokes = fan(s, t, is_left);
-    return !spokes.empty() && internal::is_less_than_pi(spokes, m_tri);
+    return !spokes.empty() && m_flipping.is_less_than_pi(spokes);
   }
 
   void note(Index s, Index t)
@@ -241,9 +247,9 @@ private:
     }
     for(bool is_left : {true, false})
       if(const Spokes spokes = fan(s, t, is_left); !spokes.empty()) {
-        const FT angle = internal::fan_angle(spokes, m_tri.intrinsic());
-        if(angle < pi<FT>() + internal::flat_angle_tolerance<FT>())
-          m_queue.push({angle, s, t, is_left});
+        const auto sum = internal::fan_angle(spokes, m_tri.intrinsic(), Flipping::length_error());
+        if(possibly(internal::is_less_than_pi(sum)))
+          m_queue.push({sum.angle, s, t, is_left});
       }
   }
 
@@ -278,9 +284,9 @@ private:
     const Index at_out = is_left ? t : s, at_in = is_left ? s : t;
     if(m_segment.outermost(spokes.front()) != at_out ||
        m_segment.outermost(m_mesh.opposite(spokes.back())) != at_in || !is_free(spokes) ||
-       !internal::is_less_than_pi(spokes, m_tri))
+       !m_flipping.is_less_than_pi(spokes))
       return false;
-    flip_out(spokes);
+    flip_out(spokes, s == t);
     const Spokes arc = outer_arc(spokes, s == t);
     if(!is_shorter(arc, s, t)) {
       m_straight.insert({s, t});
@@ -298,32 +304,51 @@ private:
     return true;
   }
 
-  // Flips the edges inside the fan as long as one can be flipped. Each flip takes one away, and adds
-  // one only where a face has two corners at the apex: then the fan is taken anew.
-  void flip_out(Spokes& spokes)
+  // Flips the edges inside the fan as long as one can be flipped. The face of a loop of one edge is
+  // at both ends of the fan, and its apex at both ends of the arc: it is left as it is unless the
+  // whole angle there is less than pi. To flip its other sides one by one could wind them around the
+  // loop without end.
+  void flip_out(Spokes& spokes, bool is_one_edge)
+  {
+    const std::size_t limit = m_flips + 16 * spokes.size();
+    flip_between(spokes, is_one_edge ? 2 : 1, limit);
+    while(is_one_edge && spokes.size() > 4 && m_flips < limit &&
+          m_flipping.is_less_than_pi(internal::fan(m_mesh.next(spokes[spokes.size() - 3]),
+                                                   m_mesh.next(spokes[1]), m_mesh))) {
+      flip(spokes[1]);
+      spokes = internal::fan(m_mesh.opposite(spokes.back()), spokes.front(), m_mesh);
+      flip_between(spokes, 2, limit);
+    }
+  }
+
+  // Leaves as many spokes as `margin` at both ends. Each flip takes one away, and adds one only where a
+  // face has two corners at the apex: then the fan is taken anew.
+  void flip_between(Spokes& spokes, std::size_t margin, std::size_t limit)
   {
     const Vertex_index apex = m_mesh.source(spokes.front());
     const Halfedge_index in = m_mesh.opposite(spokes.back());
-    std::size_t flips = 0;
-    const std::size_t limit = 16 * spokes.size();
-    for(std::size_t i = 1; i + 1 < spokes.size() && flips < limit;) {
+    for(std::size_t i = margin; i + margin < spokes.size() && m_flips < limit;) {
       const Halfedge_index h = spokes[i];
-      if(!m_tri.is_flippable(h)) {
+      if(!m_flipping.is_flippable(h)) {
         ++i;
         continue;
       }
       const bool is_loop = m_mesh.target(h) == apex;
-      m_tri.flip(h);
-      ++flips;
+      flip(h);
       if(is_loop || m_mesh.source(h) == apex || m_mesh.target(h) == apex) {
         spokes = internal::fan(in, spokes.front(), m_mesh);
-        i = 1;
+        i = margin;
       } else {
         spokes.erase(spokes.begin() + static_cast<std::ptrdiff_t>(i));
-        i = i > 1 ? i - 1 : 1;
+        i = (std::max)(i - 1, margin);
       }
     }
-    m_flips += flips;
+  }
+
+  void flip(Halfedge_index h)
+  {
+    m_flipping.flip(h);
+    ++m_flips;
   }
 
   // Returns the sides opposite to the apex of the fan, counterclockwise. A loop of one edge has the
@@ -337,20 +362,20 @@ private:
     return result;
   }
 
-  // Whether the path may move. Exact decisions make sure that it becomes shorter; in floating point
-  // moves that gain no more than rounding, as beside short edges, are limited in number.
+  // Whether the path may move: it must not become longer. Moves that gain no more than rounding, as
+  // beside short edges, are limited in number unless decisions are exact.
   bool is_shorter(const Spokes& arc, Index s, Index t)
   {
-    if constexpr(internal::Is_exact<Traits>::value)
-      return true;
     const auto length = [&](Halfedge_index h) { return m_tri.length(m_mesh.edge(h)); };
     const FT before = length(halfedge(s)) + (s == t ? FT(0) : length(halfedge(t)));
     FT after(0);
     for(Halfedge_index h : arc)
       after += length(h);
-    const FT tolerance = rounding_unit<FT>() * before;
+    const FT tolerance = 2 * Flipping::length_error() * before;
     return after < before - tolerance ||
-           (after <= before + tolerance && m_idle_moves++ < greatest_number_of_idle_moves);
+           (after <= before + tolerance &&
+            (internal::Is_exact<Traits>::value ||
+             m_idle_moves++ < greatest_number_of_idle_moves + m_mesh.number_of_edges()));
   }
 
   // Replaces two segments, or a loop of one, by an arc around the vertex between them, which is on
@@ -394,6 +419,7 @@ private:
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
+  mutable Flipping m_flipping; // decisions are remembered
   Segments m_segment;
   std::vector<Path> m_path;
   std::priority_queue<Joint, std::vector<Joint>, std::greater<Joint>> m_queue;

@@ -73,7 +73,6 @@ public:
   /// computes what distances and paths need. Complexity: \f$O(k)\f$ for \f$k\f$ views, of which
   /// there are at most \f$O(n^2)\f$ between saddle vertices on embedded surfaces with \f$n\f$ faces,
   /// and some dozens for each face in practice.
-  /// \throws Numerical_error if the angles at a vertex have no positive finite sum
   void run()
   {
     m_search.run();

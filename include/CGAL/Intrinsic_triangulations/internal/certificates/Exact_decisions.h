@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_measures.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -33,6 +35,16 @@ struct Decision_count
 {
   std::size_t floating_point = 0, multiprecision = 0, exact = 0;
 };
+
+// Returns a complex number whose argument is the sum of the angles between the spokes.
+template <typename Spokes, typename Development>
+auto turn_over(const Spokes& spokes, const Development& development)
+{
+  auto product = development.angle(spokes[0]);
+  for(std::size_t i = 1; i + 1 < spokes.size(); ++i)
+    product = product * development.angle(spokes[i]);
+  return product;
+}
 
 // Decisions about T2, each derived anew from the metric of T1: in floating point with error bounds,
 // with more and more digits, and in the end exactly.
@@ -52,6 +64,7 @@ class Exact_decisions : public Certain_measures<Traits, Crossings>
   using Base::m_mesh;
   using Base::m_metric;
   using Base::m_pair;
+  using Base::rounded_angle;
   using Base::straightness;
   using Base::try_with_more_digits;
 
@@ -110,23 +123,31 @@ public:
            convexity_at_source(m_mesh.opposite(h)) == POSITIVE;
   }
 
-  // Returns the sign of pi minus the sum of the angles between consecutive spokes, which is not
-  // computed beyond pi.
+  // Returns the sign of pi minus the sum of the angles between consecutive spokes.
   template <typename Spokes>
   Sign fan_sign(const Spokes& spokes)
   {
-    return decide([&](const auto& development) {
-      auto sum = development.angle(spokes[0]);
-      Uncertain<Sign> sign = compare_sum_with_pi(sum * conj(sum), sum);
-      for(std::size_t i = 1; i + 1 < spokes.size() && is_certain(sign); ++i) {
-        if(get_certain(sign) != POSITIVE)
-          break;
-        const auto angle = development.angle(spokes[i]);
-        sign = compare_sum_with_pi(sum, angle);
-        sum = sum * angle;
-      }
-      return sign;
+    const double rest = pi<double>() - rounded_fan_angle(spokes);
+    return std::abs(rest) > fan_rounding ? CGAL::sign(rest) : decide([&](const auto& development) {
+      return sign_of_imaginary(turn_over(spokes, development));
     });
+  }
+
+  // Returns whether this sign is POSITIVE, by more than 1e-24 where that needs many digits.
+  template <typename Spokes>
+  bool is_less_than_pi(const Spokes& spokes) const
+  {
+    const double rest = pi<double>() - rounded_fan_angle(spokes);
+    if(std::abs(rest) > fan_rounding)
+      return rest > 0;
+    bool result = false;
+    try_with_more_digits([&](auto& corners) {
+      const auto product = turn_over(spokes, this->development(corners));
+      const Uncertain<Sign> sign = sign_of_imaginary(product);
+      result = certainly(sign == POSITIVE);
+      return is_certain(sign) || product.radius <= 1e-24 * std::abs(to_double(product.x));
+    });
+    return result;
   }
 
   // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side.
@@ -279,6 +300,20 @@ private:
     return decide([&](const auto& development) {
       return compare_sum_with_pi(development.angle(a), development.angle(b));
     });
+  }
+
+  // ---- Fans ----
+
+  // more than the error of a sum of rounded angles
+  static constexpr double fan_rounding = 1e-6;
+
+  template <typename Spokes>
+  double rounded_fan_angle(const Spokes& spokes) const
+  {
+    double sum = 0;
+    for(std::size_t i = 0; i + 1 < spokes.size(); ++i)
+      sum += rounded_angle(spokes[i]);
+    return sum;
   }
 
   // whether the edges lead along one edge of T1, through the vertex between them

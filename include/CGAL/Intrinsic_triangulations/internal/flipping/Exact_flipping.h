@@ -53,6 +53,10 @@ public:
     return m_decisions.is_Delaunay(h, is_straight_in_space(greatest_error_around(h)));
   }
 
+  bool can_be_turned(Halfedge_index h) const { return m_tri.can_be_turned(h); }
+
+  Exact_decisions<Traits, Crossings>& decisions() { return m_decisions; }
+
   // returns true: it is always possible
   bool flip(Halfedge_index h)
   {

@@ -8,13 +8,14 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
-#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
+#include <CGAL/Uncertain.h>
+
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -33,29 +34,52 @@ std::vector<Halfedge_index> fan(Halfedge_index in, Halfedge_index out, const Sur
   return result;
 }
 
-// returns the sum of its angles
-template <typename Surface>
-Length_of<Surface> fan_angle(const std::vector<Halfedge_index>& spokes, const Surface& surface)
+// an angle and how far it can be off
+template <typename FT>
+struct Bounded_angle
 {
-  Length_of<Surface> sum(0);
-  for(std::size_t i = 0; i + 1 < spokes.size(); ++i)
-    sum += angle_at_source(spokes[i], surface);
+  FT angle, error;
+};
+
+// Returns the angle at the source of `h` and a bound for its error if each length has the relative
+// error `error`. A change of the opposite side changes the angle by this change over the height at
+// that side times its foot, a change of another side by less. The bound is twice that, since the
+// area may change, too; it is infinite if the triangle may be flat.
+template <typename Surface>
+Bounded_angle<Length_of<Surface>> bounded_angle(Halfedge_index h, const Surface& surface,
+                                                const Length_of<Surface>& error)
+{
+  typedef Length_of<Surface> FT;
+  const Delta_complex& mesh = surface.mesh();
+  const FT a = edge_length(mesh.next(h), surface), b = edge_length(h, surface),
+           c = edge_length(mesh.prev(h), surface);
+  const FT area = quadrupled_area(a, b, c), change = error * (a + b + c);
+  const FT slack = (std::min)({a + (b - c), a + (c - b), c + (b - a)});
+  return {corner_angle(a, b, c),
+          8 * change <= slack ? 4 * a * change / area : std::numeric_limits<FT>::infinity()};
+}
+
+// the sum of its angles
+template <typename Surface>
+Bounded_angle<Length_of<Surface>> fan_angle(const std::vector<Halfedge_index>& spokes,
+                                            const Surface& surface, const Length_of<Surface>& error)
+{
+  Bounded_angle<Length_of<Surface>> sum{0, 0};
+  for(std::size_t i = 0; i + 1 < spokes.size(); ++i) {
+    const auto corner = bounded_angle(spokes[i], surface, error);
+    sum.angle += corner.angle;
+    sum.error += corner.error;
+  }
   return sum;
 }
 
-// Returns whether the sum of the angles of a fan is less than pi: exactly for exact traits,
-// otherwise by more than corners are uncertain.
-template <typename Traits>
-bool is_less_than_pi(const std::vector<Halfedge_index>& spokes,
-                     const Intrinsic_triangulation<Traits>& tri)
+// whether it is less than pi
+template <typename FT>
+Uncertain<bool> is_less_than_pi(const Bounded_angle<FT>& sum)
 {
-  typedef typename Traits::FT FT;
-  const FT rest = pi<FT>() - fan_angle(spokes, tri.intrinsic());
-  if constexpr(Is_exact<Traits>::value) {
-    auto decisions = exact_decisions(tri);
-    return decisions.fan_sign(spokes) == POSITIVE;
-  }
-  return rest > flat_angle_tolerance<FT>();
+  return sum.angle + sum.error < pi<FT>()   ? Uncertain<bool>(true)
+         : sum.angle - sum.error > pi<FT>() ? Uncertain<bool>(false)
+                                            : Uncertain<bool>::indeterminate();
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -27,11 +27,11 @@ class Vertex_angles
 public:
   // Complexity: linear in the degree.
   template <typename Surface>
-  Vertex_angles(Halfedge_index spoke, const Surface& surface) : m_before(0), m_sum(0)
+  Vertex_angles(Halfedge_index spoke, const Surface& surface)
+    : m_vertex(surface.mesh().source(spoke)), m_before(0), m_sum(0)
   {
     const Delta_complex& mesh = surface.mesh();
-    const Vertex_index v = mesh.source(spoke);
-    const Halfedge_index first = first_spoke(v, mesh);
+    const Halfedge_index first = first_spoke(m_vertex, mesh);
     Halfedge_index h = first;
     do {
       if(h == spoke)
@@ -42,23 +42,38 @@ public:
     m_is_border = mesh.is_border(h);
     if(m_is_border && h == spoke)
       m_before = m_sum;
-    if(!(m_sum > 0) || !CGAL::is_finite(m_sum))
-      throw Numerical_error("the angles at vertex " + std::to_string(v.idx()) +
-                            " have no positive finite sum");
   }
 
   bool is_border() const { return m_is_border; }
+  // zero at a vertex where all faces are needles without an area
   const FT& sum() const { return m_sum; }
 
-  // returns the normalized angle of the direction at this angle from the spoke
-  FT normalized(const FT& angle) const { return (m_before + angle) / m_sum * normalized_sum(); }
+  // Returns the normalized angle of the direction at this angle from the spoke.
+  // \throws Numerical_error if the sum is not positive and finite
+  FT normalized(const FT& angle) const
+  {
+    return (m_before + angle) / positive_sum() * normalized_sum();
+  }
 
-  // returns the angle on the surface from the first spoke
-  FT on_surface(const FT& normalized) const { return normalized / normalized_sum() * m_sum; }
+  // Returns the angle on the surface from the first spoke.
+  // \throws Numerical_error if the sum is not positive and finite
+  FT on_surface(const FT& normalized) const
+  {
+    return normalized / normalized_sum() * positive_sum();
+  }
 
 private:
+  const FT& positive_sum() const
+  {
+    if(!(m_sum > 0) || !CGAL::is_finite(m_sum))
+      throw Numerical_error("the angles at vertex " + std::to_string(m_vertex.idx()) +
+                            " have no positive finite sum");
+    return m_sum;
+  }
+
   FT normalized_sum() const { return m_is_border ? pi<FT>() : 2 * pi<FT>(); }
 
+  Vertex_index m_vertex;
   FT m_before, m_sum;
   bool m_is_border;
 };
