@@ -15,11 +15,14 @@
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <iterator>
+#include <cstddef>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,6 +33,9 @@ namespace {
 using Path = IT::Surface_path<double>;
 using Place = IT::Surface_place<double>;
 using Halfedges = std::vector<IT::Halfedge_index>;
+
+// All are kept, for the statistics too.
+constexpr std::size_t greatest_number_of_crossings = 1000000;
 
 bool is_vertex(const Place& p)
 {
@@ -91,6 +97,9 @@ private:
       throw Program_error(m_options.output +
                           ": this format has no lines (.obj, .ply and .vtp have)");
     if(m_options.straightest) {
+      const auto [degrees, length] = *m_options.straightest;
+      if(!std::isfinite(degrees) || !std::isfinite(length) || length < 0)
+        throw Program_error("--straightest takes a finite angle and a finite length, not negative");
       if(!m_options.to.empty() || !m_options.via.empty() || uses_flips())
         throw Program_error("--straightest starts at --from, and takes no other points");
       return;
@@ -115,9 +124,11 @@ private:
     IT::Shortest_paths paths(input);
     paths.add_source(m_points.front());
     paths.run();
-    const Path path = paths.path(m_points.back());
+    Path path = paths.path(m_points.back());
     if(path.places.empty())
       throw Program_error("there is no path from " + m_options.from + " to " + m_options.to);
+    if(path.places.size() == 1) // a line has two ends, even if they are one point
+      path.places.push_back(path.places.front());
     m_status = "shortest";
     return path;
   }
@@ -161,9 +172,16 @@ private:
     const auto input = triangulation.input();
     const IT::Delta_complex& mesh = input.mesh();
     std::vector<IT::Edge_point<double>> crossings;
-    const auto end = IT::trace_geodesic(input, m_points.front(),
-                                        std::polar(length, degrees * std::acos(-1.) / 180),
-                                        IT::At_boundary::stop, std::back_inserter(crossings));
+    const auto add = [&](const IT::Edge_point<double>& p) {
+      if(crossings.size() == greatest_number_of_crossings)
+        throw Program_error("a straightest path of this length crosses more than " +
+                            std::to_string(greatest_number_of_crossings) + " edges");
+      crossings.push_back(p);
+    };
+    const auto end =
+      IT::trace_geodesic(input, m_points.front(),
+                         std::polar(length, std::remainder(degrees, 360.) * std::acos(-1.) / 180),
+                         IT::At_boundary::stop, boost::make_function_output_iterator(add));
     Path path{end.length, {{IT::Halfedge_index(), m_points.front()}}};
     for(const auto& p : crossings)
       path.places.push_back({p.halfedge, IT::face_location(p, mesh)});

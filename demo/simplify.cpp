@@ -204,14 +204,13 @@ private:
       return 0;
     const std::size_t isolated = number_of_isolated_vertices();
     const double all = double(m_run.input().mesh.number_of_vertices() - isolated);
-    const double last =
-      m_options.ratio ? std::ceil(*m_options.ratio * all) : double(*m_options.number_of_vertices);
+    const double first = double(m_levels[0].mesh().number_of_vertices() - isolated);
+    const double last = (std::min)(first, m_options.ratio ? std::ceil(*m_options.ratio * all)
+                                                          : double(*m_options.number_of_vertices));
     if(level == m_options.number_of_levels)
       return isolated + static_cast<std::size_t>(last);
-    const double first = double(m_levels[0].mesh().number_of_vertices() - isolated);
     const double part = double(level) / double(m_options.number_of_levels);
-    return isolated + static_cast<std::size_t>(
-                        std::ceil(first * std::pow((std::min)(last / first, 1.), part)));
+    return isolated + static_cast<std::size_t>(std::ceil(first * std::pow(last / first, part)));
   }
 
   void simplify(IS::Evolving_surface& surface)

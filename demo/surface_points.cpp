@@ -154,6 +154,8 @@ Surface_location Point_finder::operator()(const Point& p) const
       best = q;
     }
   }
+  if(!best.first.is_valid()) // squares are out of range
+    throw Program_error("a point is too far away to have a nearest point of the mesh");
   return best;
 }
 

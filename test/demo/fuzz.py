@@ -4,8 +4,8 @@
 
 """Runs the program on damaged files: fuzz.py PROGRAM DATA [--runs N] [--first I] [--jobs J]
 [--keep DIRECTORY]. Run i is always the same: a small mesh of CGAL's data directory, in one of the
-formats that are read, with a few changes, and one of the commands. The program must end in a minute
-with the exit code 0, 1 or 2, say something unless that is 0, and leave no file after a failure.
+formats that are read, with a few changes, and one of the commands, at times with an absurd option.
+The program must end in a minute with the exit code 0, 1 or 2, say something unless that is 0, and leave no file after a failure.
 Files that fail are kept in the directory, if there is one. Exit code 77 without data."""
 
 import argparse
@@ -29,6 +29,42 @@ WORDS = """-1 0 1 2 3 255 256 65536 2147483647 2147483648 4294967295 4294967296 
     CN4nOFF SKEL BINARY ply end_header element property list vertex face tristrips uchar float double
     int x y z red vertex_indices ascii binary_little_endian binary_big_endian v vt vn f l o solid
     facet endfacet endsolid vertex""".split() + ["", "\0", "\r", "\n", "\n\n", "\xff\xfe", "9" * 400]
+
+
+# Values for options, and the options of each command that take some.
+NUMBERS = """nan inf -inf 1e308 -1e308 1e309 1e-320 1e-400 -1 -0 0 1 2.5 60 180 1e18 3e9 0x10 5. .5 1,5
+    9223372036854775807 9223372036854775808 18446744073709551615 18446744073709551616
+    99999999999999999999 -9223372036854775809 4294967296 . e x""".split() + [""]
+
+PLACES = NUMBERS + """0 1 3 0:1,0,0 1:0.2,0.3,0.5 0:nan,0,1 0:1e308,-1e308,1 99:1,0,0 0,0,0 1e308,-1e308,0
+    nan,0,0 1,2 0: :0 ,, 0:,, 0:0.5,0.5,0.5 1e-320,0,0""".split()
+
+COMMON = {"--mollify": NUMBERS, "--threads": NUMBERS, "--stats": ["", ".", "-", "/none/o", "mesh.off"],
+          "--view": ["", "o.x", "o.html"], "--picture": ["", "o.svg"], "--format": ["", "x", "off", "vtp"]}
+
+OPTIONS = {
+    "delaunay": {"--constrain-angle": NUMBERS, "--exact": None, "--save": ["", "o.txt", "."]},
+    "refine": {"--constrain-angle": NUMBERS, "--min-angle": NUMBERS, "--max-circumradius": NUMBERS,
+               "--exact": None, "--simplicial": None, "--save": ["", "o.txt"]},
+    "distance": {"--source": NUMBERS, "--time-step": NUMBERS, "--neighbors": NUMBERS, "--exact": None,
+                 "--exact-distance": None, "--subdivision": ["", "o.off", "p.ply", "p.vtp"],
+                 "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
+    "path": {"--from": PLACES, "--to": PLACES, "--via": PLACES, "--flips": None, "--loop": None,
+             "--straightest": NUMBERS, "--save": ["", "o.txt"]},
+    "operators": {"--neighbors": NUMBERS, "--exact": None, "--save": ["", "o.txt"],
+                  "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
+    "flatten": {"--cones": ["", "none", "greedy", ".", "/none", "o.cones"], "--max-log-scale": NUMBERS,
+                "--boundary": ["", "free", "straight", "rectangle", "disk", "scale", "x"],
+                "--solver": ["", "newton", "cetm", "ceres"], "--matrix": ["", "o.mtx"], "--exact": None,
+                "--homogeneous": None},
+    "hyperbolic": {"--cones": ["", ".", "/none"], "--tiles": NUMBERS, "--svg": ["", "o.svg", "p.svg"],
+                   "--homogeneous": None},
+    "uniformize": {"--tiles": NUMBERS, "--svg": ["", "o.svg", "p.svg"], "--homogeneous": None},
+    "sphere": {"--precise": ["", "o.txt", "/none/o"]},
+    "simplify": {"--vertices": NUMBERS, "--ratio": NUMBERS, "--error": NUMBERS, "--levels": NUMBERS,
+                 "--refine": ["nan", "-1", "0", "5", "25", "31", ""], "--exact": None,
+                 "--min-angle": ["nan", "-1", "0", "5", "25", "61", ""], "--save": ["", "o.txt"],
+                 "--weight": ["", "=", "area", "area=nan", "area=-1", "area=1e308", "=1", "x=1"]}}
 
 
 # ---- Seeds ----
@@ -116,6 +152,10 @@ def stl(points, faces):
     return "solid a\n" + "".join(facets) + "endsolid a\n"
 
 
+def xyz(points, faces):
+    return rows(points)
+
+
 def binary_stl(points, faces):
     all = corners(points, faces)
     return (b"\0" * 80 + struct.pack("<I", len(all))
@@ -124,7 +164,8 @@ def binary_stl(points, faces):
 
 FORMATS = [("off", off), ("off", colored_off), ("off", binary_off), ("obj", obj), ("ply", ply),
            ("ply", binary_ply("<", "binary_little_endian")), ("ply", strips),
-           ("ply", binary_ply(">", "binary_big_endian")), ("stl", stl), ("stl", binary_stl)]
+           ("ply", binary_ply(">", "binary_big_endian")), ("stl", stl), ("stl", binary_stl),
+           ("xyz", xyz)]
 
 
 def all_seeds(data):
@@ -214,7 +255,22 @@ def arguments(dice, mesh):
     if command in ("distance", "operators"):
         result += dice.choice([[], ["--neighbors", "9"]])
     result += dice.choice([[], [], ["--view", "o.html", "--picture", "o.svg"]])
-    return result + ["--stats", "o.json"]
+    if dice.random() < 0.9:
+        result += ["--stats", "o.json"]
+    return with_absurd_options(dice, result, {**COMMON, **OPTIONS[command]})
+
+
+def with_absurd_options(dice, call, choices):
+    result = list(call)
+    for _ in range(dice.choice([0, 0, 0, 1, 2])):
+        option = dice.choice(sorted(choices))
+        if option in result:  # takes the place of a sensible value
+            i = result.index(option) + 1
+            del result[i - 1:i + (choices[option] is not None)]
+        result.append(option)
+        for _ in range(2 if option == "--straightest" else 0 if choices[option] is None else 1):
+            result.append(dice.choice(choices[option]))
+    return result
 
 
 def limit_memory():
@@ -234,7 +290,9 @@ def complaint(call, result, directory, mesh):
         return f"exit code {result.returncode}: {text[:2000].decode(errors='replace')}"
     if result.returncode != 0 and not text.strip():
         return "no message"
-    if result.returncode != 0 and left or any(name.endswith(".part") for name in left):
+    is_verdict = call[0] == "info" and result.returncode == 2 and b"error: " in text  # with pictures
+    if (result.returncode != 0 and left and not is_verdict
+            or any(name.endswith(".part") for name in left)):
         return f"files are left: {left}"
     return None
 

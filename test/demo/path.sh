@@ -30,6 +30,27 @@ claim "s, m = json('a.json'), ply('a.ply')" 's.status == "straightest"' \
 expect 0 path square.mesh.off --from 0.5,0.5,0 --straightest 30 9 -o a.ply --stats a.json
 claim "json('a.json').status == 'stopped_at_boundary'"
 
+# From a point to itself: a line of two points.
+expect 0 path square.mesh.off --from 5 --to 5 -o a.ply --stats a.json
+claim "s, m = json('a.json'), ply('a.ply')" 's.length == 0' 's.crossings == 0' 'len(m.points) == 2'
+
+# Points as far away as numbers reach have a nearest point.
+expect 0 path square.mesh.off --from 1e308,1e308,-1e308 --to -1e308,-1e308,0 -o a.ply --stats a.json
+claim "s = json('a.json')" 's.places[0]["vertex"] == 1680' 's.places[-1]["vertex"] == 0'
+
+# Any angle, in turns; no length that would take all memory.
+for options in '--straightest 390 0.25' '--straightest -330 0.25'; do
+  expect 0 path square.mesh.off --from 0.5,0.5,0 $options -o b.ply --stats b.json
+  expect 0 path square.mesh.off --from 0.5,0.5,0 --straightest 30 0.25 -o a.ply
+  claim "m, n = ply('a.ply'), ply('b.ply')" 'dist(m.points[-1], n.points[-1]) < 1e-12'
+done
+rm b.*
+printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' > closed.mesh.off
+for options in 'nan 1' 'inf 1' '30 nan' '30 inf' '30 -1' '30 1e9'; do
+  rm -f a.*
+  expect 2 path closed.mesh.off --from 0.1,0.2,0 --straightest $options -o a.ply
+done
+
 # Lines in all formats.
 cp "$shipped" slivers.mesh.off
 expect 0 path slivers.mesh.off --from 7 --to 3 -o a.obj
