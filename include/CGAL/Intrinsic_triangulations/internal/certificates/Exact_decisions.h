@@ -64,7 +64,6 @@ class Exact_decisions : public Certain_measures<Traits, Crossings>
   using Base::m_mesh;
   using Base::m_metric;
   using Base::m_pair;
-  using Base::rounded_angle;
   using Base::straightness;
   using Base::try_with_more_digits;
 
@@ -72,6 +71,7 @@ class Exact_decisions : public Certain_measures<Traits, Crossings>
 
 public:
   using Base::is_input_edge;
+  using Base::rounded_angle;
 
   Exact_decisions(const Pair& pair, const Crossings& crossings)
     : Base(pair, crossings), m_exact(pair.input_metric(), pair.input())
