@@ -74,8 +74,8 @@ private:
 };
 
 // A random homomorphism of the fundamental groupoid: each edge has a matrix, and the product around
-// each face is one. On a surface with boundary the group is free, and classes that differ have equal
-// matrices with a probability of about 1e-9. On a closed surface matrices commute: classes of
+// each face is one. On a surface with boundary the group is free, and classes that differ have
+// equal matrices with a probability of about 1e-9. On a closed surface matrices commute: classes of
 // homology are told apart.
 class Holonomy
 {
@@ -146,8 +146,8 @@ private:
     return dual_tree;
   }
 
-  // From the leaves of the dual tree on, the last edge of a face follows from the others. The root is
-  // beyond the boundary, or face 0.
+  // From the leaves of the dual tree on, the last edge of a face follows from the others. The root
+  // is beyond the boundary, or face 0.
   void complete(const std::vector<Edge_index>& dual_tree)
   {
     const std::size_t root = m_is_closed ? 0 : m_mesh.num_faces();
@@ -320,8 +320,8 @@ TEST(Edge_path_classes, are_exact_on_hard_meshes)
 }
 
 // Where a flat surface has no holes, the only geodesic is the shortest path. A search by rounded
-// lengths, which tell the shape of the thinnest triangles to half of their digits, finds none that is
-// shorter by more.
+// lengths, which tell the shape of the thinnest triangles to half of their digits, finds none that
+// is shorter by more.
 TEST(Edge_path_classes, are_shortest_in_flat_disks)
 {
   for(std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -267,8 +267,8 @@ TEST(Shortest_paths, on_near_degenerate_meshes)
   }
 }
 
-// Down to angle sums of zero: no failure, no NaN, and distances between those in space and those along
-// edges, up to half of the digits: lengths say no more of a flat triangle.
+// Down to angle sums of zero: no failure, no NaN, and distances between those in space and those
+// along edges, up to half of the digits: lengths say no more of a flat triangle.
 TEST(Shortest_paths, on_hard_meshes)
 {
   for(std::uint64_t seed = 0; seed < 120; ++seed) {

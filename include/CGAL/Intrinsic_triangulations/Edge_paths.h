@@ -50,9 +50,10 @@ inline const char* to_string(Shortening_status status)
 /// paths and loops along edges of \f$T_2\f$, which are shortened to geodesics by flipping edges
 /// (Sharp and Crane 2020).
 ///
-/// Where a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are flipped
-/// as long as they can be, and the path moves to the arc on the other side of their triangles,
-/// which is shorter. In the end both angles at every vertex between the ends are at least
+/// Where a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are
+/// flipped as long as they can be, and the path moves to the arc on the other side of their
+/// triangles, which is shorter. In the end both angles at every vertex between the ends are at
+/// least
 /// \f$\pi\f$, on the boundary that on the side of the surface: the paths are geodesics, each
 /// isotopic to what it was, and edges of \f$T_2\f$. \f$T_1\f$ never changes, and the integer
 /// coordinates say how the edges of the paths run over it, see `path_on_input()`.
@@ -60,16 +61,16 @@ inline const char* to_string(Shortening_status status)
 /// Paths may share vertices and edges, also with themselves. Segments on one edge lie side by side
 /// in an order, and only those next to an angle move into it; so paths do not cross while they
 /// move. Paths that come together and part again are ordered so that they do not cross, if that is
-/// possible; those that never part lie in the order in which they are added, to the right. The ends of paths are fixed:
-/// paths that end at one vertex are a network. A loop has no end; a loop that contracts to a point
-/// becomes empty.
+/// possible; those that never part lie in the order in which they are added, to the right. The
+/// ends of paths are fixed: paths that end at one vertex are a network. A loop has no end; a loop
+/// that contracts to a point becomes empty.
 ///
-/// Decisions: for exact traits, and for lengths of type `double`, it is decided exactly which angles
-/// are less than \f$\pi\f$ and which edges can be flipped, and lengths stay within a relative error
-/// of \f$2^{-40}\f$ of those of the surface, however many flips led to them. With `double`, the edges
-/// of \f$T_2\f$ must be straight at the start, see `certify_Delaunay()`. With other numbers
-/// an angle is less than \f$\pi\f$ if it is so by more than rounding of lengths, and a vertex counts as
-/// straight where the path would gain no length but rounding.
+/// Decisions: for exact traits, and for lengths of type `double`, it is decided exactly which
+/// angles are less than \f$\pi\f$ and which edges can be flipped, and lengths stay within a
+/// relative error of \f$2^{-40}\f$ of those of the surface, however many flips led to them. With
+/// `double`, the edges of \f$T_2\f$ must be straight at the start, see `certify_Delaunay()`. With
+/// other numbers an angle is less than \f$\pi\f$ if it is so by more than rounding of lengths, and
+/// a vertex counts as straight where the path would gain no length but rounding.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`, Euclidean
 template <typename Traits>
@@ -306,8 +307,8 @@ private:
 
   // Flips the edges inside the fan as long as one can be flipped. The face of a loop of one edge is
   // at both ends of the fan, and its apex at both ends of the arc: it is left as it is unless the
-  // whole angle there is less than pi. To flip its other sides one by one could wind them around the
-  // loop without end.
+  // whole angle there is less than pi. To flip its other sides one by one could wind them around
+  // the loop without end.
   void flip_out(Spokes& spokes, bool is_one_edge)
   {
     const std::size_t limit = m_flips + 16 * spokes.size();
@@ -321,8 +322,8 @@ private:
     }
   }
 
-  // Leaves as many spokes as `margin` at both ends. Each flip takes one away, and adds one only where a
-  // face has two corners at the apex: then the fan is taken anew.
+  // Leaves as many spokes as `margin` at both ends. Each flip takes one away, and adds one only
+  // where a face has two corners at the apex: then the fan is taken anew.
   void flip_between(Spokes& spokes, std::size_t margin, std::size_t limit)
   {
     const Vertex_index apex = m_mesh.source(spokes.front());
