@@ -209,10 +209,11 @@ Example:
 const char* const uniformize =
   R"(The mesh must be connected. By its topology it becomes
   a sphere      round, as with `intrinsic sphere`
-  a disk        a hemisphere, as with `intrinsic sphere`; its texture is the image in the unit
-  disk a torus       flat, as with `intrinsic flatten --cones none` a cylinder    if it has two
-  boundaries and no handles: flat with straight boundaries hyperbolic    if it has more handles or
-  boundaries, as with `intrinsic hyperbolic`
+  a disk        a hemisphere, as with `intrinsic sphere`; its texture is the image in the unit disk
+  a torus       flat, as with `intrinsic flatten --cones none`
+  a cylinder    with two boundaries and no handles: flat, with straight boundaries
+  hyperbolic    with more handles or boundaries, as with `intrinsic hyperbolic`
+
 Statistics are those of these commands, and "modulus": of a torus the quotient tau of the
 generators of its lattice in the fundamental domain of the modular group, as real and imaginary
 part; of a cylinder the height over the circumference, as imaginary part.
