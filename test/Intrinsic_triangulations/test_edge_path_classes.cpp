@@ -248,10 +248,12 @@ void check_classes(const Mesh& mesh, int n, std::uint64_t seed)
     const Matrix expected = holonomy(path), found = along_path(paths.halfedges(0), t, holonomy);
     if(is_loop) { // conjugate
       EXPECT_EQ((expected.a + expected.d) % Matrix::prime, (found.a + found.d) % Matrix::prime);
-      if(holonomy.is_closed())
+      if(holonomy.is_closed()) {
         EXPECT_EQ(expected.b, found.b);
-    } else
+      }
+    } else {
       EXPECT_TRUE(expected == found);
+    }
   }
 }
 
