@@ -47,7 +47,16 @@ function(add_unit_tests name)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/test/Intrinsic_triangulations/counted_new.cpp"
     PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 
+  # Precompiled by a target of its own, for which the option would leave nothing.
+  file(CONFIGURE OUTPUT ${name}_nothing.cpp CONTENT "")
+  add_library(${name}_precompiled OBJECT EXCLUDE_FROM_ALL ${name}_nothing.cpp)
+  target_link_libraries(${name}_precompiled PRIVATE ${name}_dependencies)
+  target_compile_options(${name}_precompiled PRIVATE -UNDEBUG)
+  precompile_dependencies(${name}_precompiled)
+  target_precompile_headers(${name}_precompiled PRIVATE <gtest/gtest.h>)
+
   add_library(${name}_syntax OBJECT EXCLUDE_FROM_ALL ${sources})
+  precompile_dependencies(${name}_syntax REUSE_FROM ${name}_precompiled)
   target_link_libraries(${name}_syntax PRIVATE ${name}_dependencies)
   target_compile_options(${name}_syntax PRIVATE -UNDEBUG -fsyntax-only)
   add_dependencies(unit_tests_syntax ${name}_syntax)

