@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Writes the manual's page of examples with what they print: examples_page.py PROGRAMS, the directory
-of the compiled examples. With --check, compares with the page instead, numbers up to a relative
-difference of 0.001, integers up to 2 or 5 %; examples that have not been compiled, or are not on the page, are left out."""
+of the compiled examples. With --check, compares with the page instead: integers up to 2 or 5 %, other
+numbers up to a relative difference of 0.001. Examples that have not been compiled, or are not on the
+page, are left out."""
 
 import argparse
 import re
@@ -65,8 +66,8 @@ NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 def agree(a, b):
     """Whether two lines are equal up to rounding, which can change numbers of steps and of tiny faces, too."""
     def are_near(x, y):
-        exact = "." in x + y or "e" in x + y
-        absolute, relative = (1e-9, 1e-3) if exact else (2, 0.05)
+        is_integer = "." not in x + y and "e" not in x + y
+        absolute, relative = (2, 0.05) if is_integer else (1e-9, 1e-3)
         return abs(float(x) - float(y)) <= absolute + relative * max(abs(float(x)), abs(float(y)))
 
     if re.sub(NUMBER, "#", a) != re.sub(NUMBER, "#", b):
