@@ -14,6 +14,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -459,11 +460,10 @@ TEST(Planar_conformal_map, takes_other_graphs)
                                mesh, DCM::parameters::vertex_condition_map(condition(mesh))),
                              two = DCM::flatten(polyhedron, DCM::parameters::vertex_condition_map(
                                                               condition(polyhedron)));
-  auto v = mesh.vertices().begin();
+  std::map<Point, std::size_t> in_mesh; // the copy has another order
+  for(const auto v : mesh.vertices())
+    in_mesh.emplace(mesh.point(v), in_mesh.size());
   std::size_t number = 0;
-  for(const auto w : vertices(polyhedron)) {
-    EXPECT_EQ(w->point(), mesh.point(*v++));
-    EXPECT_NEAR(log_scale(one, number), log_scale(two, number), 1e-12);
-    ++number;
-  }
+  for(const auto w : vertices(polyhedron))
+    EXPECT_NEAR(log_scale(one, in_mesh.at(w->point())), log_scale(two, number++), 1e-12);
 }

@@ -32,6 +32,7 @@ TEST(Named_parameters, of_all_packages_chain_in_any_order)
   Stage_recorder one, other;
   const Planar_conformal_map first = DCM::flatten(t.mesh(), np::visitor(std::ref(one))
                                                               .vertex_condition_map(map)
+                                                              .maximum_log_scale(100)
                                                               .edge_length_map(lengths)),
                              second = DCM::flatten(t.mesh(), np::edge_length_map(lengths)
                                                                .maximum_log_scale(1)

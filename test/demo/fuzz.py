@@ -51,6 +51,8 @@ OPTIONS = {
                  "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
     "path": {"--from": PLACES, "--to": PLACES, "--via": PLACES, "--flips": None, "--loop": None,
              "--straightest": NUMBERS, "--save": ["", "o.txt"]},
+    "transfer": {"--back": None, "--exact": None, "--save": ["", "o.txt"],
+                 "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
     "operators": {"--neighbors": NUMBERS, "--exact": None, "--save": ["", "o.txt"],
                   "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
     "flatten": {"--cones": ["", "none", "greedy", ".", "/none", "o.cones"], "--max-log-scale": NUMBERS,

@@ -12,9 +12,13 @@
 #include <CGAL/Intrinsic_simplification/internal/maps/Cell_joiner.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Face_cutter.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Surface_patch.h>
+#include <CGAL/Intrinsic_simplification/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification {
@@ -100,16 +104,21 @@ inline bool has_area(const std::vector<const Face_point*>& corners)
            rounding();
 }
 
-template <typename OutputIterator>
-OutputIterator write_pieces(Face_index f, const Surface_map& map, Face_cutter& cutter,
-                            Cell_joiner& joiner, OutputIterator out)
+template <typename Visit>
+void for_each_piece(Face_index f, const Surface_map& map, Face_cutter& cutter, Cell_joiner& joiner,
+                    const Visit& visit)
 {
-  const auto write = [&](const Cell& cell, const std::vector<const Face_point*>& corners) {
-    if(has_area(corners))
-      *out++ = projective_piece(f, cell, corners, map.coarse());
-  };
-  joiner.join(cutter.cut(f), cutter, write);
-  return out;
+  joiner.join(cutter.cut(f), cutter,
+              [&](const Cell& cell, const std::vector<const Face_point*>& corners) {
+                if(has_area(corners))
+                  visit(projective_piece(f, cell, corners, map.coarse()));
+              });
+}
+
+// in units of its face of the coarse level
+inline double coarse_area(const Projective_piece& p)
+{
+  return polygon_area(p.corners.size(), [&](std::size_t c) { return p.corners[c].coarse; });
 }
 
 } // namespace internal
@@ -141,7 +150,8 @@ OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIte
 {
   internal::Face_cutter cutter(map);
   internal::Cell_joiner joiner;
-  return internal::write_pieces(f, map, cutter, joiner, out);
+  internal::for_each_piece(f, map, cutter, joiner, [&](const Projective_piece& p) { *out++ = p; });
+  return out;
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
@@ -149,13 +159,24 @@ OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIte
 /// \param map the map
 /// \param out an output iterator to which `Projective_piece` can be assigned
 /// \returns the end of the output
+/// \throws Intrinsic_triangulations::Numerical_error if the pieces do not have the area of each face
+///   of the coarse level together: rounding has taken a part to another place. This needs vertices
+///   about as near to each other as rounding.
 template <typename OutputIterator>
 OutputIterator projective_pieces(const Surface_map& map, OutputIterator out)
 {
   internal::Face_cutter cutter(map);
   internal::Cell_joiner joiner;
+  std::vector<double> area(map.coarse().mesh().number_of_faces(), 0);
   for(Face_index f : map.fine().mesh().faces())
-    out = internal::write_pieces(f, map, cutter, joiner, out);
+    internal::for_each_piece(f, map, cutter, joiner, [&](const Projective_piece& p) {
+      area[p.coarse_face] += internal::coarse_area(p);
+      *out++ = p;
+    });
+  for(std::size_t f = 0; f < area.size(); ++f)
+    if(!(std::abs(area[f] - 1) <= internal::tiling_rounding))
+      throw Intrinsic_triangulations::Numerical_error("by rounding, pieces do not tile face " +
+                                                      std::to_string(f) + " of the coarse level");
   return out;
 }
 

@@ -55,6 +55,10 @@ constexpr double matrix_rounding = 10 * std::numeric_limits<double>::epsilon();
 // the true one: it has gone through some hundred updates.
 constexpr double residual_rounding = 1000 * std::numeric_limits<double>::epsilon();
 
+// By which the areas of the pieces of a face may differ from its area: each has the rounding of a
+// product of as many matrices as there are operations, where slivers lose half of all digits.
+constexpr double tiling_rounding = 1e-6;
+
 } // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOLERANCES_H
