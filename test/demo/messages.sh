@@ -51,6 +51,10 @@ text b.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;v
 text c.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;vertex 0 1 0;endloop'
 text d.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;endloop;endfacet;endsolid'
 text words.txt '0 1 2'
+text nothing.txt '# nothing'
+text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
+text across.obj 'v 0 0 0;v 5 0 0;l 1 2'
+text far.obj 'v 0 0 0;v 0 0 9;l 1 2'
 text value.txt '0 one'
 text range.txt '99 1'
 text twice.txt '0 1;0 2'
@@ -111,6 +115,16 @@ done <<'TABLE'
 2 | is the input, which is never overwritten | delaunay flat.mesh.off -o flat.mesh.off
 2 | is named for two outputs | delaunay flat.mesh.off -o a.ply --stats a.ply
 2 | this format cannot carry distances (.ply and .vtp can) | distance flat.mesh.off --source 0 -o a.off
+2 | ' is no point of the mesh: on triangles that are no surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
+2 | has no signed distance: no part of the curve is on its component (--repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
+2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
+2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
+2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
+2 | --exact-distance is for --source, not for --curve | distance flat.mesh.off --curve line.obj --exact-distance -o a.ply
+2 | away from the surface, more than | distance flat.mesh.off --curve far.obj -o a.ply
+2 | is not connected to the one before | distance two_triangles.mesh.off --curve across.obj -o a.ply
+2 | inside.txt: has values for 1 of 25 vertices | transfer flat.mesh.off --data inside.txt -o a.txt
+2 | nothing.txt: has no points | transfer flat.mesh.off --points nothing.txt -o a.txt
 2 | there is no vertex 99 to be a source; the vertices are 0 to 24 | distance flat.mesh.off --source 99 -o a.ply
 2 | --exact: --solver cetm makes no triangulation Delaunay | flatten flat.mesh.off -o a.obj --exact --solver cetm
 2 | --max-log-scale is for --cones greedy | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
@@ -126,6 +140,9 @@ done <<'TABLE'
 2 | --svg is for hyperbolic surfaces | uniformize flat.mesh.off -o a.obj --svg a.svg
 2 | this format has no lines (.obj, .ply and .vtp have) | path flat.mesh.off --from 0 --to 1 -o a.off
 2 | --straightest starts at --from, and takes no other points | path flat.mesh.off --from 0 --to 1 --straightest 10 1 -o a.obj
+2 | --straightest takes a finite angle and a finite length, not negative | path flat.mesh.off --from 0 --to 1 --straightest nan 1 -o a.obj
+2 | a straightest path of this length crosses more than | path pillow.mesh.off --from 0:.3,.3,.4 --straightest 30 1e9 -o a.obj
+2 | a point is too far away to have a nearest point of the mesh | path flat.mesh.off --from 1e308,0,0 --to 1 -o a.obj
 2 | a loop goes back to --from and has no --to | path flat.mesh.off --from 0 --to 1 --loop -o a.obj
 2 | --to or --loop is missing | path flat.mesh.off --from 0 -o a.obj
 2 | --via is for --flips and --loop | path flat.mesh.off --from 0 --to 1 --via 2 -o a.obj
