@@ -155,7 +155,6 @@ private:
 /// \param correspondence the crossings of both
 /// \param side the triangulation whose faces `curve` refers to
 /// \param curve segments with barycentric coordinates that are not negative and sum up to one
-/// Complexity: linear in the faces and crossings, times the segments in a face.
 template <typename Traits>
 Surface_curve<typename Traits::FT> curve_across(const Correspondence<Traits>& correspondence,
                                                 Side side,

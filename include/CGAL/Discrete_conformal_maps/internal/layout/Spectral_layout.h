@@ -63,9 +63,8 @@ public:
 
   // Improves a layout of the chart as long as corrections get smaller and, up to rounding, the
   // energy does not rise. The area of the result is that of the faces. A chart with a face without
-  // area stays as it is.
+  // area stays as it is. `order` is that of the points.
   // \throws Numerical_error if L has no factorization
-  // `order` is that of the points
   void improve(std::vector<Vector>& z, const Shared_order& order = {}) const
   {
     Energy energy = evaluate(z);
