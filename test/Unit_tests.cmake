@@ -45,7 +45,9 @@ function(add_unit_tests name)
   precompile_dependencies(${name})
   target_precompile_headers(${name} PRIVATE <gtest/gtest.h>)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/test/Intrinsic_triangulations/counted_new.cpp"
-    PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+  set_source_files_properties("${PROJECT_SOURCE_DIR}/test/Intrinsic_triangulations/test_exact_truth.cpp"
+    PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # it asks CGAL for CORE
 
   # Precompiled by a target of its own, for which the option would leave nothing.
   file(CONFIGURE OUTPUT ${name}_nothing.cpp CONTENT "")
@@ -60,6 +62,9 @@ function(add_unit_tests name)
   target_link_libraries(${name}_syntax PRIVATE ${name}_dependencies)
   target_compile_options(${name}_syntax PRIVATE -UNDEBUG -fsyntax-only)
   add_dependencies(unit_tests_syntax ${name}_syntax)
+
+  # Templates are instantiated once for several files, each of which has its own namespace.
+  set_target_properties(${name} ${name}_syntax PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -16,7 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace Test_bounded_minimizer {
 
 using namespace convex;
 using CGAL::Discrete_conformal_maps::Bounded_Newton_minimizer;
@@ -106,8 +106,6 @@ double violation(const Energy& energy, const Vector& u, const Vector& lower)
   }
   return result;
 }
-
-} // namespace
 
 TEST(Bounded_Newton_minimizer, finds_the_minimum_of_quadratic_forms)
 {
@@ -229,3 +227,5 @@ TEST(Bounded_Newton_minimizer, same_input_gives_same_bits)
   Bounded_Newton_minimizer()(other, v, lower);
   EXPECT_EQ(u, v);
 }
+
+} // namespace Test_bounded_minimizer

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_bounded_surfaces {
 
 using namespace Test_surfaces;
 using DCM::internal::Doubled_problem;
@@ -204,4 +204,4 @@ TEST(Symmetric_energy, is_half_of_that_of_the_double)
   }
 }
 
-} // namespace
+} // namespace Test_bounded_surfaces

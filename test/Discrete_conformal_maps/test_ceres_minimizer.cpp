@@ -19,7 +19,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace {
+namespace Test_ceres_minimizer {
 
 using namespace convex;
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -150,4 +150,4 @@ TEST(Ceres_minimizer, makes_surfaces_hyperbolic_as_Newton_does)
   }
 }
 
-} // namespace
+} // namespace Test_ceres_minimizer

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_certify {
 
 using namespace Test_surfaces;
 using Rational = CGAL::Exact_rational;
@@ -578,4 +578,4 @@ TEST(Certify, finds_what_is_not_delaunay)
   EXPECT_FALSE(IT::certify_ideal_Delaunay(map.ideal(), factor).is_Delaunay());
 }
 
-} // namespace
+} // namespace Test_certify

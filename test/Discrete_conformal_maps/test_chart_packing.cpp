@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
+namespace Test_chart_packing {
+
 namespace DCM = CGAL::Discrete_conformal_maps;
 using Complex = std::complex<double>;
-
-namespace {
 
 // two opposite corners of the smallest box that holds the points
 template <typename Motion>
@@ -49,8 +49,6 @@ double smallest_area(const std::vector<Complex>& points)
   return result;
 }
 
-} // namespace
-
 TEST(Chart_packing, lays_a_chart_on_the_longer_side_of_its_smallest_rectangle)
 {
   CGAL::Random random(1);
@@ -74,3 +72,5 @@ TEST(Chart_packing, lays_a_chart_on_the_longer_side_of_its_smallest_rectangle)
     }
   }
 }
+
+} // namespace Test_chart_packing

@@ -16,7 +16,7 @@
 #include <functional>
 #include <vector>
 
-namespace {
+namespace Test_concepts {
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
@@ -115,8 +115,6 @@ auto four_cones()
   });
 }
 
-} // namespace
-
 TEST(Concepts, energy_and_visitor_of_Newton_minimizer) { expect_minimum(DCM::Newton_minimizer()); }
 
 TEST(Concepts, minimizer)
@@ -146,3 +144,5 @@ TEST(Concepts, flattening_visitor)
   EXPECT_EQ(visitor.steps, map.minimization().iterations);
   EXPECT_GT(visitor.steps, 0u);
 }
+
+} // namespace Test_concepts

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_conformal_energy {
 
 using namespace Test_surfaces;
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -212,8 +212,6 @@ void for_each_point(const Function& f)
     }
   }
 }
-
-} // namespace
 
 // ---- Lobachevsky's function ----
 
@@ -516,3 +514,5 @@ TEST(Hyperbolic_triangle, flat_triangles_have_angles)
     EXPECT_TRUE(std::isfinite(triangle.cotangent(0)));
   }
 }
+
+} // namespace Test_conformal_energy

@@ -18,12 +18,12 @@
 #include <cmath>
 #include <limits>
 
+namespace Test_double_double {
+
 namespace DCM = CGAL::Discrete_conformal_maps;
 using Number = DCM::internal::Extended;
 using Big = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<120>,
                                           boost::multiprecision::et_off>;
-
-namespace {
 
 Big big(const Number& x) { return Big(x.high()) + Big(x.low()); }
 
@@ -48,8 +48,6 @@ double error(const Number& x, const Big& expected)
   return expected == 0 ? (x == 0 ? 0 : std::numeric_limits<double>::infinity())
                        : error(x, expected, expected);
 }
-
-} // namespace
 
 TEST(Double_double, arithmetic_has_the_error_bounds_of_the_literature)
 {
@@ -131,3 +129,5 @@ TEST(Double_double, ends_of_the_range)
   EXPECT_EQ(atan2(Number(0), Number(1)), 0);
   EXPECT_TRUE(std::isnan(sin(Number(infinity)).high()));
 }
+
+} // namespace Test_double_double

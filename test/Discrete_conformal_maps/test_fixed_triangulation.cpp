@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_fixed_triangulation {
 
 using namespace Test_surfaces;
 using DCM::Flipping;
@@ -90,8 +90,6 @@ Conditions around_apex(double curvature)
   result[0] = Vertex_condition::curvature(curvature);
   return result;
 }
-
-} // namespace
 
 // ---- Triangles ----
 
@@ -313,3 +311,5 @@ TEST(Map_status, every_value_has_a_name_and_a_message)
   EXPECT_EQ(messages.count("unknown"), 0u);
   EXPECT_EQ(DCM::to_string(Map_status(int(Map_status::not_glued) + 1)), std::string("unknown"));
 }
+
+} // namespace Test_fixed_triangulation

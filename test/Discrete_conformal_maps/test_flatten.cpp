@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_flatten {
 
 using namespace Test_surfaces;
 
@@ -128,8 +128,6 @@ std::vector<Vertex_index> boundary(const Delta_complex& mesh)
     }
   return result;
 }
-
-} // namespace
 
 // ---- Flat surfaces ----
 
@@ -587,3 +585,5 @@ TEST(Flatten, empty_mesh_gives_an_empty_map)
 {
   EXPECT_EQ(mesh_C(DCM::flatten(Mesh())).number_of_faces(), 0u);
 }
+
+} // namespace Test_flatten

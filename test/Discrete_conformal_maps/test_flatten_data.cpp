@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_flatten_data {
 
 using namespace Test_surfaces;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -115,8 +115,6 @@ Conditions three_cones(const Delta_complex& mesh)
   return result;
 }
 
-} // namespace
-
 TEST_P(Flattened_data_mesh, is_flat_and_conformal)
 {
   const Mesh mesh = read(GetParam());
@@ -151,3 +149,5 @@ TEST(Flattened_data_meshes, extended_precision_takes_over)
   // an angle changes by up to 1e11 times the rounding error of the scale factors
   check_conditions(map, t.mesh(), condition, 1e-3);
 }
+
+} // namespace Test_flatten_data

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <string>
 
-namespace {
+namespace Test_hard_cones {
 
 using namespace Test_surfaces;
 
@@ -24,8 +24,6 @@ Mesh smooth_surface(int genus)
 
 class Hard_cones : public testing::TestWithParam<int>
 {};
-
-} // namespace
 
 TEST_P(Hard_cones, are_reached)
 {
@@ -65,3 +63,5 @@ TEST(Near_degenerate_meshes, are_flattened_or_refused)
   }
   EXPECT_LE(refused, 1u);
 }
+
+} // namespace Test_hard_cones

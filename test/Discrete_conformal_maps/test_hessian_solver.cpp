@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace {
+namespace Test_hessian_solver {
 
 using namespace convex;
 namespace internal = CGAL::Discrete_conformal_maps::internal;
@@ -189,4 +189,4 @@ TYPED_TEST(Hessian_solver, Refined_orders_keep_the_factor_sparse)
   EXPECT_LT((doubled * pairs.solve(b) - b).template lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
-} // namespace
+} // namespace Test_hessian_solver

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace {
+namespace Test_hyperbolic_tiling {
 
 using namespace Test_surfaces;
 
@@ -36,8 +36,6 @@ double hyperbolic_area(const std::vector<Complex>& corner)
   }
   return result;
 }
-
-} // namespace
 
 TEST(Hyperbolic_tiling, has_the_area_of_the_surface)
 {
@@ -88,3 +86,5 @@ TEST(Geodesic_center, is_that_of_an_orthogonal_circle)
     EXPECT_NEAR(std::norm(w - c) / (std::norm(c) - 1), 1, 1e-6);
   }
 }
+
+} // namespace Test_hyperbolic_tiling

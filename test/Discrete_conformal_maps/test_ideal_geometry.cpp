@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_ideal_geometry {
 
 using namespace Test_surfaces;
 using IT::Diamond;
@@ -860,4 +860,4 @@ TEST(Ideal_geometry, rounded_crossings_keep_their_digits)
   EXPECT_GT(crossings, 100u);
 }
 
-} // namespace
+} // namespace Test_ideal_geometry

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_layout {
 
 using namespace Test_surfaces;
 
@@ -216,8 +216,6 @@ void check_isometry(const Flat_surface& surface)
     EXPECT_LT(places.distance(places.place(p), m.back(map(p))), 1e-8 * size_of(map)) << i;
   }
 }
-
-} // namespace
 
 // ---- Layout ----
 
@@ -467,3 +465,5 @@ TEST(Planar_conformal_map, takes_other_graphs)
   for(const auto w : vertices(polyhedron))
     EXPECT_NEAR(log_scale(one, in_mesh.at(w->point())), log_scale(two, number++), 1e-12);
 }
+
+} // namespace Test_layout

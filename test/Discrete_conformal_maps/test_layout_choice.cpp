@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_layout_choice {
 
 using namespace Test_surfaces;
 using DCM::Layout;
@@ -288,8 +288,6 @@ std::vector<Complex> dense_eigenvector(const Dome& dome)
   return {z.data(), z.data() + Dome::size};
 }
 
-} // namespace
-
 TEST(Layout_choice, all_agree_on_flat_surfaces)
 {
   for(const Problem& problem : problems_without_cones())
@@ -353,3 +351,5 @@ TEST(Layout_choice, spectral_layout_is_an_eigenvector)
     image.push_back(to_complex(p));
   EXPECT_LT(difference(image, dense_eigenvector(dome)), 1e-9);
 }
+
+} // namespace Test_layout_choice

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_map_to_sphere {
 
 using namespace Test_surfaces;
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -152,8 +152,6 @@ Mesh tube(std::size_t m, std::size_t n, double step)
 }
 
 Mesh without_a_face(const Mesh& mesh) { return punctured(mesh, {0}); }
-
-} // namespace
 
 // Vertices on the sphere, in convex position, are their own image, whatever is done to the
 // intrinsic geometry by scaling and flips.
@@ -521,3 +519,5 @@ TEST(Plane_predicates, are_exact_in_space)
   }
   EXPECT_GT(degenerate, 1000);
 }
+
+} // namespace Test_map_to_sphere

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_minimizers {
 
 using namespace convex;
 using CGAL::Discrete_conformal_maps::Default_minimization_visitor;
@@ -454,4 +454,4 @@ TEST(Minimization_status, names)
   EXPECT_EQ(to_string(Status::not_finite), std::string("not_finite"));
 }
 
-} // namespace
+} // namespace Test_minimizers

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-namespace {
+namespace Test_named_parameters {
 
 using namespace Test_surfaces;
 namespace np = DCM::parameters;
@@ -46,4 +46,4 @@ TEST(Named_parameters, of_all_packages_chain_in_any_order)
   EXPECT_EQ(first.log_scale(Vertex_index(4)), 0.1);
 }
 
-} // namespace
+} // namespace Test_named_parameters

@@ -15,7 +15,7 @@
 
 #include "../Intrinsic_triangulations/results.h" // after Eigen
 
-namespace {
+namespace Test_parallel_maps {
 
 using namespace Test_surfaces;
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -120,4 +120,4 @@ TEST(Parallel, spherical_maps)
   });
 }
 
-} // namespace
+} // namespace Test_parallel_maps

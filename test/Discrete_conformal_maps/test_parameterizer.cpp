@@ -23,7 +23,7 @@
 #include <map>
 #include <vector>
 
-namespace {
+namespace Test_parameterizer {
 
 using namespace Test_surfaces;
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -129,8 +129,6 @@ void check_conformal(const Parameterization<Graph>& p, const Graph& g)
       EXPECT_NEAR(u.at(target(h, g)), 0, 1e-9);
     }
 }
-
-} // namespace
 
 // ---- Parameterizer_3 ----
 
@@ -335,3 +333,5 @@ TEST(Texture_coordinates, are_refused_where_they_say_too_little)
   EXPECT_FALSE(flat.is_laid_out());
   write(flat, simplex);
 }
+
+} // namespace Test_parameterizer

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_shapes {
 
 using namespace Test_surfaces;
 namespace np = DCM::parameters;
@@ -151,8 +151,6 @@ void expect_refused(const Function& function, const std::string& message)
     EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
   }
 }
-
-} // namespace
 
 // ---- Angles of polygons in circles ----
 
@@ -416,3 +414,5 @@ TEST(Flatten_to_disk, says_how_it_failed)
     },
     "several boundary loops");
 }
+
+} // namespace Test_shapes

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_spherical_energy {
 
 using namespace Test_surfaces;
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -127,8 +127,6 @@ private:
   const Triangulation& m_t;
   std::vector<double> m_shortest;
 };
-
-} // namespace
 
 // ---- The peacock triangulation ----
 
@@ -314,3 +312,5 @@ TEST(Spherical_energy, triangulation_is_the_limit_of_those_with_a_horocycle)
       EXPECT_EQ(u.size(), Eigen::Index(far.size()));
     });
 }
+
+} // namespace Test_spherical_energy

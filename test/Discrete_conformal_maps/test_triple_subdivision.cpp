@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_triple_subdivision {
 
 using namespace Test_surfaces;
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -390,8 +390,6 @@ std::size_t check_ideal(const Subdivision& s, const Triangulation& ab,
   return tested;
 }
 
-} // namespace
-
 TEST(Chord_crossings, as_by_brute_force)
 {
   CGAL::Random random(1);
@@ -725,3 +723,5 @@ TEST(Triple_subdivision, of_the_empty_surface)
   const Triangulation t;
   EXPECT_TRUE(Subdivision(Correspondence(t), Correspondence(t)).mesh().is_empty());
 }
+
+} // namespace Test_triple_subdivision

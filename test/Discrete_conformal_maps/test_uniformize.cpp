@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_uniformize {
 
 using namespace Test_surfaces;
 using DCM::Surface_type;
@@ -39,8 +39,6 @@ DCM::Uniformization uniformize(const Delta_complex& mesh, const std::vector<doub
 {
   return DCM::uniformize(mesh, length_parameter(length));
 }
-
-} // namespace
 
 TEST(Surface_type, is_that_of_known_surfaces)
 {
@@ -137,3 +135,5 @@ TEST(Uniformize, simply_connected_surfaces_become_round)
   ASSERT_TRUE(disk.spherical);
   EXPECT_TRUE(disk.spherical->is_disk());
 }
+
+} // namespace Test_uniformize

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_uniformize_hyperbolic {
 
 using namespace Test_surfaces;
 using DCM::Disk_motion;
@@ -322,8 +322,6 @@ std::vector<double> random_numbers(std::size_t n, double bound, unsigned int see
   return result;
 }
 
-} // namespace
-
 // ---- Known surfaces ----
 
 TEST(Uniformize_hyperbolic, regular_surfaces_come_back)
@@ -558,3 +556,5 @@ TEST(Uniformize_hyperbolic, empty_mesh_gives_an_empty_map)
   EXPECT_EQ(map.number_of_components(), 0u);
   EXPECT_EQ(map.area(), 0);
 }
+
+} // namespace Test_uniformize_hyperbolic

@@ -10,7 +10,7 @@
 
 std::size_t number_of_allocations(); // counted_new.cpp
 
-namespace {
+namespace Test_allocations {
 
 using namespace Test_surfaces;
 
@@ -36,4 +36,4 @@ TEST(Allocations, a_removal_allocates_nothing)
   EXPECT_LE(visitor.last - visitor.first, 40u);
 }
 
-} // namespace
+} // namespace Test_allocations

@@ -8,7 +8,7 @@
 
 #include <type_traits>
 
-namespace {
+namespace Test_history {
 
 using namespace Test_surfaces;
 
@@ -100,4 +100,4 @@ TEST(Surface_history, refuses_faces_beyond_its_codes)
   EXPECT_THROW(IS::Face_corner(Face_index(1U << 30U), 0), IT::Overflow_error);
 }
 
-} // namespace
+} // namespace Test_history

@@ -14,7 +14,7 @@
 
 #include <sstream>
 
-namespace {
+namespace Test_io {
 
 using namespace Test_surfaces;
 using IS::read_surface_hierarchy;
@@ -148,4 +148,4 @@ TEST(Surface_hierarchy, of_spoilt_files)
   }
 }
 
-} // namespace
+} // namespace Test_io

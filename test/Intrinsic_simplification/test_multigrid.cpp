@@ -18,7 +18,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace Test_multigrid {
 
 using namespace Test_surfaces;
 using IS::Multigrid_result;
@@ -229,4 +229,4 @@ TEST(Multigrid, hierarchy_of_prolongations)
   EXPECT_LE(size, 100);
 }
 
-} // namespace
+} // namespace Test_multigrid

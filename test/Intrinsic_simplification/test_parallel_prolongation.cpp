@@ -12,7 +12,7 @@
 
 #include "../Intrinsic_triangulations/results.h" // after Eigen
 
-namespace {
+namespace Test_parallel_prolongation {
 
 using namespace Test_surfaces;
 namespace IS = CGAL::Intrinsic_simplification;
@@ -83,4 +83,4 @@ TEST(Parallel, prolongation_has_the_places_of_vertices)
   }
 }
 
-} // namespace
+} // namespace Test_parallel_prolongation

@@ -12,7 +12,7 @@
 
 #include <iterator>
 
-namespace {
+namespace Test_projective_pieces {
 
 using namespace Test_surfaces;
 using IS::Level;
@@ -414,4 +414,4 @@ TEST(Projective_pieces, of_data_meshes)
   });
 }
 
-} // namespace
+} // namespace Test_projective_pieces

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace Test_prolonged_distances {
 
 using namespace Test_surfaces;
 using IS::Prolonged_distances;
@@ -142,4 +142,4 @@ TEST(Prolonged_distances, other_components_are_out_of_reach)
   }
 }
 
-} // namespace
+} // namespace Test_prolonged_distances

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_refine {
 
 using namespace Test_surfaces;
 using IS::Composed_map;
@@ -311,4 +311,4 @@ TEST(Composed_map, of_integer_coordinates_and_histories)
   }
 }
 
-} // namespace
+} // namespace Test_refine

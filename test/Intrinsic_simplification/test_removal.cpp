@@ -6,7 +6,7 @@
 
 #include "evolving_surfaces.h"
 
-namespace {
+namespace Test_removal {
 
 using namespace Test_surfaces;
 
@@ -282,4 +282,4 @@ TEST(Removal, constrained_edges_stay)
     }
 }
 
-} // namespace
+} // namespace Test_removal

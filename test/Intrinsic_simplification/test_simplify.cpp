@@ -18,7 +18,7 @@
 #include <map>
 #include <set>
 
-namespace {
+namespace Test_simplify {
 
 using namespace Test_surfaces;
 using IS::Simplification_result;
@@ -377,4 +377,4 @@ TEST(Simplification, of_data_meshes_to_the_last_vertex)
   });
 }
 
-} // namespace
+} // namespace Test_simplify

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace Test_subdivision {
 
 using namespace Test_surfaces;
 using IS::Level;
@@ -346,4 +346,4 @@ TEST(Subdivision, of_data_meshes)
   });
 }
 
-} // namespace
+} // namespace Test_subdivision

@@ -11,7 +11,7 @@
 
 #include <functional>
 
-namespace {
+namespace Test_surface_map {
 
 using namespace Test_surfaces;
 
@@ -253,4 +253,4 @@ TEST(Prolongation, isolated_vertices_keep_their_values)
   EXPECT_EQ(r.coeff(static_cast<int>(coarse), static_cast<int>(alone)), 1);
 }
 
-} // namespace
+} // namespace Test_surface_map

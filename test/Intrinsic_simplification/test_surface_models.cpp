@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 
-namespace {
+namespace Test_surface_models {
 
 using namespace Test_surfaces;
 
@@ -40,4 +40,4 @@ TEST(Surface_models, with_gaps)
   });
 }
 
-} // namespace
+} // namespace Test_surface_models

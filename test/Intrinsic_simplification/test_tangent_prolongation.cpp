@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_simplification/tangent_prolongation.h>
 #include <CGAL/Intrinsic_simplification/trace.h>
 
-namespace {
+namespace Test_tangent_prolongation {
 
 using namespace Test_surfaces;
 using Complex = std::complex<double>;
@@ -132,4 +132,4 @@ TEST(Tangent_prolongation, of_a_rotation_field_on_a_sphere)
   EXPECT_LT(std::sqrt(sum / static_cast<double>(fine.mesh().number_of_vertices())), 0.05);
 }
 
-} // namespace
+} // namespace Test_tangent_prolongation

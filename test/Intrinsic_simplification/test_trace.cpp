@@ -13,7 +13,7 @@
 
 #include <set>
 
-namespace {
+namespace Test_trace {
 
 using namespace Test_surfaces;
 using IS::Trace_end;
@@ -285,4 +285,4 @@ TEST(Trace, of_a_cube_is_straight)
   }
 }
 
-} // namespace
+} // namespace Test_trace

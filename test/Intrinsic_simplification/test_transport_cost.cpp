@@ -13,7 +13,7 @@
 #include <complex>
 #include <map>
 
-namespace {
+namespace Test_transport_cost {
 
 using namespace Test_surfaces;
 using IS::Transport_cost;
@@ -388,4 +388,4 @@ TEST(Transport_cost, on_a_flat_torus_vectors_lead_to_centers_of_mass)
   }
 }
 
-} // namespace
+} // namespace Test_transport_cost

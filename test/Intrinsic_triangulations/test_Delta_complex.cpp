@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_Delta_complex {
 
 using namespace Test_surfaces;
 using IT::Operation_status;
@@ -273,8 +273,6 @@ void expect_defect_after(const Delta_complex& good, const std::string& message,
   expect_defect(mesh, message);
 }
 
-} // namespace
-
 TEST(Delta_complex, generators_are_what_they_say)
 {
   std::map<std::string, std::pair<long, std::size_t>> euler_and_loops;
@@ -488,3 +486,5 @@ TEST(Delta_complex, refusals_are_preconditions)
   CGAL::set_error_behaviour(behaviour);
   EXPECT_TRUE(same_faces(mesh, cone(false)));
 }
+
+} // namespace Test_Delta_complex

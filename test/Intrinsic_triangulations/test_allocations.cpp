@@ -19,7 +19,7 @@
 std::size_t number_of_allocations();
 std::size_t bytes_in_use();
 
-namespace {
+namespace Test_allocations {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Simple_cartesian<double>::Point_3 Point;
@@ -111,4 +111,4 @@ TEST(Allocations, bytes_on_a_closed_surface)
             50 + 45 * crossings / static_cast<double>(edges));
 }
 
-} // namespace
+} // namespace Test_allocations

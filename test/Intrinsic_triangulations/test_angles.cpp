@@ -12,7 +12,7 @@
 #include <numeric>
 #include <vector>
 
-namespace {
+namespace Test_angles {
 
 using namespace Test_surfaces;
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -90,4 +90,4 @@ TEST(Curvatures, theorem_of_Gauss_and_Bonnet)
               2 * pi, 1e-10);
 }
 
-} // namespace
+} // namespace Test_angles

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_angular_coordinates {
 
 using namespace Test_surfaces;
 using Complex = std::complex<double>;
@@ -312,8 +312,6 @@ Complex holonomy_around(Vertex_index v, const Angles& angles)
   return product;
 }
 
-} // namespace
-
 TEST(Angular_coordinates, of_vectors_in_the_plane)
 {
   for(const Named_surface& s : flat_surfaces())
@@ -511,8 +509,6 @@ TEST(Angular_coordinates, tangent_vectors_across_at_inserted_vertices)
   }
 }
 
-namespace {
-
 // The angles between neighbors around `v`, as the angular coordinates and as the corners of T2 have
 // them.
 void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
@@ -528,8 +524,6 @@ void check_around(Vertex_index v, const IT::Angular_coordinates<>& angles)
     EXPECT_NEAR(std::remainder(gap - scale * corner, 2 * pi), 0, 1e-12);
   });
 }
-
-} // namespace
 
 TEST(Angular_coordinates, at_inserted_vertices)
 {
@@ -567,3 +561,5 @@ TEST(Angular_coordinates, kept_through_insertions_and_flips)
       check_around(v, angles);
   }
 }
+
+} // namespace Test_angular_coordinates

@@ -24,7 +24,7 @@
 #include <variant>
 #include <vector>
 
-namespace {
+namespace Test_certified_places {
 
 using namespace Test_surfaces;
 using Rational = CGAL::Exact_rational;
@@ -297,4 +297,4 @@ TEST(Certified_places, elements_agree_with_points_across)
   }
 }
 
-} // namespace
+} // namespace Test_certified_places

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace {
+namespace Test_circumcenter_walk {
 
 using namespace Test_surfaces;
 using Walk = IT::internal::Circumcenter_walk<Triangulation::Edge_length_map>;
@@ -47,8 +47,6 @@ struct Needle
 };
 
 bool nothing_is_fixed(Halfedge_index) { return false; }
-
-} // namespace
 
 // Both long sides are nearer than the circumcenter may be moved. It stays where it is along them,
 // although the third corner is beside one end.
@@ -87,3 +85,5 @@ TEST(Circumcenter_walk, leaves_the_center_inside_a_good_face)
               needle.points[needle.triangulation.mesh().source(corner[k]).idx()][c];
   EXPECT_LT(distance(p, Needle::circumcenter(0.6, 0.5)), 1e-15);
 }
+
+} // namespace Test_circumcenter_walk

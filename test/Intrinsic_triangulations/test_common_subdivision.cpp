@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_common_subdivision {
 
 using namespace Test_surfaces;
 // ---- Edges ----
@@ -92,8 +92,6 @@ void check_copies(const Any_subdivision& s, const Triangulation& t)
     EXPECT_EQ(parent_edges(Side::input, s), parents);
   }
 }
-
-} // namespace
 
 TEST(Common_subdivision, numbers_and_pieces)
 {
@@ -284,3 +282,5 @@ TEST(Common_subdivision, of_the_empty_surface)
   const Triangulation t;
   EXPECT_TRUE(Subdivision(Correspondence(t)).mesh().is_empty());
 }
+
+} // namespace Test_common_subdivision

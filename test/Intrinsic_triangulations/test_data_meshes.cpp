@@ -25,7 +25,7 @@
 #include <system_error>
 #include <vector>
 
-namespace {
+namespace Test_data_meshes {
 
 using namespace Test_surfaces;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -187,8 +187,6 @@ std::string test_name(const testing::TestParamInfo<std::string>& info)
 class Data_mesh : public testing::TestWithParam<std::string>
 {};
 
-} // namespace
-
 TEST_P(Data_mesh, works_or_is_refused_with_a_reason)
 {
   const Soup soup(GetParam());
@@ -220,3 +218,5 @@ TEST(Data_meshes, all_but_the_refused_are_surfaces)
   EXPECT_EQ(refused, refused_data_meshes().size());
   EXPECT_GE(files.size() - refused, 115u);
 }
+
+} // namespace Test_data_meshes

@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_diagnose {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Defect_kind;
@@ -101,8 +101,6 @@ void expect_clean(const Input_diagnosis& d)
   EXPECT_EQ(out.str(), "");
   EXPECT_TRUE(d.is_valid());
 }
-
-} // namespace
 
 TEST(Diagnose, table_is_complete_and_in_order)
 {
@@ -292,8 +290,6 @@ TEST(Diagnose, caps_and_needles_are_noted)
   expect_only(diagnose(needle, {{0, 1, 2}}), Defect_kind::NEEDLE_FACE, 1);
 }
 
-namespace {
-
 // the square of the least height over the square of the greatest coordinate
 Rational squared_relative_height(const std::array<Point, 3>& p)
 {
@@ -308,8 +304,6 @@ Rational squared_relative_height(const std::array<Point, 3>& p)
     base = (std::max)(base, Rational(CGAL::squared_distance(q[i], q[(i + 1) % 3])));
   return 4 * CGAL::squared_area(q[0], q[1], q[2]) / (base * greatest * greatest);
 }
-
-} // namespace
 
 // Triangles with heights from far below to far above the rounding, in exact arithmetic.
 TEST(Diagnose, vertices_within_rounding_are_noted)
@@ -456,8 +450,6 @@ TEST(Diagnose, given_lengths)
     expect_only(diagnose(one_vertex_torus(), {1, bad, 1}), Defect_kind::INVALID_LENGTH, 1);
 }
 
-namespace {
-
 Polygons random_soup(std::mt19937& random, std::size_t number_of_points)
 {
   std::uniform_int_distribution<std::size_t> vertex(0, number_of_points - 1), number(1, 8);
@@ -483,8 +475,6 @@ void expect_statistics_of(const Points& p, const Polygons& f, const Input_diagno
             d.statistics().euler_characteristic);
 }
 
-} // namespace
-
 TEST(Diagnose, random_soups_as_CGAL_judges_them)
 {
   constexpr unsigned seed = 20260101;
@@ -502,3 +492,5 @@ TEST(Diagnose, random_soups_as_CGAL_judges_them)
   }
   EXPECT_GT(valid, 200u);
 }
+
+} // namespace Test_diagnose

@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace Test_edge_marks {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Edge_index;
@@ -84,4 +84,4 @@ TEST(Edge_marks, directions)
   }
 }
 
-} // namespace
+} // namespace Test_edge_marks

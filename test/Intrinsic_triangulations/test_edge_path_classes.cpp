@@ -22,7 +22,7 @@
 
 // Geodesics by flips stay in their homotopy class, and are what they are on the exact surface.
 
-namespace {
+namespace Test_edge_path_classes {
 
 using namespace Test_surfaces;
 using Halfedges = std::vector<Halfedge_index>;
@@ -257,8 +257,6 @@ void check_classes(const Mesh& mesh, int n, std::uint64_t seed)
   }
 }
 
-} // namespace
-
 TEST(Edge_path_classes, are_kept)
 {
   for(const Named_mesh& m : meshes()) {
@@ -344,3 +342,5 @@ TEST(Edge_path_classes, are_shortest_in_flat_disks)
     }
   }
 }
+
+} // namespace Test_edge_path_classes

@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_edge_paths {
 
 using namespace Test_surfaces;
 using Paths = IT::Edge_paths<Triangulation::Traits>;
@@ -117,8 +117,6 @@ void check_random_paths(Triangulation t, int n, unsigned int seed)
   EXPECT_TRUE(t.is_valid(true));
 }
 
-} // namespace
-
 TEST(Edge_paths, random_paths)
 {
   for(const Named_mesh& m : meshes()) {
@@ -156,8 +154,6 @@ TEST(Edge_paths, random_paths_on_data_meshes)
     check_random_paths(Triangulation(mesh), 100, 3);
   }
 }
-
-namespace {
 
 // ---- Flat surfaces ----
 
@@ -201,8 +197,6 @@ void check_flat(const Flat_surface& surface, bool is_loop, unsigned int seed)
     expect_geodesic(paths.halfedges(0), is_loop, t);
   }
 }
-
-} // namespace
 
 TEST(Edge_paths, on_flat_tori_and_cylinders)
 {
@@ -356,3 +350,5 @@ TEST(Edge_paths, around_a_cylinder)
     EXPECT_NEAR(IT::path_on_input(t, paths.halfedges(0)).length, paths.length(0), 1e-9);
   }
 }
+
+} // namespace Test_edge_paths

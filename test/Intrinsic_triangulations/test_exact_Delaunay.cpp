@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_exact_Delaunay {
 
 using namespace Test_surfaces;
 using CGAL::Exact_rational;
@@ -395,4 +395,4 @@ TEST(Exact_Delaunay, certificate_names_bent_edges)
   EXPECT_GT(bent, 10u);
 }
 
-} // namespace
+} // namespace Test_exact_Delaunay

@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_exact_refinement {
 
 using namespace Test_surfaces;
 using Exact_triangulation = IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>>;
@@ -368,4 +368,4 @@ TEST(Exact_refinement, faces_without_area_are_named)
     EXPECT_EQ(f.reason, Remaining_reason::no_area);
 }
 
-} // namespace
+} // namespace Test_exact_refinement

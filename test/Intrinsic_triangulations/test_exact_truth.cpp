@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_exact_truth {
 
 using namespace Test_surfaces;
 
@@ -210,4 +210,4 @@ TEST(Exact_truth, ties_with_roots)
 
 #endif // CGAL_USE_GMP
 
-} // namespace
+} // namespace Test_exact_truth

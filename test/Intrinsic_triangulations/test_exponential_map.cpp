@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_exponential_map {
 
 using namespace Test_surfaces;
 using Geodesic = IT::Geodesic<double>;
@@ -342,8 +342,6 @@ Flat_surface needles(int n, int width, int height)
   return flat_surface(points, triangles);
 }
 
-} // namespace
-
 TEST(Exponential_map, straight_in_the_plane_and_around_a_torus)
 {
   for(const Named_surface& s : flat_surfaces())
@@ -604,3 +602,5 @@ TEST(Exponential_map, endless_lengths_are_refused)
     IT::trace_geodesic(s.input(), Vertex_index(0), Complex(0, -1e30), At_boundary::slide),
     IT::Numerical_error);
 }
+
+} // namespace Test_exponential_map

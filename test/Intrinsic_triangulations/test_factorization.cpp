@@ -19,7 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace Test_factorization {
 
 using namespace CGAL::Intrinsic_triangulations;
 typedef std::complex<double> Complex;
@@ -155,4 +155,4 @@ TEST(Factorization, of_nothing)
                Numerical_error);
 }
 
-} // namespace
+} // namespace Test_factorization

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <string>
 
-namespace {
+namespace Test_flip_to {
 
 using namespace Test_surfaces;
 using Triangulation = IT::Intrinsic_triangulation<>;
@@ -173,4 +173,4 @@ TEST(Flip_to, names_what_does_not_fit)
   EXPECT_THROW(IT::triangulation_over(t, triangulation(flat_torus(3, 3, 3))), IT::Invalid_input);
 }
 
-} // namespace
+} // namespace Test_flip_to

@@ -21,7 +21,7 @@
 #include <string>
 #include <utility>
 
-namespace {
+namespace Test_hard_meshes {
 
 using namespace Test_surfaces;
 using Rational = CGAL::Exact_rational;
@@ -80,8 +80,6 @@ double shortest_to_longest_edge(const Mesh& mesh)
   }
   return std::sqrt(least / greatest);
 }
-
-} // namespace
 
 TEST(Hard_meshes, are_valid_and_of_every_kind)
 {
@@ -187,3 +185,5 @@ TEST(Tied_meshes, rectangles_have_thirty_bits)
   EXPECT_LT(greatest, std::ldexp(1., 30));
   EXPECT_GT(misleading, 0);
 }
+
+} // namespace Test_hard_meshes

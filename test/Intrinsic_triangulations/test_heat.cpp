@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_heat {
 
 using namespace Test_surfaces;
 using Values = Eigen::VectorXd;
@@ -258,8 +258,6 @@ Kernel::Vector_3 carried(const Kernel::Vector_3& x, const Kernel::Vector_3& p,
   const double cosine = p * q;
   return cosine * x + CGAL::cross_product(axis, x) + (axis * x) / (1 + cosine) * axis;
 }
-
-} // namespace
 
 TEST(Heat_distance, plane)
 {
@@ -543,5 +541,7 @@ TEST(Vector_heat, all_complexes)
     EXPECT_LT((field.cwiseAbs() - Values::Ones(field.size())).cwiseAbs().maxCoeff(), 1e-6);
   }
 }
+
+} // namespace Test_heat
 
 #endif

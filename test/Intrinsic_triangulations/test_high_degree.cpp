@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_high_degree {
 
 using namespace Test_surfaces;
 using Subdivision = IT::Common_subdivision<>;
@@ -131,8 +131,6 @@ Mesh stretched(Mesh mesh, double factor)
   return mesh;
 }
 
-} // namespace
-
 TEST(High_degree, hub_of_four_thousand)
 {
   for(unsigned int seed = 0; seed < 2; ++seed) {
@@ -228,3 +226,5 @@ TEST(Near_degenerate, near_coincident_vertices)
       check(with_near_coincident_vertices(m.mesh, distance, 1));
     }
 }
+
+} // namespace Test_high_degree

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace Test_input_with_inserted_vertices {
 
 using namespace Test_surfaces;
 
@@ -177,4 +177,4 @@ TEST(Input_with_inserted_vertices, of_data_meshes)
   });
 }
 
-} // namespace
+} // namespace Test_input_with_inserted_vertices

@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_insertion {
 
 using namespace Test_surfaces;
 using IT::Side;
@@ -176,8 +176,6 @@ Triangulation changed(Triangulation t, unsigned int seed, int steps)
   IT::make_Delaunay(t);
   return t;
 }
-
-} // namespace
 
 TEST(Insertion, valid_after_every_step)
 {
@@ -381,3 +379,5 @@ TEST(Insertion, linear_functions_of_the_plane)
     from_input * Eigen::VectorXd::Ones(Eigen::Index(mesh.number_of_vertices()));
   EXPECT_LT((ones.array() - 1).abs().maxCoeff(), 1e-14);
 }
+
+} // namespace Test_insertion

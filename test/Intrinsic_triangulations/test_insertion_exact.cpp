@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_insertion_exact {
 
 using namespace Test_surfaces;
 
@@ -114,8 +114,6 @@ Counts for_each_flat(int tries, const std::function<void(Flat_insertion&)>& chec
   return counts;
 }
 
-} // namespace
-
 TEST(Insertion_exact, random_operations_against_brute_force)
 {
   const Counts counts = for_each_flat(1000, [](Flat_insertion& flat) {
@@ -150,8 +148,6 @@ TEST(Insertion_exact, removal_of_all)
 }
 
 // ---- Correspondence ----
-
-namespace {
 
 void check_subdivision(const Triangulation& t)
 {
@@ -257,8 +253,6 @@ void check_interpolation(const Flat_insertion::Result& r, const Flat_surface& su
   }
 }
 
-} // namespace
-
 TEST(Insertion_exact, correspondence_on_flat_surfaces)
 {
   for_each_flat(500, [](Flat_insertion& flat) {
@@ -287,8 +281,6 @@ TEST(Insertion_exact, correspondence_after_refinement)
 }
 
 // ---- Faces without area ----
-
-namespace {
 
 // Two faces with area, and six on a line between them.
 Mesh sliding_triangles()
@@ -341,8 +333,6 @@ void insert_and_flip_at_random(Triangulation& t, unsigned int seed)
   }
 }
 
-} // namespace
-
 TEST(Insertion_exact, points_across_where_input_faces_have_no_area)
 {
   const Mesh mesh = sliding_triangles();
@@ -365,8 +355,6 @@ TEST(Insertion_exact, points_across_where_input_faces_have_no_area)
 
 // ---- What cannot be done changes nothing ----
 
-namespace {
-
 template <typename Error>
 void expect_refusal(const Triangulation& t, const std::function<void()>& operation)
 {
@@ -375,8 +363,6 @@ void expect_refusal(const Triangulation& t, const std::function<void()>& operati
   EXPECT_TRUE(state(t) == before);
   EXPECT_TRUE(t.is_valid(true));
 }
-
-} // namespace
 
 TEST(Insertion_exact, places_without_room_change_nothing)
 {
@@ -513,3 +499,5 @@ TEST(Insertion_exact, damaged_places_in_files)
   EXPECT_TRUE(is_refused(first - 1, std::to_string(n + 1)));
   EXPECT_TRUE(is_refused(first - 1, "-1"));
 }
+
+} // namespace Test_insertion_exact

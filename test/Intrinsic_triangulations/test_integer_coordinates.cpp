@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_integer_coordinates {
 
 using namespace Test_surfaces;
 using boost::multiprecision::cpp_int;
@@ -249,8 +249,6 @@ cpp_int closed_form(const Wide_vector& v)
   return x == 0 || y == 0 || z == 0 ? cpp_int(-1) : x + y + z - 3;
 }
 
-} // namespace
-
 TEST(Integer_coordinates, convex_polygons_against_brute_force)
 {
   std::size_t flips = 0;
@@ -454,3 +452,5 @@ TEST(Integer_coordinates, arbitrary_precision_agrees_with_64_bits)
     EXPECT_EQ(flip_to_input(wide), flip_to_input(narrow));
   }
 }
+
+} // namespace Test_integer_coordinates

@@ -20,7 +20,7 @@
 #include <sys/resource.h>
 #endif
 
-namespace {
+namespace Test_io {
 
 using namespace Test_surfaces;
 
@@ -170,8 +170,6 @@ void for_each_replacement(const std::string& text, const Check& check)
       }
   }
 }
-
-} // namespace
 
 TEST(IO, round_trip)
 {
@@ -398,3 +396,5 @@ TEST(IO, reads_no_further_than_the_end)
   expect_equal(IT::read_intrinsic_triangulation(stream), a);
   expect_equal(IT::read_intrinsic_triangulation(stream), b);
 }
+
+} // namespace Test_io

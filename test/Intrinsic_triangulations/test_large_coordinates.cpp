@@ -22,7 +22,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace {
+namespace Test_large_coordinates {
 
 using namespace Test_surfaces;
 using boost::multiprecision::cpp_int;
@@ -151,4 +151,4 @@ TEST(Large_coordinates, Delaunay_triangulation_far_from_the_input)
 
 #endif // CGAL_USE_MPFR
 
-} // namespace
+} // namespace Test_large_coordinates

@@ -20,7 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace Test_local_triangulations {
 
 using namespace Test_surfaces;
 using Matrix = Eigen::SparseMatrix<double>;
@@ -168,6 +168,6 @@ TEST(Local_triangulations, take_any_scale)
     IT::Invalid_input);
 }
 
-} // namespace
+} // namespace Test_local_triangulations
 
 #endif // CGAL_EIGEN3_ENABLED

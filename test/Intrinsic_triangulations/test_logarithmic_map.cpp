@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_logarithmic_map {
 
 using namespace Test_surfaces;
 using Logarithm = IT::Logarithm<double>;
@@ -173,8 +173,6 @@ void check_with_CGAL(const Mesh& mesh)
     }
   }
 }
-
-} // namespace
 
 TEST(Logarithmic_map, in_a_strip_and_around_a_torus)
 {
@@ -365,3 +363,5 @@ TEST(Logarithmic_map, other_component)
   const Location p{Face_index(0), {0.2, 0.3, 0.5}}, q{Face_index(9), {0.2, 0.3, 0.5}};
   EXPECT_EQ(IT::logarithmic_map(t.input(), p, q).status, Status::unreachable);
 }
+
+} // namespace Test_logarithmic_map

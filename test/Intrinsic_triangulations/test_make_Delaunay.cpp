@@ -31,7 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_make_Delaunay {
 
 using namespace Test_surfaces;
 using Triangulation = IT::Intrinsic_triangulation<>;
@@ -265,8 +265,6 @@ bool contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-
-} // namespace
 
 TEST(Make_Delaunay, meshes)
 {
@@ -659,3 +657,5 @@ TEST(Intrinsic_triangulation, refuses_impossible_lengths)
   EXPECT_TRUE(contains(refusal_of_lengths({3, 4, 5, infinity, 3}), "the length of edge 3"));
   EXPECT_TRUE(contains(refusal_of_lengths({3, 4, std::nan(""), 4, 3}), "the length of edge 2"));
 }
+
+} // namespace Test_make_Delaunay

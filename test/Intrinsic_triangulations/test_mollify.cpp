@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_mollify {
 
 using namespace Test_surfaces;
 
@@ -63,8 +63,6 @@ double mollified(const Delta_complex& mesh, std::vector<double>& lengths, double
 {
   return IT::mollify(mesh, Length_map{&lengths}, epsilon);
 }
-
-} // namespace
 
 TEST(Mollify, adds_the_missing_slack_and_no_more)
 {
@@ -150,3 +148,5 @@ TEST(Mollify, the_empty_mesh)
   std::vector<double> lengths;
   EXPECT_EQ(mollified(mesh, lengths, 1e-5), 0);
 }
+
+} // namespace Test_mollify

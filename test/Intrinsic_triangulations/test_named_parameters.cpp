@@ -19,7 +19,7 @@
 #include <functional>
 #include <type_traits>
 
-namespace {
+namespace Test_named_parameters {
 
 using namespace Test_surfaces;
 namespace np = IT::parameters;
@@ -147,4 +147,4 @@ TEST(Named_parameters, reach_the_algorithms)
   EXPECT_EQ(counter.insertions, 3u);
 }
 
-} // namespace
+} // namespace Test_named_parameters

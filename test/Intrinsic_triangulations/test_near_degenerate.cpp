@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_near_degenerate {
 
 using namespace Test_surfaces;
 using Subdivision = IT::Common_subdivision<>;
@@ -179,8 +179,6 @@ void for_each_mesh(const Check& check)
   }
 }
 
-} // namespace
-
 // What the generator promises.
 TEST(Near_degenerate_meshes, are_valid_and_of_every_kind)
 {
@@ -223,3 +221,5 @@ TEST(Near_degenerate_meshes, refined_with_subdivision)
   EXPECT_GE(count[IT::Refinement_status::bounds_met_but_excused], 65u);
   EXPECT_LE(count[IT::Refinement_status::no_room], 5u);
 }
+
+} // namespace Test_near_degenerate

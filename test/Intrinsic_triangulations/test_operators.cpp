@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_operators {
 
 using namespace Test_surfaces;
 using Matrix = Eigen::SparseMatrix<double>;
@@ -139,8 +139,6 @@ Field parallel_field(const Flat_surface& surface, const IT::Tangent_frames<>& fr
   }
   return result;
 }
-
-} // namespace
 
 TEST(Operators, corners_of_needles_and_caps)
 {
@@ -569,5 +567,7 @@ TEST(Poisson, on_all_complexes)
     EXPECT_LT(largest(IT::solve_poisson(s.input(), f) * 1e40 - u), 1e-12 * (largest(u) + 1));
   }
 }
+
+} // namespace Test_operators
 
 #endif

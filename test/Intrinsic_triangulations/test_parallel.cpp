@@ -19,7 +19,7 @@
 
 #include "results.h" // after Eigen
 
-namespace {
+namespace Test_parallel {
 
 using namespace Test_surfaces;
 using IT::Side;
@@ -250,4 +250,4 @@ TEST(Parallel, certificates)
   }
 }
 
-} // namespace
+} // namespace Test_parallel

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_points_across {
 
 using namespace Test_surfaces;
 
@@ -309,8 +309,6 @@ void check_all(void (&check)(const Triangulation&))
   }
 }
 
-} // namespace
-
 TEST(Point_across, there_and_back) { check_all(check_there_and_back); }
 
 TEST(Point_across, single_equals_many) { check_all(expect_single_equals_many); }
@@ -393,3 +391,5 @@ TEST(Point_across, there_and_back_between_near_coincident_vertices)
         EXPECT_LT(std::sqrt(farthest) / longest_input_edge(t), 1e-8);
       }
 }
+
+} // namespace Test_points_across

@@ -32,7 +32,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_refine {
 
 using namespace Test_surfaces;
 using IT::Refinement_result;
@@ -112,8 +112,6 @@ double highest_bound(const Triangulation& t)
 {
   return is_closed(t.input_mesh()) && narrow_vertices(t).empty() ? 30 : 25;
 }
-
-} // namespace
 
 TEST(Refine, small_meshes)
 {
@@ -237,8 +235,6 @@ TEST(Refine, number_of_flips)
 
 // ---- Visitors ----
 
-namespace {
-
 // Counts what it sees, and throws `Error` after a given number of changes.
 template <typename Error>
 struct Counter : IT::Default_refinement_visitor
@@ -276,8 +272,6 @@ void check_stopped(const Triangulation& given, std::size_t limit)
   IT::refine(t);
   check_structure(t);
 }
-
-} // namespace
 
 TEST(Refine, visitor_sees_everything)
 {
@@ -423,8 +417,6 @@ TEST(Refine, no_short_pieces_on_regular_grids)
 
 // ---- What it is for ----
 
-namespace {
-
 // positions of the vertices of T2, from those of the input
 std::vector<Point> positions(const Triangulation& t, const Mesh& mesh)
 {
@@ -446,8 +438,6 @@ Mesh terrible_mesh(std::size_t n)
     return Point(u + 0.95 * shear, v, 0);
   });
 }
-
-} // namespace
 
 TEST(Refine, Poisson_is_of_second_order)
 {
@@ -496,3 +486,5 @@ TEST(Refine, heat_distance_on_a_terrible_mesh)
   EXPECT_NEAR(mean, mean_on_good, 0.01); // of a square with side 1
   EXPECT_LT(mean, 0.01);
 }
+
+} // namespace Test_refine

@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_shortest_paths {
 
 using namespace Test_surfaces;
 using View = decltype(std::declval<Triangulation>().input());
@@ -136,8 +136,6 @@ void check_by_unfolding(Side side, const Triangulation& t, unsigned int seed)
   }
 }
 
-} // namespace
-
 TEST(Shortest_paths, as_by_unfolding_all_sequences_of_faces)
 {
   const std::vector<Named_mesh> small{
@@ -176,8 +174,6 @@ TEST(Shortest_paths, as_by_unfolding_on_Delta_complexes)
       check_by_unfolding(Side::input, triangulation(mesh, random_lengths(mesh, seed)), seed);
     }
 }
-
-namespace {
 
 // ---- CGAL's shortest paths ----
 
@@ -232,8 +228,6 @@ void check_itself(const Triangulation& t, Side side)
     if(paths.distance(v) < infinity)
       expect_valid(paths.path(v), faces, 1e-9 * static_cast<double>(faces.longest_edge()));
 }
-
-} // namespace
 
 TEST(Shortest_paths, from_three_points_as_in_CGAL)
 {
@@ -303,8 +297,6 @@ TEST(Shortest_paths, with_ties)
   }
 }
 
-namespace {
-
 // the place of a point of the surface
 Location locate(const Point& p, const Flat_faces& faces, const Mesh& mesh)
 {
@@ -330,8 +322,6 @@ Mesh box(double x, double y, double z)
     mesh.point(v) = Point(x * mesh.point(v).x(), y * mesh.point(v).y(), z * mesh.point(v).z());
   return mesh;
 }
-
-} // namespace
 
 // Dudeney's puzzle: the spider walks 40 feet, over five of the six sides of the room.
 TEST(Shortest_paths, spider_and_fly)
@@ -479,3 +469,5 @@ TEST(Shortest_paths, other_component)
   EXPECT_TRUE(paths.path(Vertex_index(7)).places.empty());
   EXPECT_EQ(paths.path(Vertex_index(0)).places.size(), 1u);
 }
+
+} // namespace Test_shortest_paths

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_signed_distance {
 
 using namespace Test_surfaces;
 using Values = Eigen::VectorXd;
@@ -102,8 +102,6 @@ Location random_place(const Delta_complex& mesh, std::size_t dimension, CGAL::Ra
     p.second = IT::barycentric_coordinates(k, 0.);
   return p;
 }
-
-} // namespace
 
 // ---- Curves ----
 
@@ -467,5 +465,7 @@ TEST(Signed_heat_distance, errors)
   const Curve across{{Face_index(0), {1, 0, 0}, {0, 0.5, 0.5}}};
   EXPECT_THROW(IT::signed_heat_distance(strip.input(), across), IT::Numerical_error);
 }
+
+} // namespace Test_signed_distance
 
 #endif // CGAL_EIGEN3_ENABLED

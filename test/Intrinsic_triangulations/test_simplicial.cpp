@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_simplicial {
 
 using namespace Test_surfaces;
 
@@ -164,4 +164,4 @@ TEST(Simplicial, names_the_face_that_is_not)
   }
 }
 
-} // namespace
+} // namespace Test_simplicial

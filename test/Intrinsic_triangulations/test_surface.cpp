@@ -22,7 +22,7 @@
 #include <complex>
 #include <type_traits>
 
-namespace {
+namespace Test_surface {
 
 using namespace Test_surfaces;
 using Triangulation = IT::Intrinsic_triangulation<>;
@@ -83,8 +83,6 @@ Eigen::VectorXcd results(const Surface& surface)
   return result;
 }
 
-} // namespace
-
 TEST(Intrinsic_surface, archetype)
 {
   Triangulation t(perturbed(random_sphere(30, 1), 0.3, 1));
@@ -114,3 +112,5 @@ TEST(Intrinsic_surface, number_type_is_that_of_the_lengths)
   EXPECT_EQ(&t.input().mesh(), &t.input_mesh());
   EXPECT_EQ(&t.intrinsic().mesh(), &t.mesh());
 }
+
+} // namespace Test_surface

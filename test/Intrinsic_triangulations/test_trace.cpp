@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_trace {
 
 using namespace Test_surfaces;
 using Trace = std::vector<Trace_place>;
@@ -214,8 +214,6 @@ Point place_in_space(const Edge_place& p, const Mesh& mesh)
   return a + p.t * (b - a);
 }
 
-} // namespace
-
 TEST(Trace, every_trace_is_a_chain_through_flat_faces)
 {
   for(const Named_triangulation& t : triangulations()) {
@@ -332,3 +330,5 @@ TEST(Trace, correspondence_of_the_empty_surface)
   const Triangulation t;
   EXPECT_EQ(Correspondence(t).number_of_crossings(), 0u);
 }
+
+} // namespace Test_trace

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_traits {
 
 using namespace Test_surfaces;
 using IT::Diamond;
@@ -269,8 +269,6 @@ double error_of_area(double a, double b, double c)
   return std::abs(error) / std::numeric_limits<double>::epsilon();
 }
 
-} // namespace
-
 TEST(Euclidean_geometry_traits, double_agrees_with_integer_predicates)
 {
   for(int size : {20, 100, 10000})
@@ -388,12 +386,8 @@ TEST(Intrinsic_geometry_traits, archetype)
 
 #ifdef HAS_EXACT_SQUARE_ROOTS
 
-namespace {
-
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
 using Exact_traits = IT::Euclidean_geometry_traits<Exact>;
-
-} // namespace
 
 TEST(Exact_geometry_traits, agrees_with_integer_predicates)
 {
@@ -480,3 +474,5 @@ TEST(Exact_geometry_traits, all)
 }
 
 #endif
+
+} // namespace Test_traits

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_transfer {
 
 using namespace Test_surfaces;
 using Subdivision = IT::Common_subdivision<>;
@@ -125,8 +125,6 @@ void check_adjoint(const Triangulation& t)
   EXPECT_LE(g_back.dot(m1 * g_back), g.dot(m2 * g) * (1 + 1e-9));
 }
 
-} // namespace
-
 TEST(Transfer, interpolation_matrices)
 {
   for(const Named_triangulation& t : triangulations()) {
@@ -237,5 +235,7 @@ TEST(Transfer, isolated_vertices_keep_their_values)
   const Values f = random_values(mesh.number_of_vertices(), 3);
   EXPECT_EQ(IT::transfer_function(Correspondence(t), Side::input, f)[alone.idx()], f[alone.idx()]);
 }
+
+} // namespace Test_transfer
 
 #endif

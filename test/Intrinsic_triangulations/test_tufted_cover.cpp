@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace Test_tufted_cover {
 
 using namespace Test_surfaces;
 using Cover = IT::Tufted_cover<Point>;
@@ -313,4 +313,4 @@ TEST(Tufted_cover, refuses_points_that_are_not_finite)
       IT::Invalid_input);
 }
 
-} // namespace
+} // namespace Test_tufted_cover

@@ -23,7 +23,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace {
+namespace Test_tufted_operators {
 
 using namespace Test_surfaces;
 using Matrix = Eigen::SparseMatrix<double>;
@@ -436,6 +436,6 @@ TEST(Tufted_operators, transport_vectors_on_the_cover)
     EXPECT_NEAR(std::abs(field[v]), std::sqrt(5.), 1e-9);
 }
 
-} // namespace
+} // namespace Test_tufted_operators
 
 #endif // CGAL_EIGEN3_ENABLED
