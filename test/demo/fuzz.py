@@ -3,20 +3,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Runs the program on damaged files: fuzz.py PROGRAM DATA [--runs N] [--first I] [--jobs J]
-[--keep DIRECTORY]. Run i is always the same: a small mesh of CGAL's data directory, in one of the
+[--keep DIRECTORY] [--server]. Run i is always the same: a small mesh of CGAL's data directory, in one of the
 formats that are read, with a few changes, and one of the commands, at times with an absurd option.
-The program must end in a minute with the exit code 0, 1 or 2, say something unless that is 0, and leave no file after a failure.
-Files that fail are kept in the directory, if there is one. Exit code 77 without data."""
+The program must end in a minute with the exit code 0, 1 or 2, say something unless that is 0, and
+leave no file after a failure.
+Files that fail are kept in the directory, if there is one. With --server the program is the target
+`fuzz_server`, which is loaded once for all runs. Exit code 77 without data."""
 
 import argparse
 import os
 import random
 import resource
 import shutil
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
 
 SEEDS = """tetrahedron cube octahedron icosahedron 3torus cube-ouvert open_cube small_cube hedra P
@@ -284,16 +288,55 @@ def is_sanitized(program):
         return b"__asan_init" in file.read()
 
 
-def complaint(call, result, directory, mesh):
+class Process:
+    """A process for each run."""
+
+    def __init__(self, options):
+        self.program = [options.program]
+        self.keywords = dict(capture_output=True, timeout=60, env=options.environment,
+                             stdin=subprocess.DEVNULL, preexec_fn=options.prepare)
+
+    def __call__(self, call, directory):
+        """The exit code and what has been written."""
+        try:
+            result = subprocess.run(self.program + call, cwd=directory, **self.keywords)
+            return result.returncode, result.stdout + result.stderr
+        except subprocess.TimeoutExpired:
+            return -signal.SIGALRM, b""
+
+
+class Server:
+    """One process that runs the program in children; each thread has its own."""
+
+    def __init__(self, options):
+        self.options, self.local = options, threading.local()
+
+    def __call__(self, call, directory):
+        if not hasattr(self.local, "process"):
+            self.local.process = subprocess.Popen(
+                [self.options.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                env=self.options.environment, preexec_fn=self.options.prepare)
+        process = self.local.process
+        process.stdin.write(("\t".join([directory] + call) + "\n").encode())
+        process.stdin.flush()
+        code = int(process.stdout.readline())
+        with open(directory + ".txt", "rb") as file:
+            text = file.read()
+        os.remove(directory + ".txt")
+        return code, text
+
+
+def complaint(call, code, text, directory, mesh):
     """What is wrong with a run; nothing is None."""
-    text = result.stdout + result.stderr
     left = [name for name in os.listdir(directory) if name != mesh]
-    if result.returncode not in (0, 1, 2) or b"Sanitizer" in text or b"runtime error" in text:
-        return f"exit code {result.returncode}: {text[:2000].decode(errors='replace')}"
-    if result.returncode != 0 and not text.strip():
+    if code == -signal.SIGALRM:
+        return "more than a minute"
+    if code not in (0, 1, 2) or b"Sanitizer" in text or b"runtime error" in text:
+        return f"exit code {code}: {text[:2000].decode(errors='replace')}"
+    if code != 0 and not text.strip():
         return "no message"
-    is_verdict = call[0] == "info" and result.returncode == 2 and b"error: " in text  # with pictures
-    if (result.returncode != 0 and left and not is_verdict
+    is_verdict = call[0] == "info" and code == 2 and b"error: " in text  # with pictures
+    if (code != 0 and left and not is_verdict
             or any(name.endswith(".part") for name in left)):
         return f"files are left: {left}"
     return None
@@ -309,13 +352,8 @@ def run(i, options, seeds, scratch):
     os.mkdir(directory)
     with open(f"{directory}/{mesh}", "wb") as file:
         file.write(damaged(dice, content, seeds))
-    try:
-        result = subprocess.run([options.program] + call, cwd=directory, capture_output=True,
-                                timeout=60, env=options.environment, stdin=subprocess.DEVNULL,
-                                preexec_fn=None if options.is_sanitized else limit_memory)
-        wrong, code = complaint(call, result, directory, mesh), result.returncode
-    except subprocess.TimeoutExpired:
-        wrong, code = "more than a minute", "late"
+    code, text = options.run_program(call, directory)
+    wrong = complaint(call, code, text, directory, mesh)
     if wrong:
         print(f"FAILED: run {i}: intrinsic {' '.join(call)}: {wrong}", flush=True)
         if options.keep:
@@ -333,10 +371,12 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--keep")
+    parser.add_argument("--server", action="store_true")
     options = parser.parse_args()
-    options.is_sanitized = is_sanitized(options.program)
+    options.prepare = None if is_sanitized(options.program) else limit_memory
     sanitizer = "exitcode=99:detect_leaks=0:max_allocation_size_mb=2000:print_stacktrace=1"
     options.environment = dict(os.environ, ASAN_OPTIONS=sanitizer, UBSAN_OPTIONS=sanitizer)
+    options.run_program = (Server if options.server else Process)(options)
     if not os.path.isdir(f"{options.data}/meshes"):
         sys.exit(77)
     seeds = all_seeds(options.data)

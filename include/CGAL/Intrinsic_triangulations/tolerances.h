@@ -60,6 +60,14 @@ FT flat_angle_tolerance()
   return 16 * CGAL::sqrt(rounding_unit<FT>());
 }
 
+// By how much, in radians, the sum of the angles of a fan, each of them rounded, differs from pi where
+// it decides: far more than its error.
+constexpr double fan_tolerance() { return 1e-6; }
+
+// Where a fan with lengths in `double` is so nearly flat, it counts as flat: a path would get shorter
+// by the square of this, and to tell the two apart could take any number of digits.
+constexpr double flat_fan_tolerance() { return 1e-24; }
+
 // How far a circumcenter may be moved onto an edge, in circumradii. For `double` it is 2^-20: far
 // more than the rounding of a walk, so that no piece is left whose length is rounding, and so
 // little that angles change by no more than nearly flat corners are uncertain anyway.

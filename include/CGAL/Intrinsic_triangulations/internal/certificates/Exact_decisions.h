@@ -128,24 +128,28 @@ public:
   Sign fan_sign(const Spokes& spokes)
   {
     const double rest = pi<double>() - rounded_fan_angle(spokes);
-    return std::abs(rest) > fan_rounding ? CGAL::sign(rest) : decide([&](const auto& development) {
-      return sign_of_imaginary(turn_over(spokes, development));
-    });
+    return std::abs(rest) > fan_tolerance()
+             ? CGAL::sign(rest)
+             : decide([&](const auto& development) {
+                 return sign_of_imaginary(turn_over(spokes, development));
+               });
   }
 
-  // Returns whether this sign is POSITIVE, by more than 1e-24 where that needs many digits.
+  // Returns whether this sign is POSITIVE, by more than `flat_fan_tolerance()` where that needs many
+  // digits.
   template <typename Spokes>
   bool is_less_than_pi(const Spokes& spokes) const
   {
     const double rest = pi<double>() - rounded_fan_angle(spokes);
-    if(std::abs(rest) > fan_rounding)
+    if(std::abs(rest) > fan_tolerance())
       return rest > 0;
     bool result = false;
     try_with_more_digits([&](auto& corners) {
       const auto product = turn_over(spokes, this->development(corners));
       const Uncertain<Sign> sign = sign_of_imaginary(product);
       result = certainly(sign == POSITIVE);
-      return is_certain(sign) || product.radius <= 1e-24 * std::abs(to_double(product.x));
+      return is_certain(sign) ||
+             product.radius <= flat_fan_tolerance() * std::abs(to_double(product.x));
     });
     return result;
   }
@@ -303,9 +307,6 @@ private:
   }
 
   // ---- Fans ----
-
-  // more than the error of a sum of rounded angles
-  static constexpr double fan_rounding = 1e-6;
 
   template <typename Spokes>
   double rounded_fan_angle(const Spokes& spokes) const

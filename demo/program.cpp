@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "program.h"
+
+#include "Program_error.h"
+#include "Thread_limit.h"
+#include "command_line.h"
+
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <exception>
+#include <iostream>
+
+namespace {
+
+// Help and version are not errors.
+int exit_code(const CLI::App& app, const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : 2; }
+
+int report(const std::exception& e, int code)
+{
+  std::cerr << "intrinsic: " << e.what() << '\n';
+  return code;
+}
+
+int run_command(const CLI::App& app, const Options& options)
+{
+  if(app.got_subcommand("info"))
+    return info(options.info);
+  if(app.got_subcommand("view"))
+    return view(options.view);
+  if(app.got_subcommand("delaunay"))
+    return delaunay(options.common, options.delaunay);
+  if(app.got_subcommand("refine"))
+    return refine(options.common, options.refine);
+  if(app.got_subcommand("distance"))
+    return distance(options.common, options.distance);
+  if(app.got_subcommand("path"))
+    return path(options.common, options.path);
+  if(app.got_subcommand("transfer"))
+    return transfer(options.common, options.transfer);
+  if(app.got_subcommand("flatten"))
+    return flatten(options.common, options.flatten);
+  if(app.got_subcommand("hyperbolic"))
+    return hyperbolic(options.common, options.hyperbolic);
+  if(app.got_subcommand("uniformize"))
+    return uniformize(options.common, options.hyperbolic);
+  if(app.got_subcommand("sphere"))
+    return sphere(options.common, options.sphere);
+  if(app.got_subcommand("simplify"))
+    return simplify(options.common, options.simplify);
+  return operators(options.common, options.operators);
+}
+
+int run(const CLI::App& app, const Options& options)
+{
+  const Thread_limit limit(options.common.threads);
+  try {
+    return run_command(app, options);
+  } catch(const Program_error& e) {
+    return report(e, 2);
+  } catch(const CGAL::Intrinsic_triangulations::Invalid_input& e) {
+    return report(e, 2);
+  } catch(const std::exception& e) {
+    return report(e, 1);
+  }
+}
+
+} // namespace
+
+int run_program(int argc, const char* const* argv)
+{
+  CLI::App app;
+  Options options;
+  define_command_line(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch(const CLI::ParseError& e) {
+    return exit_code(app, e);
+  }
+  return run(app, options);
+}

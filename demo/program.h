@@ -1,0 +1,12 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_PROGRAM_H
+#define INTRINSIC_PROGRAM_H
+
+// Runs the program with the arguments of `main()` and returns its exit code: 0, 1 where a result is
+// impossible, 2 where the arguments or the input are wrong. Errors are written to the standard one.
+int run_program(int argc, const char* const* argv);
+
+#endif // INTRINSIC_PROGRAM_H
