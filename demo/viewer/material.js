@@ -155,13 +155,24 @@ const developedUniforms = texture => ({
 // With the texture of faces that are developed, if there are some.
 export function surfaceMaterial(isLit, developed) {
   return new ShaderMaterial({
-    vertexShader, fragmentShader, side: DoubleSide, defines: developed ? {DEVELOPED: 1} : {},
+    vertexShader, fragmentShader, side: DoubleSide,
     polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4,
     uniforms: {
       mode: {value: 0}, base: {value: new Vector3(...rgb(plain))}, squares: {value: 8},
       stops: {value: Array.from({length: 5}, () => new Vector3())}, low: {value: 0},
       high: {value: 1}, isolines: {value: 0}, light: {value: isLit ? 1 : 0},
       ...(developed ? developedUniforms(developed.texture) : {})}});
+}
+
+// Compiles what develops faces only while something of it is seen: it takes time at each pixel.
+export function updateDevelopment(material) {
+  const {mode, marks, picked, widthOfLines} = material.uniforms;
+  const isSeen = mode.value >= modes.inputFaces || picked.value >= 0 || marks.value > 0 ||
+    widthOfLines.value.some(width => width > 0);
+  if(isSeen !== ('DEVELOPED' in material.defines)) {
+    material.defines = isSeen ? {DEVELOPED: 1} : {};
+    material.needsUpdate = true;
+  }
 }
 
 // A copy that has a color of its own and everything else in common.

@@ -4,7 +4,7 @@ import { BufferAttribute, Color, Mesh, MeshBasicMaterial, BufferGeometry, Vector
   WebGLRenderer } from 'three';
 import * as colors from './colors.js';
 import { lines } from './lines.js';
-import { modes, surfaceMaterial, withBase } from './material.js';
+import { modes, surfaceMaterial, updateDevelopment, withBase } from './material.js';
 import { Pane, pointCloud } from './pane.js';
 import { locate } from './pick.js';
 import { positionsOf } from './surface.js';
@@ -76,8 +76,6 @@ export class Viewer {
   get hasSphere() { return this.surfaces.some(s => s.picture?.kind === 'sphere'); }
   get hasTexture() { return this.surfaces.some(s => s.texture); }
 
-  get areDeveloped() { return this.surfaces.every(s => s.developed); }
-
   countEdges(layer) {
     return this.surfaces.reduce((sum, s) => sum + s.countEdges(layer), 0);
   }
@@ -90,7 +88,7 @@ export class Viewer {
     const shown = {};
     const isCalm = this.hasTexture || this.hasSphere || this.fields.includes('distance');
     for(const layer of this.layers)
-      shown[layer] = (this.countParts(layer) <= mostShown || this.areDeveloped) &&
+      shown[layer] = this.countParts(layer) <= mostShown &&
         (layer === 'is_seam' || layer === 'coarse' || !isCalm && !this.layers.includes('coarse'));
     for(const name of [...this.markedPoints, ...this.marks.map(m => m.name)])
       shown[name] = true;
@@ -117,6 +115,8 @@ export class Viewer {
       this.updateColor(view);
       this.updateLayers(view);
       this.updateMarks(view);
+      if(view.surface.developed)
+        updateDevelopment(view.material);
     }
     this.invalidate();
   }
@@ -239,8 +239,10 @@ export class Viewer {
   }
 
   showPlace({surface, pane, isPicture, material}, place) {
-    if(surface.developed)
+    if(surface.developed) {
       material.uniforms.picked.value = place?.description.faces.intrinsic ?? -1;
+      updateDevelopment(material);
+    }
     for(const name of [...pane.layers.keys()].filter(n => n.startsWith('picked')))
       pane.remove(name);
     if(!place)
