@@ -26,6 +26,7 @@ text index.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 7'
 text half.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 1.5'
 text far.mesh.off '4OFF;3 1 0;0 0 0 0;1 0 0 1;0 1 0 1;3 0 1 2'
 text index.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 0'
+text later.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 4'
 text word.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;what 1 2 3'
 text a.mesh.ply 'plx'
 text b.mesh.ply 'ply;element vertex 3'
@@ -107,7 +108,7 @@ done <<'TABLE'
 2 | has fewer than three corners | delaunay narrow_polygon.mesh.off -o a.ply
 2 | crosses or touches itself, seen along every axis | delaunay crossed.mesh.off -o a.ply
 2 | cannot be split into triangles without an edge that another face has | delaunay folded.mesh.off -o a.ply
-2 | ; correct it in the file | delaunay nan.mesh.off -o a.ply
+2 | ; correct it in the file | delaunay later.mesh.obj -o a.ply
 2 | ; --repair may mend it | delaunay repeated.mesh.off -o a.ply
 2 | ; split it, or leave out --strict | delaunay polygon.mesh.off --strict -o a.ply
 2 | --repair makes it a surface | delaunay edge_of_three.mesh.off -o a.ply
