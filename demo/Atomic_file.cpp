@@ -27,7 +27,8 @@ Atomic_file::Atomic_file(const std::filesystem::path& path)
                                  std::to_string(::getpid()) + ".part");
   m_stream.open(m_temporary, std::ios::binary);
   if(!m_stream)
-    throw std::runtime_error(path.string() + ": cannot be written");
+    throw std::runtime_error(path.string() +
+                             ": cannot be written; are you allowed to write to its directory?");
 }
 
 Atomic_file::~Atomic_file()
@@ -41,7 +42,8 @@ void Atomic_file::close()
 {
   m_stream.close();
   if(!m_stream)
-    throw std::runtime_error(m_path.string() + ": could not be written completely");
+    throw std::runtime_error(m_path.string() +
+                             ": could not be written completely; is the disk full?");
 }
 
 void Atomic_file::commit()

@@ -55,6 +55,19 @@ bool is_allowed(IT::Defect_kind kind, const Input_tolerance& tolerance)
   }
 }
 
+// What to do about what is not acceptable.
+const char* advice(const IT::Input_diagnosis& diagnosis, const Input_tolerance& tolerance)
+{
+  if(!is_repairable(diagnosis))
+    return "; correct it in the file";
+  if(number_of_soup_defects(diagnosis) > 0 && !tolerance.are_soups_allowed &&
+     !tolerance.is_repair_wanted)
+    return "; --repair makes it a surface";
+  if(number_of_polygons(diagnosis) > 0 && tolerance.is_strict)
+    return "; split it, or leave out --strict";
+  return tolerance.is_repair_wanted ? "; `intrinsic view` shows where" : "; --repair may mend it";
+}
+
 void check_acceptable(const std::string& path, const IT::Input_diagnosis& diagnosis,
                       const Input_tolerance& tolerance)
 {
@@ -64,10 +77,7 @@ void check_acceptable(const std::string& path, const IT::Input_diagnosis& diagno
       message += (message.empty() ? "" : "; ") + diagnosis.message(d.kind);
   if(message.empty())
     return;
-  if(number_of_soup_defects(diagnosis) > 0 && !tolerance.are_soups_allowed &&
-     !tolerance.is_repair_wanted)
-    message += "; --repair makes it a surface";
-  throw Program_error(path + ": " + message);
+  throw Program_error(path + ": " + message + advice(diagnosis, tolerance));
 }
 
 Repair_report repair_aloud(const std::string& path, Polygon_soup& soup)
@@ -76,7 +86,8 @@ Repair_report repair_aloud(const std::string& path, Polygon_soup& soup)
   for(const auto& [what, count] : report)
     std::cerr << path << ": repaired: " << what << ": " << count << '\n';
   if(soup.polygons.empty())
-    throw Program_error(path + ": has no faces after the repair");
+    throw Program_error(
+      path + ": has no faces after the repair; `intrinsic info` says what was wrong with them");
   return report;
 }
 
@@ -85,7 +96,9 @@ void triangulate_cloud(const std::string& path, Polygon_soup& soup, std::size_t 
   for(const auto& triangle : IT::local_triangulations(soup.points, neighbors))
     soup.polygons.push_back(triangle);
   if(soup.polygons.empty())
-    throw Program_error(path + ": no point has neighbors in two directions");
+    throw Program_error(path +
+                        ": no point has neighbors in two directions; raise --neighbors unless all "
+                        "points are on a line");
 }
 
 void print_notes(const std::string& path, const Polygon_soup& soup,

@@ -24,9 +24,9 @@ void check_can_be_created(const std::string& path)
 {
   const fs::path folder = fs::absolute(path).parent_path();
   if(fs::is_directory(path))
-    throw Program_error(path + ": is a directory");
+    throw Program_error(path + ": is a directory; name a file in it");
   if(!fs::is_directory(folder))
-    throw Program_error(path + ": there is no directory " + folder.string());
+    throw Program_error(path + ": there is no directory " + folder.string() + "; create it first");
 }
 
 void check(const fs::path& input, const std::string& path)
@@ -34,7 +34,7 @@ void check(const fs::path& input, const std::string& path)
   if(path.empty() || path == "-")
     return;
   if(are_same(input, path))
-    throw Program_error(path + ": is the input, which is never overwritten");
+    throw Program_error(path + ": is the input, which is never overwritten; name another file");
   check_can_be_created(path);
 }
 
@@ -46,7 +46,7 @@ Output::Output(const fs::path& input, const std::vector<std::string>& paths)
     check(input, paths[i]);
     for(std::size_t j = 0; j < i; ++j)
       if(!paths[i].empty() && (paths[i] == paths[j] || are_same(paths[i], paths[j])))
-        throw Program_error(paths[i] + ": is named for two outputs");
+        throw Program_error(paths[i] + ": is named for two outputs; give each its own name");
   }
 }
 
@@ -70,7 +70,9 @@ void Output::commit()
   for(const std::unique_ptr<Atomic_file>& file : m_files)
     file->close();
   if(!(std::cout << m_standard_output << std::flush))
-    throw std::runtime_error("standard output could not be written completely");
+    throw std::runtime_error(
+      "standard output could not be written completely; is its reader gone, or a "
+      "disk full?");
   for(const std::unique_ptr<Atomic_file>& file : m_files)
     file->commit();
 }

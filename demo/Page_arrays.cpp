@@ -49,28 +49,31 @@ struct Range
 
 Statistics Page_arrays::add_reals(const std::vector<double>& values, std::size_t components)
 {
-  Statistics result{{"at", m_bytes.size()}, {"size", values.size()}, {"components", components}};
-  if(values.size() > long_array)
-    add_quantized(values, components, result);
-  else {
-    result["code"] = "single";
-    for(const double x : values)
-      add_bytes(m_bytes, static_cast<float>(x));
-  }
+  return values.size() > long_array ? add_quantized(values, components) : add_singles(values);
+}
+
+Statistics Page_arrays::add_singles(const std::vector<double>& values)
+{
+  Statistics result{{"at", m_bytes.size()}, {"size", values.size()}, {"code", "single"}};
+  for(const double x : values)
+    add_bytes(m_bytes, static_cast<float>(x));
   return result;
 }
 
-void Page_arrays::add_quantized(const std::vector<double>& values, std::size_t components,
-                                Statistics& description)
+Statistics Page_arrays::add_quantized(const std::vector<double>& values, std::size_t components)
 {
+  Statistics result{{"at", m_bytes.size()},
+                    {"size", values.size()},
+                    {"components", components},
+                    {"code", "quantized"}};
   std::vector<Range> ranges(components);
   for(std::size_t i = 0; i < values.size(); ++i)
     ranges[i % components].add(values[i]);
   for(std::size_t i = 0; i < values.size(); ++i)
     add_bytes(m_bytes, ranges[i % components].quantized(values[i]));
-  description["code"] = "quantized";
   for(const Range& r : ranges)
-    description["ranges"].push_back({r.low, r.high});
+    result["ranges"].push_back({r.low, r.high});
+  return result;
 }
 
 Statistics Page_arrays::add_integers(const std::vector<std::int64_t>& values)

@@ -23,6 +23,9 @@ public:
   // arrays. NaN stays.
   Statistics add_reals(const std::vector<double>& values, std::size_t components = 1);
 
+  // Single precision.
+  Statistics add_singles(const std::vector<double>& values);
+
   // Differences of one to the one before, in as few bytes as they need.
   Statistics add_integers(const std::vector<std::int64_t>& values);
 
@@ -31,8 +34,7 @@ public:
 
 private:
   void add_varint(std::int64_t x);
-  void add_quantized(const std::vector<double>& values, std::size_t components,
-                     Statistics& description);
+  Statistics add_quantized(const std::vector<double>& values, std::size_t components);
 
   std::string m_bytes;
 };

@@ -38,7 +38,7 @@ std::string content(const fs::path& path)
 {
   std::ifstream file(path, std::ios::binary);
   if(!file)
-    throw Program_error(path.string() + ": cannot be opened");
+    throw Program_error(path.string() + ": cannot be opened; are you allowed to read it?");
   std::string result;
   std::error_code none;
   std::size_t block =
@@ -187,7 +187,7 @@ void Scanner::fail(const std::string& reason) const
   if(m_is_binary)
     fail_as_a_whole("cannot be read: " + reason);
   if(m_position == end())
-    fail_as_a_whole("ends too early");
+    fail_as_a_whole("ends too early; it is not complete");
   const std::ptrdiff_t line = 1 + std::count(m_bytes.data(), m_position, '\n');
   fail_as_a_whole("line " + std::to_string(line) + " cannot be understood: " + reason);
 }

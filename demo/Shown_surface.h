@@ -5,10 +5,12 @@
 #ifndef INTRINSIC_SHOWN_SURFACE_H
 #define INTRINSIC_SHOWN_SURFACE_H
 
+#include "Developed_faces.h"
 #include "Output_mesh.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,7 @@ struct Shown_surface
   std::vector<std::array<double, 3>> image;
   std::vector<std::vector<std::array<double, 2>>> outlines; // beside the image
   std::vector<Surface_marks> marks;
+  std::optional<Developed_faces> developed; // what a page shows in place of the mesh
 };
 
 // The polygons whose attribute `name` is one of `values`.

@@ -117,9 +117,9 @@ public:
 
   Statistics operator()(const Shown_surface& surface)
   {
-    const Output_mesh& mesh = surface.mesh;
+    const Output_mesh& mesh = surface.developed ? surface.developed->input : surface.mesh;
     Statistics result{{"name", surface.name}};
-    add_points(mesh.points, result);
+    add_points(mesh.points, surface.developed.has_value(), result);
     result["edges"] = edges(mesh);
     result["edge_data"] = attributes(mesh.edge_data);
     result["point_data"] = attributes(mesh.point_data);
@@ -132,12 +132,14 @@ public:
       result["picture"] = image(surface);
     result["marks"] = Statistics::array();
     for(const Surface_marks& marks : surface.marks)
-      result["marks"].push_back(coded(marks));
+      result["marks"].push_back(coded(surface.developed ? on_faces(marks, surface.mesh) : marks));
+    if(surface.developed)
+      result["developed"] = coded(*surface.developed);
     return result;
   }
 
 private:
-  void add_points(const std::vector<Point>& points, Statistics& result)
+  void add_points(const std::vector<Point>& points, bool are_exact, Statistics& result)
   {
     const Frame frame(points, 3);
     std::vector<double> coordinates;
@@ -146,7 +148,8 @@ private:
         coordinates.push_back(frame(coordinate(p, k), k));
     result["center"] = frame.center;
     result["radius"] = frame.radius;
-    result["points"] = m_arrays.add_reals(coordinates, 3);
+    result["points"] =
+      are_exact ? m_arrays.add_singles(coordinates) : m_arrays.add_reals(coordinates, 3);
   }
 
   Statistics edges(const Output_mesh& mesh)
@@ -234,6 +237,35 @@ private:
             {"polygons", m_arrays.add_integers(marks.polygons)},
             {"lines", polygons(marks.lines)},
             {"points", m_arrays.add_integers(marks.points)}};
+  }
+
+  Statistics coded(const Developed_faces& faces)
+  {
+    return {
+      {"edges", {{"input", faces.number_of_edges[0]}, {"intrinsic", faces.number_of_edges[1]}}},
+      {"opposites", m_arrays.add_integers(once(faces.opposites))},
+      {"shapes", m_arrays.add_singles(faces.shapes)},
+      {"starts", m_arrays.add_integers(faces.starts)},
+      {"first_edges", m_arrays.add_singles(faces.first_edges)}};
+  }
+
+  // The greater halfedge of each edge in the order of the smaller ones; -1 on the boundary.
+  static std::vector<std::int64_t> once(const std::vector<std::int64_t>& opposites)
+  {
+    std::vector<std::int64_t> result;
+    for(std::size_t h = 0; h < opposites.size(); ++h)
+      if(opposites[h] < 0 || opposites[h] > static_cast<std::int64_t>(h))
+        result.push_back(opposites[h]);
+    return result;
+  }
+
+  // Marked polygons of a common subdivision as intrinsic faces.
+  static Surface_marks on_faces(Surface_marks marks, const Output_mesh& mesh)
+  {
+    const auto& owners = std::get<0>(find_attribute(mesh.polygon_data, "intrinsic_face")->values);
+    for(std::int64_t& polygon : marks.polygons)
+      polygon = owners[static_cast<std::size_t>(polygon)];
+    return marks;
   }
 
   Page_arrays& m_arrays;

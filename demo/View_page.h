@@ -34,6 +34,9 @@ public:
     m_surfaces.back().outlines = std::move(lines);
   }
 
+  // The page draws these in place of the mesh of the last surface, a common subdivision.
+  void set_developed(Developed_faces faces) { m_surfaces.back().developed = std::move(faces); }
+
   // On the last surface. Nothing if there are none.
   void add_marks(Surface_marks marks);
 

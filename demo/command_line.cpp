@@ -67,6 +67,13 @@ void add_save(CLI::App& command, Common_options& options)
   command.add_option("--save", options.save, "File for the intrinsic triangulation itself");
 }
 
+void add_direct(CLI::App& command, Common_options& options)
+{
+  command.add_flag("--direct", options.is_direct,
+                   "Let the --view page find intrinsic edges while it draws, without the common "
+                   "subdivision, as it does for large meshes");
+}
+
 void add_exact(
   CLI::App& command, Common_options& options,
   const char* what = "Decide exactly which edges are Delaunay, and certify the triangulation")
@@ -115,6 +122,7 @@ void add_subdivision_options(CLI::App& command, Own_options& options, Common_opt
              "off, obj, ply or vtp");
   add_save(command, common);
   add_common_options(command, common);
+  add_direct(command, common);
   add_number(command, "--constrain-angle", options.constrained_angle,
              "Never flip an edge at which the normals differ by this many degrees or more",
              CLI::Range(0.001, 180.));

@@ -45,6 +45,7 @@ struct Common_options
   double mollification = 0;
   bool is_repair_wanted = false;
   bool is_strict = false;              // faces must be triangles
+  bool is_direct = false;              // pages are drawn without a common subdivision
   std::size_t number_of_neighbors = 0; // in a cloud of points; zero if there must be faces
   bool is_exact = false;               // decisions about Delaunay edges, with a certificate
   bool is_quiet = false;

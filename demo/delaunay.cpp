@@ -29,7 +29,10 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
   run.timed("write", [&] {
     const Output_mesh mesh = subdivision_mesh(subdivision);
     run.add_output(options.output, mesh, format);
-    run.show([&](View_page& page) { show(page, run, triangulation, subdivision, mesh); });
+    run.show([&](View_page& page) {
+      show(page, run, triangulation, subdivision, mesh);
+      develop_if_large(page, run, triangulation, subdivision);
+    });
     save(run, triangulation);
   });
   run.finish(summary_of(run));

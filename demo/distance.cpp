@@ -154,7 +154,7 @@ std::vector<double> signed_distances(const Triangulation& triangulation, const S
     if(!std::isfinite(values[v]))
       throw Program_error("vertex " + std::to_string(v) +
                           " has no signed distance: no part of the curve is on its component "
-                          "(--repair removes isolated vertices)");
+                          "(draw one there; --repair removes isolated vertices)");
   return {values.begin(), values.end()};
 }
 
@@ -279,9 +279,9 @@ private:
   {
     const bool has_curve = !m_options.curve.empty();
     if(m_options.is_signed && !has_curve)
-      throw Program_error("--signed needs a --curve");
+      throw Program_error("--signed needs a --curve; give one");
     if(m_options.sources.empty() && !has_curve)
-      throw Program_error("--source or --curve is missing");
+      throw Program_error("--source or --curve is missing; say where distances are zero");
     if(m_options.is_signed && !m_options.sources.empty())
       throw Program_error("--signed is for a --curve alone, without --source");
     if(m_options.is_shortest && has_curve)

@@ -47,11 +47,12 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
                         "install libceres-dev and build again");
 #endif
   if(is_exact && options.solver == "cetm")
-    throw Program_error("--exact: --solver cetm makes no triangulation Delaunay");
+    throw Program_error(
+      "--exact: --solver cetm makes no triangulation Delaunay; leave out one of both");
   if(options.cones.empty())
     options.cones = is_shape(options.boundary[0]) ? "none" : "greedy";
   if(options.maximum_log_scale && options.cones != "greedy")
-    throw Program_error("--max-log-scale is for --cones greedy");
+    throw Program_error("--max-log-scale is for --cones greedy; leave out one of both");
   return options;
 }
 

@@ -30,7 +30,7 @@ void set_from_file(Conditions& conditions, const Mesh& mesh, const std::string& 
   for(const Vertex_value& x : read_vertex_values(path, conditions.size())) {
     if(!is_allowed(Mesh::Vertex_index(Mesh::size_type(x.vertex)), mesh))
       throw Program_error(path + ": line " + std::to_string(x.line) + ": vertex " +
-                          std::to_string(x.vertex) + " is not " + place);
+                          std::to_string(x.vertex) + " is not " + place + "; remove the line");
     conditions[x.vertex] = make(x.value);
   }
 }
@@ -66,9 +66,11 @@ void check_boundary(const std::vector<std::string>& words)
     throw Program_error("--boundary: '" + what +
                         "' is none of free, straight, scale, curvature, rectangle and disk");
   if(has_file && words.size() == 1)
-    throw Program_error("--boundary " + what + ": the name of a file is missing");
+    throw Program_error("--boundary " + what +
+                        ": the name of a file is missing; give it after the word");
   if(!has_file && words.size() == 2)
-    throw Program_error("--boundary " + what + ": '" + words[1] + "' is one word too many");
+    throw Program_error("--boundary " + what + ": '" + words[1] +
+                        "' is one word too many; leave it out");
 }
 
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh)

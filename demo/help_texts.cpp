@@ -31,7 +31,8 @@ it is. Keys are explained in the page.
 All other commands write such a page with --view FILE.html: the surface with the edges of its
 triangulations, colored by scale factors, distances or curvature, or by faces; its image in the
 plane, on the sphere or in the Poincare disk; with a checkerboard, drawn by projective or linear
-interpolation; histograms of angles before and after, and the statistics.
+interpolation; histograms of angles before and after, and the statistics. Pages of large meshes draw
+intrinsic edges without the common subdivision; --direct asks for this.
 
 Example:
   intrinsic view bunny.obj scan.stl -o meshes.html)";

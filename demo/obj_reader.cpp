@@ -32,7 +32,8 @@ std::size_t read_index(Scanner& in, std::size_t number_of_points)
   const std::int64_t i = in.integer();
   if(i == 0 || i < -static_cast<std::int64_t>(number_of_points)) {
     in.return_to(start);
-    in.fail("there is no vertex " + std::to_string(i));
+    in.fail("there is no vertex " + std::to_string(i) +
+            "; count from 1, or back from -1 for the last one before");
   }
   in.skip_rest_of_word(); // texture coordinates and normals
   return i > 0 ? static_cast<std::size_t>(i - 1) : number_of_points - static_cast<std::size_t>(-i);
@@ -59,7 +60,7 @@ void read_line(Scanner& in, Polygon_soup& soup, Polygons* lines)
   else if(std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
           std::end(ignored_keywords)) {
     in.return_to(start);
-    in.fail("'" + std::string(key) + "' is not known");
+    in.fail("'" + std::string(key) + "' is no keyword of .obj; begin a comment with #");
   }
   in.skip_line();
 }

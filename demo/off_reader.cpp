@@ -67,7 +67,7 @@ private:
     m_header.is_skeleton = keyword == "SKEL";
     if(keyword != "OFF" && keyword != "SKEL") {
       m_in.return_to(start);
-      m_in.fail("'OFF' expected");
+      m_in.fail("'OFF' expected at the beginning; does another extension name the format?");
     }
     m_in.skip_comments('#');
     m_header.is_binary = m_in.accept("BINARY");
@@ -85,7 +85,8 @@ private:
     }
     const auto n = m_in.binary<std::int32_t>(true);
     if(n < 0)
-      m_in.fail("a number of elements is negative");
+      m_in.fail(
+        "a number of elements is negative; the first line counts vertices, faces and edges");
     return static_cast<std::size_t>(n);
   }
 
@@ -112,7 +113,7 @@ private:
     const double x = m_in.number<double>(), y = m_in.number<double>(), z = m_in.number<double>();
     const double w = m_header.is_homogeneous ? m_in.number<double>() : 1;
     if(w == 0)
-      m_in.fail("a vertex is infinitely far away");
+      m_in.fail("a vertex is infinitely far away; its fourth coordinate must not be 0");
     add_point(x, y, z, w);
     if(m_functions != nullptr && m_header.has_color)
       read_color();
@@ -127,7 +128,8 @@ private:
       const std::int64_t i = m_in.integer();
       if(i < 0 || static_cast<std::size_t>(i) >= m_header.vertices) {
         m_in.return_to(start);
-        m_in.fail("there is no vertex " + std::to_string(i));
+        m_in.fail("there is no vertex " + std::to_string(i) + "; they are 0 to " +
+                  std::to_string(static_cast<std::int64_t>(m_header.vertices) - 1));
       }
       m_soup.polygons.add_corner(static_cast<std::size_t>(i));
     }

@@ -30,6 +30,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
+constexpr const char* no_path_advice = "; choose points of one connected component";
+
 using Path = IT::Surface_path<double>;
 using Place = IT::Surface_place<double>;
 using Halfedges = std::vector<IT::Halfedge_index>;
@@ -101,14 +103,16 @@ private:
       if(!std::isfinite(degrees) || !std::isfinite(length) || length < 0)
         throw Program_error("--straightest takes a finite angle and a finite length, not negative");
       if(!m_options.to.empty() || !m_options.via.empty() || uses_flips())
-        throw Program_error("--straightest starts at --from, and takes no other points");
+        throw Program_error(
+          "--straightest starts at --from, and takes no other points; leave them out");
       return;
     }
     if(m_options.is_loop == !m_options.to.empty())
-      throw Program_error(m_options.is_loop ? "a loop goes back to --from and has no --to"
-                                            : "--to or --loop is missing");
+      throw Program_error(m_options.is_loop
+                            ? "a loop goes back to --from and has no --to; leave out one of both"
+                            : "--to or --loop is missing; say where the path ends");
     if(!m_options.via.empty() && !uses_flips())
-      throw Program_error("--via is for --flips and --loop");
+      throw Program_error("--via is for --flips and --loop; add one of them");
   }
 
   Path search(Triangulation& triangulation)
@@ -126,7 +130,8 @@ private:
     paths.run();
     Path path = paths.path(m_points.back());
     if(path.places.empty())
-      throw Program_error("there is no path from " + m_options.from + " to " + m_options.to);
+      throw Program_error("there is no path from " + m_options.from + " to " + m_options.to +
+                          no_path_advice);
     if(path.places.size() == 1) // a line has two ends, even if they are one point
       path.places.push_back(path.places.front());
     m_status = "shortest";
@@ -143,7 +148,9 @@ private:
     m_status = paths.shorten() == IT::Shortening_status::geodesic ? "geodesic" : "blocked";
     m_halfedges = paths.halfedges(0);
     if(m_halfedges.empty())
-      throw Program_error("the path contracts to a point");
+      throw Program_error(
+        "the path contracts to a point; lead it around a handle, a hole or a vertex of "
+        "negative curvature with --via");
     return IT::path_on_input(triangulation, m_halfedges);
   }
 
@@ -160,7 +167,8 @@ private:
       const Halfedges part =
         IT::shortest_edge_path(triangulation.input(), vertices[i], vertices[i + 1]);
       if(part.empty() && vertices[i] != vertices[i + 1])
-        throw Program_error("there is no path from " + texts[i] + " to " + texts[i + 1]);
+        throw Program_error("there is no path from " + texts[i] + " to " + texts[i + 1] +
+                            no_path_advice);
       result.insert(result.end(), part.begin(), part.end());
     }
     return result;
@@ -175,7 +183,7 @@ private:
     const auto add = [&](const IT::Edge_point<double>& p) {
       if(crossings.size() == greatest_number_of_crossings)
         throw Program_error("a straightest path of this length crosses more than " +
-                            std::to_string(greatest_number_of_crossings) + " edges");
+                            std::to_string(greatest_number_of_crossings) + " edges; shorten it");
       crossings.push_back(p);
     };
     const auto end =

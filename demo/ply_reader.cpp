@@ -121,7 +121,7 @@ private:
   void read_header()
   {
     if(!m_in.accept("ply"))
-      m_in.fail("'ply' expected");
+      m_in.fail("'ply' expected at the beginning; does another extension name the format?");
     m_in.skip_line();
     read_format();
     for(; !m_in.accept("end_header"); m_in.skip_line())
@@ -136,7 +136,7 @@ private:
     while(is_comment())
       m_in.skip_line();
     if(!m_in.accept("format"))
-      m_in.fail("'format' expected");
+      m_in.fail("'format' expected after 'ply' and comments");
     m_is_big_endian = m_in.accept("binary_big_endian");
     m_is_binary = m_is_big_endian || m_in.accept("binary_little_endian");
     if(!m_is_binary && !m_in.accept("ascii"))
@@ -160,12 +160,12 @@ private:
   void read_property()
   {
     if(m_elements.empty())
-      m_in.fail("a property comes before any element");
+      m_in.fail("a property comes before any element; 'element vertex' must come first");
     Property p;
     if(m_in.accept("list")) {
       p.type_of_size = read_type();
       if(*p.type_of_size >= Number_type::FLOAT)
-        m_in.fail("the size of a list is an integer");
+        m_in.fail("the size of a list is an integer; make its first type uchar or int");
     }
     p.type = read_type();
     p.name = m_in.word();
@@ -177,7 +177,8 @@ private:
     for(std::size_t t = 0; t < types.size(); ++t)
       if(m_in.accept(types[t].name) || m_in.accept(types[t].other_name))
         return static_cast<Number_type>(t);
-    m_in.fail("there is no such type of numbers");
+    m_in.fail("there is no such type of numbers; there are char, short, int, float and double, and "
+              "uchar, ushort and uint");
   }
 
   // ---- Numbers ----
@@ -214,7 +215,8 @@ private:
   {
     const std::size_t size = read_index(type);
     if(size == Polygons::none)
-      m_in.fail("the size of a list is negative or not an integer");
+      m_in.fail(
+        "the size of a list is negative or not an integer; give the number of its elements");
     if(size > m_in.remaining())
       m_in.fail_as_a_whole("ends too early");
     return size;

@@ -243,7 +243,7 @@ private:
   {
     const Polygons::Polygon polygon = m_soup.polygons[f];
     if(polygon.size() < 3)
-      fail(f, "has fewer than three corners");
+      fail(f, "has fewer than three corners; remove it, or let --repair do so");
     if(polygon.size() == 3)
       return add(f, polygon);
     std::vector<Point> points;
@@ -252,11 +252,12 @@ private:
     const Flat_points flat = best_projection(points);
     if(flat.empty())
       fail(f, "crosses or touches itself, seen along every axis, and cannot be split into "
-              "triangles");
+              "triangles; split it in the file");
     Diagonals diagonals(triangles_of(flat), flat, polygon);
     if(!m_are_soups_allowed) {
       if(!diagonals.avoid(m_taken))
-        fail(f, "cannot be split into triangles without an edge that another face has");
+        fail(f, "cannot be split into triangles without an edge that another face has; split "
+                "it in the file");
       diagonals.add_to(m_taken);
     }
     for(const Corners& t : diagonals.triangles())

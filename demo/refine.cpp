@@ -69,6 +69,7 @@ int refine(const Common_options& common, const Refine_options& options)
                    format);
     run.show([&](View_page& page) {
       show(page, run, triangulation, subdivision, mesh);
+      develop_if_large(page, run, triangulation, subdivision);
       page.add_marks(faces_below_bounds(refinement, mesh));
     });
     save(run, triangulation);

@@ -45,11 +45,12 @@ Cost_weights::Cost_weights(const std::vector<std::string>& texts)
   for(const std::string& text : texts) {
     const std::size_t length = text.rfind('=');
     if(length == std::string::npos || length == 0)
-      throw Program_error("--weight " + text + ": is not NAME=W");
+      throw Program_error("--weight " + text + ": is not NAME=W, as in curvature=1");
     m_weights[text.substr(0, length)] = weight_value(text, text.substr(length + 1));
   }
   if(m_weights["curvature"] == 0 && m_weights["area"] == 0 && !has_functions())
-    throw Program_error("--weight: area_change alone is no cost");
+    throw Program_error(
+      "--weight: area_change alone is no cost; give another weight that is positive");
 }
 
 void Cost_weights::read_functions(const std::string& path)

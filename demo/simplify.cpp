@@ -153,7 +153,8 @@ private:
   {
     if(m_weights.has_functions() && !m_run.input().repairs.empty())
       throw Program_error(
-        "--weight: the mesh had to be repaired, and its vertices are not those of the file");
+        "--weight: the mesh had to be repaired, and its vertices are not those of the file; "
+        "give a mesh that needs no repair");
     m_weights.read_functions(m_run.options().input);
   }
 

@@ -93,14 +93,14 @@ private:
     for(m_in.skip_space(); !m_in.accept("endfacet"); m_in.skip_space()) {
       if(m_in.accept("vertex")) {
         if(++corners > 3)
-          m_in.fail("a facet has more than three vertices");
+          m_in.fail("a facet has more than three vertices; split it into triangles");
         const double x = m_in.number<double>(), y = m_in.number<double>();
         add_corner({x, y, m_in.number<double>()});
       } else if(m_in.word().empty() && m_in.at_end())
         m_in.fail("'endfacet' expected");
     }
     if(corners < 3)
-      m_in.fail("a facet has fewer than three vertices");
+      m_in.fail("a facet has fewer than three vertices; remove it or complete it");
     m_soup.polygons.close();
   }
 

@@ -90,7 +90,7 @@ private:
     const double distance = std::sqrt(CGAL::squared_distance(p, position(q, m_mesh)));
     if(!(distance <= m_finder.tolerance()))
       fail(i, "is " + std::to_string(distance) + " away from the surface, more than " +
-                std::to_string(m_finder.tolerance()));
+                std::to_string(m_finder.tolerance()) + "; move it there");
     result.greatest_distance = (std::max)(result.greatest_distance, distance);
     return q;
   }
@@ -106,7 +106,7 @@ private:
       for(const auto& place : IT::shortest_path(surface, p, q).places)
         points.push_back(place.location);
       if(points.empty())
-        fail(i, "is not connected to the one before");
+        fail(i, "is not connected to the one before; cut the curve there");
     }
     const auto part = IT::curve_through(surface, points);
     result.segments.insert(result.segments.end(), part.begin(), part.end());

@@ -40,7 +40,7 @@ std::vector<double> numbers(const std::string& list, const std::string& text)
   for(std::string word; std::getline(words, word, ',');) {
     const auto n = number(word);
     if(!n)
-      refuse(text, "'" + word + "' is no number");
+      refuse(text, "'" + word + "' is no number; give a vertex, face:a,b,c or x,y,z");
     result.push_back(*n);
   }
   return result;
@@ -69,7 +69,7 @@ Surface_location at_vertex(Mesh::Vertex_index v, const Mesh& mesh)
       result.second[h == mesh.halfedge(f) ? 1 : h == mesh.next(mesh.halfedge(f)) ? 2 : 0] = 1;
       return result;
     }
-  throw Program_error("vertex " + std::to_string(v.idx()) + " has no face");
+  throw Program_error("vertex " + std::to_string(v.idx()) + " has no face; choose another");
 }
 
 // Rounding must not leave a sum other than one.
@@ -155,7 +155,8 @@ Surface_location Point_finder::operator()(const Point& p) const
     }
   }
   if(!best.first.is_valid()) // squares are out of range
-    throw Program_error("a point is too far away to have a nearest point of the mesh");
+    throw Program_error(
+      "a point is too far away to have a nearest point of the mesh; choose one near to it");
   return best;
 }
 
@@ -199,7 +200,7 @@ Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh)
     std::sqrt(CGAL::squared_distance(Point(list[0], list[1], list[2]), position(result, mesh)));
   if(const double tolerance = Point_finder(mesh).tolerance(); !(distance <= tolerance))
     refuse(text, "it is " + std::to_string(distance) + " away from it, more than " +
-                   std::to_string(tolerance));
+                   std::to_string(tolerance) + "; choose one on it, or give face:a,b,c");
   return result;
 }
 

@@ -42,7 +42,7 @@ std::vector<std::string> read_words(const std::string& path, bool is_last)
 {
   std::ifstream file(path);
   if(!file)
-    throw Program_error(path + ": cannot be opened");
+    throw Program_error(path + ": cannot be opened; is there such a file?");
   std::vector<std::string> result;
   for(std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
@@ -56,7 +56,7 @@ std::vector<std::string> read_words(const std::string& path, bool is_last)
   if(file.bad())
     throw Program_error(path + ": cannot be read");
   if(result.empty())
-    throw Program_error(path + ": has no points");
+    throw Program_error(path + ": has no points; write one to a line");
   return result;
 }
 
@@ -140,7 +140,7 @@ private:
     const auto lines = read_vertex_values(m_options.data, size);
     if(lines.size() != size)
       throw Program_error(m_options.data + ": has values for " + std::to_string(lines.size()) +
-                          " of " + std::to_string(size) + " vertices");
+                          " of " + std::to_string(size) + " vertices; give one to each");
     Eigen::VectorXd result(static_cast<Eigen::Index>(size));
     for(const Vertex_value& line : lines)
       result[static_cast<Eigen::Index>(line.vertex)] = line.value;

@@ -4,6 +4,7 @@
 
 #include "triangulation_stages.h"
 
+#include "develop_faces.h"
 #include "sharp_edges.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
@@ -25,6 +26,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace {
 
 const auto in_parallel = IT::parameters::concurrency_tag(CGAL::Parallel_if_available_tag());
+
+constexpr std::size_t most_polygons = 200000; // of a common subdivision in a page
 
 using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
@@ -204,11 +207,24 @@ void show(View_page& page, Command_run& run, const Triangulation& triangulation,
   show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
 }
 
+void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
+                      const Subdivision& subdivision)
+{
+  const bool is_large = subdivision.mesh().number_of_faces() > most_polygons;
+  if(run.options().mollification > 0 || !(is_large || run.options().is_direct))
+    return;
+  if(auto faces = develop_faces(triangulation, run.input().mesh)) {
+    faces->input.point_data.push_back({"curvature", curvatures(run)});
+    page.set_developed(std::move(*faces));
+  }
+}
+
 void show(Command_run& run, const Triangulation& triangulation)
 {
   run.show([&](View_page& page) {
     const Subdivision subdivision = subdivide(run, triangulation);
     show(page, run, triangulation, subdivision, subdivision_mesh(subdivision));
+    develop_if_large(page, run, triangulation, subdivision);
   });
 }
 

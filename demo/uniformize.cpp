@@ -35,7 +35,7 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
   const DCM::Surface_type type = DCM::surface_type(run.input().mesh);
   run.statistics()["surface_type"] = DCM::to_string(type);
   if(!options.picture.empty() && type != DCM::Surface_type::hyperbolic)
-    throw Program_error("--svg is for hyperbolic surfaces");
+    throw Program_error("--svg is for hyperbolic surfaces; --picture shows this one");
   const bool is_flat = type == DCM::Surface_type::torus || type == DCM::Surface_type::annulus;
   run.plan({{"build"}, map_stages(is_flat)});
   const DCM::Uniformization result = uniformized(run);

@@ -58,13 +58,15 @@ std::vector<std::vector<double>> read_vertex_function(const std::string& path,
   std::vector<Values> result =
     name == "color" ? colors(functions) : std::vector<Values>{property(path, functions, name)};
   if(result.empty())
-    fail(path, "vertices have no colors (.ply and .off can have them)");
+    fail(path,
+         "vertices have no colors (.ply and .off can have them); give each one, or leave out the "
+         "weight of color");
   for(const Values& component : result) {
     if(component.size() != vertices)
       fail(path, "not all vertices have one value of '" + name + "'");
     for(const double x : component)
       if(!std::isfinite(x))
-        fail(path, "a value of '" + name + "' is not finite");
+        fail(path, "a value of '" + name + "' is not finite; correct it in the file");
   }
   return result;
 }

@@ -25,7 +25,7 @@ public:
   {
     std::ifstream file(m_path);
     if(!file)
-      throw Program_error(m_path + ": cannot be opened");
+      throw Program_error(m_path + ": cannot be opened; is there such a file?");
     std::string text;
     for(m_line = 1; std::getline(file, text); ++m_line)
       read_line(text.substr(0, text.find('#')));
@@ -64,7 +64,7 @@ private:
     const auto [previous, is_new] = m_line_of.emplace(vertex, m_line);
     if(!is_new)
       fail("vertex " + std::to_string(vertex) + " is in line " + std::to_string(previous->second) +
-           " already");
+           " already; keep one of both");
     m_values.push_back({std::size_t(vertex), value, m_line});
   }
 

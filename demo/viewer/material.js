@@ -1,13 +1,23 @@
-// The shader of surfaces: one color, a checkerboard, or the color of a value.
+// The shader of surfaces: one color, a checkerboard, the color of a value, or those of faces that are
+// developed.
 
 import { DoubleSide, ShaderMaterial, Vector3 } from 'three';
-import { plain, rgb } from './colors.js';
+import { failure, faces, layers, plain, rgb } from './colors.js';
+import { glsl as development } from './developed.js';
 
-export const modes = {plain: 0, projective: 1, linear: 2, value: 3};
+export const modes = {plain: 0, projective: 1, linear: 2, value: 3, inputFaces: 4,
+  intrinsicFaces: 5};
 
 const vertexShader = `
   in vec3 uvw;
   in float value;
+  #ifdef DEVELOPED
+  in vec2 place;
+  in float start;
+  out vec2 vPlace;
+  out vec3 vWeights;
+  flat out int vStart, vFace;
+  #endif
   out vec3 vHomogeneous;
   out vec2 vLinear;
   out vec3 vPosition;
@@ -16,6 +26,12 @@ const vertexShader = `
     vHomogeneous = uvw;
     vLinear = uvw.xy / uvw.z;
     vValue = value;
+    #ifdef DEVELOPED
+    vPlace = place;
+    vStart = int(start);
+    vFace = gl_VertexID / 3;
+    vWeights = vec3(equal(ivec3(0, 1, 2), ivec3(gl_VertexID % 3)));
+    #endif
     vec4 p = modelViewMatrix * vec4(position, 1.);
     vPosition = p.xyz;
     gl_Position = projectionMatrix * p;
@@ -54,6 +70,59 @@ const fragmentShader = `
     return w > .5 ? 0. : 1. - smoothstep(.6 * w, 1.4 * w, abs(fract(t - .5) - .5));
   }
 
+  #ifdef DEVELOPED
+  uniform vec3 palette[6], colorOfLines[2], colorOfMarks;
+  uniform float widthOfLines[2], marks;
+  uniform int picked;
+  in vec2 vPlace;
+  in vec3 vWeights;
+  flat in int vStart, vFace;
+  ${development}
+
+  vec3 colorOfFace(int f) {
+    return palette[((uint(f) + 1u) * 0x9e3779b1u >> 8) % 6u];
+  }
+
+  // How much of a pixel lines cover; less if the face is hardly larger.
+  float line(vec3 distances, float width, float size) {
+    float least = min(distances.x, min(distances.y, distances.z));
+    return clamp(.5 * width + .5 - least, 0., 1.) * mix(.25, 1., smoothstep(4., 12., size)) *
+      step(.01, width);
+  }
+
+  // In pixels.
+  vec3 distancesToSides(vec2 p, vec2 dx, vec2 dy, vec2 corners[3]) {
+    vec3 result;
+    for(int k = 0; k < 3; ++k) {
+      vec2 side = corners[(k + 1) % 3] - corners[k];
+      result[k] = abs(turn(side, p - corners[k])) / length(vec2(turn(side, dx), turn(side, dy)));
+    }
+    return result;
+  }
+
+  // Faces of the input that are hardly larger than a pixel need no development if they have one color.
+  vec3 developed(vec3 color, vec3 light) {
+    vec2 dx = dFdx(vPlace), dy = dFdy(vPlace);
+    vec3 wx = dFdx(vWeights), wy = dFdy(vWeights);
+    vec3 heights = inversesqrt(wx * wx + wy * wy);
+    float size = 1. / abs(wx.x * wy.y - wx.y * wy.x) /
+      min(heights.x, min(heights.y, heights.z)); // of the longest edge
+    vec3 distances = vec3(0.);
+    if(mode >= 4 || marks > 0. || size > 4.) {
+      vec2 corners[3];
+      int f = locate(vStart, vPlace, corners) / 3;
+      if(mode >= 4)
+        color = colorOfFace(mode == 4 ? vFace : f);
+      color = mix(color, colorOfMarks, marks * halfedgeAt(3 * f).w);
+      color = mix(color, vec3(1., .82, .24), f == picked ? .7 : 0.);
+      distances = distancesToSides(vPlace, dx, dy, corners);
+    }
+    color = mix(color * light, colorOfLines[0],
+      line(abs(vWeights) * heights, widthOfLines[0], size));
+    return mix(color, colorOfLines[1], line(distances, widthOfLines[1], size));
+  }
+  #endif
+
   vec3 surface() {
     if(mode == 1)
       return board(vHomogeneous.xy / vHomogeneous.z);
@@ -68,17 +137,42 @@ const fragmentShader = `
     vec3 n = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
     vec3 side = gl_FrontFacing ? vec3(1.) : vec3(.80, .84, .90);
     float lit = .54 + .42 * abs(n.z) + .10 * n.y;
-    gl_FragColor = vec4(surface() * mix(vec3(1.), side * lit, light), 1.);
+    vec3 shade = mix(vec3(1.), side * lit, light);
+    #ifdef DEVELOPED
+    gl_FragColor = vec4(developed(surface(), shade), 1.);
+    #else
+    gl_FragColor = vec4(surface() * shade, 1.);
+    #endif
   }`;
 
-export function surfaceMaterial(isLit) {
+const vectorOf = color => new Vector3(...rgb(color));
+
+const developedUniforms = texture => ({
+  halfedges: {value: texture}, palette: {value: faces.map(vectorOf)}, picked: {value: -1},
+  colorOfLines: {value: [layers.input, layers.intrinsic].map(vectorOf)},
+  widthOfLines: {value: [0, 0]}, marks: {value: 0}, colorOfMarks: {value: vectorOf(failure)}});
+
+// With the texture of faces that are developed, if there are some.
+export function surfaceMaterial(isLit, developed) {
   return new ShaderMaterial({
     vertexShader, fragmentShader, side: DoubleSide,
     polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4,
     uniforms: {
       mode: {value: 0}, base: {value: new Vector3(...rgb(plain))}, squares: {value: 8},
       stops: {value: Array.from({length: 5}, () => new Vector3())}, low: {value: 0},
-      high: {value: 1}, isolines: {value: 0}, light: {value: isLit ? 1 : 0}}});
+      high: {value: 1}, isolines: {value: 0}, light: {value: isLit ? 1 : 0},
+      ...(developed ? developedUniforms(developed.texture) : {})}});
+}
+
+// Compiles what develops faces only while something of it is seen: it takes time at each pixel.
+export function updateDevelopment(material) {
+  const {mode, marks, picked, widthOfLines} = material.uniforms;
+  const isSeen = mode.value >= modes.inputFaces || picked.value >= 0 || marks.value > 0 ||
+    widthOfLines.value.some(width => width > 0);
+  if(isSeen !== ('DEVELOPED' in material.defines)) {
+    material.defines = isSeen ? {DEVELOPED: 1} : {};
+    material.needsUpdate = true;
+  }
 }
 
 // A copy that has a color of its own and everything else in common.

@@ -68,8 +68,10 @@ export class Pane {
   }
 
   // Takes the triangles to be drawn, whose positions are about between -1 and 1.
-  setSurface(positions, attributes, triangles, material) {
+  // `extent` are those that the camera shows.
+  setSurface(positions, attributes, triangles, material, extent = positions) {
     this.positions = positions;
+    this.extent = extent;
     this.geometry = new BufferGeometry();
     this.geometry.setAttribute('position', new BufferAttribute(positions, 3));
     for(const [name, attribute] of Object.entries(attributes))
@@ -83,8 +85,8 @@ export class Pane {
 
   resetCamera() {
     const {way, up} = this.isPlane
-      ? {way: new Vector3(0, 0, 1), up: new Vector3(0, 1, 0)} : outlook(this.positions);
-    const center = this.isPlane ? new Vector3() : middle(this.positions);
+      ? {way: new Vector3(0, 0, 1), up: new Vector3(0, 1, 0)} : outlook(this.extent);
+    const center = this.isPlane ? new Vector3() : middle(this.extent);
     this.controls.target.copy(center);
     this.camera.up.copy(up);
     this.camera.zoom = 1;
@@ -102,7 +104,7 @@ export class Pane {
     const height = Math.tan(Math.PI / 180 * this.camera.fov / 2) / 1.1;
     const width = height * this.camera.aspect;
     let result = .01;
-    forEachPoint(this.positions, p => {
+    forEachPoint(this.extent, p => {
       p.sub(center);
       result = Math.max(result, p.dot(way) + Math.max(
         Math.abs(p.dot(right)) / width, Math.abs(p.dot(top)) / height));

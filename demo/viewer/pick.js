@@ -29,7 +29,9 @@ function valuesAt(surface, corners, weights) {
       sum + weights[i] * surface.pointData[name].values[surface.point(c)], 0)]));
 }
 
-function facesOf(surface, polygon) {
+function facesOf(surface, polygon, weights) {
+  if(surface.developed)
+    return {input: polygon, intrinsic: surface.developed.locate(polygon, weights)};
   return Object.fromEntries(surface.triangulations
     .filter(t => surface.polygonData[`${t}_face`])
     .map(t => [t, surface.polygonData[`${t}_face`].values[polygon]]));
@@ -58,7 +60,7 @@ export function locate({surface, pane, isPicture}, {triangle, point}) {
       point: onSurface.toArray().map((x, k) => description.center[k] + description.radius * x),
       picture: inPicture && unframed(inPicture.toArray(), surface),
       nearestVertex: nearestPoint(surface, corners, weights),
-      faces: facesOf(surface, polygon),
+      faces: facesOf(surface, polygon, weights),
       values: valuesAt(surface, corners, weights)}};
 }
 

@@ -1,6 +1,8 @@
 // A surface as the page has it: points, polygons and the triangles they are cut into, edges, and
 // what is known about each of them.
 
+import { Developed } from './developed.js';
+
 // Of polygons: where the corners of each begin.
 function beginnings(sizes) {
   const result = new Uint32Array(sizes.length + 1);
@@ -33,10 +35,14 @@ export class Surface {
     this.polygonData = withData(arrays, description.polygon_data);
     this.polygons = readPolygons(arrays, description.polygons);
     this.readTexture(description, arrays);
+    if(description.developed)
+      this.develop(description.developed, arrays);
     this.cut();
     this.marks = description.marks.map(mark => ({...mark,
       polygons: arrays.read(mark.polygons), points: arrays.read(mark.points),
       lines: readPolygons(arrays, mark.lines)}));
+    if(this.developed)
+      this.marks.forEach(mark => this.developed.mark(mark.polygons));
   }
 
   // Corners are texture coordinates if there are some, otherwise points.
@@ -52,6 +58,14 @@ export class Surface {
     if(outlines)
       this.picture.outlines = {begin: beginnings(arrays.read(outlines.sizes)),
         points: arrays.read(outlines.points)};
+  }
+
+  // Each face has corners of its own.
+  develop(description, arrays) {
+    const {corners} = this.polygons;
+    this.pointOfCorner = corners;
+    this.polygons.corners = Int32Array.from(corners, (_, i) => i);
+    this.developed = new Developed(description, arrays, this.points, corners);
   }
 
   // Into fans.
@@ -92,6 +106,8 @@ export class Surface {
   }
 
   get triangulations() {
+    if(this.developed)
+      return ['input', 'intrinsic'];
     const withEdges = ownersOf(this.edgeData, '_edge');
     return [...new Set([...withEdges, ...ownersOf(this.polygonData, '_face')])];
   }
@@ -114,11 +130,15 @@ export class Surface {
 
   // Edges of a triangulation are cut into parts by others.
   countEdges(layer) {
+    if(this.developed)
+      return this.developed.edges[layer] ?? 0;
     const owner = this.edgeData[`${layer}_edge`];
     return owner ? countDistinct(owner.values) : this.countParts(layer);
   }
 
   countParts(layer) {
+    if(this.developed)
+      return this.countEdges(layer);
     this.parts ??= new Map();
     if(!this.parts.has(layer)) {
       const isIn = this.isInLayer(layer);
@@ -178,6 +198,8 @@ export class Surface {
 
   // Corners at the ends of the sides of the face `id` of a triangulation.
   outline(triangulation, id) {
+    if(this.developed)
+      return triangulation === 'input' ? [0, 1, 1, 2, 2, 0].map(k => 3 * id + k) : [];
     const owner = this.polygonData[`${triangulation}_face`].values;
     const sides = new Map();
     this.forEachSide((c, d, polygon) => {

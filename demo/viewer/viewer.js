@@ -4,7 +4,7 @@ import { BufferAttribute, Color, Mesh, MeshBasicMaterial, BufferGeometry, Vector
   WebGLRenderer } from 'three';
 import * as colors from './colors.js';
 import { lines } from './lines.js';
-import { modes, surfaceMaterial, withBase } from './material.js';
+import { modes, surfaceMaterial, updateDevelopment, withBase } from './material.js';
 import { Pane, pointCloud } from './pane.js';
 import { locate } from './pick.js';
 import { positionsOf } from './surface.js';
@@ -46,9 +46,12 @@ export class Viewer {
       ? positions.map((x, i) => i % 3 === 2 ? 1 : x)
       : surface.texture ?? new Float32Array(positions.length).fill(1);
     surface.triangleIndex ??= new BufferAttribute(surface.triangles, 1);
-    const material = surfaceMaterial(!isPlane);
-    pane.setSurface(positions, {uvw: new BufferAttribute(texture, 3)}, surface.triangleIndex,
-      material);
+    const {developed} = surface;
+    const material = surfaceMaterial(!isPlane, developed);
+    pane.setSurface(positions, {uvw: new BufferAttribute(texture, 3),
+      ...(developed && {place: new BufferAttribute(developed.places, 2),
+        start: new BufferAttribute(developed.starts, 1)})}, surface.triangleIndex, material,
+      developed && surface.points);
     pane.makePickable(surface.triangles);
     return {surface, pane, material, isPicture};
   }
@@ -112,6 +115,8 @@ export class Viewer {
       this.updateColor(view);
       this.updateLayers(view);
       this.updateMarks(view);
+      if(view.surface.developed)
+        updateDevelopment(view.material);
     }
     this.invalidate();
   }
@@ -128,7 +133,9 @@ export class Viewer {
     pane.geometry.clearGroups();
     if(kind === 'field')
       this.colorByField(view, name);
-    if(kind === 'faces')
+    if(kind === 'faces' && surface.developed)
+      material.uniforms.mode.value = name === 'input' ? modes.inputFaces : modes.intrinsicFaces;
+    else if(kind === 'faces')
       this.colorByFace(view, name);
   }
 
@@ -171,7 +178,12 @@ export class Viewer {
     pane.mesh.material = palette.map(color => withBase(material, color));
   }
 
-  updateLayers({surface, pane, isPicture}) {
+  updateLayers({surface, pane, isPicture, material}) {
+    if(surface.developed) {
+      material.uniforms.widthOfLines.value = ['input', 'intrinsic'].map(layer =>
+        this.state.shown[layer] ? widthOf(layer, this.countParts(layer)) : 0);
+      return;
+    }
     for(const [i, layer] of this.layers.entries()) {
       const style = {color: colors.layers[layer] ?? colors.others, order: 10 + i,
         width: widthOf(layer, this.countParts(layer))};
@@ -183,14 +195,17 @@ export class Viewer {
         {color: '#9aa7b3', width: 1, order: 5}));
   }
 
-  updateMarks({surface, pane, isPicture}) {
+  updateMarks({surface, pane, isPicture, material}) {
     const positions = isPicture ? surface.picture.positions : surface.points;
     for(const name of surface.markedPoints)
       pane.show(name, this.state.shown[name], () => pointCloud(positionsOf(
         placesOf(surface, surface.pointData[name].values, isPicture), positions),
       colors.points[name] ?? colors.others, 10));
     for(const mark of surface.marks)
-      this.showMark(mark, {surface, pane, isPicture});
+      if(surface.developed)
+        material.uniforms.marks.value = this.state.shown[mark.name] ? 1 : 0;
+      else
+        this.showMark(mark, {surface, pane, isPicture});
   }
 
   showMark(mark, {surface, pane, isPicture}) {
@@ -223,7 +238,11 @@ export class Viewer {
     return place.description;
   }
 
-  showPlace({surface, pane, isPicture}, place) {
+  showPlace({surface, pane, isPicture, material}, place) {
+    if(surface.developed) {
+      material.uniforms.picked.value = place?.description.faces.intrinsic ?? -1;
+      updateDevelopment(material);
+    }
     for(const name of [...pane.layers.keys()].filter(n => n.startsWith('picked')))
       pane.remove(name);
     if(!place)

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 #include <CGAL/Intrinsic_simplification/trace.h>
+#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
@@ -20,16 +21,9 @@
 #include <iostream>
 
 namespace IS = CGAL::Intrinsic_simplification;
+namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Simple_cartesian<double>::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
-
-// a place on the input in space
-Point position(const IS::Surface_map::Location& p, const Mesh& mesh)
-{
-  const Mesh::Halfedge_index h = mesh.halfedge(p.first);
-  return CGAL::barycenter(mesh.point(mesh.source(h)), p.second[0], mesh.point(mesh.target(h)),
-                          p.second[1], mesh.point(mesh.target(mesh.next(h))), p.second[2]);
-}
 
 int main(int argc, char* argv[])
 {
@@ -44,16 +38,18 @@ int main(int argc, char* argv[])
   const IS::Surface_level coarse(surface);
   const IS::Surface_map map(surface, fine, coarse);
 
+  const auto position = [&](const auto& piece, std::size_t end) {
+    return PMP::construct_point(std::make_pair(piece.face, piece.ends[end].coordinates), mesh);
+  };
   const auto trace = IS::trace_coarse_edge(coarse.mesh().halfedge(IS::Edge_index(0)), map);
   std::cout << "the first edge of the coarse surface has " << trace.size()
-            << " pieces; it leads from "
-            << position({trace.front().face, trace.front().ends[0].coordinates}, mesh) << " to "
-            << position({trace.back().face, trace.back().ends[1].coordinates}, mesh) << '\n';
+            << " pieces; it leads from " << position(trace.front(), 0) << " to "
+            << position(trace.back(), 1) << '\n';
 
   IS::Surface_subdivision<Point> subdivision(map);
   Mesh& polygons = subdivision.mesh();
   for(Mesh::Vertex_index v : polygons.vertices())
-    polygons.point(v) = position(subdivision.place(IS::Level::fine, v).location, mesh);
+    polygons.point(v) = PMP::construct_point(subdivision.place(IS::Level::fine, v).location, mesh);
   auto coarse_face = polygons.add_property_map<Mesh::Face_index, int>("f:coarse_face", 0).first;
   for(Mesh::Face_index f : polygons.faces())
     coarse_face[f] = static_cast<int>(subdivision.parent_face(IS::Level::coarse, f));

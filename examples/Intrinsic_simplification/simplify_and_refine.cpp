@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/refine.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
-#include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Intrinsic_triangulations/diagnose_surface.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
 #include <CGAL/Simple_cartesian.h>
@@ -23,13 +23,6 @@
 namespace IS = CGAL::Intrinsic_simplification;
 namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-
-double least_angle(const IS::Surface_level& level)
-{
-  return IT::diagnose(level.mesh(), IT::parameters::edge_length_map(level.length_map()))
-    .statistics()
-    .min_angle;
-}
 
 int main(int argc, char* argv[])
 {
@@ -46,7 +39,8 @@ int main(int argc, char* argv[])
   const IS::Surface_level refined(surface);
   std::cout << fine.mesh().number_of_vertices() << " -> " << coarse.mesh().number_of_vertices()
             << " -> " << refined.mesh().number_of_vertices() << " vertices, least angle "
-            << least_angle(coarse) << " -> " << least_angle(refined) << " degrees ("
+            << IT::diagnose_surface(coarse).statistics().min_angle << " -> "
+            << IT::diagnose_surface(refined).statistics().min_angle << " degrees ("
             << IT::to_string(result.status) << ")\n";
 
   const IS::Surface_map map(surface, fine, refined);
@@ -59,8 +53,7 @@ int main(int argc, char* argv[])
   std::cout << "the solution lies between " << solution.minCoeff() << " and " << solution.maxCoeff()
             << '\n';
 
-  const IS::Surface_map::Location place{IS::Face_index(0), {0.5, 0.25, 0.25}};
-  const auto on_refined = map.to_coarse(place);
+  const auto on_refined = map.to_coarse({IS::Face_index(0), {0.5, 0.25, 0.25}});
   std::cout << "a point of face 0 of the input is in face " << on_refined.first
             << " of the refined surface, and back in face " << map.to_fine(on_refined).first
             << '\n';

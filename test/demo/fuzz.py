@@ -44,7 +44,8 @@ PLACES = NUMBERS + """0 1 3 0:1,0,0 1:0.2,0.3,0.5 0:nan,0,1 0:1e308,-1e308,1 99:
     nan,0,0 1,2 0: :0 ,, 0:,, 0:0.5,0.5,0.5 1e-320,0,0""".split()
 
 COMMON = {"--mollify": NUMBERS, "--threads": NUMBERS, "--stats": ["", ".", "-", "/none/o", "mesh.off"],
-          "--view": ["", "o.x", "o.html"], "--picture": ["", "o.svg"], "--format": ["", "x", "off", "vtp"]}
+          "--view": ["", "o.x", "o.html"], "--picture": ["", "o.svg", "o.png"],
+          "--format": ["", "x", "off", "vtp"]}
 
 OPTIONS = {
     "delaunay": {"--constrain-angle": NUMBERS, "--exact": None, "--save": ["", "o.txt", "."]},
@@ -238,8 +239,9 @@ def arguments(dice, mesh):
     command = dice.choice("info view delaunay refine distance path flatten hyperbolic uniformize sphere"
                           " simplify operators transfer".split())
     result = [command, mesh]
+    picture = dice.choice(["o.svg", "o.png"])
     if command == "info":
-        return result + dice.choice([[], ["--json"], ["--view", "o.html", "--picture", "o.svg"]])
+        return result + dice.choice([[], ["--json"], ["--view", "o.html", "--picture", picture]])
     if command == "view":
         return result + ["-o", "o.html"]
     formats = {"distance": ["ply", "vtp"], "path": ["obj", "ply", "vtp"], "hyperbolic": ["obj", "ply", "vtp"],
@@ -260,7 +262,9 @@ def arguments(dice, mesh):
     result += dice.choice([[], ["--repair"], ["--mollify", "1e-6"], ["--strict"]])
     if command in ("distance", "operators"):
         result += dice.choice([[], ["--neighbors", "9"]])
-    result += dice.choice([[], [], ["--view", "o.html", "--picture", "o.svg"]])
+    result += dice.choice([[], [], ["--view", "o.html", "--picture", picture]])
+    if command in ("delaunay", "refine"):
+        result += dice.choice([[], ["--direct"]])
     if dice.random() < 0.9:
         result += ["--stats", "o.json"]
     return with_absurd_options(dice, result, {**COMMON, **OPTIONS[command]})
@@ -339,7 +343,15 @@ def complaint(call, code, text, directory, mesh):
     if (code != 0 and left and not is_verdict
             or any(name.endswith(".part") for name in left)):
         return f"files are left: {left}"
+    if "o.png" in left and not is_png(os.path.join(directory, "o.png")):
+        return "o.png is no complete picture"
     return None
+
+
+def is_png(path):
+    with open(path, "rb") as file:
+        content = file.read()
+    return content.startswith(b"\x89PNG\r\n\x1a\n") and content[-8:-4] == b"IEND"
 
 
 def run(i, options, seeds, scratch):

@@ -26,6 +26,7 @@ text index.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 7'
 text half.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 1.5'
 text far.mesh.off '4OFF;3 1 0;0 0 0 0;1 0 0 1;0 1 0 1;3 0 1 2'
 text index.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 0'
+text later.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 4'
 text word.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;what 1 2 3'
 text a.mesh.ply 'plx'
 text b.mesh.ply 'ply;element vertex 3'
@@ -88,7 +89,7 @@ done <<'TABLE'
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off
 2 | there is no vertex 0 | info index.mesh.obj
-2 | 'what' is not known | info word.mesh.obj
+2 | 'what' is no keyword of .obj; begin a comment with # | info word.mesh.obj
 2 | 'ply' expected | info a.mesh.ply
 2 | 'format' expected | info b.mesh.ply
 2 | the format is none of ascii, binary_little_endian and binary_big_endian | info c.mesh.ply
@@ -107,6 +108,9 @@ done <<'TABLE'
 2 | has fewer than three corners | delaunay narrow_polygon.mesh.off -o a.ply
 2 | crosses or touches itself, seen along every axis | delaunay crossed.mesh.off -o a.ply
 2 | cannot be split into triangles without an edge that another face has | delaunay folded.mesh.off -o a.ply
+2 | ; correct it in the file | delaunay later.mesh.obj -o a.ply
+2 | ; --repair may mend it | delaunay repeated.mesh.off -o a.ply
+2 | ; split it, or leave out --strict | delaunay polygon.mesh.off --strict -o a.ply
 2 | --repair makes it a surface | delaunay edge_of_three.mesh.off -o a.ply
 2 | no such output format: '.foo' (there are off, obj, ply and vtp) | delaunay flat.mesh.off -o a.foo
 2 | this format cannot be binary (.ply can) | delaunay flat.mesh.off -o a.vtp --binary
@@ -116,7 +120,7 @@ done <<'TABLE'
 2 | is named for two outputs | delaunay flat.mesh.off -o a.ply --stats a.ply
 2 | this format cannot carry distances (.ply and .vtp can) | distance flat.mesh.off --source 0 -o a.off
 2 | ' is no point of the mesh: on triangles that are no surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
-2 | has no signed distance: no part of the curve is on its component (--repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
+2 | has no signed distance: no part of the curve is on its component (draw one there; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply

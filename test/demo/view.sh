@@ -85,6 +85,50 @@ page_shows page.html 'view.viewer.layers.join() === "input,intrinsic"' \
 expect 0 delaunay sheared.mesh.off -o a.ply --view again.html
 cmp page.html again.html
 
+# Drawn without the subdivision, intrinsic faces and edges are where the subdivision has them, seen at
+# pixels and at points that are picked; a ridge is crossed by edges that are not the input's.
+frame='print((([l, w, t, h], gl = view.viewer.renderer.getContext(), p = new Uint8Array(4 * w * h)) => {
+  view.viewer.draw(); gl.readPixels(l, gl.drawingBufferHeight - t - h, w, h, gl.RGBA, gl.UNSIGNED_BYTE, p);
+  return Array.from(p.filter((_, i) => i % 20 < 3)).join(" ") })(["left", "width", "top", "height"]
+    .map(k => Math.floor(view.viewer.views[0].pane.box[k]))))'
+faces='print(Array.from({length: 400}, (_, i) => view.pick(310 + 44 * (i % 20), 20 + 38 * Math.floor(i / 20)))
+  .map(p => p ? `${p.faces.input}/${p.faces.intrinsic}` : "-").join(" "))'
+drawn()
+{
+  expect 0 "$@" --view page.html
+  page_shows page.html 'view.set({shown: {input: false, intrinsic: false}}) === undefined' \
+    'view.setColor("faces intrinsic") === undefined' "$frame" 'view.setColor("plain") === undefined' \
+    'view.set({shown: {intrinsic: true}}) === undefined' "$frame" \
+    'view.set({shown: {intrinsic: false}}) === undefined' 'view.setColor("faces input") === undefined' \
+    "$frame" "$faces"
+}
+awk 'BEGIN {
+  print "OFF\n48 70 0"
+  for(j = 0; j < 6; ++j)
+    for(i = 0; i < 8; ++i)
+      print i / 8 + (j % 2) / 3, j / 6, .06 * (i % 2 + 2 * (j % 3 == 1))
+  for(j = 0; j < 5; ++j)
+    for(i = 0; i < 7; ++i)
+      print 3, 8 * j + i, 8 * j + i + 1, 8 * j + i + 9 "\n" 3, 8 * j + i, 8 * j + i + 9, 8 * j + i + 8
+}' >rough.mesh.off
+for call in 'refine rough.mesh.off --min-angle 28' \
+  'delaunay slivers.mesh.off' 'refine good.mesh.off --max-circumradius 0.1'; do
+  drawn $call -o a.ply >subdivision.txt
+  drawn $call -o a.ply --direct >direct.txt
+  python3 - "$call" <<'PYTHON' || fail "$call --direct"
+import sys
+pages = [[line.split() for line in open(f"{name}.txt")] for name in ("subdivision", "direct")]
+shares = []
+for old, new, least in zip(*pages, (.97, .9, .985, .985)):
+    assert len(old) == len(new)
+    shares.append(sum(a == b if "/" in a or a == "-" or b == "-" else abs(int(a) - int(b)) < 12
+                      for a, b in zip(old, new)) / len(old))
+    print(sys.argv[1], f"{shares[-1]:.4f}")
+    assert shares[-1] >= least, (shares, least)
+assert len(set(pages[0][3])) > 4
+PYTHON
+done
+
 # Curvature of a tetrahedron's corner: the angle defect by a third of the area of its faces.
 expect 0 refine good.mesh.off -o a.ply --view page.html --max-insertions 0 --min-angle 50
 page_shows page.html 'view.viewer.marks[0].name === "faces below the bounds"' \

@@ -1,0 +1,160 @@
+// An intrinsic triangulation that is drawn without its common subdivision with the input: each pixel
+// develops the intrinsic faces between a corner of its face of the input and itself into the plane.
+// Halfedges 3 f, 3 f + 1 and 3 f + 2 are those of face f. See Developed_faces.h.
+
+import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
+
+const width = 4096; // of the texture, a power of two
+const mostSteps = 4096;
+
+export const glsl = `
+  uniform highp sampler2D halfedges;
+
+  vec4 halfedgeAt(int h) { return texelFetch(halfedges, ivec2(h % ${width}, h / ${width}), 0); }
+  int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  int prev(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  float turn(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+  vec2 apex(vec2 a, vec2 b, vec4 halfedge) {
+    vec2 d = b - a;
+    return a + halfedge.y * d + halfedge.z * vec2(-d.y, d.x);
+  }
+
+  // The corners, in counterclockwise order, and a halfedge of the intrinsic face in which p is; h goes
+  // from 0 to 1. Faces follow each other on the segment from 0 to p.
+  int locate(int h, vec2 p, out vec2 corners[3]) {
+    vec2 o = vec2(0.), b = vec2(1., 0.), c = apex(o, b, halfedgeAt(h));
+    int steps = 0;
+    for(; steps < ${mostSteps} && turn(c, p) > 0.; ++steps) {
+      int g = int(halfedgeAt(prev(h)).x);
+      if(g < 0)
+        break;
+      h = g;
+      b = c;
+      c = apex(o, b, halfedgeAt(h));
+    }
+    h = next(h);
+    for(; steps < ${mostSteps} && turn(c - b, p - b) < 0.; ++steps) {
+      int g = int(halfedgeAt(h).x);
+      if(g < 0)
+        break;
+      vec2 d = apex(c, b, halfedgeAt(g));
+      bool isLeft = turn(d, p) > 0.;
+      h = isLeft ? prev(g) : next(g);
+      o = isLeft ? b : c;
+      if(isLeft)
+        b = d;
+      else
+        c = d;
+    }
+    corners = vec2[3](o, b, c);
+    return h;
+  }`;
+
+// From each halfedge to the other of its edge.
+function oppositesOf(greater, size) {
+  const result = new Int32Array(size).fill(-2);
+  let i = 0;
+  for(let h = 0; h < size; ++h)
+    if(result[h] === -2) {
+      result[h] = greater[i++];
+      if(result[h] >= 0)
+        result[result[h]] = h;
+    }
+  return result;
+}
+
+// What the third corner of a face becomes if its next halfedge goes from 0 to 1.
+function rotated([x, y]) {
+  const norm = (x - 1) * (x - 1) + y * y;
+  return [(1 - x) / norm, y / norm];
+}
+
+export class Developed {
+  constructor(description, arrays, points, corners) {
+    this.edges = description.edges;
+    const shapes = arrays.read(description.shapes);
+    this.opposites = oppositesOf(arrays.read(description.opposites), shapes.length / 2 * 3);
+    this.makeTexture(shapes);
+    this.makePlaces(arrays.read(description.starts), arrays.read(description.first_edges),
+      points, corners);
+  }
+
+  makeTexture(shapes) {
+    const height = Math.ceil(this.opposites.length / width);
+    const data = this.data = new Float32Array(4 * width * height);
+    for(let h = 0; h < this.opposites.length; h += 3) {
+      let z = [shapes[h / 3 * 2], shapes[h / 3 * 2 + 1]];
+      for(let k = h; k < h + 3; ++k, z = rotated(z)) {
+        data[4 * k] = this.opposites[k];
+        data[4 * k + 1] = z[0];
+        data[4 * k + 2] = z[1];
+      }
+    }
+    this.texture = new DataTexture(data, width, height, RGBAFormat, FloatType);
+    this.texture.minFilter = this.texture.magFilter = NearestFilter;
+    this.texture.needsUpdate = true;
+  }
+
+  // For each corner of the input its place in the development of its face, which starts at the first
+  // corner, and the halfedge of that start.
+  makePlaces(starts, firstEdges, points, corners) {
+    this.places = new Float32Array(2 * corners.length);
+    this.starts = new Float32Array(corners.length);
+    for(let f = 0, i = 0; f < starts.length; ++f) {
+      const isAlong = starts[f] % 2 === 0;
+      const x = isAlong ? 1 : firstEdges[i++], y = isAlong ? 0 : firstEdges[i++];
+      const [u, v] = shapeOf(points, corners, 3 * f);
+      this.places.set([x, y, u * x - v * y, u * y + v * x], 6 * f + 2);
+      this.starts.fill(starts[f] >> 1, 3 * f, 3 * f + 3);
+    }
+  }
+
+  mark(faces) {
+    for(const f of faces)
+      for(let k = 3 * f; k < 3 * f + 3; ++k)
+        this.data[4 * k + 3] = 1;
+  }
+
+  // The intrinsic face at a point of a face of the input, by the weights of its corners.
+  locate(face, weights) {
+    const at = k => weights.reduce((sum, w, i) => sum + w * this.places[6 * face + 2 * i + k], 0);
+    const p = [at(0), at(1)];
+    let h = this.starts[3 * face], b = [1, 0], c = this.apex([0, 0], b, h), steps = 0;
+    for(; steps < mostSteps && turn(c, p) > 0 && this.opposites[prev(h)] >= 0; ++steps) {
+      h = this.opposites[prev(h)];
+      [b, c] = [c, this.apex([0, 0], c, h)];
+    }
+    h = next(h);
+    for(; steps < mostSteps && turn(minus(c, b), minus(p, b)) < 0 && this.opposites[h] >= 0;
+        ++steps) {
+      const g = this.opposites[h];
+      const d = this.apex(c, b, g);
+      const isLeft = turn(d, p) > 0;
+      h = isLeft ? prev(g) : next(g);
+      [b, c] = isLeft ? [d, c] : [b, d];
+    }
+    return Math.floor(h / 3);
+  }
+
+  apex(a, b, h) {
+    const [x, y] = minus(b, a), u = this.data[4 * h + 1], v = this.data[4 * h + 2];
+    return [a[0] + u * x - v * y, a[1] + u * y + v * x];
+  }
+}
+
+const next = h => h % 3 === 2 ? h - 2 : h + 1;
+const prev = h => h % 3 === 0 ? h + 2 : h - 1;
+const turn = (a, b) => a[0] * b[1] - a[1] * b[0];
+const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
+
+// The third corner of a triangle if its first edge goes from 0 to 1.
+function shapeOf(points, corners, first) {
+  const [a, b, c] = [0, 1, 2].map(k => 3 * corners[first + k]);
+  const e = [0, 1, 2].map(k => points[b + k] - points[a + k]);
+  const d = [0, 1, 2].map(k => points[c + k] - points[a + k]);
+  const norm = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+  const along = e[0] * d[0] + e[1] * d[1] + e[2] * d[2];
+  const across = Math.hypot(e[1] * d[2] - e[2] * d[1], e[2] * d[0] - e[0] * d[2],
+    e[0] * d[1] - e[1] * d[0]);
+  return [along / norm, across / norm];
+}
