@@ -75,6 +75,16 @@ void Command_run::describe_cover()
                            {"faces", m_input.mesh.number_of_faces()}};
 }
 
+void Command_run::keep_points_only()
+{
+  if(m_page)
+    return;
+  Mesh points;
+  points.resize(m_input.mesh.number_of_vertices(), 0, 0);
+  std::copy(m_input.mesh.points().begin(), m_input.mesh.points().end(), points.points().begin());
+  m_input.mesh = std::move(points);
+}
+
 Output_mesh Command_run::input_as_read() const
 {
   Output_mesh result =
@@ -93,7 +103,7 @@ Output_mesh Command_run::with_input_faces(Output_mesh mesh) const
   const auto found = std::find_if(data.begin(), data.end(), is_input_face);
   if(found == data.end())
     return mesh;
-  auto& faces = std::get<0>(found->values);
+  auto& faces = std::get<0>(found->values).kept();
   std::vector<std::int64_t> is_back, polygons;
   for(std::int64_t& f : faces) {
     if(m_input.covered) {

@@ -183,8 +183,8 @@ private:
       : integers(std::get_if<0>(&a.values)), reals(std::get_if<1>(&a.values)), is_byte(is_color(a))
     {}
 
-    const std::vector<std::int64_t>* integers;
-    const std::vector<double>* reals;
+    const Values<std::int64_t>* integers;
+    const Values<double>* reals;
     bool is_byte;
   };
 
@@ -314,7 +314,7 @@ private:
     m_coordinate.push_back(coordinate);
     m_mesh.points.push_back(Point(m_mesh.points[point]));
     for(Attribute& a : m_mesh.point_data)
-      std::visit([point](auto& values) { values.insert(values.end(), 1, values[point]); },
+      std::visit([point](auto& v) { v.kept().insert(v.kept().end(), 1, v.kept()[point]); },
                  a.values);
   }
 
@@ -358,7 +358,9 @@ void add_vtp_cells(Text& text, std::string_view kind, const Polygons& cells)
 // Adds -1 for each of `n` elements before the others, or behind them.
 void pad(Attribute& a, std::size_t n, bool is_before)
 {
-  std::visit([&](auto& v) { v.insert(is_before ? v.begin() : v.end(), n, -1); }, a.values);
+  const auto add = [&](auto& v) { v.insert(is_before ? v.begin() : v.end(), n, -1); };
+  if(n > 0)
+    std::visit([&](auto& values) { add(values.kept()); }, a.values);
 }
 
 // Those of lines, then those of polygons.
@@ -376,7 +378,10 @@ std::vector<Attribute> vtp_cell_data(const Output_mesh& mesh)
       continue;
     }
     const auto copy_to_end = [](const auto& from, auto& to) {
-      std::copy(from.begin(), from.end(), to.end() - std::ptrdiff_t(from.size()));
+      auto& numbers = to.kept();
+      typedef typename std::decay_t<decltype(numbers)>::value_type Number;
+      for(std::size_t i = 0; i < from.size(); ++i)
+        numbers[numbers.size() - from.size() + i] = static_cast<Number>(from[i]);
     };
     std::visit(copy_to_end, a.values, both->values);
   }

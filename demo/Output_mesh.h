@@ -10,21 +10,60 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
+// Numbers that are kept, or computed each time one of them is asked for.
+template <class Number>
+class Values
+{
+public:
+  Values(std::vector<Number> kept) : m_kept(std::move(kept)) {}
+  Values(std::size_t size, std::function<Number(std::size_t)> number)
+    : m_size(size), m_number(std::move(number))
+  {}
+
+  std::size_t size() const { return m_number ? m_size : m_kept.size(); }
+  Number operator[](std::size_t i) const { return m_number ? m_number(i) : m_kept[i]; }
+
+  // The numbers, which are kept from now on.
+  std::vector<Number>& kept()
+  {
+    if(m_number) {
+      m_kept.reserve(m_size);
+      for(std::size_t i = 0; i < m_size; ++i)
+        m_kept.push_back(m_number(i));
+      m_number = nullptr;
+    }
+    return m_kept;
+  }
+  // Precondition: they are kept already.
+  const std::vector<Number>& kept() const { return m_kept; }
+
+private:
+  std::vector<Number> m_kept;
+  std::size_t m_size = 0;
+  std::function<Number(std::size_t)> m_number; // null if they are kept
+};
+
 // One number per vertex, edge, face or line: all of them integers or all of them not.
 struct Attribute
 {
   std::string name;
-  std::variant<std::vector<std::int64_t>, std::vector<double>> values;
+  std::variant<Values<std::int64_t>, Values<double>> values;
 
   std::size_t size() const
   {
     return std::visit([](const auto& v) { return v.size(); }, values);
+  }
+
+  void keep()
+  {
+    std::visit([](auto& v) { v.kept(); }, values);
   }
 
   bool has_integers() const { return values.index() == 0 || size() == 0; }
@@ -40,6 +79,17 @@ Attribute attribute(const char* name, const Range& range, const Value& value)
   for(const auto element : range)
     values.push_back(value(element));
   return {name, std::move(values)};
+}
+
+// One value per element with an index below `n`, computed when it is asked for.
+template <class Index, class Value>
+Attribute attribute_on_demand(const std::string& name, std::size_t n, const Value& value)
+{
+  typedef decltype(value(Index())) Number;
+  const auto number = [value](std::size_t i) {
+    return value(Index(static_cast<Mesh::size_type>(i)));
+  };
+  return {name, Values<Number>(n, number)};
 }
 
 // Of an element of a mesh; -1 for none.

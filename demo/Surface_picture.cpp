@@ -224,7 +224,7 @@ private:
         result[k] = double(std::get<0>(channel->values)[i]);
       }
     else if(const Attribute* a = find_attribute(m_surface.mesh.point_data, "distance"))
-      result = color_of_value(std::get<1>(a->values), i);
+      result = color_of_value(std::get<1>(a->values).kept(), i);
     const double lit = m_is_flat ? 1 : .45 + .55 * std::abs(normal(i)[2]);
     return {lit * result[0], lit * result[1], lit * result[2]};
   }

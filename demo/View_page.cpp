@@ -175,8 +175,8 @@ private:
     Statistics result = Statistics::object();
     for(const Attribute& a : data)
       if(is_shown(a))
-        result[a.name] = a.values.index() == 0 ? m_arrays.add_integers(std::get<0>(a.values))
-                                               : m_arrays.add_reals(std::get<1>(a.values));
+        result[a.name] = a.values.index() == 0 ? m_arrays.add_integers(std::get<0>(a.values).kept())
+                                               : m_arrays.add_reals(std::get<1>(a.values).kept());
     return result;
   }
 
@@ -284,6 +284,9 @@ void View_page::add_surface(const std::string& name, Output_mesh mesh)
 {
   m_surfaces.emplace_back();
   m_surfaces.back().name = name;
+  for(auto* data : {&mesh.point_data, &mesh.edge_data, &mesh.polygon_data})
+    for(Attribute& a : *data)
+      a.keep(); // it outlives what the values are computed from
   m_surfaces.back().mesh = std::move(mesh);
   if(const Texture& texture = m_surfaces.back().mesh.texture; texture.dimension > 0)
     set_image(Image_kind::plane, in_plane(texture));

@@ -24,6 +24,7 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
   Command_run run("delaunay", common, {options.output});
   run.plan({delaunay_stages, certificate_stages(common), subdivision_stages});
   const Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
+  run.keep_points_only();
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {

@@ -367,7 +367,8 @@ private:
       marks.lines.close();
     }
     for(Attribute& attribute : mesh.point_data)
-      std::visit([&](auto& values) { values.resize(mesh.points.size(), 0); }, attribute.values);
+      std::visit([&](auto& values) { values.kept().resize(mesh.points.size(), 0); },
+                 attribute.values);
     show(page, m_run, triangulation, subdivision, mesh);
     page.add_marks(std::move(marks));
   }

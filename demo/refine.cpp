@@ -59,6 +59,7 @@ int refine(const Common_options& common, const Refine_options& options)
   Command_run run("refine", common, {options.output});
   run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
   Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
+  run.keep_points_only();
   const auto refinement = refine_triangulation(run, triangulation, options.bounds);
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);

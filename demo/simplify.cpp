@@ -282,9 +282,9 @@ private:
   {
     Statistics& statistics = m_run.statistics();
     const IS::Surface_level& coarse = m_levels.back();
-    const auto lengths = IT::parameters::edge_length_map(coarse.length_map());
     statistics["area_ratio"] = area(coarse) / area(m_levels[0]);
-    statistics["min_angle_degrees"] = IT::diagnose(coarse.mesh(), lengths).statistics().min_angle;
+    statistics["min_angle_degrees"] =
+      IT::smallest_angle_in_degrees(coarse.mesh(), coarse.length_map());
     for(std::size_t n = 1; n < m_levels.size() && m_levels.size() > 2; ++n)
       statistics["level_vertices"].push_back(m_levels[n].mesh().number_of_vertices());
   }

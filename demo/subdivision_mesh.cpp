@@ -32,34 +32,36 @@ IT::Edge_point<double> place_inside_edge(const Subdivision& subdivision, IT::Sid
           IT::place_on_first_halfedge(IT::edge_point(p.along, p.location, subdivision.mesh(side)))};
 }
 
+template <class Value>
+Attribute at_vertices(const std::string& name, const Subdivision& subdivision, const Value& value)
+{
+  return attribute_on_demand<IT::Vertex_index>(name, subdivision.mesh().number_of_vertices(),
+                                               value);
+}
+
 // Adds the edge of `side` inside which each vertex is, -1 for none, and the place of the vertex on
 // that edge, between 0 and 1.
 void add_places(const Subdivision& subdivision, const std::string& name, IT::Side side,
                 std::vector<Attribute>& data)
 {
-  std::vector<std::int64_t> edges;
-  std::vector<double> coordinates;
-  edges.reserve(subdivision.mesh().number_of_vertices());
-  coordinates.reserve(subdivision.mesh().number_of_vertices());
-  for(const IT::Vertex_index v : subdivision.mesh().vertices()) {
-    const IT::Edge_point<double> place = place_inside_edge(subdivision, side, v);
-    edges.push_back(number_of(IT::Edge_index(place.halfedge)));
-    coordinates.push_back(place.t);
-  }
-  data.push_back({name + "_edge", std::move(edges)});
-  data.push_back({name + "_coordinate", std::move(coordinates)});
+  data.push_back(at_vertices(name + "_edge", subdivision, [&subdivision, side](IT::Vertex_index v) {
+    return number_of(IT::Edge_index(place_inside_edge(subdivision, side, v).halfedge));
+  }));
+  data.push_back(
+    at_vertices(name + "_coordinate", subdivision, [&subdivision, side](IT::Vertex_index v) {
+      return place_inside_edge(subdivision, side, v).t;
+    }));
 }
 
 std::vector<Attribute> point_data(const Subdivision& subdivision)
 {
-  const auto vertices = subdivision.mesh().vertices();
-  const auto input_vertex = [&](IT::Vertex_index v) {
+  const auto input_vertex = [&subdivision](IT::Vertex_index v) {
     return subdivision.is_vertex(IT::Side::input, v) ? number_of(v) : -1;
   };
   std::vector<Attribute> result = {
-    attribute("kind", vertices,
-              [&](IT::Vertex_index v) { return std::int64_t(kind(subdivision, v)); }),
-    attribute("input_vertex", vertices, input_vertex)};
+    at_vertices("kind", subdivision,
+                [&subdivision](IT::Vertex_index v) { return std::int64_t(kind(subdivision, v)); }),
+    at_vertices("input_vertex", subdivision, input_vertex)};
   add_places(subdivision, "input", IT::Side::input, result);
   add_places(subdivision, "intrinsic", IT::Side::intrinsic, result);
   return result;
@@ -67,14 +69,16 @@ std::vector<Attribute> point_data(const Subdivision& subdivision)
 
 Attribute parent_edges(const Subdivision& subdivision, const char* name, IT::Side side)
 {
-  return attribute(name, subdivision.mesh().edges(),
-                   [&](IT::Edge_index e) { return number_of(subdivision.parent_edge(side, e)); });
+  return attribute_on_demand<IT::Edge_index>(
+    name, subdivision.mesh().number_of_edges(),
+    [&subdivision, side](IT::Edge_index e) { return number_of(subdivision.parent_edge(side, e)); });
 }
 
 Attribute parent_faces(const Subdivision& subdivision, const char* name, IT::Side side)
 {
-  return attribute(name, subdivision.mesh().faces(),
-                   [&](IT::Face_index f) { return number_of(subdivision.parent_face(side, f)); });
+  return attribute_on_demand<IT::Face_index>(
+    name, subdivision.mesh().number_of_faces(),
+    [&subdivision, side](IT::Face_index f) { return number_of(subdivision.parent_face(side, f)); });
 }
 
 } // namespace

@@ -18,6 +18,7 @@ using Subdivision = CGAL::Intrinsic_triangulations::Common_subdivision<
 //   triangulation inside which it lies, with its place on the first halfedge of each;
 // - of an edge: the edges of both triangulations of which it is a part;
 // - of a face: the faces of both triangulations of which it is a part.
+// These are computed when they are asked for: the subdivision must live as long.
 Output_mesh subdivision_mesh(const Subdivision& subdivision);
 
 #endif // INTRINSIC_SUBDIVISION_MESH_H

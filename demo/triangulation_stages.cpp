@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
@@ -144,7 +143,6 @@ void describe(Command_run& run, const Triangulation& triangulation)
       crossings += coordinates.normal_coordinate(e);
     length += triangulation.length(e);
   }
-  const auto lengths = IT::parameters::edge_length_map(triangulation.length_map());
   Statistics& statistics = run.statistics();
   statistics["is_delaunay"] = run.options().is_exact
                                 ? certify(run, triangulation).non_Delaunay_edges.empty()
@@ -153,7 +151,7 @@ void describe(Command_run& run, const Triangulation& triangulation)
   statistics["crossings"] = crossings;
   statistics["edge_length_sum"] = length;
   statistics["min_angle_degrees"] =
-    IT::diagnose(triangulation.mesh(), lengths).statistics().min_angle;
+    IT::smallest_angle_in_degrees(triangulation.mesh(), triangulation.length_map());
 }
 
 Subdivision subdivide(Command_run& run, const Triangulation& triangulation)

@@ -5,10 +5,13 @@
 #include "generators.h"
 
 #include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -48,6 +51,38 @@ TEST(Angles, of_positions)
     EXPECT_NEAR(angle[h], std::acos(u * v / std::sqrt(u * u * (v * v))), 1e-7);
     EXPECT_NEAR(angle[h] + angle[mesh.next(h)] + angle[mesh.prev(h)], pi, 1e-12);
   }
+}
+
+// The greatest cosine at a corner belongs to the smallest angle.
+TEST(Angles, smallest_of_positions)
+{
+  for(const unsigned seed : {1u, 2u, 3u}) {
+    Mesh mesh = random_sphere(50, seed);
+    auto length = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+    IT::compute_edge_lengths(mesh, length);
+    double cosine = -1;
+    for(const Mesh::Halfedge_index h : mesh.halfedges()) {
+      const auto u = mesh.point(mesh.source(h)) - mesh.point(mesh.target(h)),
+                 v = mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.target(h));
+      cosine = (std::max)(cosine, u * v / std::sqrt(u * u * (v * v)));
+    }
+    EXPECT_NEAR(IT::smallest_angle_in_degrees(mesh, length), 180 / pi * std::acos(cosine), 1e-6);
+    EXPECT_EQ(IT::smallest_angle_in_degrees(mesh, length),
+              IT::diagnose(mesh, IT::parameters::edge_length_map(length)).statistics().min_angle);
+  }
+}
+
+TEST(Angles, smallest_without_faces_and_with_flat_ones)
+{
+  Mesh mesh;
+  auto length = mesh.add_property_map<Mesh::Edge_index, double>("e:length", 1).first;
+  EXPECT_EQ(IT::smallest_angle_in_degrees(mesh, length), std::numeric_limits<double>::infinity());
+  mesh.add_face(mesh.add_vertex(), mesh.add_vertex(), mesh.add_vertex());
+  EXPECT_NEAR(IT::smallest_angle_in_degrees(mesh, length), 60, 1e-12);
+  length[Mesh::Edge_index(0)] = 2;
+  EXPECT_EQ(IT::smallest_angle_in_degrees(mesh, length), 0);
+  length[Mesh::Edge_index(0)] = 0;
+  EXPECT_EQ(IT::smallest_angle_in_degrees(mesh, length), std::numeric_limits<double>::infinity());
 }
 
 TEST(Angles, border_halfedges_have_none)

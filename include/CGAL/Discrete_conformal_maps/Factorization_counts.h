@@ -18,6 +18,15 @@ struct Factorization_counts
   std::size_t factorizations = 0;    ///< the number of numeric factorizations
   std::size_t symbolic_analyses = 0; ///< how often the pattern of a factor has been found
   std::size_t orderings = 0;         ///< how often a fill-reducing order has been computed
+
+  /// adds the numbers of `other`.
+  Factorization_counts& operator+=(const Factorization_counts& other)
+  {
+    factorizations += other.factorizations;
+    symbolic_analyses += other.symbolic_analyses;
+    orderings += other.orderings;
+    return *this;
+  }
 };
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/Factorization_counts.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -43,15 +45,12 @@ inline const char* to_string(Minimization_status status)
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
 /// what a minimization has done.
-struct Minimization_result
+struct Minimization_result : Factorization_counts
 {
   Minimization_status status = Minimization_status::converged; ///< how it ended
   std::size_t iterations = 0;                                  ///< the number of steps taken
-  std::size_t evaluations = 0;       ///< how often the energy has been moved to a point
-  std::size_t factorizations = 0;    ///< the number of numeric factorizations
-  std::size_t symbolic_analyses = 0; ///< how often the pattern of the factor has been found
-  std::size_t orderings = 0;         ///< how often a fill-reducing order has been computed
-  double gradient_norm = 0;          ///< the greatest entry of the gradient that is left
+  std::size_t evaluations = 0; ///< how often the energy has been moved to a point
+  double gradient_norm = 0;    ///< the greatest entry of the gradient that is left
   double gradient_error =
     0; ///< the rounding error of that gradient: of its computation, and of storing
        ///< the point
@@ -62,9 +61,7 @@ struct Minimization_result
     Minimization_result result = *this;
     result.iterations += first.iterations;
     result.evaluations += first.evaluations;
-    result.factorizations += first.factorizations;
-    result.symbolic_analyses += first.symbolic_analyses;
-    result.orderings += first.orderings;
+    result += first;
     return result;
   }
 };

@@ -149,13 +149,13 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
   const auto solve = [&](auto& problem, auto& flattening, const auto& find) {
     double change = 0;
     for(std::size_t i = 0; i < rounds; ++i) {
-      boundary.prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
       find();
       if(!flattening.has_succeeded())
         return;
       change = boundary.update(flattening.boundary_lengths());
       if(change <= internal::tolerance::circle_angle)
         return;
+      boundary.prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
     }
     std::ostringstream text;
     text << "the boundary has not become a circle: after " << rounds

@@ -14,6 +14,11 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -30,6 +35,27 @@ void compute_angles(const Graph& g, LengthMap length, AngleMap angle)
   for(auto f : faces(g))
     for(auto h : CGAL::halfedges_around_face(halfedge(f, g), g))
       put(angle, h, corner_angle(side(prev(h, g)), side(h), side(next(h, g))));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// returns the smallest angle of the faces of a triangulation, in degrees; infinity if there are no
+/// faces. Angles in a face with a side that is not positive and finite do not count. Complexity:
+/// linear.
+///
+/// \param g a triangulation, a model of `FaceListGraph`
+/// \param length a readable property map from the edges of `g` to numbers convertible to `double`
+template <typename Graph, typename LengthMap>
+double smallest_angle_in_degrees(const Graph& g, LengthMap length)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(auto f : faces(g)) {
+    const auto h = halfedge(f, g);
+    const auto side = [&](auto x) { return static_cast<double>(get(length, edge(x, g))); };
+    const std::array<double, 3> sides{side(h), side(next(h, g)), side(prev(h, g))};
+    if(std::all_of(sides.begin(), sides.end(), [](double l) { return std::isfinite(l) && l > 0; }))
+      result = (std::min)(result, internal::smallest_angle(sides));
+  }
+  return result;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef

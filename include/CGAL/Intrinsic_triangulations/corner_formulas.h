@@ -11,7 +11,10 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -37,6 +40,20 @@ FT corner_cotangent(const FT& a, const FT& b, const FT& c)
 {
   return doubled_corner_product(a, b, c) / quadrupled_area(a, b, c);
 }
+
+namespace internal {
+
+// Degrees of the angle opposite the shortest side (Kahan's formula, stable for needles).
+inline double smallest_angle(std::array<double, 3> sides)
+{
+  std::sort(sides.begin(), sides.end(), std::greater<double>());
+  const auto [a, b, c] = sides;
+  const double t = ((a - b) + c) / (a + (b + c)) * ((c - (a - b)) / ((a - c) + b));
+  constexpr double degrees_per_radian = 57.295779513082320877;
+  return t > 0 ? degrees_per_radian * 2 * std::atan(std::sqrt(t)) : 0;
+}
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

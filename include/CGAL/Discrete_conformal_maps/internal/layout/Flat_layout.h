@@ -54,6 +54,7 @@ public:
     for(Vertex_index v : mesh.vertices())
       if(!mesh.is_isolated(v))
         unite_corners(v, cut);
+    std::vector<Vector>().swap(m_position);
     if(layout == Layout::spectral)
       improve_charts(cut, order);
     if(layout == Layout::least_squares)
@@ -224,7 +225,7 @@ private:
 
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;
-  std::vector<Vector> m_position;     // of the source of each halfedge
+  std::vector<Vector> m_position;     // of the source of each halfedge, until they are united
   std::vector<Vector> m_direction;    // of each halfedge
   std::vector<int> m_point;           // the number of the point at the source of each halfedge
   std::vector<Vector> m_united;       // the points

@@ -57,7 +57,7 @@ public:
       m_entries.emplace_back(static_cast<int>(i), static_cast<int>(i), m_diagonal[i]);
     Eigen::SparseMatrix<double> matrix(m_x.size(), m_x.size());
     matrix.setFromTriplets(m_entries.begin(), m_entries.end());
-    m_entries = {}; // the factor comes in its place
+    std::vector<Eigen::Triplet<double>>().swap(m_entries); // the factor comes in its place
     m_solver.emplace(matrix, m_is_held, order);
   }
 

@@ -35,9 +35,7 @@ public:
     : m_order(std::move(rows)), m_shared(std::move(shared))
   {}
 
-  std::size_t factorizations() const { return m_counts.factorizations; }
-  std::size_t symbolic_analyses() const { return m_counts.symbolic_analyses; }
-  std::size_t orderings() const { return m_counts.orderings; }
+  const Factorization_counts& counts() const { return m_counts; }
 
   // Factorizes `matrix` with `diagonal` added; returns false if that is not positive definite.
   bool factorize(const Matrix& matrix, const Eigen::VectorXd& diagonal)

@@ -41,9 +41,7 @@ public:
   {
     Minimization_result result = m_descent.result(minimize());
     result.iterations = m_iterations;
-    result.factorizations = m_direction.solver().factorizations();
-    result.symbolic_analyses = m_direction.solver().symbolic_analyses();
-    result.orderings = m_direction.solver().orderings();
+    result += m_direction.solver().counts();
     result.gradient_error = (std::max)(result.gradient_error, m_largest_error);
     return result;
   }

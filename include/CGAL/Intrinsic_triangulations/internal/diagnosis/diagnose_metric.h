@@ -9,6 +9,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
+#include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/diagnosis/diagnose_complex.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
@@ -18,23 +19,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_3;
-
-// Degrees of the angle opposite the shortest side (Kahan's formula, stable for needles).
-inline double smallest_angle(std::array<double, 3> sides)
-{
-  std::sort(sides.begin(), sides.end(), std::greater<double>());
-  const auto [a, b, c] = sides;
-  const double t = ((a - b) + c) / (a + (b + c)) * ((c - (a - b)) / ((a - c) + b));
-  constexpr double degrees_per_radian = 57.295779513082320877;
-  return t > 0 ? degrees_per_radian * 2 * std::atan(std::sqrt(t)) : 0;
-}
 
 // By how much the longest side exceeds the other two together, relatively to the perimeter.
 inline double triangle_inequality_excess(std::array<double, 3> sides)

@@ -14,12 +14,12 @@
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Circumcenter_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Narrow_vertices.h>
+#include <CGAL/Intrinsic_triangulations/internal/refinement/Refinement_queue.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Vertex_surroundings.h>
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <queue>
 #include <tuple>
 #include <vector>
 
@@ -65,21 +65,7 @@ class Delaunay_refinement
   typedef Layout_of<Traits, is_exact> Layout;
   typedef Circumcenter_walk<Edge_length_map, Layout> Walk;
 
-  // A bad face, as it was when it was found. Those of bad shape come first: where angles are large, the
-  // middle of an edge is not near to a vertex.
-  struct Candidate
-  {
-    bool has_bad_shape;
-    FT rank; // the greatest comes first
-    Face_index face;
-    std::size_t version;
-
-    friend bool operator<(const Candidate& a, const Candidate& b)
-    {
-      return std::make_tuple(a.has_bad_shape, a.rank, b.face.idx()) <
-             std::make_tuple(b.has_bad_shape, b.rank, a.face.idx());
-    }
-  };
+  typedef Refinement_queue::Candidate Candidate;
 
 public:
   Delaunay_refinement(Triangulation& tri, const Bounds& bounds, const Refinement_limits& limits,
@@ -105,8 +91,7 @@ public:
     for(Face_index f : m_mesh.faces())
       push_if_bad(f);
     while(!m_queue.empty() && !(m_is_in_doubt && stops_in_doubt)) {
-      const Candidate c = m_queue.top();
-      m_queue.pop();
+      const Candidate c = m_queue.pop();
       if(!is_current(c))
         continue;
       if(result.insertions == m_limits.insertions) {
@@ -148,13 +133,12 @@ private:
            (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, m_inserter.crossing_lists()));
   }
 
-  // The greatest circle comes first; sides are split in turn, lest one of them waits for ever.
   void push_if_bad(Face_index f)
   {
     if(has_bad_shape(f))
-      m_queue.push({true, circumradius(f), f, version(f)});
+      m_queue.push_bad_shape(f, version(f), circumradius(f));
     else if(side_to_split(f).is_valid())
-      m_queue.push({false, -FT(++m_number_of_turns), f, version(f)});
+      m_queue.push_other(f, version(f));
   }
 
   // the number of changes of a face
@@ -401,8 +385,7 @@ private:
   Walk m_walk;
   Dijkstra_ball<Edge_length_map> m_ball;
   Refinement_result* m_result = nullptr;
-  std::priority_queue<Candidate> m_queue;
-  std::size_t m_number_of_turns = 0;
+  Refinement_queue m_queue;
   Edge_stack m_stack;
   std::vector<Face_index> m_changed;
   std::vector<std::size_t> m_version;
