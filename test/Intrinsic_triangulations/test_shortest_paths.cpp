@@ -4,6 +4,7 @@
 
 #include "hard_meshes.h"
 #include "known_surfaces.h"
+#include "precise_unfolding.h"
 #include "tied_meshes.h"
 #include "unfolding.h"
 
@@ -286,6 +287,32 @@ TEST(Shortest_paths, on_hard_meshes)
       EXPECT_NEAR(paths.path(v).length, paths.distance(v), 1e-9 * along_edges) << v;
     }
   }
+}
+
+// As by unfolding in many digits. Lengths of `double` determine distances on flat faces up to half of
+// these digits; all others agree to the last.
+TEST(Shortest_paths, on_hard_meshes_as_in_many_digits)
+{
+  std::size_t compared = 0;
+  for(std::uint64_t seed = 0; seed < 600; ++seed) {
+    const Named_mesh m = seed < 500 ? hard_mesh(seed) : near_degenerate_mesh(unsigned(seed));
+    if(m.mesh.number_of_faces() > 140)
+      continue;
+    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+    const Triangulation t(m.mesh);
+    const Vertex_index source(static_cast<unsigned>(7 * seed % m.mesh.number_of_vertices()));
+    const auto truth = Precise_unfolding(t.input()).distances(source, 20000);
+    if(!truth)
+      continue;
+    Paths paths(t.input());
+    paths.add_source(source);
+    paths.run();
+    const double farthest = *std::max_element(truth->begin(), truth->end());
+    for(Vertex_index v : m.mesh.vertices())
+      EXPECT_NEAR(paths.distance(v), (*truth)[v.idx()], 1e-7 * farthest) << v;
+    ++compared;
+  }
+  EXPECT_GT(compared, 50u);
 }
 
 // Integer coordinates: shortest paths run along edges, through flat vertices, and have equals.
