@@ -297,8 +297,8 @@ TEST(Shortest_paths, on_hard_meshes)
 TEST(Shortest_paths, on_hard_meshes_as_in_many_digits)
 {
   std::size_t compared = 0;
-  for(std::uint64_t seed = 0; seed < 600; ++seed) {
-    const Named_mesh m = seed < 500 ? hard_mesh(seed) : near_degenerate_mesh(unsigned(seed));
+  for(std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Named_mesh m = seed < 240 ? hard_mesh(seed) : near_degenerate_mesh(unsigned(seed));
     if(m.mesh.number_of_faces() > 140)
       continue;
     SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
@@ -315,7 +315,7 @@ TEST(Shortest_paths, on_hard_meshes_as_in_many_digits)
       EXPECT_NEAR(paths.distance(v), (*truth)[v.idx()], 1e-7 * farthest) << v;
     ++compared;
   }
-  EXPECT_GT(compared, 50u);
+  EXPECT_GT(compared, 30u);
 }
 
 // Integer coordinates: shortest paths run along edges, through flat vertices, and have equals.

@@ -268,15 +268,28 @@ private:
     m_opened[v] = m_distance[v];
   }
 
+  // Returns whether the last part of the path to `v` is too short for a direction.
+  bool is_within_rounding_of_origin(Vertex_index v) const
+  {
+    const Index origin = m_arrival[v.idx()].origin;
+    const FT way = m_distance[v.idx()] - (is_vertex(origin) ? m_distance[origin] : FT(0));
+    FT longest(0);
+    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+      longest = (std::max)(longest, FT(edge_length(h, m_surface)));
+    });
+    return way <= rounding_unit<FT>() * longest;
+  }
+
   // Ways along edges are bounds for others, and stand in for views that rounding has closed.
   void open_views(Vertex_index v)
   {
     const Arrival& arrival = m_arrival[v.idx()];
     const bool is_source = arrival.origin == null;
     const FT before = m_distance[v.idx()];
-    const bool is_near_source = arrival.view == null && !is_vertex(arrival.origin);
-    const Sector sector(Vertex_angles<FT>(first_spoke(v, m_mesh), m_surface), is_near_source,
-                        is_near_source ? FT(0) : angle_of_arrival(v));
+    const bool is_all_seen =
+      (arrival.view == null && !is_vertex(arrival.origin)) || is_within_rounding_of_origin(v);
+    const Sector sector(Vertex_angles<FT>(first_spoke(v, m_mesh), m_surface), is_all_seen,
+                        is_all_seen ? FT(0) : angle_of_arrival(v));
     FT angle(0);
     for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
       reach(m_mesh.target(h).idx(), before + edge_length(h, m_surface),
