@@ -22,9 +22,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// \param side the triangulation that `path` runs over
 /// \param path a path with places as `Shortest_paths::path()` returns them: between two vertices it
 ///        follows an edge, and everywhere else a straight line in a face
-/// \returns the path with its length, which stays, and its places on the other triangulation, in the
-///   form of `Shortest_paths::path()`. Where it passes a vertex of \f$T_2\f$ that has been inserted,
-///   there is a place in its face or on its edge of \f$T_1\f$.
+/// \returns the path with its length, which stays, and its places on the other triangulation, in
+///   the form of `Shortest_paths::path()`. Where it passes a vertex of \f$T_2\f$ that has been
+///   inserted, there is a place in its face or on its edge of \f$T_1\f$.
 ///
 /// The sequence of faces is connected, however flat they are: the order of places and crossings
 /// along the edges of `side` determines which edges of the other triangulation are crossed. Only
