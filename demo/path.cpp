@@ -124,11 +124,7 @@ private:
 
   Path shortest_path(const Triangulation& triangulation)
   {
-    const auto input = triangulation.input();
-    IT::Shortest_paths paths(input);
-    paths.add_source(m_points.front());
-    paths.run();
-    Path path = paths.path(m_points.back());
+    Path path = IT::shortest_path(triangulation.input(), m_points.front(), m_points.back());
     if(path.places.empty())
       throw Program_error("there is no path from " + m_options.from + " to " + m_options.to +
                           no_path_advice);

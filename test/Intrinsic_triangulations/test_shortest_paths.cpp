@@ -4,13 +4,17 @@
 
 #include "hard_meshes.h"
 #include "known_surfaces.h"
+#include "precise_unfolding.h"
 #include "tied_meshes.h"
 #include "unfolding.h"
 
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/path_across.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -288,6 +292,32 @@ TEST(Shortest_paths, on_hard_meshes)
   }
 }
 
+// As by unfolding in many digits. Lengths of `double` determine distances on flat faces up to half of
+// these digits; all others agree to the last.
+TEST(Shortest_paths, on_hard_meshes_as_in_many_digits)
+{
+  std::size_t compared = 0;
+  for(std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Named_mesh m = seed < 240 ? hard_mesh(seed) : near_degenerate_mesh(unsigned(seed));
+    if(m.mesh.number_of_faces() > 140)
+      continue;
+    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+    const Triangulation t(m.mesh);
+    const Vertex_index source(static_cast<unsigned>(7 * seed % m.mesh.number_of_vertices()));
+    const auto truth = Precise_unfolding(t.input()).distances(source, 20000);
+    if(!truth)
+      continue;
+    Paths paths(t.input());
+    paths.add_source(source);
+    paths.run();
+    const double farthest = *std::max_element(truth->begin(), truth->end());
+    for(Vertex_index v : m.mesh.vertices())
+      EXPECT_NEAR(paths.distance(v), (*truth)[v.idx()], 1e-7 * farthest) << v;
+    ++compared;
+  }
+  EXPECT_GT(compared, 30u);
+}
+
 // Integer coordinates: shortest paths run along edges, through flat vertices, and have equals.
 TEST(Shortest_paths, with_ties)
 {
@@ -454,6 +484,99 @@ TEST(Shortest_paths, after_Delaunay_flips)
     EXPECT_NEAR(on_intrinsic.distance(q),
                 on_input.distance(IT::point_across(c, Side::intrinsic, q)), 1e-12);
     expect_valid(on_intrinsic.path(q), Flat_faces(Side::intrinsic, t), 1e-12);
+  }
+}
+
+namespace {
+
+// The path as it is on the other side: it is as long there, runs through faces that meet, and from
+// and to the images of its ends.
+void check_across(const Triangulation& t, Side side, const Paths& paths, const Location& q,
+                  const Correspondence& c)
+{
+  const Side there = other(side);
+  const Flat_faces faces(there, t);
+  const Path path = paths.path(q), image = IT::path_across(c, side, path);
+  const double tolerance = 1e-10 * static_cast<double>(faces.longest_edge());
+  if(image.places.size() > 1) {
+    const auto curve = IT::curve_through(t.surface(there), image.places);
+    EXPECT_NEAR(IT::curve_length(t.surface(there), curve), path.length, tolerance);
+  }
+  if(t.number_of_inserted_vertices() == 0)
+    expect_valid(image, faces, tolerance);
+  const auto expect_at = [&](const Path_place& p, const Location& expected) {
+    const Location truth = IT::point_across(c, side, expected);
+    if(p.location.first == truth.first) {
+      EXPECT_LE(static_cast<double>(distance(p.location, truth, faces)), tolerance);
+    }
+  };
+  ASSERT_FALSE(image.places.empty());
+  expect_at(image.places.front(), path.places.front().location);
+  expect_at(image.places.back(), path.places.back().location);
+  const Path_place& end = path.places.back();
+  const bool is_end_on_edge = end.along.is_valid() && !is_vertex(end); // rounding moves it off
+  bool is_along_edge = false;
+  for(std::size_t k = 0; k + 1 < path.places.size(); ++k)
+    is_along_edge = is_along_edge || (is_vertex(path.places[k]) && is_vertex(path.places[k + 1]));
+  if(t.number_of_inserted_vertices() == 0 && !is_end_on_edge && !is_along_edge) {
+    SCOPED_TRACE("back");
+    const Path back = IT::path_across(c, there, image);
+    expect_valid(back, Flat_faces(side, t), tolerance);
+    ASSERT_EQ(back.places.size(), path.places.size());
+    for(std::size_t k = 0; k < back.places.size(); ++k)
+      if(!is_vertex(path.places[k])) {
+        EXPECT_EQ(back.places[k].along, path.places[k].along) << k;
+      }
+  }
+}
+
+void check_paths_across(const Triangulation& t, Side side, unsigned int seed)
+{
+  const Correspondence c(t);
+  const auto surface = t.surface(side);
+  const Delta_complex& mesh = surface.mesh();
+  CGAL::Random random(seed);
+  Paths paths(surface);
+  paths.add_source(random_location(mesh, random));
+  paths.add_source(Vertex_index(0));
+  paths.run();
+  for(int i = 0; i < 40; ++i)
+    check_across(t, side, paths, random_location(mesh, random), c);
+  for(Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h) && paths.distance(mesh.source(h)) < infinity)
+      for(const double x : {0., random.get_double()})
+        check_across(t, side, paths, IT::face_location(Edge_place{h, x}, mesh), c);
+}
+
+} // namespace
+
+TEST(Shortest_paths, on_the_other_triangulation)
+{
+  for(const Named_mesh& m : meshes()) {
+    if(m.mesh.number_of_faces() > 400)
+      continue;
+    SCOPED_TRACE(m.name);
+    Triangulation t(m.mesh);
+    for(const Side side : both_sides)
+      check_paths_across(t, side, 1);
+    flip_at_random(t, 2 * t.mesh().number_of_edges(), 2);
+    for(const Side side : both_sides)
+      check_paths_across(t, side, 2);
+    IT::make_Delaunay(t);
+    for(const Side side : both_sides)
+      check_paths_across(t, side, 3);
+  }
+}
+
+TEST(Shortest_paths, on_the_other_triangulation_after_refinement)
+{
+  for(const Named_mesh& m : meshes()) {
+    if(m.mesh.number_of_faces() > 200)
+      continue;
+    SCOPED_TRACE(m.name);
+    Triangulation t(m.mesh);
+    IT::refine(t, IT::parameters::minimum_angle(25));
+    check_paths_across(t, Side::intrinsic, 1);
   }
 }
 

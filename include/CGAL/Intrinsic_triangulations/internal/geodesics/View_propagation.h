@@ -268,15 +268,28 @@ private:
     m_opened[v] = m_distance[v];
   }
 
+  // Returns whether the last part of the path to `v` is too short for a direction.
+  bool is_within_rounding_of_origin(Vertex_index v) const
+  {
+    const Index origin = m_arrival[v.idx()].origin;
+    const FT way = m_distance[v.idx()] - (is_vertex(origin) ? m_distance[origin] : FT(0));
+    FT longest(0);
+    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+      longest = (std::max)(longest, FT(edge_length(h, m_surface)));
+    });
+    return way <= rounding_unit<FT>() * longest;
+  }
+
   // Ways along edges are bounds for others, and stand in for views that rounding has closed.
   void open_views(Vertex_index v)
   {
     const Arrival& arrival = m_arrival[v.idx()];
     const bool is_source = arrival.origin == null;
     const FT before = m_distance[v.idx()];
-    const bool is_near_source = arrival.view == null && !is_vertex(arrival.origin);
-    const Sector sector(Vertex_angles<FT>(first_spoke(v, m_mesh), m_surface), is_near_source,
-                        is_near_source ? FT(0) : angle_of_arrival(v));
+    const bool is_all_seen =
+      (arrival.view == null && !is_vertex(arrival.origin)) || is_within_rounding_of_origin(v);
+    const Sector sector(Vertex_angles<FT>(first_spoke(v, m_mesh), m_surface), is_all_seen,
+                        is_all_seen ? FT(0) : angle_of_arrival(v));
     FT angle(0);
     for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
       reach(m_mesh.target(h).idx(), before + edge_length(h, m_surface),
@@ -365,36 +378,41 @@ private:
     split(view, number, apex, closed);
   }
 
-  // Returns the place between `a` and `b` where the ray through the point of the edge at `x` meets
-  // that side of the next face; 0 at `a`.
-  static FT hit(const View& view, const FT& x, const Vector& a, const Vector& b)
+  // Returns the place on the side from 0 to `apex` where the ray through the point of the edge at `x`
+  // from `p` meets it, from 0 to 1: no products that are nearly equal are subtracted. Where all is on
+  // one line, the ray meets it in that point.
+  static FT hit(const Vector& p, const FT& x, const Vector& apex)
   {
-    const Vector d = x - view.position;
-    const FT to_a = (std::max)(-cross(d, a - view.position), FT(0));
-    const FT to_b = (std::max)(cross(d, b - view.position), FT(0));
-    return to_a + to_b > 0 ? to_a / (to_a + to_b) : FT(0);
+    const FT to_source = p.imag() * x;
+    const FT to_both = p.imag() * apex.real() + apex.imag() * (x - p.real());
+    if(to_both > 0)
+      return (std::min)(FT(to_source / to_both), FT(1));
+    return apex.real() > x ? FT(x / apex.real()) : FT(1);
   }
 
   // Hands the view on to the two sides beyond the edge, left and right of the apex.
   void split(const View& view, Index number, const Vector& apex, const FT& closed)
   {
     const Index o = m_charts.across(view.edge), left = Charts::next(o), right = Charts::previous(o);
-    const Vector source(0), target(m_charts.length(o)), &p = view.position;
-    const FT middle = crossing(view, apex);
+    const FT &l = m_charts.length(o), middle = crossing(view, apex);
+    const Vector& p = view.position;
     const auto hand_on = [&](Index edge, const Vector& position, FT from, FT to) {
       from *= m_charts.length(edge);
       to *= m_charts.length(edge);
       const View next{position, from, to, view.before, edge, view.origin, number};
-      if(to - from > closed && !is_behind_corner(next, edge == left, target.real()))
+      if(to - from > closed && !is_behind_corner(next, edge == left, l))
         push(next);
     };
     if(view.begin < middle)
-      hand_on(left, p * m_charts.turn(left), hit(view, view.begin, source, apex),
-              middle < view.end ? FT(1) : hit(view, view.end, source, apex));
+      hand_on(left, p * m_charts.turn(left), hit(p, view.begin, apex),
+              middle < view.end ? FT(1) : hit(p, view.end, apex));
+    const auto from_target = [&](const Vector& z) { return Vector(l - z.real(), z.imag()); };
+    const auto hit_right = [&](const FT& x) {
+      return 1 - hit(from_target(p), l - x, from_target(apex));
+    };
     if(middle < view.end)
       hand_on(right, (p - apex) * std::conj(m_charts.turn(o)),
-              view.begin < middle ? FT(0) : hit(view, view.begin, apex, target),
-              hit(view, view.end, apex, target));
+              view.begin < middle ? FT(0) : hit_right(view.begin), hit_right(view.end));
   }
 
   // Returns whether all paths through a view that has been handed on over an edge of length `l`
