@@ -10,10 +10,15 @@
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -42,7 +47,57 @@ public:
     return length;
   }
 
+  // Returns whether the edge of `h`, whose length has just been computed, is certainly straight, and
+  // `length` correct to `certified_length_error()`, whatever rounding has done.
+  bool is_certain(Halfedge_index h, double length)
+  {
+    constexpr double tolerance = certified_length_error() / 2;
+    const Delta_complex& input = m_pair.input_mesh();
+    const auto whole = [&](Halfedge_index x) { return m_pair.input_length(input.edge(x)); };
+    if(m_pair.coordinates().is_shared(m_pair.mesh().edge(h)))
+      return length >= whole(m_pair.input_spoke_before(h)) * rounding_unit<double>() / tolerance;
+    if(!is_inside(m_pair.mesh().source(h)) || !is_inside(m_pair.mesh().target(h)))
+      return false;
+    const std::size_t n = m_crossings.count(h);
+    if(n == 0) {
+      const Face_index f = m_pair.input_location(h).first;
+      const Halfedge_index side = input.halfedge(f);
+      const double perimeter = whole(side) + whole(input.next(side)) + whole(input.prev(side));
+      return perimeter * angle_error(f) <= tolerance * length;
+    }
+    double error = angle_error(input.face(opposite(m_crossings(h, 0))));
+    for(std::size_t m = 0; m < n; ++m)
+      error += angle_error(input.face(m_crossings(h, m)));
+    return m_strip.is_certain(error, tolerance);
+  }
+
 private:
+  // whether the vertex `v` of T2 is not on the boundary of a triangle of T1 that it is to lie in
+  bool is_inside(Vertex_index v) const
+  {
+    if(!m_pair.is_inserted(v))
+      return true;
+    const auto& [along, place] = m_pair.inserted_vertex(v);
+    const auto& p = place.second;
+    return along.is_valid() || (p[0] > 0 && p[1] > 0 && p[2] > 0);
+  }
+
+  // Returns a bound for the errors of the angles and sides of a triangle of T1, from its lengths and
+  // the formulas: that of an angle with opposite side a is a (a + b + c) / (2 area) times that of a
+  // length. Where rounding can change the area by more than a small part, it is infinite.
+  float angle_error(Face_index f)
+  {
+    m_angle_error.resize(m_pair.input_mesh().num_faces(), 0);
+    float& error = m_angle_error[f];
+    if(error == 0) {
+      const auto [a, b, c] = side_lengths(m_pair.input_mesh().halfedge(f), m_pair.input());
+      const double perimeter = a + b + c;
+      const double bound = 4 * input_length_error() * perimeter * perimeter / quadrupled_area(a, b, c);
+      error = bound < 1e-9 ? static_cast<float>(bound) : std::numeric_limits<float>::infinity();
+    }
+    return error;
+  }
+
   // 0, which is no length, if no vertices can be inserted
   FT length_in_face([[maybe_unused]] Halfedge_index h) const
   {
@@ -62,6 +117,7 @@ private:
   const Pair& m_pair;
   Input_crossings m_crossings;
   typename Traits::Geodesic_strip m_strip;
+  std::vector<float> m_angle_error; // of faces of T1; 0 if it has not been computed
 };
 
 // calls `use(length)` with a function that returns them, exact up to rounding for exact traits
