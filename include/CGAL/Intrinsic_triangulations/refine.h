@@ -215,7 +215,7 @@ public:
 private:
   const Intrinsic_triangulation<Traits>& m_tri;
   Doubtful_edges& m_doubts;
-  Delaunay_by_lengths m_by_lengths;
+  typename Traits::Is_locally_Delaunay m_by_lengths{Lengths_in_strips<Traits>::tolerance()};
 };
 
 // Computes lengths afresh, notes what they leave in doubt, and returns whether that was possible.
@@ -234,6 +234,7 @@ bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri, Doubtful_edges
   } catch(const Numerical_error&) {
     return false;
   }
+  doubts.crossings = std::move(lengths).crossings();
   return true;
 }
 
@@ -320,7 +321,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
     refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result, doubts);
   if constexpr(has_metric<Traits>()) {
     if(is_certain) {
-      const Delaunay_certificate certificate = certificate_for(tri, doubts);
+      const Delaunay_certificate certificate = certificate_for(tri, std::move(doubts));
       if(certificate.is_Delaunay())
         return result;
       if(certificate.is_geodesic())

@@ -20,7 +20,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -43,6 +45,7 @@ private:
 struct Doubtful_edges
 {
   std::vector<Edge_index> bent, non_Delaunay;
+  std::optional<Input_crossings> crossings;
 };
 
 // Proves that T2 is a geodesic triangulation and Delaunay, edge by edge.
@@ -54,10 +57,15 @@ class Certifier
 
 public:
   Certifier(const Pair& pair, Concurrency concurrency)
+    : Certifier(pair, concurrency,
+                Input_crossings(pair.coordinates(), pair.mesh(), pair.spokes(), concurrency))
+  {}
+
+  Certifier(const Pair& pair, Concurrency concurrency, Input_crossings&& crossings)
     : m_pair(pair),
       m_mesh(pair.mesh()),
       m_concurrency(concurrency),
-      m_crossings(pair.coordinates(), pair.mesh(), pair.spokes(), concurrency),
+      m_crossings(std::move(crossings)),
       m_length(m_mesh.num_edges(), std::numeric_limits<double>::quiet_NaN())
   {}
 
@@ -198,11 +206,11 @@ private:
 // Returns a certificate of what is in doubt; it is empty if nothing is.
 template <typename Traits>
 Delaunay_certificate certificate_for(const Triangulation_pair<Traits>& pair,
-                                     const Doubtful_edges& doubts)
+                                     Doubtful_edges&& doubts)
 {
   return doubts.bent.empty() && doubts.non_Delaunay.empty()
            ? Delaunay_certificate()
-           : Certifier<Traits>(pair, Concurrency()).run(doubts);
+           : Certifier<Traits>(pair, Concurrency(), *std::move(doubts.crossings)).run(doubts);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
