@@ -355,12 +355,15 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// That it ends in exact arithmetic is proven for angles of up to 30 degrees on closed surfaces
 /// without narrow vertices and constrained edges (Theorem 3). With boundary, constrained edges or
 /// narrow vertices this is an open question on surfaces; the manual has what was measured. Only
-/// `maximum_number_of_insertions` guarantees an end.
+/// `maximum_number_of_insertions` guarantees an end: beyond 30 degrees vertices may be inserted
+/// without end, and the default is small.
 ///
 /// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
 /// circumcenter, a place or a length is lost, or a face is left that nothing excuses. Then \f$T_2\f$
 /// becomes \f$T_1\f$ again and refinement starts anew with exact decisions, unless it had inserted
-/// vertices at the start.
+/// vertices at the start. At the end lengths are computed afresh: what their error bounds leave in
+/// doubt is decided exactly. If edges are not Delaunay then, but straight, refinement goes on from
+/// there with exact decisions; if they are not straight, from \f$T_1\f$.
 ///
 /// With exact decisions it is decided exactly which edges are Delaunay, on which
 /// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex gets
@@ -396,7 +399,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   \cgalParamNBegin{maximum_number_of_insertions}
 ///     \cgalParamDescription{the number of vertices that may be inserted}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{10,000,000}
+///     \cgalParamDefault{`default_maximum_number_of_insertions()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of type
@@ -426,7 +429,8 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
-/// \post `tri` is Delaunay, exactly if decisions were exact, and has no garbage
+/// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type `double` if no
+///   vertices had been inserted before, exactly: `certify_Delaunay()` confirms it
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                          const NamedParameters& np = CGAL::parameters::default_values())
@@ -441,8 +445,10 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const bool simplicial = choose_parameter(get_parameter(np, internal_np::simplicial), false);
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
-  const auto insertions = static_cast<std::size_t>(choose_parameter(
-    get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(10000000)));
+  const auto insertions = static_cast<std::size_t>(
+    choose_parameter(get_parameter(np, internal_np::maximum_number_of_insertions),
+                     default_maximum_number_of_insertions(tri.input_mesh().number_of_faces(),
+                                                          degrees, circumradius)));
   const auto flips = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                      internal::default_flip_limit(tri.mesh().number_of_edges())));

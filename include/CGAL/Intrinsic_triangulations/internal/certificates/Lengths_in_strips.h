@@ -60,8 +60,8 @@ public:
     if(is_shared && !m_pair.is_inserted(mesh.source(h)) && !m_pair.is_inserted(mesh.target(h)))
       return true;
     if(is_shared)
-      return length * tolerance() >=
-             m_pair.input_length(input.edge(m_pair.input_spoke_before(h))) * rounding_unit<double>();
+      return length * tolerance() >= m_pair.input_length(input.edge(m_pair.input_spoke_before(h))) *
+                                       rounding_unit<double>();
     if(!is_inside(mesh.source(h)) || !is_inside(mesh.target(h)))
       return false;
     const std::size_t n = m_crossings.count(h);
@@ -100,7 +100,8 @@ private:
     if(error == 0) {
       const auto [a, b, c] = side_lengths(m_pair.input_mesh().halfedge(f), m_pair.input());
       const double perimeter = a + b + c;
-      const double bound = 4 * input_length_error() * perimeter * perimeter / quadrupled_area(a, b, c);
+      const double bound =
+        4 * input_length_error() * perimeter * perimeter / quadrupled_area(a, b, c);
       error = bound < 1e-9 ? static_cast<float>(bound) : std::numeric_limits<float>::infinity();
     }
     return error;
@@ -126,7 +127,7 @@ private:
   const Pair& m_pair;
   Input_crossings m_crossings;
   typename Traits::Geodesic_strip m_strip;
-  Face_index m_face; // in which the last edge without crossings lies
+  Face_index m_face;                // in which the last edge without crossings lies
   std::vector<float> m_angle_error; // of faces of T1; 0 if it has not been computed
 };
 
