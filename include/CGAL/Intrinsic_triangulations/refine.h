@@ -324,8 +324,14 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
       const Delaunay_certificate certificate = certificate_for(tri, std::move(doubts));
       if(certificate.is_Delaunay())
         return result;
-      if(certificate.is_geodesic())
-        return refine_exactly(tri, bounds, limits, visitor, result);
+      if(certificate.is_geodesic()) {
+        result.is_exact = true;
+        result.flips += make_exactly_Delaunay(tri, limits.flips, visitor);
+        const bool was_limited = result.status == Refinement_status::insertion_limit;
+        return note_remaining(tri, bounds, result) && !was_limited
+                 ? refine_exactly(tri, bounds, limits, visitor, result)
+                 : result;
+      }
     }
     if(can_be_exact) {
       tri.reset_to_input();
