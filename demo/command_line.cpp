@@ -155,9 +155,9 @@ void add_bounds(CLI::App& command, Refinement_bounds& bounds)
              "Greatest circumradius of the faces; any if not given", CLI::PositiveNumber);
   command
     .add_option("--max-insertions", bounds.maximum_number_of_insertions,
-                "How many vertices may be inserted")
-    ->check(CLI::NonNegativeNumber)
-    ->capture_default_str();
+                "How many vertices may be inserted; 10,000,000 if not given, or 100,000 and 20 for "
+                "each face with angles of more than 30 degrees and no circumradius")
+    ->check(CLI::NonNegativeNumber);
 }
 
 void add_refine(CLI::App& app, Options& options)

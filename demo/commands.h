@@ -78,7 +78,8 @@ struct Refinement_bounds
 {
   double minimum_angle = 25; // in degrees; 0 for none
   double maximum_circumradius = std::numeric_limits<double>::infinity();
-  std::size_t maximum_number_of_insertions = 10000000;
+  std::optional<std::size_t>
+    maximum_number_of_insertions; // the default of the library if not given
   bool is_simplicial = false;
 };
 

@@ -42,13 +42,14 @@ const char* const refine =
 status, in the statistics and in the last line on standard error, says how:
   bounds_met              every face obeys the bounds
   bounds_met_but_excused  those that do not are at vertices too narrow for the angle
-  insertion_limit         --max-insertions was too little; some faces are left
+  insertion_limit         --max-insertions was too little; some faces are left. Lower --min-angle,
+                          or allow more if the surface is worth it
   no_room                 floating point numbers are too coarse for the faces that are left
 On closed meshes without narrow vertices and sharp edges to keep, refinement to at most 30
 degrees is proven to end, in exact arithmetic; with boundary this is an open question, and 25
 degrees have worked on all ordinary meshes tried. Greater angles can make it insert vertices without
-end: set --max-insertions. Where rounding leaves doubts, on nearly degenerate meshes, refinement
-starts again with exact decisions; the last line and "exact_decisions" in the statistics say so.
+end: hence the smaller default of --max-insertions. Where rounding leaves doubts, refinement goes on
+or starts again with exact decisions; the last line and "exact_decisions" in the statistics say so.
 With --exact the decisions are exact from the beginning, and the result is certified: "certified" in
 the statistics says whether it is geodesic and exactly Delaunay, "ties" how many edges could be
 flipped as well, "decisions" how the certificate was reached.

@@ -263,9 +263,8 @@ private:
   // The last level gets better faces. Its vertices are described anew.
   void refine_coarse(IS::Evolving_surface& surface)
   {
-    const IT::Refinement_result result = IS::refine(
-      surface, IS::parameters::minimum_angle(m_options.coarse_minimum_angle)
-                 .maximum_number_of_insertions(Refinement_bounds().maximum_number_of_insertions));
+    const IT::Refinement_result result =
+      IS::refine(surface, IS::parameters::minimum_angle(m_options.coarse_minimum_angle));
     m_levels.back() = IS::Surface_level(surface);
     Statistics& statistics = m_run.statistics();
     statistics["coarse_inserted_vertices"] = result.insertions - result.removals;

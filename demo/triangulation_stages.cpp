@@ -49,12 +49,14 @@ Edge_bool_map constrained_edges(Mesh& mesh, double angle)
 IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds,
                               bool is_exact)
 {
-  return IT::refine(triangulation,
-                    IT::parameters::minimum_angle(bounds.minimum_angle)
-                      .maximum_circumradius(bounds.maximum_circumradius)
-                      .simplicial(bounds.is_simplicial)
-                      .maximum_number_of_insertions(bounds.maximum_number_of_insertions)
-                      .exact_decisions(is_exact));
+  const std::size_t limit = bounds.maximum_number_of_insertions.value_or(
+    IT::default_maximum_number_of_insertions(triangulation.input_mesh().number_of_faces(),
+                                             bounds.minimum_angle, bounds.maximum_circumradius));
+  return IT::refine(triangulation, IT::parameters::minimum_angle(bounds.minimum_angle)
+                                     .maximum_circumradius(bounds.maximum_circumradius)
+                                     .simplicial(bounds.is_simplicial)
+                                     .maximum_number_of_insertions(limit)
+                                     .exact_decisions(is_exact));
 }
 
 } // namespace
@@ -245,6 +247,9 @@ std::string summary_of_changes(Command_run& run)
          << (s.contains("exact_decisions") ? ", after rounding left doubts, with exact decisions"
                                            : "")
          << "), ";
+  if(s.contains("status") && s["status"] == to_string(IT::Refinement_status::insertion_limit))
+    text << s["faces_below_bound"]
+         << " faces are left: ask for smaller angles or larger faces, or allow more insertions, ";
   text << "smallest angle " << run.input().diagnosis.statistics().min_angle << " -> "
        << s["min_angle_degrees"].get<double>() << " degrees";
   return text.str();

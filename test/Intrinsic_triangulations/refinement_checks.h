@@ -170,6 +170,25 @@ inline void check_angles(const Triangulation& t, double degrees,
   }
 }
 
+// Each constrained edge of the input is a chain of shared, constrained edges of T2, in order and
+// without gaps, as is each border edge.
+inline void check_chains(const Triangulation& t, const std::set<std::size_t>& constrained)
+{
+  std::map<std::size_t, Real> covered;
+  for(Edge_index e : t.mesh().edges())
+    if(t.is_constrained(e) || t.mesh().is_border(e)) {
+      ASSERT_TRUE(t.coordinates().is_shared(e));
+      covered[t.input_mesh().edge(t.input_halfedge(t.mesh().halfedge(e))).idx()] += t.length(e);
+    }
+  EXPECT_EQ(covered.size(), constrained.size());
+  for(const auto& [e, length] : covered) {
+    EXPECT_EQ(constrained.count(e), 1u);
+    EXPECT_NEAR(static_cast<double>(
+                  length / t.input_length(Edge_index(static_cast<Edge_index::size_type>(e)))),
+                1, 1e-14);
+  }
+}
+
 } // namespace Test_surfaces
 
 #endif // INTRINSIC_TRIANGULATIONS_TEST_REFINEMENT_CHECKS_H

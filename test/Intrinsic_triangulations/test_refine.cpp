@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -212,6 +213,21 @@ TEST(Refine, number_of_insertions)
   check_angles(t, 25, result);
 }
 
+// Beyond 30 degrees the default is small, unless circumradii are bounded.
+TEST(Refine, default_number_of_insertions)
+{
+  const double any = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(IT::default_maximum_number_of_insertions(1000, 30., any), 10000000u);
+  EXPECT_EQ(IT::default_maximum_number_of_insertions(1000, 40., 1.), 10000000u);
+  EXPECT_EQ(IT::default_maximum_number_of_insertions(1000, 30.5, any), 120000u);
+  EXPECT_EQ(IT::default_maximum_number_of_insertions(10000000, 31., any), 10000000u);
+  Triangulation t(random_sphere(50, 3));
+  const auto result = IT::refine(t, IT::parameters::minimum_angle(45));
+  EXPECT_EQ(result.status, Refinement_status::insertion_limit);
+  EXPECT_EQ(result.insertions, 100000 + 20 * t.input_mesh().number_of_faces());
+  EXPECT_FALSE(result.remaining.empty());
+}
+
 TEST(Refine, number_of_flips)
 {
   const Triangulation delaunay = [] {
@@ -339,25 +355,6 @@ TEST(Refine, narrow_wedges)
 }
 
 // ---- Constraints ----
-
-// Each constrained edge of the input is a chain of shared, constrained edges of T2, in order and
-// without gaps, as is each border edge.
-void check_chains(const Triangulation& t, const std::set<std::size_t>& constrained)
-{
-  std::map<std::size_t, Real> covered;
-  for(Edge_index e : t.mesh().edges())
-    if(t.is_constrained(e) || t.mesh().is_border(e)) {
-      ASSERT_TRUE(t.coordinates().is_shared(e));
-      covered[t.input_mesh().edge(t.input_halfedge(t.mesh().halfedge(e))).idx()] += t.length(e);
-    }
-  EXPECT_EQ(covered.size(), constrained.size());
-  for(const auto& [e, length] : covered) {
-    EXPECT_EQ(constrained.count(e), 1u);
-    EXPECT_NEAR(static_cast<double>(
-                  length / t.input_length(Edge_index(static_cast<Edge_index::size_type>(e)))),
-                1, 1e-14);
-  }
-}
 
 TEST(Refine, constrained_edges_stay)
 {

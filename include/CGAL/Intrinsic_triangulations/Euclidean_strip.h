@@ -72,8 +72,7 @@ public:
     m_direction = Vector{-cosine(ai, ij, ja), sine(ai, ij, ja)};
     m_edges.push_back({Vector{ai, FT(0)}, ja > 0 ? ja * Vector{cosine(ai, ja, ij), sine(ai, ja, ij)}
                                                  : Vector{FT(0), FT(0)}});
-    m_way_to_source = ai;
-    m_way_to_target = ja;
+    set_first_ways(ai, ja);
   }
 
   /// starts with a line from a point of this triangle: at the point with barycentric coordinates
@@ -85,8 +84,7 @@ public:
     const Segment from_a = m_edges.back();
     const Vector edge = ij * m_direction;
     m_edges.back() = {p[0] * from_a.source - p[2] * edge, p[0] * from_a.target + p[1] * edge};
-    m_way_to_source = p[0] * ai + p[2] * ij;
-    m_way_to_target = p[0] * ja + p[1] * ij;
+    set_first_ways(p[0] * ai + p[2] * ij, p[0] * ja + p[1] * ij);
   }
 
   /// goes on through the triangle \f$jil\f$ beyond the last edge \f$\overrightarrow{ij}\f$ and
@@ -95,7 +93,7 @@ public:
   {
     const Vector i = m_edges.back().source, l = apex(ij, jl, li);
     m_direction = direction_at_source(ij, jl, li);
-    m_way_to_target = way_to_apex(jl, li);
+    m_way_to_target = noted(way_to_apex(jl, li));
     m_edges.push_back({i, l});
   }
 
@@ -105,23 +103,29 @@ public:
   {
     const Vector j = m_edges.back().target, l = apex(ij, jl, li);
     m_direction = direction_to_target(ij, jl, li);
-    m_way_to_source = way_to_apex(jl, li);
+    m_way_to_source = noted(way_to_apex(jl, li));
     m_edges.push_back({l, j});
   }
 
   /// ends the strip at the corner \f$l\f$ of the triangle \f$jil\f$ beyond the last edge
   /// \f$\overrightarrow{ij}\f$.
-  void finish(const FT& ij, const FT& jl, const FT& li) { set_end(apex(ij, jl, li)); }
+  void finish(const FT& ij, const FT& jl, const FT& li)
+  {
+    set_end(apex(ij, jl, li), way_to_apex(jl, li));
+  }
 
   /// ends with a line to a point of this triangle: the point with barycentric coordinates `q`,
   /// which belong to \f$l\f$, \f$j\f$, \f$i\f$.
   void finish(const FT& ij, const FT& jl, const FT& li, const std::array<FT, 3>& q)
   {
     const Segment& edge = m_edges.back();
-    if(is_nearer_to_source(q[2] * ij + q[0] * jl, q[1] * ij + q[0] * li))
-      set_end(edge.source + q[1] * ij * m_direction + q[0] * li * direction_at_source(ij, jl, li));
+    const FT to_target = q[2] * ij + q[0] * jl, to_source = q[1] * ij + q[0] * li;
+    if(is_nearer_to_source(to_target, to_source))
+      set_end(edge.source + q[1] * ij * m_direction + q[0] * li * direction_at_source(ij, jl, li),
+              m_way_to_source + to_source);
     else
-      set_end(edge.target - q[2] * ij * m_direction - q[0] * jl * direction_to_target(ij, jl, li));
+      set_end(edge.target - q[2] * ij * m_direction - q[0] * jl * direction_to_target(ij, jl, li),
+              m_way_to_target + to_target);
   }
 
   /// returns the number of inner edges.
@@ -129,6 +133,19 @@ public:
 
   /// returns the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
+
+  /// returns whether the line certainly passes between the ends of all inner edges and its length has
+  /// a relative error of at most `tolerance`, if the errors of all corner angles, which cover those of
+  /// the sides, add up to at most `error`. A corner is displaced by no more than that times the way
+  /// along edges on which it was placed. \pre `finish()` has been called
+  bool is_certain(const FT& error, const FT& tolerance) const
+  {
+    const FT displacement = m_longest_way * error, margin = 4 * displacement * m_longest_way;
+    return displacement <= tolerance * length() &&
+           std::all_of(m_edges.begin(), m_edges.end(), [&](const Segment& edge) {
+             return cross(m_end, edge.target) > margin && cross(m_end, edge.source) < -margin;
+           });
+  }
 
   /// returns the angle at the start of the line from the direction to the first \f$i\f$
   /// counterclockwise to the line; `FT` is a floating point type. \pre `finish()` has been called
@@ -203,8 +220,22 @@ private:
     return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target;
   }
 
-  void set_end(const Vector& end)
+  void set_first_ways(const FT& to_source, const FT& to_target)
   {
+    m_way_to_source = to_source;
+    m_way_to_target = to_target;
+    m_longest_way = (std::max)(to_source, to_target);
+  }
+
+  const FT& noted(const FT& way)
+  {
+    m_longest_way = (std::max)(m_longest_way, way);
+    return way;
+  }
+
+  void set_end(const Vector& end, const FT& way)
+  {
+    noted(way);
     m_end = end;
     m_squared_length = dot(end, end);
   }
@@ -215,6 +246,7 @@ private:
   Vector m_direction{}; // of the last edge
   FT m_way_to_source{}; // from the start along edges
   FT m_way_to_target{};
+  FT m_longest_way{};
   Vector m_end{};
   FT m_squared_length{};
 };

@@ -9,7 +9,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -35,6 +37,24 @@ inline const char* to_string(Refinement_status status)
     case Refinement_status::no_room: return "no_room";
   }
   return "unknown";
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRefinement
+/// returns how many vertices `refine()` may insert unless it is given another number: 10,000,000; but
+/// 100,000 and 20 for each of the faces of \f$T_1\f$ where that need not end, with angles of more than
+/// 30 degrees and circumradii of any size. Refinements of ordinary meshes to 32 degrees that end
+/// insert fewer than 8 for each face.
+/// \param faces the number of faces of \f$T_1\f$
+/// \param minimum_angle the least angle, in degrees
+/// \param maximum_circumradius the greatest circumradius
+template <typename FT>
+std::size_t default_maximum_number_of_insertions(std::size_t faces, const FT& minimum_angle,
+                                                 const FT& maximum_circumradius)
+{
+  const std::size_t most = 10000000;
+  return minimum_angle > 30 && maximum_circumradius == std::numeric_limits<FT>::infinity()
+           ? (std::min)(most, 100000 + 20 * faces)
+           : most;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement

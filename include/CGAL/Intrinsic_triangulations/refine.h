@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Delaunay_refinement.h>
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
@@ -185,33 +187,96 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   return is_certain;
 }
 
+// Flips by lengths that have been computed afresh, and notes the edges that they leave in doubt.
+template <typename Traits>
+class Flipping_in_doubt : public Flipping_by_lengths<Traits>
+{
+  typedef Flipping_by_lengths<Traits> Base;
+
+public:
+  Flipping_in_doubt(Intrinsic_triangulation<Traits>& tri, Doubtful_edges& doubts)
+    : Base(tri), m_tri(tri), m_doubts(doubts)
+  {}
+
+  bool is_certainly_Delaunay(Edge_index e) const
+  {
+    return m_by_lengths.is_certain(
+      diamond(m_tri.length_map(), m_tri.mesh().halfedge(e), m_tri.mesh()));
+  }
+
+  bool is_Delaunay(Edge_index e)
+  {
+    const bool result = Base::is_Delaunay(e);
+    if(result)
+      m_doubts.non_Delaunay.push_back(e);
+    return result;
+  }
+
+private:
+  const Intrinsic_triangulation<Traits>& m_tri;
+  Doubtful_edges& m_doubts;
+  typename Traits::Is_locally_Delaunay m_by_lengths{Lengths_in_strips<Traits>::tolerance()};
+};
+
+// Computes lengths afresh, notes what they leave in doubt, and returns whether that was possible.
+template <typename Traits>
+bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri, Doubtful_edges& doubts)
+{
+  Lengths_in_strips<Traits> lengths(tri);
+  const auto length = [&](Halfedge_index h) {
+    const double result = lengths(h);
+    if(!lengths.is_certain(h, result))
+      doubts.bent.push_back(tri.mesh().edge(h));
+    return result;
+  };
+  try {
+    Exact_flipping<Traits>::set_lengths(tri, length);
+  } catch(const Numerical_error&) {
+    return false;
+  }
+  doubts.crossings = std::move(lengths).crossings();
+  return true;
+}
+
 // Flips to Delaunay with lengths that are computed afresh, and returns whether that was possible.
+// Doubts are those of the last time when no flip was necessary.
 template <typename Traits, typename Visitor>
 bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
-                       Refinement_result& result)
+                       Refinement_result& result, [[maybe_unused]] Doubtful_edges& doubts)
 {
-  if(!has_recomputed_lengths(tri))
-    return false;
-  const Flipping_result flipping = flip_by_lengths(tri, limit, 100, visitor);
-  result.flips += flipping.flips;
+  Flipping_result flipping{1, true};
+  if constexpr(has_metric<Traits>())
+    for(int round = 0; round < 20 && flipping.flips > 0 && flipping.is_Delaunay; ++round) {
+      doubts = Doubtful_edges();
+      if(!has_recomputed_lengths(tri, doubts))
+        return false;
+      Flipping_in_doubt<Traits> by_lengths(tri, doubts);
+      flipping = flip_to_Delaunay(tri.mesh(), by_lengths, limit, visitor);
+      result.flips += flipping.flips;
+    }
+  else {
+    tri.recompute_lengths();
+    flipping = flip_by_lengths(tri, limit, 100, visitor);
+    result.flips += flipping.flips;
+  }
   check_flip_limit(!flipping.is_Delaunay && flipping.flips == limit);
   return flipping.is_Delaunay;
 }
 
 // Lengths that come from many roundings are computed afresh; edges and faces that turn out to
 // violate their conditions are flipped and refined again. Returns whether rounding has left no
-// doubt; otherwise, with `stops_in_doubt`, this can end anywhere.
+// doubt but `doubts`; otherwise, with `stops_in_doubt`, this can end anywhere.
 template <typename Traits, typename Bounds, typename Visitor>
 bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                        const Refinement_limits& limits, Visitor& visitor, bool stops_in_doubt,
-                       Refinement_result& result)
+                       Refinement_result& result, Doubtful_edges& doubts)
 {
   for(int round = 0; round < 20; ++round) {
     const std::size_t before = result.insertions + result.flips;
     if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_in_doubt, result) &&
        stops_in_doubt)
       return false;
-    if(!is_flipped_afresh(tri, limits.flips, visitor, result)) {
+    if(!is_flipped_afresh(tri, limits.flips, visitor, result, doubts)) {
       if(stops_in_doubt)
         return false;
       throw Numerical_error("rounding of the lengths keeps the refinement from becoming Delaunay");
@@ -223,20 +288,22 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
   return result.status != Refinement_status::no_room;
 }
 
+// goes on from `tri`, whose edges are straight
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                                  const Refinement_limits& limits, Visitor& visitor,
-                                 std::size_t flips_before = 0)
+                                 Refinement_result result = {})
 {
-  Refinement_result result;
   result.is_exact = true;
-  result.flips = flips_before + make_exactly_Delaunay(tri, limits.flips, visitor);
+  result.status = Refinement_status::bounds_met;
+  result.flips += make_exactly_Delaunay(tri, limits.flips, visitor);
   insert_vertices<true>(tri, bounds, limits, visitor, false, result);
   note_remaining(tri, bounds, result);
   return result;
 }
 
-// Starts anew with exact decisions where rounding leaves doubts. That needs a triangulation without
+// Goes on with exact decisions where rounding leaves doubts: from the triangulation that lengths have
+// led to if its edges are straight, and otherwise from T1. That needs a triangulation without
 // vertices that must stay, since the edges at those may not be straight.
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
@@ -244,17 +311,33 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 {
   const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
   const Delaunay_flips flips = make_Delaunay(tri, limits.flips, visitor);
-  if constexpr(has_metric<Traits>())
-    if(flips.are_exact)
-      return refine_exactly(tri, bounds, limits, visitor, flips.number);
   Refinement_result result;
   result.flips = flips.number;
-  if(refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result) || !can_be_exact)
-    return result;
+  if constexpr(has_metric<Traits>())
+    if(flips.are_exact)
+      return refine_exactly(tri, bounds, limits, visitor, result);
+  Doubtful_edges doubts;
+  const bool is_certain =
+    refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result, doubts);
   if constexpr(has_metric<Traits>()) {
-    tri.reset_to_input();
-    visitor.before_exact_refinement();
-    result = refine_exactly(tri, bounds, limits, visitor);
+    if(is_certain) {
+      const Delaunay_certificate certificate = certificate_for(tri, std::move(doubts));
+      if(certificate.is_Delaunay())
+        return result;
+      if(certificate.is_geodesic()) {
+        result.is_exact = true;
+        result.flips += make_exactly_Delaunay(tri, limits.flips, visitor);
+        const bool was_limited = result.status == Refinement_status::insertion_limit;
+        return note_remaining(tri, bounds, result) && !was_limited
+                 ? refine_exactly(tri, bounds, limits, visitor, result)
+                 : result;
+      }
+    }
+    if(can_be_exact) {
+      tri.reset_to_input();
+      visitor.before_exact_refinement();
+      return refine_exactly(tri, bounds, limits, visitor);
+    }
   }
   return result;
 }
@@ -278,12 +361,15 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// That it ends in exact arithmetic is proven for angles of up to 30 degrees on closed surfaces
 /// without narrow vertices and constrained edges (Theorem 3). With boundary, constrained edges or
 /// narrow vertices this is an open question on surfaces; the manual has what was measured. Only
-/// `maximum_number_of_insertions` guarantees an end.
+/// `maximum_number_of_insertions` guarantees an end: beyond 30 degrees vertices may be inserted
+/// without end, and the default is small.
 ///
 /// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
 /// circumcenter, a place or a length is lost, or a face is left that nothing excuses. Then \f$T_2\f$
 /// becomes \f$T_1\f$ again and refinement starts anew with exact decisions, unless it had inserted
-/// vertices at the start.
+/// vertices at the start. At the end lengths are computed afresh: what their error bounds leave in
+/// doubt is decided exactly. If edges are not Delaunay then, but straight, refinement goes on from
+/// there with exact decisions; if they are not straight, from \f$T_1\f$.
 ///
 /// With exact decisions it is decided exactly which edges are Delaunay, on which
 /// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex gets
@@ -319,7 +405,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   \cgalParamNBegin{maximum_number_of_insertions}
 ///     \cgalParamDescription{the number of vertices that may be inserted}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{10,000,000}
+///     \cgalParamDefault{`default_maximum_number_of_insertions()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of type
@@ -349,7 +435,8 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
-/// \post `tri` is Delaunay, exactly if decisions were exact, and has no garbage
+/// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type `double` if no
+///   vertices had been inserted before, exactly: `certify_Delaunay()` confirms it
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                          const NamedParameters& np = CGAL::parameters::default_values())
@@ -364,8 +451,10 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const bool simplicial = choose_parameter(get_parameter(np, internal_np::simplicial), false);
   const auto predicate =
     choose_parameter(get_parameter(np, internal_np::face_predicate), internal::No_face());
-  const auto insertions = static_cast<std::size_t>(choose_parameter(
-    get_parameter(np, internal_np::maximum_number_of_insertions), std::size_t(10000000)));
+  const auto insertions = static_cast<std::size_t>(
+    choose_parameter(get_parameter(np, internal_np::maximum_number_of_insertions),
+                     default_maximum_number_of_insertions(tri.input_mesh().number_of_faces(),
+                                                          degrees, circumradius)));
   const auto flips = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
                      internal::default_flip_limit(tri.mesh().number_of_edges())));

@@ -97,6 +97,18 @@ public:
     return std::abs(std::arg(corner));
   }
 
+  // returns the angle at the source of the halfedge `h` of T1 in its face, between 0 and pi
+  double input_angle(Halfedge_index h) const
+  {
+    double angle = 0;
+    try_with_more_digits([&](auto& corners) {
+      const auto corner = corners.at_source(h);
+      angle = std::abs(std::atan2(to_double(corner.y), to_double(corner.x)));
+      return corner.radius <= corner.norm() * certified_length_error();
+    });
+    return angle;
+  }
+
   // Returns (k - i) / (j - i) for the face ijk of the halfedge `h` from i to j, its imaginary part
   // correct up to a small relative error. This is zero if no digits make sure that it is not, as
   // where the face has no area.

@@ -16,10 +16,13 @@
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -37,6 +40,14 @@ private:
   const Input_crossings* m_crossings;
 };
 
+// The edges of T2 that rounding leaves in doubt, after all lengths have been computed afresh: those
+// that may be bent or have other lengths, and those that may not be Delaunay.
+struct Doubtful_edges
+{
+  std::vector<Edge_index> bent, non_Delaunay;
+  std::optional<Input_crossings> crossings;
+};
+
 // Proves that T2 is a geodesic triangulation and Delaunay, edge by edge.
 template <typename Traits>
 class Certifier
@@ -46,11 +57,16 @@ class Certifier
 
 public:
   Certifier(const Pair& pair, Concurrency concurrency)
+    : Certifier(pair, concurrency,
+                Input_crossings(pair.coordinates(), pair.mesh(), pair.spokes(), concurrency))
+  {}
+
+  Certifier(const Pair& pair, Concurrency concurrency, Input_crossings&& crossings)
     : m_pair(pair),
       m_mesh(pair.mesh()),
       m_concurrency(concurrency),
-      m_crossings(pair.coordinates(), pair.mesh(), pair.spokes(), concurrency),
-      m_length(m_mesh.num_edges())
+      m_crossings(std::move(crossings)),
+      m_length(m_mesh.num_edges(), std::numeric_limits<double>::quiet_NaN())
   {}
 
   Delaunay_certificate run()
@@ -64,7 +80,35 @@ public:
     return std::move(m_certificate);
   }
 
+  // Looks only at what is in doubt.
+  Delaunay_certificate run(const Doubtful_edges& doubts)
+  {
+    Decisions decisions(m_pair, m_crossings);
+    std::vector<Edge_index> edges = doubts.non_Delaunay;
+    for(Edge_index e : doubts.bent) {
+      check_straightness(e, decisions, m_certificate);
+      const Halfedge_index h = m_mesh.halfedge(e);
+      edges.push_back(e);
+      for(Halfedge_index x : {h, m_mesh.opposite(h)}) {
+        check_inserted(m_mesh.source(x), decisions, m_certificate);
+        if(!m_mesh.is_border(x))
+          edges.insert(edges.end(), {m_mesh.edge(m_mesh.next(x)), m_mesh.edge(m_mesh.prev(x))});
+      }
+    }
+    if(m_certificate.is_geodesic())
+      for(Edge_index e : without_repetitions(edges))
+        check_Delaunay(e, decisions, m_certificate);
+    return std::move(m_certificate);
+  }
+
 private:
+  static const std::vector<Edge_index>& without_repetitions(std::vector<Edge_index>& edges)
+  {
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+  }
+
   // Calls a member function for all elements, with decisions and a certificate for each chunk.
   template <typename Index>
   void for_each(void (Certifier::*check)(Index, Decisions&, Delaunay_certificate&))
@@ -158,6 +202,16 @@ private:
   Delaunay_by_lengths m_by_lengths;
   Delaunay_certificate m_certificate;
 };
+
+// Returns a certificate of what is in doubt; it is empty if nothing is.
+template <typename Traits>
+Delaunay_certificate certificate_for(const Triangulation_pair<Traits>& pair,
+                                     Doubtful_edges&& doubts)
+{
+  return doubts.bent.empty() && doubts.non_Delaunay.empty()
+           ? Delaunay_certificate()
+           : Certifier<Traits>(pair, Concurrency(), *std::move(doubts.crossings)).run(doubts);
+}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

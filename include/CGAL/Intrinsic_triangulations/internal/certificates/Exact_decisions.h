@@ -102,6 +102,8 @@ public:
   {
     ++m_count.exact;
     if(!m_metric.points.empty()) {
+      if(has_inserted_corner(h))
+        return sign_by_places(h);
       const auto [i, j, k, l] = corner_positions(h, m_mesh);
       return compare_opposite_angles(i, j, k, l);
     }
@@ -262,17 +264,57 @@ public:
 
 private:
   // Whether the squared length of the edge of `h` is known without roots: it is an edge of T1, or a
-  // straight line in space.
+  // straight line in space, between inserted vertices too.
   bool has_exact_square(Halfedge_index h)
   {
     if(is_input_edge(h))
       return true;
-    if(m_metric.points.empty() || has_inserted_end(h))
+    if(m_metric.points.empty())
       return false;
     for(std::size_t m = 0; m < m_crossings.count(h); ++m)
       if(!is_flat(m_crossings(h, m)))
         return false;
     return true;
+  }
+
+  // whether a vertex of the diamond of `h` is inserted
+  bool has_inserted_corner(Halfedge_index h) const
+  {
+    return has_inserted_end(h) || has_inserted_end(m_mesh.next(h)) ||
+           has_inserted_end(m_mesh.next(m_mesh.opposite(h)));
+  }
+
+  // returns the position of the vertex `v` of T2 in space, exactly
+  std::array<Exact_field, 3> exact_position(Vertex_index v) const
+  {
+    const auto number = [](double x) { return Exact_field(x); };
+    std::array<Exact_field, 3> result;
+    if(!m_pair.is_inserted(v)) {
+      std::transform(m_metric.points[v].begin(), m_metric.points[v].end(), result.begin(), number);
+      return result;
+    }
+    const auto& [f, b] = m_pair.inserted_vertex(v).location;
+    const auto corner = sides(f, m_pair.input_mesh());
+    const Exact_field sum = number(b[0]) + number(b[1]) + number(b[2]);
+    for(std::size_t c = 0; c < 3; ++c)
+      for(std::size_t x = 0; x < 3; ++x)
+        result[x] +=
+          number(b[c]) * number(m_metric.points[m_pair.input_mesh().source(corner[c])][x]) / sum;
+    return result;
+  }
+
+  // where all edges of the diamond of `h` are straight lines in space
+  Sign sign_by_places(Halfedge_index h) const
+  {
+    const Halfedge_index next = m_mesh.next(h), beyond = m_mesh.next(m_mesh.opposite(h));
+    const auto i = exact_position(m_mesh.source(h)), j = exact_position(m_mesh.target(h)),
+               k = exact_position(m_mesh.target(next)), l = exact_position(m_mesh.target(beyond));
+    const auto square = [](const auto& p, const auto& q) {
+      const std::array<Exact_field, 3> u{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+      return Exact_field(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    };
+    return compare_opposite_angles(
+      Diamond<Exact_field>{square(i, j), square(j, k), square(k, i), square(i, l), square(l, j)});
   }
 
   // those of a diamond, without inserted vertices

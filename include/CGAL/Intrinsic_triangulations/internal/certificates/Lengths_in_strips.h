@@ -10,10 +10,16 @@
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -42,14 +48,73 @@ public:
     return length;
   }
 
-private:
-  // 0, which is no length, if no vertices can be inserted
-  FT length_in_face([[maybe_unused]] Halfedge_index h) const
+  // the greatest relative error of lengths that are certain
+  static constexpr double tolerance() { return 1.0 / (1 << 30); }
+
+  // Returns whether the edge of `h`, whose length has just been computed, is certainly straight, and
+  // the error of `length` is at most `tolerance()`, whatever rounding has done.
+  bool is_certain(Halfedge_index h, double length)
   {
-    if constexpr(Has_distance<Traits>::value)
-      return m_pair.distance(m_pair.input_location(h),
-                             m_pair.input_location(m_pair.mesh().opposite(h)));
-    else
+    const Delta_complex &mesh = m_pair.mesh(), &input = m_pair.input_mesh();
+    const bool is_shared = m_pair.coordinates().is_shared(mesh.edge(h));
+    if(is_shared && !m_pair.is_inserted(mesh.source(h)) && !m_pair.is_inserted(mesh.target(h)))
+      return true;
+    if(is_shared)
+      return length * tolerance() >= m_pair.input_length(input.edge(m_pair.input_spoke_before(h))) *
+                                       rounding_unit<double>();
+    if(!is_inside(mesh.source(h)) || !is_inside(mesh.target(h)))
+      return false;
+    const std::size_t n = m_crossings.count(h);
+    if(n == 0) {
+      const auto [a, b, c] = side_lengths(input.halfedge(m_face), m_pair.input());
+      return (a + b + c) * angle_error(m_face) <= tolerance() * length;
+    }
+    double error = angle_error(input.face(opposite(m_crossings(h, 0))));
+    for(std::size_t m = 0; m < n; ++m)
+      error += angle_error(input.face(m_crossings(h, m)));
+    return m_strip.is_certain(error, tolerance());
+  }
+
+  // returns the crossings of which the lengths have been computed
+  Input_crossings crossings() && { return std::move(m_crossings); }
+
+private:
+  // whether the vertex `v` of T2 is not on the boundary of a triangle of T1 that it is to lie in
+  bool is_inside(Vertex_index v) const
+  {
+    if(!m_pair.is_inserted(v))
+      return true;
+    const auto& [along, place] = m_pair.inserted_vertex(v);
+    const auto& p = place.second;
+    return along.is_valid() || (p[0] > 0 && p[1] > 0 && p[2] > 0);
+  }
+
+  // Returns a bound for the errors of the angles and sides of a triangle of T1, from its lengths and
+  // the formulas: that of an angle with opposite side a is a (a + b + c) / (2 area) times that of a
+  // length. Where rounding can change the area by more than a small part, it is infinite.
+  float angle_error(Face_index f)
+  {
+    if(m_angle_error.empty())
+      m_angle_error.resize(m_pair.input_mesh().num_faces(), 0);
+    float& error = m_angle_error[f];
+    if(error == 0) {
+      const auto [a, b, c] = side_lengths(m_pair.input_mesh().halfedge(f), m_pair.input());
+      const double perimeter = a + b + c;
+      const double bound =
+        4 * input_length_error() * perimeter * perimeter / quadrupled_area(a, b, c);
+      error = bound < 1e-9 ? static_cast<float>(bound) : std::numeric_limits<float>::infinity();
+    }
+    return error;
+  }
+
+  // 0, which is no length, if no vertices can be inserted
+  FT length_in_face([[maybe_unused]] Halfedge_index h)
+  {
+    if constexpr(Has_distance<Traits>::value) {
+      const Face_location<FT> start = m_pair.input_location(h);
+      m_face = start.first;
+      return m_pair.distance(start, m_pair.input_location(m_pair.mesh().opposite(h)));
+    } else
       return FT(0);
   }
 
@@ -62,6 +127,8 @@ private:
   const Pair& m_pair;
   Input_crossings m_crossings;
   typename Traits::Geodesic_strip m_strip;
+  Face_index m_face;                // in which the last edge without crossings lies
+  std::vector<float> m_angle_error; // of faces of T1; 0 if it has not been computed
 };
 
 // calls `use(length)` with a function that returns them, exact up to rounding for exact traits

@@ -84,6 +84,13 @@ public:
     m_tri.set_lengths(length);
   }
 
+  // Sets all lengths of `tri`. If `length()` throws, nothing has changed.
+  template <typename Length>
+  static void set_lengths(Triangulation& tri, Length& length)
+  {
+    tri.set_lengths(length);
+  }
+
 private:
   double greatest_error_around(Halfedge_index h) const
   {

@@ -36,12 +36,20 @@ class Narrow_vertices
 
 public:
   Narrow_vertices(const Triangulation& tri, const FT& least_sum, bool has_exact_angles)
-    : m_tri(tri),
-      m_has_exact_angles(has_exact_angles),
-      m_is_narrow(tri.mesh().num_vertices(), false)
+    : m_tri(tri), m_is_narrow(tri.mesh().num_vertices(), false)
   {
-    for(Vertex_index v : tri.mesh().vertices())
-      m_is_narrow[v.idx()] = !tri.mesh().is_isolated(v) && has_narrow_sector(v, least_sum);
+    if constexpr(has_metric<Traits>())
+      if(has_exact_angles) {
+        set_by_input(least_sum);
+        return;
+      }
+    const Delta_complex& mesh = tri.mesh();
+    const auto is_fixed = [&](Halfedge_index h) {
+      return tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
+    };
+    const auto angle = [&](Halfedge_index h) { return angle_at_source(h, tri); };
+    for(Vertex_index v : mesh.vertices())
+      m_is_narrow[v.idx()] = has_narrow_sector(v, mesh, least_sum, is_fixed, angle);
   }
 
   // Returns why a face that violates the bound on angles is excused, and by which narrow vertex: if
@@ -104,28 +112,31 @@ private:
     return true;
   }
 
-  bool is_fixed(Halfedge_index h) const
+  // Angles around a vertex are those of T1, whose corners need no strips, however often edges cross.
+  // Inserted vertices are not narrow.
+  BOOST_NOINLINE void set_by_input(const FT& least_sum)
   {
-    const Delta_complex& mesh = m_tri.mesh();
-    return m_tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
+    const Delta_complex &mesh = m_tri.mesh(), &input = m_tri.input_mesh();
+    std::vector<char> is_constrained(input.num_halfedges(), false);
+    for(Halfedge_index h : mesh.halfedges())
+      if(m_tri.is_constrained(mesh.edge(h)) && !m_tri.is_inserted(mesh.source(h)))
+        is_constrained[m_tri.input_spoke_before(h)] = true;
+    const auto is_fixed = [&](Halfedge_index h) {
+      return is_constrained[h] || input.is_border(input.edge(h));
+    };
+    const auto decisions = exact_decisions(m_tri);
+    const auto angle = [&](Halfedge_index h) { return decisions.input_angle(h); };
+    for(Vertex_index v : input.vertices())
+      m_is_narrow[v.idx()] = has_narrow_sector(v, input, least_sum, is_fixed, angle);
   }
 
-  FT angle(Halfedge_index h) const
+  // whether the vertex `v` of T1 or T2 is narrow
+  template <typename Is_fixed, typename Angle>
+  static bool has_narrow_sector(Vertex_index v, const Delta_complex& mesh, const FT& least_sum,
+                                const Is_fixed& is_fixed, const Angle& angle)
   {
-    if constexpr(has_metric<Traits>())
-      if(m_has_exact_angles)
-        return exact_angle(h);
-    return angle_at_source(h, m_tri);
-  }
-
-  BOOST_NOINLINE FT exact_angle(Halfedge_index h) const
-  {
-    return exact_decisions(m_tri).rounded_angle(h);
-  }
-
-  bool has_narrow_sector(Vertex_index v, const FT& least_sum) const
-  {
-    const Delta_complex& mesh = m_tri.mesh();
+    if(mesh.is_isolated(v))
+      return false;
     FT least(-1), sector(0), before_first_fixed(0);
     bool has_fixed = false;
     for_each_spoke(v, mesh, [&](Halfedge_index h) {
@@ -148,7 +159,6 @@ private:
   }
 
   const Triangulation& m_tri;
-  bool m_has_exact_angles;
   std::vector<char> m_is_narrow;
 };
 
