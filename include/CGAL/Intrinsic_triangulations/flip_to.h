@@ -83,18 +83,15 @@ std::size_t flip_to_input(Intrinsic_triangulation<Traits>& tri)
 
 namespace internal {
 
-// Counts on the way back, from T2 with all vertices over T3 to T3.
+// Counts the flips until all edges of T3 are there. What vertices of T2 are left lie in its faces.
 template <typename Traits>
 std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
                              const Intrinsic_triangulation<Traits>& target)
 {
-  Intrinsic_triangulation<Traits> over = inserted_over(target, tri);
-  Vertex_inserter<Traits> inserter(over);
-  for(auto v = over.mesh().num_vertices(); v-- > target.mesh().num_vertices();)
-    if(!inserter.remove(Vertex_index(v)).is_valid())
-      throw Numerical_error("an inserted vertex cannot be removed");
-  over.collect_garbage();
-  const std::size_t flips = flip_to_input(over);
+  const Intrinsic_triangulation<Traits> over = inserted_over(target, tri);
+  Delta_complex mesh = over.mesh();
+  typename Intrinsic_triangulation<Traits>::Coordinates coordinates(mesh);
+  const std::size_t flips = flip_to_shared(coordinates, mesh, over.spokes()).size();
   tri = target;
   return flips;
 }
@@ -110,7 +107,7 @@ std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
 ///
 /// Where vertices have been inserted, `tri` becomes a copy of `target`: its vertices are inserted,
 /// edges are flipped, and vertices that it has not are removed, see `triangulation_over()`.
-/// \returns the number of flips, without those that remove vertices
+/// \returns the number of flips until all edges of \f$T_3\f$ are there
 /// \throws Invalid_input if the two have not the same input
 /// \throws Numerical_error as `triangulation_over()` if vertices have been inserted
 /// \throws Overflow_error if a normal coordinate on the way is out of range

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/assertions.h>
 
@@ -53,8 +54,8 @@ public:
     CGAL_precondition(!base.mesh().has_garbage() && !tri.mesh().has_garbage());
     for(Vertex_index v : base.input_mesh().vertices())
       m_vertex.push_back(v);
-    const auto missing_in_tri = missing(m_base, m_tri, true);
-    const auto missing_in_base = missing(m_tri, m_base, false);
+    const Vertices missing_in_tri = missing(m_base, m_tri, true);
+    const Vertices missing_in_base = missing(m_tri, m_base, false);
     insert_all(missing_in_tri, m_base, m_tri, nullptr);
     insert_all(missing_in_base, m_tri, m_base, &m_over);
     if(!has_same_faces(m_base.mesh(), m_over.mesh()))
@@ -105,25 +106,46 @@ private:
     return std::get<0>(p) == std::get<0>(q) && std::get<1>(p) == std::get<1>(q);
   }
 
+  typedef std::vector<std::pair<Place, Vertex_index>> Places;
+
+  static Places inserted_places(const Triangulation& tri)
+  {
+    Places result;
+    for(Vertex_index v : tri.mesh().vertices())
+      if(tri.is_inserted(v))
+        result.emplace_back(place(v, tri), v);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Returns the vertex at `p` up to rounding, null if there is none.
+  static Vertex_index vertex_at(const Place& p, const Places& places)
+  {
+    const FT tolerance = region_tolerance<FT>();
+    const auto is_near = [&](const FT& x, const FT& y) { return CGAL::abs(x - y) <= tolerance; };
+    const auto& [kind, element, x, y, z] = p;
+    const std::pair least(Place(kind, element, x - tolerance, FT(-1), FT(-1)), Vertex_index(0));
+    for(auto q = std::lower_bound(places.begin(), places.end(), least);
+        q != places.end() && are_in_one_element(p, q->first) &&
+        is_near(std::get<2>(q->first), std::get<2>(p));
+        ++q)
+      if(is_near(std::get<3>(q->first), std::get<3>(p)) &&
+         is_near(std::get<4>(q->first), std::get<4>(p)))
+        return q->second;
+    return Vertex_index();
+  }
+
   // Returns the vertices that have been inserted into `from` and not into `to`. Those of both are
-  // noted if `from` is the base.
+  // noted.
   Vertices missing(const Triangulation& from, const Triangulation& to, bool from_base)
   {
-    std::map<Place, Vertex_index> there;
-    for(Vertex_index v : to.mesh().vertices())
-      if(to.is_inserted(v))
-        there.emplace(place(v, to), v);
-    if(from_base)
-      m_vertex.resize(to.mesh().number_of_vertices());
+    const Places there = inserted_places(to);
     Vertices result;
-    for(Vertex_index v : from.mesh().vertices())
-      if(from.is_inserted(v)) {
-        const auto found = there.find(place(v, from));
-        if(found == there.end())
-          result.push_back(v);
-        else if(from_base)
-          m_vertex[found->second] = v;
-      }
+    for(const auto& [p, v] : inserted_places(from))
+      if(const Vertex_index w = vertex_at(p, there); w.is_valid())
+        note(v, w, !from_base);
+      else
+        result.push_back(v);
     return result;
   }
 
@@ -153,7 +175,8 @@ private:
       following.emplace(*follower);
     for(const auto& [v, p] : located) {
       const auto faces = faces_around(p, to.mesh());
-      if(std::any_of(faces.begin(), faces.end(), [&](Face_index f) { return is_touched[f]; })) {
+      if(std::any_of(faces.begin(), faces.end(),
+                     [&](Face_index f) { return f.idx() >= is_touched.size() || is_touched[f]; })) {
         rest.push_back(v);
         continue;
       }
