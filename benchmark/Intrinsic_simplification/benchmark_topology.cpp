@@ -34,7 +34,7 @@ void benchmark(const Mesh& mesh, double part, IS::Cutting_curves curves)
     return IS::close_boundary_loops(surface, length) + IS::pinch_handles(surface, length, curves);
   });
   const IS::Topological_type after = IS::topological_type(surface.mesh());
-  std::printf("| %.3f | %s | %zu | %zu | %zu | %zu | %.5f | %.1f |\n", part,
+  std::printf("| %.3f | %s | %zu | %zu | %zu | %zu | %.5f | %.2f |\n", part,
               curves == IS::Cutting_curves::edges ? "edges" : "geodesics", before.genus,
               after.genus, before.boundary_loops, after.boundary_loops,
               surface.filled_area() / CGAL::Polygon_mesh_processing::area(mesh),

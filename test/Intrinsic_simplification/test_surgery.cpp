@@ -19,7 +19,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace Test_surgery {
 
 using namespace Test_surfaces;
 using IS::Cutting_curves;
@@ -323,4 +323,4 @@ TEST(Pinch_handles, then_simplifies)
   EXPECT_LE(surface.mesh().number_of_vertices(), 10u);
 }
 
-} // namespace
+} // namespace Test_surgery

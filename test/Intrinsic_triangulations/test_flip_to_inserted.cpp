@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace Test_flip_to_inserted {
 
 using namespace Test_surfaces;
 using Triangulation = IT::Intrinsic_triangulation<>;
@@ -324,4 +324,4 @@ TEST(Flip_to_inserted, keeps_constraints)
   EXPECT_EQ(constrained, 7u); // one of six is split
 }
 
-} // namespace
+} // namespace Test_flip_to_inserted
