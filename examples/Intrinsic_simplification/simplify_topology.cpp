@@ -26,8 +26,8 @@ int main(int argc, char* argv[])
     return 1;
   IS::Surface_surgery surgery{IS::Surface_surgery::Triangulation(mesh)};
   const IS::Topological_type before = IS::topological_type(surgery.mesh());
-  IS::close_boundary_loops(surgery, 0.1);
-  IS::pinch_handles(surgery, 0.1);
+  IS::close_boundary_loops(surgery, 0.5);
+  IS::pinch_handles(surgery, 0.5);
   const IS::Topological_type after = IS::topological_type(surgery.mesh());
   std::cout << before.boundary_loops << " boundary loops and " << before.genus
             << " handles before, " << after.boundary_loops << " and " << after.genus << " after\n";
