@@ -59,8 +59,8 @@ inline Topological_type topological_type(const Delta_complex& mesh)
 }
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a surface that is cut along closed curves, and on which boundary loops are closed by disks, with
-/// the map from the surface as it was.
+/// a surface that is cut along closed curves, and on which boundary loops are closed by disks,
+/// with the map from the surface as it was.
 ///
 /// A disk that closes a loop has one vertex, the apex, which is joined to all vertices of the loop
 /// by edges of one length. The disk is flat if the loop is near to a circle: its boundary is a
@@ -72,8 +72,8 @@ inline Topological_type topological_type(const Delta_complex& mesh)
 /// numbers, lengths and angles, and new ones come after them. Along a cut, the surface on its left
 /// gets new vertices and that on its right new edges.
 ///
-/// The surface may be triangulated anew in between. Then faces and edges get other numbers, but the
-/// map leads through that.
+/// The surface may be triangulated anew in between. Then faces and edges get other numbers, but
+/// the map leads through that.
 /// \cgalModels `IntrinsicSurface`
 class Surface_surgery
 {
@@ -179,8 +179,8 @@ public:
     return apex;
   }
 
-  /// cuts the surface along a closed curve of edges: two boundary loops arise. Complexity: linear in
-  /// the degrees of its vertices.
+  /// cuts the surface along a closed curve of edges: two boundary loops arise. Complexity: linear
+  /// in the degrees of its vertices.
   /// \param loop the halfedges of the curve; each starts where the one before ends
   /// \returns border halfedges of both, first of that on the left
   /// \pre the curve passes no vertex twice, and none on the boundary

@@ -159,9 +159,9 @@ private:
 /// both sides by disks, see `Surface_surgery`. No curve separates the surface: each cut lowers the
 /// genus by one, and components and boundary loops stay.
 ///
-/// Curves are found among edges: for each vertex the shortest one that is closed by an edge between
-/// two shortest paths from there and does not separate. Curves that have no vertex in common are
-/// shortened together by flips, to geodesics in their class (see
+/// Curves are found among edges: for each vertex the shortest one that is closed by an edge
+/// between two shortest paths from there and does not separate. Curves that have no vertex in
+/// common are shortened together by flips, to geodesics in their class (see
 /// `Intrinsic_triangulations::Edge_paths`), and cut; then others are looked for, disks included. A
 /// curve that touches itself, another one or the boundary waits for the next round. If all do so,
 /// those edge loops are cut that are short enough as they are.
@@ -169,9 +169,9 @@ private:
 /// With geodesics the surface is made Delaunay before and beside the curves.
 ///
 /// A handle stays if all short curves around it pass a vertex of the boundary, or if no edge loop
-/// around it is shorter than twice `maximum_length`: edges that are long beside the handle hide it,
-/// and refinement shows it. By the length alone it is not known whether a handle or a tunnel is
-/// cut, and a thin torus is a handle as well.
+/// around it is shorter than twice `maximum_length`: edges that are long beside the handle hide
+/// it, and refinement shows it. By the length alone it is not known whether a handle or a tunnel
+/// is cut, and a thin torus is a handle as well.
 /// \returns the number of handles that have been taken away
 /// \throws what `Intrinsic_triangulations::Edge_paths` and `make_Delaunay()` throw
 ///

@@ -22,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Flips of T2 that follow integer coordinates alone. Lengths are set in the end, since the edges on
-// the way need not be straight.
+// Flips of T2 that follow integer coordinates alone. Lengths are set in the end, since the edges
+// on the way need not be straight.
 template <typename Traits>
 class Coordinate_flipping
 {
@@ -102,8 +102,8 @@ std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
 /// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
 /// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
 /// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the numbers of edges
-/// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the three
-/// triangulations with each other.
+/// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the
+/// three triangulations with each other.
 ///
 /// Where vertices have been inserted, `tri` becomes a copy of `target`: its vertices are inserted,
 /// edges are flipped, and vertices that it has not are removed, see `triangulation_over()`.

@@ -59,7 +59,8 @@ private:
 // The way from T3 to T2, two triangulations over T1 with the same vertices, over the Delaunay
 // triangulation of these. Its edges are straight: an edge that starts in the same corner of T1,
 // crosses the same edges of T1, and ends at the same vertex is the same. Those that are in one of
-// the two only, because of ties, lie in polygons without vertices inside, which are flipped to fans.
+// the two only, because of ties, lie in polygons without vertices inside, which are flipped to
+// fans.
 template <typename Traits>
 class Delaunay_matching
 {
@@ -191,8 +192,8 @@ std::vector<Halfedge_index> on_constrained_edges(const Intrinsic_triangulation<T
   return result;
 }
 
-// Returns T3, the second triangulation of `tri`, with all vertices of T2, the second one of `base`,
-// over T2.
+// Returns T3, the second triangulation of `tri`, with all vertices of T2, the second one of
+// `base`, over T2.
 template <typename Traits>
 Intrinsic_triangulation<Traits> inserted_over(const Intrinsic_triangulation<Traits>& base,
                                               const Intrinsic_triangulation<Traits>& tri)
