@@ -214,6 +214,8 @@ struct Simplify_options : Output_options
   std::size_t number_of_levels = 1;
   double minimum_angle = 0;        // of the refined triangulation, in degrees; 0 for no refinement
   double coarse_minimum_angle = 0; // of the coarse triangulation; 0 for no refinement
+  double closed_length = 0;        // of boundary loops that are closed before
+  double pinched_length = 0;       // of edge loops along which handles are cut before
 };
 
 // Removes vertices from the intrinsic Delaunay triangulation, refined if that is wanted, refines

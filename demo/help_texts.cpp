@@ -261,6 +261,13 @@ With --min-angle, vertices are inserted into the coarse triangulation in the end
 obey the bound, or faces are at vertices too narrow for that, as by `intrinsic refine`. All output
 is about the refined coarse triangulation.
 
+With --close-loops and --pinch-handles the topology of the mesh becomes simpler before: boundary
+loops up to a length are closed, and handles are cut along closed curves of edges up to a length,
+the shortest first, and closed on both sides. What closes a loop is a disk of triangles around a
+new vertex. The rest of the mesh stays as it is. Faces of the disks have -1 as "input_face"; in the
+output their vertex is in the middle of the others, to be seen, but lengths are those of the disk.
+The lengths are in the units of the mesh.
+
 With --exact, refinement before and the intrinsic Delaunay triangulation from which vertices are
 removed are decided exactly and certified, as by `intrinsic delaunay --exact`; removals change the surface,
 by rounded numbers, and are not.

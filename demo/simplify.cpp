@@ -9,6 +9,7 @@
 #include "Program_error.h"
 #include "coarse_mesh.h"
 #include "matrix_market.h"
+#include "mended_topology.h"
 #include "removal_cost.h"
 #include "triangulation_stages.h"
 
@@ -25,6 +26,7 @@
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+#include <CGAL/centroid.h>
 
 #include <algorithm>
 #include <array>
@@ -126,7 +128,7 @@ public:
     read_functions();
     if(m_options.minimum_angle > 0)
       refine();
-    Triangulation start = m_run.timed("build", [&] { return built(); });
+    Triangulation start = m_run.timed("build", [&] { return mended(built()); });
     IS::Evolving_surface surface(start);
     m_levels.emplace_back(surface);
     if(m_run.options().is_exact)
@@ -181,6 +183,30 @@ private:
       return *m_triangulation;
     }
     return make_triangulation(m_run);
+  }
+
+  // Its faces and edges come first after that, with their numbers.
+  Triangulation mended(Triangulation start)
+  {
+    m_fine_edges = start.mesh().number_of_edges();
+    m_fine_faces = start.mesh().number_of_faces();
+    if(m_options.closed_length <= 0 && m_options.pinched_length <= 0)
+      return start;
+    const Mended_topology topology(start, m_options.closed_length, m_options.pinched_length);
+    topology.describe(m_run.statistics());
+    for(const std::vector<Mesh::Vertex_index>& sources : topology.sources_of_new_vertices()) {
+      std::vector<Point> points;
+      for(const Mesh::Vertex_index v : sources)
+        points.push_back(m_points[v]);
+      m_points.push_back(CGAL::centroid(points.begin(), points.end()));
+      m_weights.add_vertex([&](const std::vector<double>& values) {
+        double sum = 0;
+        for(const Mesh::Vertex_index v : sources)
+          sum += values[v];
+        return sum / double(sources.size());
+      });
+    }
+    return topology.triangulation();
   }
 
   void make_exactly_Delaunay(IS::Evolving_surface& surface, Triangulation& start)
@@ -314,7 +340,7 @@ private:
   // That of the input at the vertices of the subdivision, if the fine level is the input.
   void set_curvature(const Coarse_subdivision& subdivision)
   {
-    if(m_triangulation)
+    if(m_triangulation || m_levels[0].mesh().number_of_faces() > m_fine_faces)
       return;
     const std::vector<double> values = curvatures(m_run);
     m_curvature.resize(subdivision.mesh().number_of_vertices());
@@ -332,14 +358,25 @@ private:
     for(const IT::Edge_index e : mesh.edges())
       result.edges.push_back(number_of(input_edge(e)));
     for(const IT::Face_index f : mesh.faces())
-      result.faces.push_back(
-        number_of(m_triangulation ? m_triangulation->input_location(mesh.halfedge(f)).first : f));
+      result.faces.push_back(number_of(input_face(f)));
     return result;
   }
 
-  // Null if `e` is inside a face.
+  // Null if `f` is in a disk that closes a loop.
+  IT::Face_index input_face(IT::Face_index f) const
+  {
+    if(f.idx() >= m_fine_faces)
+      return IT::Face_index();
+    return m_triangulation
+             ? m_triangulation->input_location(m_triangulation->mesh().halfedge(f)).first
+             : f;
+  }
+
+  // Null if `e` is inside a face, in a disk, or has been made by a cut.
   IT::Edge_index input_edge(IT::Edge_index e) const
   {
+    if(e.idx() >= m_fine_edges)
+      return IT::Edge_index();
     if(!m_triangulation)
       return e;
     if(!m_triangulation->coordinates().is_shared(e))
@@ -447,8 +484,9 @@ private:
   Command_run m_run;
   std::optional<Triangulation> m_triangulation; // the refined one, then the input with its vertices
   std::vector<Point> m_points;                  // of the vertices of the fine level
-  std::vector<double> m_curvature;              // at the vertices of the subdivision, for a page
-  std::vector<IS::Surface_level> m_levels;      // from the fine one to the coarse one
+  std::size_t m_fine_edges = 0, m_fine_faces = 0; // of the fine level, without cuts and disks
+  std::vector<double> m_curvature;                // at the vertices of the subdivision, for a page
+  std::vector<IS::Surface_level> m_levels;        // from the fine one to the coarse one
 };
 
 } // namespace

@@ -3,13 +3,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Two Delaunay triangulations of one surface, with and without sharp edges as constraints: how they
-// lie over each other without the input, and the flips from one to the other.
+// lie over each other without the input, and the flips from one to the other. Then the first one is
+// refined, and lies over the second one with inserted vertices.
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_over.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Simple_cartesian.h>
@@ -43,5 +45,12 @@ int main(int argc, char* argv[])
   std::cout << shared << " of " << over.mesh().number_of_edges() << " edges are in both, and "
             << IT::Common_subdivision<>(IT::Correspondence<>(over)).mesh().number_of_faces()
             << " faces in their common subdivision\n";
+  auto refined = free;
   std::cout << IT::flip_to(free, constrained) << " flips lead from one to the other\n";
+
+  IT::refine(refined, IT::parameters::minimum_angle(25));
+  refined.collect_garbage();
+  std::cout << "refined, the first one has "
+            << IT::triangulation_over(constrained, refined).number_of_inserted_vertices()
+            << " vertices more, and " << IT::flip_to(refined, constrained) << " flips lead back\n";
 }

@@ -71,6 +71,7 @@ OPTIONS = {
     "simplify": {"--vertices": NUMBERS, "--ratio": NUMBERS, "--error": NUMBERS, "--levels": NUMBERS,
                  "--refine": ["nan", "-1", "0", "5", "25", "31", ""], "--exact": None,
                  "--min-angle": ["nan", "-1", "0", "5", "25", "61", ""], "--save": ["", "o.txt"],
+                 "--close-loops": NUMBERS, "--pinch-handles": NUMBERS,
                  "--weight": ["", "=", "area", "area=nan", "area=-1", "area=1e308", "=1", "x=1"]}}
 
 

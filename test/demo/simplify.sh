@@ -240,7 +240,45 @@ expect 0 simplify cap.mesh.off -o b.ply --vertices 1 --exact --stats b.json
 claim "json('b.json').certified"
 rm a.* b.*
 
+# Topology: the boundary of a square is closed if the bound is not below its length, and a torus
+# of 12 times 6 vertices is cut along one of its hexagons. The rest stays as it is.
+grid flat 4 0
+expect 0 simplify flat.mesh.off -o b.ply --ratio 1 --close-loops 3.99 --stats b.json
+claim "json('b.json').closed_loops == 0"
+for option in '' --exact '--refine 25'; do
+  expect 0 simplify flat.mesh.off -o b.ply --ratio 1 --close-loops 4 $option --stats b.json
+  claim "m, s = ply('b.ply'), json('b.json')" \
+    '(s.closed_loops, s.boundary_loops_before, s.boundary_loops_after) == (1, 1, 0)' \
+    's.filled_area > 0.9' "list(m.face['input_face']).count(-1) >= 16" \
+    "max(m.face['input_face']) == 31"
+done
+python3 -c '
+from math import *
+print("OFF\n72 144 0")
+for i in range(12):
+  for j in range(6):
+    s, t = i * pi / 6, j * pi / 3
+    print((3 + cos(t)) * cos(s), (3 + cos(t)) * sin(s), sin(t))
+for i in range(12):
+  for j in range(6):
+    a, b, c, d = (i % 12 * 6 + j, (i + 1) % 12 * 6 + j, (i + 1) % 12 * 6 + (j + 1) % 6, i * 6 + (j + 1) % 6)
+    print(3, a, b, c)
+    print(3, a, c, d)' >torus.mesh.off
+expect 0 simplify torus.mesh.off -o b.ply --vertices 20 --pinch-handles 5.99 --stats b.json
+claim "s = json('b.json')" '(s.pinched_handles, s.genus_before, s.genus_after) == (0, 1, 1)'
+expect 0 simplify torus.mesh.off -o b.ply --vertices 20 --pinch-handles 6.01 --stats b.json \
+  --prolongation b.mtx
+claim "s = json('b.json')" '(s.pinched_handles, s.genus_before, s.genus_after) == (1, 1, 0)' \
+  'abs(s.filled_area - 3 * 3 ** 0.5) < 1e-9' 's.coarse_faces == 36'
+is_prolongation b.mtx 72 20
+rm b.*
+
 # Wrong calls.
+for option in --close-loops --pinch-handles; do
+  for length in -1 nan many; do
+    expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 $option=$length
+  done
+done
 expect 2 simplify slivers.mesh.off -o a.ply
 expect 2 simplify slivers.mesh.off --vertices 10
 expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --ratio 0.5

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/Delaunay_matching.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
 
@@ -21,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Flips of T2 that follow integer coordinates alone. Lengths are set in the end, since the edges on
-// the way need not be straight.
+// Flips of T2 that follow integer coordinates alone. Lengths are set in the end, since the edges
+// on the way need not be straight.
 template <typename Traits>
 class Coordinate_flipping
 {
@@ -80,14 +81,35 @@ std::size_t flip_to_input(Intrinsic_triangulation<Traits>& tri)
   return internal::Coordinate_flipping<Traits>(tri).flip_to_input();
 }
 
+namespace internal {
+
+// Counts the flips until all edges of T3 are there. What vertices of T2 are left lie in its faces.
+template <typename Traits>
+std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
+                             const Intrinsic_triangulation<Traits>& target)
+{
+  const Intrinsic_triangulation<Traits> over = inserted_over(target, tri);
+  Delta_complex mesh = over.mesh();
+  typename Intrinsic_triangulation<Traits>::Coordinates coordinates(mesh);
+  const std::size_t flips = flip_to_shared(coordinates, mesh, over.spokes()).size();
+  tri = target;
+  return flips;
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
 /// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
 /// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the numbers of edges
-/// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the three
-/// triangulations with each other.
-/// \returns the number of flips
-/// \throws Invalid_input if the two have not the same input, or vertices have been inserted
+/// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the
+/// three triangulations with each other.
+///
+/// Where vertices have been inserted, `tri` becomes a copy of `target`: its vertices are inserted,
+/// edges are flipped, and vertices that it has not are removed, see `triangulation_over()`.
+/// \returns the number of flips until all edges of \f$T_3\f$ are there
+/// \throws Invalid_input if the two have not the same input
+/// \throws Numerical_error as `triangulation_over()` if vertices have been inserted
 /// \throws Overflow_error if a normal coordinate on the way is out of range
 /// After an exception nothing has changed.
 template <typename Traits>
@@ -95,6 +117,9 @@ std::size_t flip_to(Intrinsic_triangulation<Traits>& tri,
                     const Intrinsic_triangulation<Traits>& target)
 {
   internal::check_common_input(tri, target);
+  if constexpr(internal::can_have_inserted_vertices<Traits>())
+    if(internal::have_inserted_vertices(tri, target))
+      return internal::flip_to_inserted(tri, target);
   return internal::Coordinate_flipping<Traits>(tri).flip_to(target);
 }
 

@@ -105,10 +105,15 @@ Delta_complex coordinates_over(const Triangulation_pair<Traits>& base,
 template <typename Traits>
 void check_common_input(const Triangulation_pair<Traits>& a, const Triangulation_pair<Traits>& b)
 {
-  if(a.number_of_inserted_vertices() > 0 || b.number_of_inserted_vertices() > 0)
-    throw Invalid_input("vertices have been inserted into one of the two triangulations");
   if(!has_same_faces(a.input_mesh(), b.input_mesh()))
     throw Invalid_input("the two triangulations have not the same input");
+}
+
+template <typename Traits>
+bool have_inserted_vertices(const Triangulation_pair<Traits>& a,
+                            const Triangulation_pair<Traits>& b)
+{
+  return a.number_of_inserted_vertices() > 0 || b.number_of_inserted_vertices() > 0;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

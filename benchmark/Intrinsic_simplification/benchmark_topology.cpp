@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Boundary loops closed and handles cut up to a length, given in parts of the diagonal of the
+// bounding box: genus and boundary loops before and after, the area of the disks in parts of that of
+// the surface, and the time. Usage: benchmark_topology MESH PART...
+
+#include "../Intrinsic_triangulations/measure.h"
+#include "surfaces.h"
+
+#include <CGAL/Intrinsic_simplification/Surface_surgery.h>
+#include <CGAL/Intrinsic_simplification/pinch_handles.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace IS = CGAL::Intrinsic_simplification;
+
+namespace {
+
+void benchmark(const Mesh& mesh, double part, IS::Cutting_curves curves)
+{
+  const auto box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  const double length = part * std::hypot(box.x_span(), std::hypot(box.y_span(), box.z_span()));
+  const IS::Surface_surgery::Triangulation input(mesh);
+  const IS::Topological_type before = IS::topological_type(input.mesh());
+  IS::Surface_surgery surface(input);
+  Samples samples;
+  samples.time([&] {
+    return IS::close_boundary_loops(surface, length) + IS::pinch_handles(surface, length, curves);
+  });
+  const IS::Topological_type after = IS::topological_type(surface.mesh());
+  std::printf("| %.3f | %s | %zu | %zu | %zu | %zu | %.5f | %.2f |\n", part,
+              curves == IS::Cutting_curves::edges ? "edges" : "geodesics", before.genus,
+              after.genus, before.boundary_loops, after.boundary_loops,
+              surface.filled_area() / CGAL::Polygon_mesh_processing::area(mesh),
+              samples.median() / 1000);
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  if(argc < 3)
+    return 1;
+  Mesh mesh;
+  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
+    return 1;
+  std::printf("| part | curves | genus | after | loops | after | filled | s |\n");
+  for(int i = 2; i < argc; ++i)
+    for(IS::Cutting_curves curves : {IS::Cutting_curves::edges, IS::Cutting_curves::geodesics})
+      benchmark(mesh, std::atof(argv[i]), curves);
+}

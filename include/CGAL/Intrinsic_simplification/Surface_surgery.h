@@ -1,0 +1,341 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_SURGERY_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_SURGERY_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
+#include <CGAL/Intrinsic_simplification/internal/topology/disk_radius.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// what surfaces without isolated vertices have in common if they can be deformed into each other:
+/// all of it if there is one component.
+struct Topological_type
+{
+  std::size_t components = 0;     ///< the number of components that have a face
+  std::size_t boundary_loops = 0; ///< the number of closed curves that form the boundary
+  std::size_t genus = 0;          ///< the number of handles of all components
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// returns the topological type of an oriented surface. Complexity: linear.
+inline Topological_type topological_type(const Delta_complex& mesh)
+{
+  Topological_type result;
+  std::vector<bool> is_seen(mesh.num_halfedges(), false);
+  for(Halfedge_index start : mesh.halfedges())
+    if(mesh.is_border(start) && !is_seen[start]) {
+      ++result.boundary_loops;
+      for(Halfedge_index h = start; !is_seen[h]; h = mesh.next(h))
+        is_seen[h] = true;
+    }
+  std::size_t isolated = 0;
+  for(Vertex_index v : mesh.vertices())
+    isolated += mesh.is_isolated(v);
+  result.components = Intrinsic_triangulations::internal::Mesh_components(mesh).size() - isolated;
+  // by Euler, with all boundary loops filled
+  result.genus = (2 * result.components + mesh.number_of_edges() + isolated -
+                  mesh.number_of_vertices() - mesh.number_of_faces() - result.boundary_loops) /
+                 2;
+  return result;
+}
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// a surface that is cut along closed curves, and on which boundary loops are closed by disks,
+/// with the map from the surface as it was.
+///
+/// A disk that closes a loop has one vertex, the apex, which is joined to all vertices of the loop
+/// by edges of one length. The disk is flat if the loop is near to a circle: its boundary is a
+/// polygon inscribed in one. If an edge is longer than the side of an equilateral triangle in that
+/// circle, the edges to the apex are \f$1/\sqrt{3}\f$ times as long as the longest edge, and the
+/// disk is a cone.
+///
+/// Outside of the disks nothing changes: faces, edges and vertices of the surface keep their
+/// numbers, lengths and angles, and new ones come after them. Along a cut, the surface on its left
+/// gets new vertices and that on its right new edges.
+///
+/// The surface may be triangulated anew in between. Then faces and edges get other numbers, but
+/// the map leads through that.
+/// \cgalModels `IntrinsicSurface`
+class Surface_surgery
+{
+public:
+  /// the type of the input, and of the result.
+  typedef Intrinsic_surface::Triangulation Triangulation;
+  /// a face and barycentric coordinates that sum up to one.
+  typedef Intrinsic_triangulations::Face_location<double> Location;
+  /// a readable property map from edges to their lengths.
+  typedef Intrinsic_surface::Length_map Length_map;
+
+  /// starts with the intrinsic triangulation \f$T_2\f$ of `tri`. Complexity: linear.
+  /// \pre `tri` has no garbage
+  explicit Surface_surgery(const Triangulation& tri)
+    : m_origin(tri.mesh().vertices().begin(), tri.mesh().vertices().end()),
+      m_number_of_faces(tri.mesh().number_of_faces())
+  {
+    CGAL_precondition(!tri.mesh().has_garbage());
+    take(tri);
+  }
+
+  /// \name The Surface
+  /// @{
+
+  /// returns the connectivity at present.
+  const Delta_complex& mesh() const { return m_mesh; }
+
+  /// returns the lengths of the edges at present.
+  Length_map length_map() const { return Length_map(m_length.data()); }
+
+  /// returns an intrinsic triangulation of the surface at present, with \f$T_1 = T_2\f$: the
+  /// input of further work. Constrained edges stay so, on both sides of a cut. Complexity: linear.
+  Triangulation triangulation() const
+  {
+    const auto is_constrained = boost::make_function_property_map<Edge_index>(
+      [this](Edge_index e) { return m_is_constrained[e] != 0; });
+    return Triangulation(m_mesh, Intrinsic_triangulations::parameters::edge_length_map(length_map())
+                                   .edge_is_constrained_map(is_constrained));
+  }
+
+  /// returns the vertex of the surface at the beginning that the vertex `v` is or, on a cut, comes
+  /// from; null if `v` is the apex of a disk.
+  Vertex_index original_vertex(Vertex_index v) const { return m_origin[v]; }
+
+  /// returns the number of loops that have been closed, two for each cut included.
+  std::size_t number_of_disks() const { return m_number_of_disks; }
+
+  /// returns the area of all disks.
+  double filled_area() const { return m_filled_area; }
+
+  /// @}
+  /// \name The Map
+  /// @{
+
+  /// maps a point of the surface at the beginning to the surface at present: it is where it was. A
+  /// point on a cut goes to the side of its face. Complexity: constant, and that of
+  /// `Intrinsic_triangulations::point_across()` for each time that edges have been flipped.
+  Location image(Location p) const
+  {
+    for(const Stage& stage : m_stages)
+      p = point_across(stage.tri, Intrinsic_triangulations::Side::input, p);
+    return p;
+  }
+
+  /// maps a point of the surface at present to the surface at the beginning; nothing is returned
+  /// for a point in a disk. Complexity: as `image()`.
+  std::optional<Location> preimage(Location p) const
+  {
+    for(auto stage = m_stages.rbegin(); stage != m_stages.rend(); ++stage) {
+      if(p.first.idx() >= stage->tri.mesh().number_of_faces())
+        return std::nullopt;
+      p = point_across(stage->tri, Intrinsic_triangulations::Side::intrinsic, p);
+    }
+    return p.first.idx() < m_number_of_faces ? std::optional(p) : std::nullopt;
+  }
+
+  /// @}
+  /// \name Operations
+  /// @{
+
+  /// closes the boundary loop of the border halfedge `border` by a disk. Complexity: linear in the
+  /// length of the loop.
+  /// \returns the apex
+  /// \pre `mesh().is_border(border)`
+  Vertex_index close(Halfedge_index border)
+  {
+    CGAL_precondition(m_mesh.is_border(border));
+    const std::vector<Halfedge_index> loop = border_loop(border, m_mesh);
+    std::vector<double> sides;
+    for(Halfedge_index h : loop)
+      sides.push_back(length(h));
+    const double radius = internal::disk_radius(sides);
+    const Vertex_index apex = add_vertex(Vertex_index());
+    std::vector<Halfedge_index> spoke; // from the source of each side
+    for(Halfedge_index h : loop)
+      spoke.push_back(add_edge(m_mesh.source(h), apex, radius, false));
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      fill(loop[i], spoke[(i + 1) % loop.size()], opposite(spoke[i]), radius);
+    m_mesh.set_halfedge(apex, spoke[0]);
+    for(Halfedge_index h : loop)
+      m_mesh.set_halfedge(m_mesh.target(h), h);
+    ++m_number_of_disks;
+    return apex;
+  }
+
+  /// cuts the surface along a closed curve of edges: two boundary loops arise. Complexity: linear
+  /// in the degrees of its vertices.
+  /// \param loop the halfedges of the curve; each starts where the one before ends
+  /// \returns border halfedges of both, first of that on the left
+  /// \pre the curve passes no vertex twice, and none on the boundary
+  std::pair<Halfedge_index, Halfedge_index> cut(const std::vector<Halfedge_index>& loop)
+  {
+    std::vector<Halfedge_index> right; // border halfedges, in the direction of `loop`
+    for(Halfedge_index h : loop)
+      right.push_back(split_sides(h));
+    for(std::size_t i = 0; i < loop.size(); ++i) {
+      const std::size_t j = (i + 1) % loop.size();
+      m_mesh.set_next(right[i], right[j]);
+      m_mesh.set_next(opposite(loop[j]), opposite(loop[i]));
+    }
+    for(std::size_t i = 0; i < loop.size(); ++i)
+      m_mesh.set_halfedge(m_mesh.target(right[i]), right[i]);
+    for(Halfedge_index h : loop)
+      separate_left(opposite(h));
+    return {opposite(loop[0]), right[0]};
+  }
+
+  /// makes \f$T_2\f$ of `tri`, whose input is the surface at present, the surface.
+  /// Complexity: linear.
+  /// \pre no vertices have been inserted
+  void retriangulate(Triangulation tri)
+  {
+    CGAL_precondition(tri.number_of_inserted_vertices() == 0 &&
+                      tri.input_mesh().number_of_faces() == m_mesh.number_of_faces());
+    take(tri);
+    m_stages.push_back({std::move(tri)});
+  }
+
+  /// @}
+
+private:
+  struct Stage
+  {
+    Triangulation tri;
+  };
+
+  static std::vector<Halfedge_index> border_loop(Halfedge_index border, const Delta_complex& mesh)
+  {
+    std::vector<Halfedge_index> result{border};
+    for(Halfedge_index h = mesh.next(border); h != border; h = mesh.next(h))
+      result.push_back(h);
+    return result;
+  }
+
+  void take(const Triangulation& tri)
+  {
+    m_mesh = tri.mesh();
+    m_mesh.remove_all_property_maps();
+    m_length.clear();
+    m_is_constrained.clear();
+    for(Edge_index e : m_mesh.edges()) {
+      m_length.push_back(tri.length(e));
+      m_is_constrained.push_back(tri.is_constrained(e));
+    }
+  }
+
+  double length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
+
+  Vertex_index add_vertex(Vertex_index origin)
+  {
+    m_origin.push_back(origin);
+    return m_mesh.add_vertex();
+  }
+
+  Halfedge_index add_edge(Vertex_index source, Vertex_index target, double length,
+                          bool is_constrained)
+  {
+    const Halfedge_index h = m_mesh.add_edge();
+    m_mesh.set_target(h, target);
+    m_mesh.set_target(opposite(h), source);
+    m_length.push_back(length);
+    m_is_constrained.push_back(is_constrained);
+    return h;
+  }
+
+  // makes a face of a side of a loop and two edges to the apex
+  void fill(Halfedge_index side, Halfedge_index to_apex, Halfedge_index from_apex, double radius)
+  {
+    const Face_index f = m_mesh.add_face();
+    m_mesh.set_halfedge(f, side);
+    m_mesh.set_next(side, to_apex);
+    m_mesh.set_next(to_apex, from_apex);
+    m_mesh.set_next(from_apex, side);
+    for(Halfedge_index h : {side, to_apex, from_apex})
+      m_mesh.set_face(h, f);
+    m_filled_area += Intrinsic_triangulations::quadrupled_area(length(side), radius, radius) / 4;
+  }
+
+  // Makes a new edge of the other side of `h`, which becomes a border halfedge. Returns the border
+  // halfedge of the new edge, in the direction of `h`.
+  Halfedge_index split_sides(Halfedge_index h)
+  {
+    const Halfedge_index o = opposite(h);
+    const Halfedge_index inner =
+      add_edge(m_mesh.target(h), m_mesh.source(h), length(h), m_is_constrained[Edge_index(h)] != 0);
+    const Face_index f = m_mesh.face(o);
+    const Halfedge_index before = m_mesh.prev(o), after = m_mesh.next(o);
+    m_mesh.set_next(before, inner);
+    m_mesh.set_next(inner, after);
+    m_mesh.set_face(inner, f);
+    if(m_mesh.halfedge(f) == o)
+      m_mesh.set_halfedge(f, inner);
+    m_mesh.set_face(o, Delta_complex::null_face());
+    return opposite(inner);
+  }
+
+  // gives the umbrella of the border halfedge `border` a vertex of its own, as its target
+  void separate_left(Halfedge_index border)
+  {
+    const Vertex_index v = add_vertex(m_origin[m_mesh.target(border)]);
+    Halfedge_index h = border;
+    do {
+      m_mesh.set_target(h, v);
+      h = opposite(m_mesh.next(h));
+    } while(h != border);
+    m_mesh.set_halfedge(v, border);
+  }
+
+  Delta_complex m_mesh;
+  std::vector<double> m_length;
+  std::vector<char> m_is_constrained;
+  std::vector<Vertex_index> m_origin;
+  std::vector<Stage> m_stages;
+  std::size_t m_number_of_faces; // at the beginning
+  std::size_t m_number_of_disks = 0;
+  double m_filled_area = 0;
+};
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// closes all boundary loops of a length of at most `maximum_length` by disks, see
+/// `Surface_surgery`. Complexity: linear.
+/// \returns the number of loops that have been closed
+inline std::size_t close_boundary_loops(Surface_surgery& surface, double maximum_length)
+{
+  const Delta_complex& mesh = surface.mesh();
+  std::vector<Halfedge_index> borders;
+  std::vector<bool> is_seen(mesh.num_halfedges(), false);
+  for(Halfedge_index start : mesh.halfedges())
+    if(mesh.is_border(start) && !is_seen[start]) {
+      double length = 0;
+      for(Halfedge_index h = start; !is_seen[h]; h = mesh.next(h)) {
+        is_seen[h] = true;
+        length += get(surface.length_map(), Edge_index(h));
+      }
+      if(length <= maximum_length)
+        borders.push_back(start);
+    }
+  for(Halfedge_index h : borders)
+    surface.close(h);
+  return borders.size();
+}
+
+} // namespace CGAL::Intrinsic_simplification
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SURFACE_SURGERY_H

@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_COMMON_VERTICES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_COMMON_VERTICES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// whether vertices can be inserted in this geometry
+template <typename Traits>
+constexpr bool can_have_inserted_vertices()
+{
+  return Has_distance<Traits>::value && std::is_floating_point_v<typename Traits::FT>;
+}
+
+// Makes two triangulations over one T1 have the same vertices: those that only the other one has
+// are inserted. What is inserted into the first one, T2, is inserted into it over itself, too: so
+// there is a triangulation with the vertices of both over T2 as it was.
+template <typename Traits>
+class Common_vertices
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef typename Traits::FT FT;
+  typedef Vertex_inserter<Traits> Inserter;
+
+public:
+  Common_vertices(const Triangulation& base, const Triangulation& tri)
+    : m_base(unconstrained(base)), m_tri(unconstrained(tri)), m_over(over_itself(base))
+  {
+    CGAL_precondition(!base.mesh().has_garbage() && !tri.mesh().has_garbage());
+    for(Vertex_index v : base.input_mesh().vertices())
+      m_vertex.push_back(v);
+    const Vertices missing_in_tri = missing(m_base, m_tri, true);
+    const Vertices missing_in_base = missing(m_tri, m_base, false);
+    insert_all(missing_in_tri, m_base, m_tri, nullptr);
+    insert_all(missing_in_base, m_tri, m_base, &m_over);
+    if(!has_same_faces(m_base.mesh(), m_over.mesh()))
+      throw Numerical_error("vertices cannot be inserted into both triangulations alike");
+  }
+
+  Triangulation& base() { return m_base; }
+  const Triangulation& base() const { return m_base; }
+  Triangulation& tri() { return m_tri; }
+  const Triangulation& tri() const { return m_tri; }
+  // T2 with the vertices that only T3 has, over T2
+  Triangulation& over() { return m_over; }
+
+  // the vertex of base() that is the vertex `v` of tri()
+  Vertex_index vertex(Vertex_index v) const { return m_vertex[v]; }
+
+private:
+  typedef std::tuple<std::size_t, std::size_t, FT, FT, FT> Place;
+  typedef std::vector<Vertex_index> Vertices;
+
+  static Triangulation unconstrained(Triangulation tri)
+  {
+    auto is_constrained = tri.template add_property_map<Edge_index>("e:is_constrained", false);
+    for(Edge_index e : tri.mesh().edges())
+      is_constrained[e] = false;
+    return tri;
+  }
+
+  static Triangulation over_itself(const Triangulation& tri)
+  {
+    return Triangulation(without_maps(tri.mesh()),
+                         parameters::edge_length_map(tri.length_map()).geom_traits(tri.traits()));
+  }
+
+  // Equal for equal points, whichever side of an edge they have been inserted from.
+  static Place place(Vertex_index v, const Triangulation& tri)
+  {
+    const Inserted_vertex<FT>& m = tri.inserted_vertex(v);
+    const Edge_index e(m.along);
+    if(m.along.is_valid())
+      return {1, e.idx(), tri.place_along(first_halfedge(e), v), FT(0), FT(0)};
+    const auto& b = m.location.second;
+    return {0, m.location.first.idx(), b[0], b[1], b[2]};
+  }
+
+  static bool are_in_one_element(const Place& p, const Place& q)
+  {
+    return std::get<0>(p) == std::get<0>(q) && std::get<1>(p) == std::get<1>(q);
+  }
+
+  typedef std::vector<std::pair<Place, Vertex_index>> Places;
+
+  static Places inserted_places(const Triangulation& tri)
+  {
+    Places result;
+    for(Vertex_index v : tri.mesh().vertices())
+      if(tri.is_inserted(v))
+        result.emplace_back(place(v, tri), v);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Returns the vertex at `p` up to rounding, null if there is none.
+  static Vertex_index vertex_at(const Place& p, const Places& places)
+  {
+    const FT tolerance = region_tolerance<FT>();
+    const auto is_near = [&](const FT& x, const FT& y) { return CGAL::abs(x - y) <= tolerance; };
+    const auto& [kind, element, x, y, z] = p;
+    const std::pair least(Place(kind, element, x - tolerance, FT(-1), FT(-1)), Vertex_index(0));
+    for(auto q = std::lower_bound(places.begin(), places.end(), least);
+        q != places.end() && are_in_one_element(p, q->first) &&
+        is_near(std::get<2>(q->first), std::get<2>(p));
+        ++q)
+      if(is_near(std::get<3>(q->first), std::get<3>(p)) &&
+         is_near(std::get<4>(q->first), std::get<4>(p)))
+        return q->second;
+    return Vertex_index();
+  }
+
+  // Returns the vertices that have been inserted into `from` and not into `to`. Those of both are
+  // noted.
+  Vertices missing(const Triangulation& from, const Triangulation& to, bool from_base)
+  {
+    const Places there = inserted_places(to);
+    Vertices result;
+    for(const auto& [p, v] : inserted_places(from))
+      if(const Vertex_index w = vertex_at(p, there); w.is_valid())
+        note(v, w, !from_base);
+      else
+        result.push_back(v);
+    return result;
+  }
+
+  // In every round at most one vertex is inserted into a face, for places are found all at once.
+  void insert_all(Vertices vertices, const Triangulation& from, Triangulation& to,
+                  Triangulation* follower)
+  {
+    while(!vertices.empty()) {
+      std::vector<std::pair<Vertex_index, Face_location<FT>>> located;
+      const Correspondence<Traits> correspondence(to);
+      for(Vertex_index v : vertices)
+        located.emplace_back(
+          v, point_across(correspondence, Side::input, from.inserted_vertex(v).location));
+      vertices = insert_round(located, from, to, follower);
+    }
+  }
+
+  template <typename Located>
+  Vertices insert_round(const Located& located, const Triangulation& from, Triangulation& to,
+                        Triangulation* follower)
+  {
+    Vertices rest;
+    std::vector<bool> is_touched(to.mesh().num_faces(), false);
+    Inserter inserter(to);
+    std::optional<Inserter> following;
+    if(follower != nullptr)
+      following.emplace(*follower);
+    for(const auto& [v, p] : located) {
+      const auto faces = faces_around(p, to.mesh());
+      if(std::any_of(faces.begin(), faces.end(),
+                     [&](Face_index f) { return f.idx() >= is_touched.size() || is_touched[f]; })) {
+        rest.push_back(v);
+        continue;
+      }
+      for(Face_index f : faces)
+        is_touched[f] = true;
+      if(following)
+        following->insert(p);
+      note(v, insert(v, p, from, inserter), follower != nullptr);
+    }
+    return rest;
+  }
+
+  // the face, and that beyond a side on which `p` is
+  static std::vector<Face_index> faces_around(const Face_location<FT>& p, const Delta_complex& mesh)
+  {
+    std::vector<Face_index> result{p.first};
+    const auto side = sides(p.first, mesh);
+    for(std::size_t s = 0; s < 3; ++s)
+      if(const Halfedge_index o = mesh.opposite(side[s]);
+         p.second[(s + 2) % 3] == 0 && !mesh.is_border(o))
+        result.push_back(mesh.face(o));
+    return result;
+  }
+
+  static Vertex_index insert(Vertex_index v, const Face_location<FT>& p, const Triangulation& from,
+                             Inserter& inserter)
+  {
+    const Triangulation& to = inserter.triangulation();
+    const auto before = to.mesh().number_of_vertices();
+    const bool is_on_edge = from.inserted_vertex(v).along.is_valid();
+    FT closeness(0);
+    for(Halfedge_index h : sides(p.first, to.mesh()))
+      closeness = (std::max)(closeness, FT(is_on_edge ? 1e-6 : 0) * to.length(Edge_index(h)));
+    const Vertex_index result = inserter.insert(p, closeness);
+    if(to.mesh().number_of_vertices() == before ||
+       !are_in_one_element(place(result, to), place(v, from)))
+      throw Numerical_error("rounding has moved inserted vertex " + std::to_string(v.idx()) +
+                            " to another element of the other triangulation");
+    return result;
+  }
+
+  void note(Vertex_index v, Vertex_index inserted, bool into_base)
+  {
+    const Vertex_index in_base = into_base ? inserted : v, in_tri = into_base ? v : inserted;
+    if(m_vertex.size() <= in_tri.idx())
+      m_vertex.resize(in_tri.idx() + 1);
+    m_vertex[in_tri] = in_base;
+  }
+
+  Triangulation m_base, m_tri, m_over;
+  std::vector<Vertex_index> m_vertex;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_COMMON_VERTICES_H

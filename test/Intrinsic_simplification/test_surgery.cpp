@@ -1,0 +1,326 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Boundary loops that are closed, and handles that are cut.
+
+#include "../Intrinsic_triangulations/plates.h"
+#include "evolving_surfaces.h"
+
+#include <CGAL/Intrinsic_simplification/Surface_surgery.h>
+#include <CGAL/Intrinsic_simplification/pinch_handles.h>
+#include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace Test_surgery {
+
+using namespace Test_surfaces;
+using IS::Cutting_curves;
+using IS::Surface_surgery;
+using Triangulation = IT::Intrinsic_triangulation<>;
+using Location = Surface_surgery::Location;
+
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+
+auto lengths_of(const Surface_surgery& s)
+{
+  return [&s](Edge_index e) { return get(s.length_map(), e); };
+}
+
+double area(Face_index f, const Surface_surgery& s)
+{
+  const auto side = IT::sides(f, s.mesh());
+  const auto l = lengths_of(s);
+  return IT::quadrupled_area(l(Edge_index(side[0])), l(Edge_index(side[1])),
+                             l(Edge_index(side[2]))) /
+         4;
+}
+
+double area(const Surface_surgery& s)
+{
+  double sum = 0;
+  for(Face_index f : s.mesh().faces())
+    sum += area(f, s);
+  return sum;
+}
+
+double total_curvature(const Surface_surgery& s)
+{
+  double total = 0;
+  const std::vector<double> sums = angle_sums(s.mesh(), lengths_of(s));
+  for(Vertex_index v : s.mesh().vertices())
+    total += (s.mesh().is_isolated(v) || !s.mesh().is_border(v) ? 2 : 1) * pi - sums[v];
+  return total;
+}
+
+void expect_valid(const Surface_surgery& s, double area_before, double tolerance = 1e-9)
+{
+  ASSERT_TRUE(IT::is_valid_Delta_complex(s.mesh(), true));
+  EXPECT_NEAR(total_curvature(s), 2 * pi * euler_characteristic(s.mesh()), 1e-6);
+  EXPECT_NEAR(area(s), area_before + s.filled_area(), tolerance * area(s));
+  EXPECT_TRUE(s.triangulation().is_valid(true));
+}
+
+// Points go there and back; those in disks come from nowhere.
+void expect_map(const Surface_surgery& s, const Triangulation& input, double tolerance = 1e-9)
+{
+  CGAL::Random random(1);
+  const auto random_point = [&](Face_index f) {
+    const double x = random.get_double(), y = random.get_double(0, 1 - x);
+    return Location{f, {x, y, 1 - x - y}};
+  };
+  for(Face_index f : input.mesh().faces()) {
+    const Location p = random_point(f);
+    const auto back = s.preimage(s.image(p));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->first, f);
+    for(std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(back->second[c], p.second[c], tolerance);
+  }
+  double filled = 0;
+  for(Face_index f : s.mesh().faces())
+    filled += s.preimage(random_point(f)) ? 0 : area(f, s);
+  EXPECT_LE(filled, s.filled_area() * (1 + 1e-9));
+  std::size_t apexes = 0;
+  for(Vertex_index v : s.mesh().vertices())
+    apexes += !s.original_vertex(v).is_valid();
+  EXPECT_EQ(apexes, s.number_of_disks());
+}
+
+// Faces and edges that were there before are what they were.
+void expect_unchanged(const Surface_surgery& s, const Triangulation& input)
+{
+  for(Face_index f : input.mesh().faces())
+    for(std::size_t c = 0; c < 3; ++c) {
+      const Halfedge_index h = IT::sides(f, s.mesh())[c], g = IT::sides(f, input.mesh())[c];
+      EXPECT_EQ(get(s.length_map(), Edge_index(h)), input.length(Edge_index(g)));
+      EXPECT_EQ(s.original_vertex(s.mesh().source(h)), input.mesh().source(g));
+    }
+}
+
+// ---- Boundary loops ----
+
+TEST(Surface_surgery, closes_all_loops)
+{
+  for(unsigned seed = 0; seed < 5; ++seed)
+    for(const Named_complex& c : complexes()) {
+      SCOPED_TRACE(c.name);
+      const Triangulation input = triangulation(c.mesh, random_lengths(c.mesh, seed));
+      Surface_surgery s(input);
+      const auto before = IS::topological_type(c.mesh);
+      const double area_before = area(s);
+      EXPECT_EQ(IS::close_boundary_loops(s, no_bound), before.boundary_loops);
+      const auto after = IS::topological_type(s.mesh());
+      EXPECT_EQ(after.boundary_loops, 0u);
+      EXPECT_EQ(after.genus, before.genus);
+      EXPECT_EQ(after.components, before.components);
+      expect_valid(s, area_before);
+      expect_map(s, input);
+      expect_unchanged(s, input);
+    }
+}
+
+TEST(Surface_surgery, closes_short_loops_only)
+{
+  const Mesh mesh = grid(4, 4, [](double x, double y) { return Point(x, y, 0); });
+  const Triangulation input(mesh);
+  Surface_surgery s(input);
+  EXPECT_EQ(IS::close_boundary_loops(s, 15.999), 0u);
+  EXPECT_EQ(IS::close_boundary_loops(s, 16), 1u);
+}
+
+// the disk of a regular polygon is flat
+TEST(Surface_surgery, disks_of_regular_polygons)
+{
+  for(std::size_t n : {3u, 4u, 5u, 8u, 30u, 1000u}) {
+    std::vector<Point> points{Point(0, 0, 2)};
+    Triangles triangles;
+    for(std::size_t i = 0; i < n; ++i) {
+      points.emplace_back(std::cos(2 * pi * double(i) / double(n)),
+                          std::sin(2 * pi * double(i) / double(n)), 0);
+      triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+    }
+    const Triangulation input(make_mesh(points, triangles));
+    Surface_surgery s(input);
+    ASSERT_EQ(IS::close_boundary_loops(s, no_bound), 1u);
+    const double side = 2 * std::sin(pi / double(n));
+    EXPECT_NEAR(s.filled_area(), double(n) / 4 * side * side / std::tan(pi / double(n)), 1e-9);
+    const Vertex_index apex(s.mesh().number_of_vertices() - 1);
+    EXPECT_NEAR(angle_sums(s.mesh(), lengths_of(s))[apex], 2 * pi, 1e-6);
+  }
+}
+
+// one edge, two edges, and one long edge among short ones
+TEST(Surface_surgery, disks_of_long_edges_are_cones)
+{
+  for(const std::vector<double>& sides :
+      {std::vector<double>{1}, {1, 1}, {2, 1}, {1, 0.6, 0.6}, {1, 0.01, 0.01, 0.99}}) {
+    const double radius = IS::internal::disk_radius(sides);
+    EXPECT_DOUBLE_EQ(radius, sides[0] / std::sqrt(3.));
+    EXPECT_LE(IS::internal::central_angle(sides, radius), 2 * pi * (1 + 1e-12));
+  }
+}
+
+// ---- Handles ----
+
+// A closed curve separates if and only if its signature is zero.
+TEST(Loop_signatures, against_cutting)
+{
+  std::size_t separating = 0, others = 0;
+  for(const Named_complex& c : complexes()) {
+    SCOPED_TRACE(c.name);
+    const IS::internal::Loop_signatures signatures(c.mesh);
+    CGAL::Random random(3);
+    for(int i = 0; i < 60; ++i) {
+      // a random walk up to the first vertex that it meets again
+      std::vector<Halfedge_index> walk;
+      Halfedge_index h(static_cast<unsigned>(random.get_int(0, int(c.mesh.num_halfedges()))));
+      auto met = walk.end();
+      for(int step = 0; step < 30 && met == walk.end(); ++step) {
+        walk.push_back(h);
+        met = std::find_if(walk.begin(), walk.end(),
+                           [&](Halfedge_index x) { return c.mesh.source(x) == c.mesh.target(h); });
+        if(met != walk.end())
+          break;
+        const int turns = random.get_int(1, 6);
+        h = c.mesh.opposite(h);
+        for(int t = 0; t < turns && !c.mesh.is_border(h); ++t)
+          h = IT::next_spoke(h, c.mesh);
+      }
+      if(met == walk.end())
+        continue;
+      const std::vector<Halfedge_index> loop(met, walk.end());
+      if((loop.size() == 2 && loop[0] == c.mesh.opposite(loop[1])) ||
+         std::any_of(loop.begin(), loop.end(),
+                     [&](Halfedge_index x) { return c.mesh.is_border(c.mesh.target(x)); }))
+        continue;
+      Surface_surgery s(triangulation(c.mesh, random_lengths(c.mesh, 1)));
+      s.cut(loop);
+      IS::close_boundary_loops(s, no_bound); // components stay apart
+      ASSERT_TRUE(IT::is_valid_Delta_complex(s.mesh(), true));
+      const bool separates =
+        IS::topological_type(s.mesh()).components > IS::topological_type(c.mesh).components;
+      EXPECT_EQ(signatures.of(loop) == 0, separates);
+      ++(separates ? separating : others);
+    }
+  }
+  EXPECT_GT(separating, 100u);
+  EXPECT_GT(others, 100u);
+}
+
+std::size_t pinch_all(const Triangulation& input, Cutting_curves curves, double tolerance = 1e-9)
+{
+  Surface_surgery s(input);
+  const auto before = IS::topological_type(s.mesh());
+  const double area_before = area(s);
+  const std::size_t pinched = IS::pinch_handles(s, no_bound, curves);
+  const auto after = IS::topological_type(s.mesh());
+  EXPECT_EQ(after.genus + pinched, before.genus);
+  EXPECT_EQ(after.components, before.components);
+  EXPECT_EQ(after.boundary_loops, before.boundary_loops);
+  EXPECT_EQ(s.number_of_disks(), 2 * pinched);
+  expect_valid(s, area_before, tolerance);
+  expect_map(s, input, tolerance);
+  if(curves == Cutting_curves::edges)
+    expect_unchanged(s, input);
+  return after.genus;
+}
+
+TEST(Pinch_handles, all_handles)
+{
+  for(Cutting_curves curves : {Cutting_curves::edges, Cutting_curves::geodesics}) {
+    for(int genus : {0, 1, 2, 5, 9}) {
+      SCOPED_TRACE(genus);
+      EXPECT_EQ(pinch_all(Triangulation(plate_with_holes(genus)), curves), 0u);
+      // Geodesics pass vertices within rounding there, and leave needles of that width.
+      EXPECT_EQ(pinch_all(Triangulation(straight_plate_with_holes(genus)), curves, 1e-6), 0u);
+    }
+    EXPECT_EQ(pinch_all(Triangulation(punctured(embedded_torus(9, 8), {7})), curves), 0u);
+    EXPECT_EQ(pinch_all(Triangulation(five_components()), curves), 0u);
+  }
+}
+
+// Some have a single vertex, or all vertices on the boundary.
+TEST(Pinch_handles, all_complexes)
+{
+  for(unsigned seed = 0; seed < 5; ++seed)
+    for(const Named_complex& c : complexes()) {
+      SCOPED_TRACE(c.name);
+      for(Cutting_curves curves : {Cutting_curves::edges, Cutting_curves::geodesics}) {
+        const std::size_t left =
+          pinch_all(triangulation(c.mesh, random_lengths(c.mesh, seed)), curves);
+        EXPECT_TRUE(left == 0 || IS::topological_type(c.mesh).boundary_loops > 0);
+      }
+    }
+}
+
+double norm(double i, double j, const Vector& a, const Vector& b)
+{
+  return std::hypot(i * double(a.x) + j * double(b.x), i * double(a.y) + j * double(b.y));
+}
+
+// The shortest closed geodesic of a flat torus is the shortest vector of its lattice.
+TEST(Pinch_handles, flat_tori_of_known_length)
+{
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const Flat_surface surface = flat_torus(4 + int(seed % 3), 5 + int(seed % 4), seed);
+    double length = no_bound;
+    for(int i = -5; i <= 5; ++i)
+      for(int j = -5; j <= 5; ++j)
+        if(i != 0 || j != 0)
+          length = (std::min)(length, norm(i, j, surface.a, surface.b));
+    Triangulation input = triangulation(surface);
+    IT::make_Delaunay(input);
+    for(double bound : {length * (1 - 1e-9), length * (1 + 1e-9)}) {
+      Surface_surgery s(input);
+      EXPECT_EQ(IS::pinch_handles(s, bound), bound > length ? 1u : 0u);
+      expect_valid(s, area(Surface_surgery(input)));
+      expect_map(s, input);
+    }
+  }
+}
+
+// A tube of a torus made of n-gons: what is filled are two of them.
+TEST(Pinch_handles, area_of_disks)
+{
+  const std::size_t n = 7;
+  const Triangulation input(embedded_torus(30, n));
+  const double side = 2 * std::sin(pi / double(n));
+  Surface_surgery s(input);
+  EXPECT_EQ(IS::pinch_handles(s, double(n) * side * (1 - 1e-9), Cutting_curves::edges), 0u);
+  EXPECT_EQ(IS::pinch_handles(s, double(n) * side * (1 + 1e-9), Cutting_curves::edges), 1u);
+  EXPECT_NEAR(s.filled_area(), 2 * double(n) / 4 * side * side / std::tan(pi / double(n)), 1e-9);
+}
+
+TEST(Pinch_handles, keeps_constraints)
+{
+  const Mesh mesh = embedded_torus(9, 8);
+  const Triangulation input(mesh, CGAL::parameters::edge_is_constrained_map(
+                                    CGAL::Constant_property_map<Edge_index, bool>(true)));
+  Surface_surgery s(input);
+  ASSERT_EQ(IS::pinch_handles(s, no_bound), 1u);
+  const Triangulation result = s.triangulation();
+  std::size_t constrained = 0;
+  for(Edge_index e : result.mesh().edges())
+    constrained += result.is_constrained(e);
+  EXPECT_GT(constrained, mesh.number_of_edges());
+}
+
+TEST(Pinch_handles, then_simplifies)
+{
+  Surface_surgery s{Triangulation(plate_with_holes(5))};
+  EXPECT_EQ(IS::pinch_handles(s, no_bound), 5u);
+  IS::Evolving_surface surface(s.triangulation());
+  IS::simplify(surface, IS::parameters::number_of_vertices(10));
+  EXPECT_LE(surface.mesh().number_of_vertices(), 10u);
+}
+
+} // namespace Test_surgery
