@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/refine.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
-#include <CGAL/Intrinsic_triangulations/diagnose_surface.h>
+#include <CGAL/Intrinsic_triangulations/angles.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
 #include <CGAL/Simple_cartesian.h>
@@ -39,8 +39,8 @@ int main(int argc, char* argv[])
   const IS::Surface_level refined(surface);
   std::cout << fine.mesh().number_of_vertices() << " -> " << coarse.mesh().number_of_vertices()
             << " -> " << refined.mesh().number_of_vertices() << " vertices, least angle "
-            << IT::diagnose_surface(coarse).statistics().min_angle << " -> "
-            << IT::diagnose_surface(refined).statistics().min_angle << " degrees ("
+            << IT::smallest_angle_in_degrees(coarse.mesh(), coarse.length_map()) << " -> "
+            << IT::smallest_angle_in_degrees(refined.mesh(), refined.length_map()) << " degrees ("
             << IT::to_string(result.status) << ")\n";
 
   const IS::Surface_map map(surface, fine, refined);

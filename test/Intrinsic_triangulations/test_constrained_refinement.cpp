@@ -19,7 +19,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace Test_constrained_refinement {
 
 using namespace Test_surfaces;
 
@@ -146,4 +146,4 @@ TEST(Constrained_refinement, random_edges_of_hard_meshes)
   }
 }
 
-} // namespace
+} // namespace Test_constrained_refinement

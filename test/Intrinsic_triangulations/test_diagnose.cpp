@@ -4,8 +4,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/diagnose_surface.h>
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -492,19 +491,6 @@ TEST(Diagnose, random_soups_as_CGAL_judges_them)
     valid += is_mesh;
   }
   EXPECT_GT(valid, 200u);
-}
-
-// A surface has its own lengths: a square of side 1 whose diagonal has been made shorter.
-TEST(Diagnose, intrinsic_surface)
-{
-  const Points p{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  Mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(p, Polygons{{0, 1, 2}, {0, 2, 3}},
-                                                              mesh);
-  auto length = mesh.add_property_map<Mesh::Edge_index, double>("e:length", 1.).first;
-  const IT::Intrinsic_triangulation<> tri(mesh, IT::parameters::edge_length_map(length));
-  EXPECT_NEAR(IT::diagnose_surface(tri).statistics().min_angle, 60, 1e-12);
-  EXPECT_NEAR(IT::diagnose(mesh).statistics().min_angle, 45, 1e-12);
 }
 
 } // namespace Test_diagnose

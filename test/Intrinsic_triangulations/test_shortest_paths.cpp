@@ -487,8 +487,6 @@ TEST(Shortest_paths, after_Delaunay_flips)
   }
 }
 
-namespace {
-
 // The path as it is on the other side: it is as long there, runs through faces that meet, and from
 // and to the images of its ends.
 void check_across(const Triangulation& t, Side side, const Paths& paths, const Location& q,
@@ -547,8 +545,6 @@ void check_paths_across(const Triangulation& t, Side side, unsigned int seed)
       for(const double x : {0., random.get_double()})
         check_across(t, side, paths, IT::face_location(Edge_place{h, x}, mesh), c);
 }
-
-} // namespace
 
 TEST(Shortest_paths, on_the_other_triangulation)
 {
