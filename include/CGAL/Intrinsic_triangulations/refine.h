@@ -239,13 +239,14 @@ bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri, Doubtful_edges
 }
 
 // Flips to Delaunay with lengths that are computed afresh, and returns whether that was possible.
-// Doubts are those of the last time when no flip was necessary.
+// Doubts are those of the last time, when no flip was necessary.
 template <typename Traits, typename Visitor>
 bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
                        Refinement_result& result, [[maybe_unused]] Doubtful_edges& doubts)
 {
   Flipping_result flipping{1, true};
-  if constexpr(has_metric<Traits>())
+  bool is_done = true;
+  if constexpr(has_metric<Traits>()) {
     for(int round = 0; round < 20 && flipping.flips > 0 && flipping.is_Delaunay; ++round) {
       doubts = Doubtful_edges();
       if(!has_recomputed_lengths(tri, doubts))
@@ -254,13 +255,14 @@ bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, 
       flipping = flip_to_Delaunay(tri.mesh(), by_lengths, limit, visitor);
       result.flips += flipping.flips;
     }
-  else {
+    is_done = flipping.flips == 0;
+  } else {
     tri.recompute_lengths();
     flipping = flip_by_lengths(tri, limit, 100, visitor);
     result.flips += flipping.flips;
   }
   check_flip_limit(!flipping.is_Delaunay && flipping.flips == limit);
-  return flipping.is_Delaunay;
+  return flipping.is_Delaunay && is_done;
 }
 
 // Lengths that come from many roundings are computed afresh; edges and faces that turn out to
@@ -302,6 +304,23 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
   return result;
 }
 
+// Certifies what rounding has left in doubt, and goes on exactly if edges are straight, but not all
+// Delaunay. Returns whether edges are straight.
+template <typename Traits, typename Bounds, typename Visitor>
+bool settle(Doubtful_edges&& doubts, Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
+            const Refinement_limits& limits, Visitor& visitor, Refinement_result& result)
+{
+  const Delaunay_certificate certificate = certificate_for(tri, std::move(doubts));
+  if(certificate.is_Delaunay() || !certificate.is_geodesic())
+    return certificate.is_geodesic();
+  result.is_exact = true;
+  result.flips += make_exactly_Delaunay(tri, limits.flips, visitor);
+  const bool is_limited = result.status == Refinement_status::insertion_limit;
+  if(note_remaining(tri, bounds, result) && !is_limited)
+    result = refine_exactly(tri, bounds, limits, visitor, result);
+  return true;
+}
+
 // Goes on with exact decisions where rounding leaves doubts: from the triangulation that lengths have
 // led to if its edges are straight, and otherwise from T1. That needs a triangulation without
 // vertices that must stay, since the edges at those may not be straight.
@@ -317,28 +336,15 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
     if(flips.are_exact)
       return refine_exactly(tri, bounds, limits, visitor, result);
   Doubtful_edges doubts;
-  const bool is_certain =
+  [[maybe_unused]] const bool is_certain =
     refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result, doubts);
-  if constexpr(has_metric<Traits>()) {
-    if(is_certain) {
-      const Delaunay_certificate certificate = certificate_for(tri, std::move(doubts));
-      if(certificate.is_Delaunay())
-        return result;
-      if(certificate.is_geodesic()) {
-        result.is_exact = true;
-        result.flips += make_exactly_Delaunay(tri, limits.flips, visitor);
-        const bool was_limited = result.status == Refinement_status::insertion_limit;
-        return note_remaining(tri, bounds, result) && !was_limited
-                 ? refine_exactly(tri, bounds, limits, visitor, result)
-                 : result;
-      }
-    }
-    if(can_be_exact) {
+  if constexpr(has_metric<Traits>())
+    if(!(is_certain && settle(std::move(doubts), tri, bounds, limits, visitor, result)) &&
+       can_be_exact) {
       tri.reset_to_input();
       visitor.before_exact_refinement();
       return refine_exactly(tri, bounds, limits, visitor);
     }
-  }
   return result;
 }
 
