@@ -372,6 +372,15 @@ TEST(Euclidean_geometry_traits, a_short_edge_between_long_ones_keeps_its_digits)
   }
 }
 
+TEST(Euclidean_geometry_traits, whole_triangulations_in_long_double)
+{
+  for_each_small_triangulation<IT::Euclidean_geometry_traits<long double>>(
+    [](const auto& t, const auto& reference) {
+      for(Halfedge_index h : t.mesh().halfedges())
+        EXPECT_EQ(t.is_flippable(h), reference.is_flippable(h));
+    });
+}
+
 TEST(Intrinsic_geometry_traits, archetype)
 {
   for_each_small_triangulation<Traits_archetype>([](const auto& t, const auto& reference) {

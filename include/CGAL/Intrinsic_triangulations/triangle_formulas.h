@@ -23,7 +23,10 @@ namespace internal {
 template <typename FT>
 constexpr FT power_of_two(int exponent)
 {
-  return exponent == 0 ? FT(1) : 2 * power_of_two<FT>(exponent - 1);
+  FT result(1);
+  for(int i = 0; i < exponent; ++i)
+    result *= 2;
+  return result;
 }
 
 } // namespace internal
