@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <vector>
 
-// Which of some points are behind polygons. Coordinates are pixels to the right, downwards and to the
-// viewer; a point less than a pixel behind a polygon is on it.
+// Which of some points are behind polygons. Coordinates are pixels to the right, downwards and to
+// the viewer; a point less than a pixel behind a polygon is on it.
 class Occlusion
 {
 public:
