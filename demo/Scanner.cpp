@@ -20,8 +20,8 @@ namespace {
 constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
 constexpr bool is_space(char c) { return c == '\n' || is_blank(c); }
 
-// A comment and the other indices of a corner may follow directly.
-constexpr bool may_follow_number(char c) { return is_space(c) || c == '#' || c == '/'; }
+// A comment, the other indices of a corner and a tag may follow directly.
+constexpr bool may_follow_number(char c) { return is_space(c) || c == '#' || c == '/' || c == '<'; }
 
 // In one line, with what can be printed.
 std::string quoted(std::string_view word)
@@ -124,6 +124,16 @@ bool Scanner::accept(std::string_view expected)
 
 void Scanner::skip_rest_of_word() { m_position += rest_of_word().size(); }
 
+std::string_view Scanner::until(std::string_view last)
+{
+  const std::string_view rest(m_position, remaining());
+  const std::size_t size = rest.find(last);
+  if(size == std::string_view::npos)
+    fail_as_a_whole("ends too early; it is not complete");
+  m_position += size + last.size();
+  return rest.substr(0, size);
+}
+
 // Tiny numbers become zero or what is next to it.
 template <class Number>
 Number Scanner::value_beyond_range(std::string_view digits) const
@@ -185,7 +195,8 @@ std::size_t Scanner::count()
 void Scanner::fail(const std::string& reason) const
 {
   if(m_is_binary)
-    fail_as_a_whole("cannot be read: " + reason);
+    fail_as_a_whole("cannot be read: byte " + std::to_string(m_position - m_bytes.data()) + ": " +
+                    reason);
   if(m_position == end())
     fail_as_a_whole("ends too early; it is not complete");
   const std::ptrdiff_t line = 1 + std::count(m_bytes.data(), m_position, '\n');

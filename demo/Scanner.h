@@ -59,6 +59,9 @@ public:
   // What follows the last number or word directly up to the next blank is not read.
   void skip_rest_of_word();
 
+  // What comes before the next `last`, which is read, too.
+  std::string_view until(std::string_view last);
+
   // ---- Binary ----
 
   // The next bytes as a number, the least significant one first unless `is_big_endian`.
@@ -87,7 +90,7 @@ public:
   Place place() const { return m_position; }
   void return_to(Place place) { m_position = place; }
 
-  // Throws Program_error with the line that is being read.
+  // Throws Program_error with the line or, unless this is a text, the byte that is being read.
   [[noreturn]] void fail(const std::string& reason) const;
 
   // Throws Program_error about the file as a whole.

@@ -5,6 +5,7 @@
 #include "Surface_picture.h"
 
 #include "Canvas.h"
+#include "Occlusion.h"
 #include "Program_error.h"
 #include "file_extension.h"
 
@@ -19,7 +20,7 @@
 
 namespace {
 
-typedef std::array<double, 3> Vector;
+typedef Occlusion::Vector Vector;
 
 constexpr double size = 600, margin = 20; // of each picture, in pixels
 
@@ -95,13 +96,14 @@ struct Layer
   const char* attribute;
   Line_style style;
 };
-constexpr Line_style plain_edge{'e', {135, 149, 163}, .6}, outline{'o', {154, 167, 179}, .6};
+constexpr Line_style plain_edge{'e', {135, 149, 163}, .6}, outline{'o', {154, 167, 179}, .6},
+  marked{'p', {20, 122, 90}, 2};
 constexpr std::array<Layer, 7> layers = {{{"input_edge", {'i', {135, 149, 163}, .5}},
                                           {"intrinsic_edge", {'t', {200, 80, 30}, 1}},
                                           {"flat_edge", {'f', {31, 111, 178}, .8}},
                                           {"sphere_edge", {'f', {31, 111, 178}, .8}},
                                           {"coarse_edge", {'c', {20, 32, 44}, 1.2}},
-                                          {"path_edge", {'p', {20, 122, 90}, 2}},
+                                          {"path_edge", marked},
                                           {"is_seam", {'s', {122, 47, 160}, 1.8}}}};
 
 std::vector<Line_style> all_styles()
@@ -121,6 +123,7 @@ public:
       m_surface(surface),
       m_polygons(is_image && surface.mesh.texture.dimension > 0 ? surface.mesh.texture.polygons
                                                                 : surface.mesh.polygons),
+      m_is_image(is_image),
       m_is_flat(is_image && surface.kind != Image_kind::sphere)
   {
     set_positions(is_image);
@@ -145,9 +148,13 @@ public:
     for(const std::size_t i : order)
       if(m_polygons[i].size() > 2)
         add_polygon(i);
+    if(!m_is_image)
+      add_marked_lines();
   }
 
 private:
+  // ---- Positions and styles ----
+
   void set_positions(bool is_image)
   {
     if(is_image)
@@ -241,17 +248,16 @@ private:
     return {40 + 210 * t, 55 + 185 * t, 110 + 70 * t};
   }
 
+  // ---- Shapes ----
+
   // Its border is one shape with it if all sides have one style.
   void add_polygon(std::size_t i)
   {
     const Polygons::Polygon p = m_polygons[i], points = m_surface.mesh.polygons[i];
-    std::vector<Vector> corners;
     std::vector<const Line_style*> sides;
-    for(std::size_t k = 0; k < p.size(); ++k) {
-      corners.push_back(m_positions[p[k]]);
+    for(std::size_t k = 0; k < p.size(); ++k)
       sides.push_back(style(points[k], points[(k + 1) % p.size()]));
-    }
-    const std::vector<Canvas_point> polygon = on_canvas(corners);
+    const std::vector<Canvas_point> polygon = on_canvas(corners_of(i));
     if(std::all_of(sides.begin(), sides.end(), [&](auto s) { return s == sides[0]; })) {
       m_canvas.add_polygon(polygon, fill(i), sides[0]);
       return;
@@ -260,6 +266,69 @@ private:
     for(std::size_t k = 0; k < p.size(); ++k)
       if(sides[k] != nullptr)
         m_canvas.add_line({polygon[k], polygon[(k + 1) % p.size()]}, *sides[k]);
+  }
+
+  // A line that is marked, in parts no longer than a pixel.
+  typedef std::array<Vector, 2> Segment;
+
+  std::vector<Segment> parts_of_marked_lines() const
+  {
+    std::vector<Segment> result;
+    for(const Surface_marks& marks : m_surface.marks)
+      for(const Polygons::Polygon& line : marks.lines)
+        for(std::size_t k = 1; k < line.size() && !marks.is_failure; ++k)
+          add_parts(m_positions[line[k - 1]], m_positions[line[k]], result);
+    return result;
+  }
+
+  static void add_parts(const Vector& a, const Vector& b, std::vector<Segment>& parts)
+  {
+    const Vector d = difference(b, a);
+    const double n = (std::max)(std::ceil(std::hypot(d[0], d[1])), 1.);
+    if(!std::isfinite(n * d[2]))
+      return;
+    const auto point = [&](double t) {
+      return Vector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]};
+    };
+    for(double i = 0; i < n; ++i)
+      parts.push_back({point(i / n), point((i + 1) / n)});
+  }
+
+  // As far as no polygon hides them.
+  void add_marked_lines()
+  {
+    const std::vector<Segment> parts = parts_of_marked_lines();
+    std::vector<Vector> middles;
+    for(const auto& [a, b] : parts)
+      middles.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+    Occlusion occlusion(std::move(middles));
+    for(std::size_t i = 0; i < m_polygons.size() && !parts.empty(); ++i)
+      occlusion.add_polygon(corners_of(i), normal(i));
+    std::vector<Vector> line;
+    for(std::size_t i = 0; i < parts.size(); ++i) {
+      if(occlusion.is_hidden(i))
+        continue;
+      if(line.empty() || line.back() != parts[i][0]) {
+        add_line(line);
+        line = {parts[i][0]};
+      }
+      line.push_back(parts[i][1]);
+    }
+    add_line(line);
+  }
+
+  void add_line(const std::vector<Vector>& line)
+  {
+    if(!line.empty())
+      m_canvas.add_line(on_canvas(line), marked);
+  }
+
+  std::vector<Vector> corners_of(std::size_t i) const
+  {
+    std::vector<Vector> result;
+    for(const Polygons::Index c : m_polygons[i])
+      result.push_back(m_positions[c]);
+    return result;
   }
 
   const Line_style* style(Polygons::Index v, Polygons::Index w) const
@@ -288,7 +357,7 @@ private:
   Canvas& m_canvas;
   const Shown_surface& m_surface;
   const Polygons& m_polygons;
-  bool m_is_flat;
+  bool m_is_image, m_is_flat;
   std::vector<Vector> m_positions;
   std::vector<std::vector<Canvas_point>> m_outlines;
   std::map<std::pair<Polygons::Index, Polygons::Index>, const Line_style*> m_edge_style;

@@ -11,9 +11,10 @@
 #include <string>
 #include <vector>
 
-// Adds a picture of surfaces beside each other: each in a parallel projection, polygons behind before
-// those in front of them, with the edges of its triangulations; then its image in the plane or the
-// disk, if there is one. It is PNG if the path ends with .png, else SVG.
+// Adds a picture of surfaces beside each other: each in a parallel projection, polygons behind
+// before those in front of them, with the edges of its triangulations, and over them lines that are
+// marked where no polygon is in front; then its image in the plane or the disk, if there is one.
+// It is PNG if the path ends with .png, else SVG.
 void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const std::string& path);
 
 // Throws Program_error if the path asks for PNG and the program was built without Cairo.

@@ -194,8 +194,10 @@ void add_distance(CLI::App& app, Options& options)
                 "Point to which distances are measured, with several to the nearest: a vertex "
                 "counted from 0, face:a,b,c (barycentric), or x,y,z (nearest)")
     ->allow_extra_args(false);
-  command.add_option("--curve", own.curve,
-                     "File of polylines (.obj, or .xyz for one) to which distances are measured");
+  command.add_option(
+    "--curve", own.curve,
+    "File of polylines (.obj, .ply or .vtp, or .xyz for one) to which distances are "
+    "measured");
   command.add_flag("--signed", own.is_signed,
                    "Compute signed distances to --curve: negative on its left");
   add_distance_outputs(command, own);

@@ -69,7 +69,9 @@ const char* const distance =
 coarse or uneven ones by more. With --exact-distance they are the lengths of shortest paths. The
 distance of a vertex that no source can reach is -1.
 
-The points of a curve are moved to the surface and joined by shortest paths. With --signed,
+A curve is what path writes, or polylines of another program: elements l of .obj, edges of .ply,
+Lines of .vtp with ascii numbers, the points of .xyz. Its points are moved to the surface and joined
+by shortest paths. With --signed,
 distances are negative on its left, as inside a loop that runs counterclockwise; gaps and single
 pieces of the wrong direction are bridged.
 

@@ -104,8 +104,8 @@ private:
 class Ply_reader
 {
 public:
-  Ply_reader(Scanner& in, Polygon_soup& soup, Vertex_functions* functions)
-    : m_in(in), m_soup(soup), m_functions(functions)
+  Ply_reader(Scanner& in, Polygon_soup& soup, Vertex_functions* functions, Polygons* lines)
+    : m_in(in), m_soup(soup), m_functions(functions), m_lines(lines)
   {}
 
   void operator()()
@@ -259,6 +259,8 @@ private:
         for(std::size_t k = 0; k < size; ++k)
           splitter.add_corner(read_index(type));
       });
+    else if((element.name == "edge" || element.name == "edges") && m_lines != nullptr)
+      read_edges(element);
     else
       skip(element);
   }
@@ -308,6 +310,47 @@ private:
     }
   }
 
+  void read_edges(const Element& element)
+  {
+    const std::array ends{element.position("vertex1"), element.position("vertex2")};
+    if(!element.has(ends[0], false) || !element.has(ends[1], false))
+      m_in.fail_as_a_whole("edges have no properties 'vertex1' and 'vertex2'");
+    const std::size_t number_of_points = number_of_vertices();
+    for(std::size_t i = 0; i < element.count; ++i) {
+      std::array<std::size_t, 2> edge{};
+      for(std::size_t p = 0; p < element.properties.size(); ++p)
+        if(const auto end = std::find(ends.begin(), ends.end(), p); end != ends.end())
+          edge[static_cast<std::size_t>(end - ends.begin())] =
+            read_end(element.properties[p].type, number_of_points);
+        else
+          read_or_skip(element.properties[p]);
+      m_lines->push_back(edge);
+    }
+  }
+
+  // Of an edge. Vertices may come after the edges.
+  std::size_t read_end(Number_type type, std::size_t number_of_points)
+  {
+    const Scanner::Place start = m_in.place();
+    const std::size_t result = read_index(type);
+    if(result < number_of_points)
+      return result;
+    m_in.return_to(start);
+    if(!m_is_binary)
+      m_in.skip_space();
+    m_in.fail("an edge names a vertex that does not exist; there are " +
+              std::to_string(number_of_points));
+  }
+
+  std::size_t number_of_vertices() const
+  {
+    std::size_t result = 0;
+    for(const Element& element : m_elements)
+      if(element.name == "vertex" || element.name == "vertices")
+        result += element.count;
+    return result;
+  }
+
   void add_values(const Element& element, const std::vector<double>& row)
   {
     for(std::size_t p = 0; p < row.size(); ++p)
@@ -318,13 +361,14 @@ private:
   Scanner& m_in;
   Polygon_soup& m_soup;
   Vertex_functions* m_functions;
+  Polygons* m_lines; // edges, unless it is null
   bool m_is_binary = false, m_is_big_endian = false;
   std::vector<Element> m_elements;
 };
 
 } // namespace
 
-void read_ply(Scanner& in, Polygon_soup& soup, Vertex_functions* functions)
+void read_ply(Scanner& in, Polygon_soup& soup, Vertex_functions* functions, Polygons* lines)
 {
-  Ply_reader(in, soup, functions)();
+  Ply_reader(in, soup, functions, lines)();
 }

@@ -26,20 +26,85 @@ struct Polylines
   Polygons lines;
 };
 
-Polylines read_polylines(const std::string& path)
+// Joins edges at points that two of them share. The first edge of a polyline has its direction.
+class Joined_edges
 {
-  Scanner in(path);
-  Polygon_soup soup;
-  Polygons lines;
-  if(extension_of(path) == ".obj")
+public:
+  Joined_edges(const Polygons& edges, std::size_t number_of_points)
+    : m_edges(edges), m_at(number_of_points), m_is_used(edges.size(), false)
+  {
+    for(std::size_t e = 0; e < edges.size(); ++e)
+      for(const Polygons::Index v : edges[e]) {
+        Edges_at& at = m_at[v];
+        at.sum ^= e;
+        ++at.count;
+      }
+  }
+
+  Polygons operator()()
+  {
+    Polygons result;
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      if(!m_is_used[e]) {
+        const std::vector<Polygons::Index> after = points_beyond(e, m_edges[e][1]),
+                                           before = points_beyond(e, m_edges[e][0]);
+        std::for_each(before.rbegin(), before.rend(), [&](auto v) { result.add_corner(v); });
+        result.push_back(after);
+      }
+    return result;
+  }
+
+private:
+  struct Edges_at
+  {
+    std::size_t sum = 0; // of two, the exclusive or with one gives the other
+    std::size_t count = 0;
+  };
+
+  // An end of an edge and what follows, as far as there is one way.
+  std::vector<Polygons::Index> points_beyond(std::size_t e, Polygons::Index v)
+  {
+    std::vector<Polygons::Index> result{v};
+    m_is_used[e] = true;
+    for(; m_at[v].count == 2 && !m_is_used[e ^ m_at[v].sum]; result.push_back(v)) {
+      e ^= m_at[v].sum;
+      m_is_used[e] = true;
+      v = m_edges[e][m_edges[e][0] == v ? 1 : 0];
+    }
+    return result;
+  }
+
+  const Polygons& m_edges;
+  std::vector<Edges_at> m_at;
+  std::vector<bool> m_is_used;
+};
+
+void read_points_and_lines(Scanner& in, const std::string& extension, Polygon_soup& soup,
+                           Polygons& lines)
+{
+  if(extension == ".obj")
     read_obj(in, soup, &lines);
-  else if(extension_of(path) == ".xyz") {
+  else if(extension == ".ply") {
+    Polygons edges;
+    read_ply(in, soup, nullptr, &edges);
+    lines = Joined_edges(edges, soup.points.size())();
+  } else if(extension == ".vtp")
+    read_vtp(in, soup, lines);
+  else if(extension == ".xyz") {
     read_xyz(in, soup);
     for(std::size_t i = 0; i < soup.points.size(); ++i)
       lines.add_corner(i);
     lines.close();
   } else
-    in.fail_as_a_whole("curves are read from .obj and .xyz");
+    in.fail_as_a_whole("curves are read from .obj, .ply, .vtp and .xyz");
+}
+
+Polylines read_polylines(const std::string& path)
+{
+  Scanner in(path);
+  Polygon_soup soup;
+  Polygons lines;
+  read_points_and_lines(in, extension_of(path), soup, lines);
   for(const Polygons::Polygon& line : lines) {
     if(line.size() < 2)
       in.fail_as_a_whole("a polyline has less than two points");
@@ -47,7 +112,7 @@ Polylines read_polylines(const std::string& path)
       in.fail_as_a_whole("a polyline names a point that does not exist");
   }
   if(lines.empty())
-    in.fail_as_a_whole("has no polylines (elements l)");
+    in.fail_as_a_whole("has no polylines (elements l of .obj, edges of .ply, Lines of .vtp)");
   return {soup.points, lines};
 }
 
@@ -86,6 +151,8 @@ private:
   Surface_location location(Polygons::Index i, Curves_on_surface& result)
   {
     const Point& p = m_input.points[i];
+    if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+      fail(i, "has a coordinate that is not finite; correct it in the file");
     const Surface_location q = m_finder(p);
     const double distance = std::sqrt(CGAL::squared_distance(p, position(q, m_mesh)));
     if(!(distance <= m_finder.tolerance()))

@@ -182,6 +182,42 @@ circle left.mesh.obj 1 0.5
 expect 0 distance square.mesh.off --curve left.mesh.obj --signed -o a.ply --view a.html --picture a.svg
 rm a.* b.*
 
+# marked FILE: the length in pixels of the lines of a picture that are marked.
+marked()
+{
+  python3 - "$1" <<'END'
+import math, sys, xml.dom.minidom as dom
+lines = [p.getAttribute("d")[1:].split() for p in dom.parse(sys.argv[1]).getElementsByTagName("path")
+         if p.getAttribute("class") == "p"]
+points = [[tuple(map(float, p.split(","))) for p in line] for line in lines]
+print(sum(math.dist(p, q) for line in points for p, q in zip(line, line[1:])))
+END
+}
+
+# Pictures show a curve: all of it where nothing is in front of it, in pixels of the square;
+expect 0 distance square.mesh.off --curve left.mesh.obj -o a.ply --picture a.svg
+claim "near($(marked a.svg), 560 * 1.2563, 3)"
+# around a box, half of the sides; all of the edges of the top, whether this box or a finer one is shown;
+off box '0 0 0,1 0 0,1 1 0,0 1 0,0 0 2,1 0 2,1 1 2,0 1 2' \
+  '0 3 2 1,4 5 6 7,0 1 5 4,1 2 6 5,2 3 7 6,3 0 4 7'
+for height in 0 0.7 2; do
+  printf "v %s $height\n" '0 0' '1 0' '1 1' '0 1' >around.mesh.obj
+  echo 'l 1 2 3 4 1' >>around.mesh.obj
+  expect 0 distance box.mesh.off --curve around.mesh.obj -o a.ply --picture $height.svg
+  expect 0 distance box.mesh.off --curve around.mesh.obj -o a.ply --min-angle 30 --picture fine$height.svg
+done
+claim "near($(marked 0.svg), $(marked 2.svg) / 2, 3)" "near($(marked 0.7.svg), $(marked 2.svg) / 2, 3)" \
+  "near($(marked fine0.7.svg), $(marked 0.7.svg), 3)" "$(marked 2.svg) > 500"
+# nothing of what is behind; and what path finds, as a line from one side of the square to the other.
+printf 'v 0 0 1\nv 1 0 1\nl 1 2\n' >front.mesh.obj
+printf 'v 0 1 1\nv 1 1 1\nl 1 2\n' >back.mesh.obj
+expect 0 distance box.mesh.off --curve front.mesh.obj -o a.ply --picture front.svg
+expect 0 distance box.mesh.off --curve back.mesh.obj -o a.ply --picture back.svg
+claim "near(min($(marked front.svg), $(marked back.svg)), 0, 3)" "max($(marked front.svg), $(marked back.svg)) > 200"
+expect 0 path square.mesh.off --from 0,.3,0 --to 1,.4,0 -o a.ply --picture a.svg
+claim "near($(marked a.svg), 560 * hypot(1, .1), 1)"
+rm ./*.svg a.ply
+
 # What path writes is a curve.
 expect 0 path square.mesh.off --from 0.1,0.1,0 --to 0.9,0.7,0 -o path.mesh.obj
 expect 0 distance square.mesh.off --curve path.mesh.obj --source 0 -o a.ply
@@ -191,6 +227,119 @@ expect 0 distance square.mesh.off --curve line.mesh.xyz --signed -o a.ply
 claim "m = ply('a.ply')" \
   "all(near(d, 0.5 - p[1], 1e-9) for d, p in zip(m.vertex['distance'], m.points))"
 rm a.*
+
+# In each format, with the bytes that .obj gives.
+same_in_each_format()
+{
+  local output
+  for output in path.mesh.obj path.mesh.ply path.mesh.vtp "binary.mesh.ply --binary"; do
+    # shellcheck disable=SC2086
+    expect 0 path "$1" "${@:2}" -o $output
+    expect 0 distance "$1" --curve "${output%% *}" -o a.ply --stats a.json
+    [ "$output" != path.mesh.obj ] || cp a.ply b.ply
+    cmp a.ply b.ply
+    claim "json('a.json').curve.polylines == 1"
+    expect 0 distance "$1" --curve "${output%% *}" --signed --time-step 9 -o a.ply
+    [ "$output" != path.mesh.obj ] || cp a.ply c.ply
+    cmp a.ply c.ply
+  done
+  rm a.* b.* c.*
+}
+same_in_each_format square.mesh.off --from 0.1,0.1,0 --to 0.9,0.7,0
+same_in_each_format square.mesh.off --from 3:.2,.3,.5 --straightest 200 0.3
+same_in_each_format good.mesh.off --from 0:.2,.3,.5 --to 3:.2,.3,.5
+same_in_each_format good.mesh.off --from 0 --to 3 --flips
+
+# edges FILE FORMAT MIXED: the circle as edges in any order, and the first of them in the direction of
+# the circle; with other properties and a face, as other programs write them.
+edges()
+{
+  python3 - "$@" <<'END'
+import math, random, struct, sys
+path, form, is_mixed = sys.argv[1], sys.argv[2], sys.argv[3] == "mixed"
+dice, n = random.Random(5), 80
+points = [(0.5 + 0.2 * math.cos(2 * math.pi * k / n), 0.45 + 0.2 * math.sin(2 * math.pi * k / n), 0)
+          for k in range(n)]
+edges = [(k, (k + 1) % n) for k in range(n)]
+dice.shuffle(edges)
+if is_mixed:
+    edges[1:] = [e if dice.random() < 0.5 else e[::-1] for e in edges[1:]]
+header = f"""ply
+format {form} 1.0
+comment curve
+element edge {n}
+property uchar flags
+property int vertex2
+property list uchar int marks
+property int vertex1
+element vertex {n}
+property float x
+property float y
+property float z
+property double quality
+element face 1
+property list uchar int vertex_indices
+end_header
+"""
+rows = [("BiBii", 7, w, 1, 3, v) for v, w in edges] + [("fffd", *p, 0.5) for p in points]
+rows.append(("Biii", 3, 0, 1, 2))
+with open(path, "wb") as file:
+    file.write(header.encode())
+    for types, *row in rows:
+        file.write((" ".join(map(str, row)) + "\n").encode() if form == "ascii"
+                   else struct.pack((">" if "big" in form else "<") + types, *row))
+END
+}
+for format in ascii binary_little_endian binary_big_endian; do
+  for order in given mixed; do
+    edges edges.mesh.ply $format $order
+    expect 0 distance square.mesh.off --curve edges.mesh.ply --signed -o a.ply --stats a.json
+    on_circle a.ply 0.5 0.05 ''
+    claim "s = json('a.json').curve" 'near(s.length, 1.2563, 1e-3)' 's.polylines == 1' 's.points == 81'
+  done
+done
+
+# Edges are joined up to where three of them, or one, have an end.
+printf 'ply\nformat ascii 1.0\nelement vertex 6\nproperty double x\nproperty double y\nproperty double z
+element edge 5\nproperty int vertex1\nproperty int vertex2\nend_header
+0 0 0\n.5 0 0\n1 0 0\n.5 1 0\n.2 .8 0\n.2 .8 0\n0 1\n1 2\n1 3\n4 3\n5 5\n' >fork.mesh.ply
+expect 0 distance square.mesh.off --curve fork.mesh.ply -o a.ply --stats a.json
+claim "s = json('a.json').curve" 's.polylines == 4' 's.points == 9' \
+  'near(s.length, 2 + hypot(.3, .2), 1e-9)'
+
+# Two pieces, with what another program may add, are the lines of the OBJ file.
+cat >pieces.mesh.vtp <<'END'
+<?xml version='1.0'?>
+<!-- <Points> of a curve -->
+<VTKFile version="1.0" type="PolyData" header_type="UInt64"><PolyData>
+<Piece NumberOfPoints="3" NumberOfLines="1">
+  <PointData><DataArray type="Float64" Name="heat" format="appended" offset="0"/></PointData>
+  <Points>
+    <DataArray NumberOfComponents="3" Name="Points" type="Float32" format="ascii" RangeMax="1">
+      0.1 0.1 0 0.5 0.3
+      0 0.9 0.1 0
+      <InformationKey name="L2_NORM_RANGE"><Value index="0">7</Value></InformationKey>
+    </DataArray>
+  </Points>
+  <Verts><DataArray Name="connectivity" format="ascii">9 9</DataArray></Verts>
+  <Lines>
+    <DataArray Name="offsets" type="Int64" format="ascii">3</DataArray>
+    <DataArray Name='connectivity' type="Int64" format='ascii'>0 1 2</DataArray>
+  </Lines>
+  <Strips><DataArray Name="offsets" format="ascii">4</DataArray></Strips>
+</Piece>
+<Piece><Points><DataArray NumberOfComponents="3" format="ascii">.1 .9 0 .9 .9 0</DataArray></Points><Lines>
+<DataArray Name="connectivity" format="ascii">1 0 0 1</DataArray><DataArray Name="offsets" format="ascii">2 4
+</DataArray></Lines></Piece></PolyData></VTKFile>
+END
+printf 'v %s\n' '.1 .1 0' '.5 .3 0' '.9 .1 0' '.1 .9 0' '.9 .9 0' >pieces.mesh.obj
+printf 'l %s\n' '1 2 3' '5 4' '4 5' >>pieces.mesh.obj
+for extension in obj vtp; do
+  expect 0 distance square.mesh.off --curve pieces.mesh.$extension -o $extension.ply --stats a.json
+  claim "s = json('a.json').curve" 's.polylines == 3' 's.points == 7'
+done
+cmp obj.ply vtp.ply
+rm a.* obj.ply vtp.ply
 
 refuses_curve()
 {
@@ -205,8 +354,60 @@ refuses_curve 'none.mesh.obj: has no polylines' square.mesh.off --curve none.mes
 refuses_curve 'one.mesh.obj: a polyline has less than two points' square.mesh.off --curve one.mesh.obj
 refuses_curve 'names a point that does not exist' square.mesh.off --curve bad.mesh.obj
 refuses_curve 'far.mesh.obj: point 2 is 1.000000 away from the surface' square.mesh.off --curve far.mesh.obj
-refuses_curve 'curves are read from .obj and .xyz' square.mesh.off --curve square.mesh.off
+refuses_curve 'curves are read from .obj, .ply, .vtp and .xyz' square.mesh.off --curve square.mesh.off
 refuses_curve 'no such file' square.mesh.off --curve nothing.obj
+edges whole.mesh.ply ascii given
+edges binary.mesh.ply binary_little_endian given
+# changed FILE EXPRESSION FROM: the file FROM, changed by sed.
+changed() { sed "$2" "$3" >"$1"; }
+changed bad.mesh.ply '25s/[0-9]*$/80/' whole.mesh.ply
+refuses_curve 'bad.mesh.ply: line 25 cannot be understood: an edge names a vertex that does not exist; there are 80' \
+  square.mesh.off --curve bad.mesh.ply
+changed bad.mesh.ply '25s/ [0-9]*/ -1/' whole.mesh.ply
+refuses_curve 'line 25 cannot be understood: an edge names a vertex' square.mesh.off --curve bad.mesh.ply
+changed bad.mesh.ply '25s/ [0-9]*/ .5/' whole.mesh.ply
+refuses_curve 'line 25 cannot be understood: an edge names a vertex' square.mesh.off --curve bad.mesh.ply
+changed bad.mesh.ply 's/vertex1/vertex3/' whole.mesh.ply
+refuses_curve "edges have no properties 'vertex1' and 'vertex2'" square.mesh.off --curve bad.mesh.ply
+changed bad.mesh.ply '100,$d' whole.mesh.ply
+refuses_curve 'ends too early' square.mesh.off --curve bad.mesh.ply
+LC_ALL=C changed bad.mesh.ply 's/^end_header$/&\n\x01\xff\xff\xff\xff/' binary.mesh.ply
+refuses_curve "byte $(($(sed '/^end_header$/q' binary.mesh.ply | wc -c) + 1)): an edge names a vertex" \
+  square.mesh.off --curve bad.mesh.ply
+head -c 700 binary.mesh.ply >bad.mesh.ply
+refuses_curve 'ends too early' square.mesh.off --curve bad.mesh.ply
+changed bad.mesh.ply '4s/edge/chain/' whole.mesh.ply
+refuses_curve 'has no polylines' square.mesh.off --curve bad.mesh.ply
+
+# Damaged lines of .vtp: what is said, and how the file above is changed.
+while IFS='|' read -r said change; do
+  changed bad.mesh.vtp "${change# }" pieces.mesh.vtp
+  refuses_curve "${said% }" square.mesh.off --curve bad.mesh.vtp
+done <<'TABLE'
+line 3 cannot be understood: <VTKFile type="PolyData"> expected at the beginning | s/ type="PolyData"/ type="ImageData"/
+line 1 cannot be understood: <VTKFile type="PolyData"> expected at the beginning | 1s/xml/x/
+line 7 cannot be understood: the numbers are encoded; save the file with the format ascii | 7s/ascii/binary/
+line 16 cannot be understood: the numbers are encoded; save | 16s/ascii/appended/
+line 7 cannot be understood: points do not have three coordinates each | 7s/"3"/"2"/
+line 7 cannot be understood: points do not have three coordinates each | 7s/NumberOfComponents="3"//
+line 10 cannot be understood: '<InformationKey' is not a number | 9s/ 0$//
+line 9 cannot be understood: 'nan' is not a finite number | 9s/0.1/nan/
+line 9 cannot be understood: 'zero' is not a number | 9s/0.1/zero/
+line 16 cannot be understood: a line names a point that does not exist; there are 3 in this piece | 16s/0 1 2/0 1 3/
+line 21 cannot be understood: a line names a point that does not exist; there are 2 in this piece | 21s/1 0 0 1/1 0 0 2/
+line 16 cannot be understood: an index of a point or an offset is negative | 16s/0 1 2/0 -1 2/
+line 15 cannot be understood: an index of a point or an offset is negative | 15s/3/-3/
+line 16 cannot be understood: '1.5' is not an integer | 16s/0 1 2/0 1.5 2/
+line 21 cannot be understood: the offsets of lines are not ascending | 21s/2 4$/4 2/
+line 19 cannot be understood: the last of the offsets of lines is not the number of their points | 16s/0 1 2/0 1 2 1/
+line 19 cannot be understood: the last of the offsets of lines is not the number of their points | 15s/3/4/
+line 19 cannot be understood: the last of the offsets of lines is not the number of their points | 15s/3//
+a polyline has less than two points | 21s/2 4$/1 4/
+ends too early; it is not complete | 12,$d
+ends too early; it is not complete | 22s/.VTKFile>//
+ends too early; it is not complete | 2s/-->//
+has no polylines | s/Lines>/Cells>/g
+TABLE
 refuses_curve '--signed needs a --curve' square.mesh.off --source 0 --signed
 refuses_curve '--source or --curve is missing' square.mesh.off
 refuses_curve 'without --source' square.mesh.off --source 0 --curve left.mesh.obj --signed

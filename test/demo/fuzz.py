@@ -6,7 +6,7 @@
 [--keep DIRECTORY] [--server]. Run i is always the same: a small mesh of CGAL's data directory, in one of the
 formats that are read, with a few changes, and one of the commands, at times with an absurd option.
 The program must end in a minute with the exit code 0, 1 or 2, say something unless that is 0, and
-leave no file after a failure.
+leave no file after a failure. A curve is a damaged file, too, and the mesh then half of the time is none.
 Files that fail are kept in the directory, if there is one. With --server the program is the target
 `fuzz_server`, which is loaded once for all runs. Exit code 77 without data."""
 
@@ -32,7 +32,8 @@ WORDS = """-1 0 1 2 3 255 256 65536 2147483647 2147483648 4294967295 4294967296 
     -inf inf 0x10 1.5 1,5 .5 5. + - . e +-1 1e 1/2/3 -1//2 / # 3#3 OFF COFF NOFF STOFF 4OFF nOFF
     CN4nOFF SKEL BINARY ply end_header element property list vertex face tristrips uchar float double
     int x y z red vertex_indices ascii binary_little_endian binary_big_endian v vt vn f l o solid
-    facet endfacet endsolid vertex""".split() + ["", "\0", "\r", "\n", "\n\n", "\xff\xfe", "9" * 400]
+    facet endfacet endsolid vertex edge vertex1 vertex2 <Lines> </Lines> <Points> </Piece> <!-- --> < > <>
+    </DataArray> format="binary" Name="offsets" """.split() + ["", "\0", "\r", "\n", "\n\n", "\xff\xfe", "9" * 400]
 
 
 # Values for options, and the options of each command that take some.
@@ -51,7 +52,7 @@ OPTIONS = {
     "delaunay": {"--constrain-angle": NUMBERS, "--exact": None, "--save": ["", "o.txt", "."]},
     "refine": {"--constrain-angle": NUMBERS, "--min-angle": NUMBERS, "--max-circumradius": NUMBERS,
                "--exact": None, "--simplicial": None, "--save": ["", "o.txt"]},
-    "distance": {"--source": NUMBERS, "--time-step": NUMBERS, "--neighbors": NUMBERS, "--exact": None,
+    "distance": {"--source": NUMBERS, "--curve": ["", "."], "--time-step": NUMBERS, "--neighbors": NUMBERS, "--exact": None,
                  "--exact-distance": None, "--subdivision": ["", "o.off", "p.ply", "p.vtp"],
                  "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
     "path": {"--from": PLACES, "--to": PLACES, "--via": PLACES, "--flips": None, "--loop": None,
@@ -176,16 +177,50 @@ FORMATS = [("off", off), ("off", colored_off), ("off", binary_off), ("obj", obj)
            ("xyz", xyz)]
 
 
+def ply_curve(form, order=None):
+    def write(points, faces):
+        edges = [f[:2] for f in faces]
+        header = (f"ply\nformat {form} 1.0\nelement vertex {len(points)}\nproperty float x\n"
+                  f"property float y\nproperty double z\nelement edge {len(edges)}\n"
+                  "property int vertex1\nproperty uchar flags\nproperty int vertex2\nend_header\n")
+        if order is None:
+            return header + rows(points) + rows([v, 7, w] for v, w in edges)
+        return (header.encode() + b"".join(struct.pack(order + "ffd", *p) for p in points)
+                + b"".join(struct.pack(order + "iBi", v, 7, w) for v, w in edges))
+    return write
+
+
+def vtp_curve(points, faces):
+    return (f"""<?xml version="1.0"?>
+<VTKFile type="PolyData" version="0.1">\n<PolyData>\n<!-- a curve -->
+<Piece NumberOfPoints="{len(points)}" NumberOfLines="{len(faces)}">\n<Points>
+<DataArray format="ascii" type="Float64" Name="Points" NumberOfComponents="3">\n""" + rows(points)
+            + "</DataArray>\n</Points>\n<Lines>\n<DataArray format=\"ascii\" Name=\"connectivity\">\n"
+            + rows(faces) + "</DataArray>\n<DataArray format=\"ascii\" Name=\"offsets\">\n"
+            + rows([sum(map(len, faces[:i + 1]))] for i in range(len(faces)))
+            + "</DataArray>\n</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n")
+
+
+CURVE_FORMATS = [("obj", lambda p, f: rows(["v"] + q for q in p) + rows(["l"] + [i + 1 for i in g] for g in f)),
+                 ("xyz", xyz), ("vtp", vtp_curve), ("ply", ply_curve("ascii")),
+                 ("ply", ply_curve("binary_little_endian", "<")),
+                 ("ply", ply_curve("binary_big_endian", ">"))]
+
+
+def in_bytes(content):
+    return content.encode() if isinstance(content, str) else content
+
+
 def all_seeds(data):
-    """Pairs of an extension and the bytes of a file; polygons are split in all meshes but some."""
+    """An extension, the bytes of a file, and curves on its mesh, which are pairs of both; polygons are split
+    in all meshes but some."""
     result = []
     for name in SEEDS:
         points, faces = read_off(f"{data}/meshes/{name}.off")
         if name not in ("hedra", "torus_quad", "P"):
             faces = [[f[0], f[k - 1], f[k]] for f in faces for k in range(2, len(f))]
-        for extension, write in FORMATS:
-            content = write(points, faces)
-            result.append((extension, content.encode() if isinstance(content, str) else content))
+        curves = [(extension, in_bytes(write(points, faces[:9]))) for extension, write in CURVE_FORMATS]
+        result += [(extension, in_bytes(write(points, faces)), curves) for extension, write in FORMATS]
     return result
 
 
@@ -236,7 +271,7 @@ def damaged(dice, content, others):
 # ---- Runs ----
 
 
-def arguments(dice, mesh):
+def arguments(dice, mesh, curve):
     command = dice.choice("info view delaunay refine distance path flatten hyperbolic uniformize sphere"
                           " simplify operators transfer".split())
     result = [command, mesh]
@@ -252,7 +287,7 @@ def arguments(dice, mesh):
     if output == "o.ply" and command not in ("operators", "transfer"):
         result += dice.choice([[], ["--binary"]])
     sources = [["--source", "0"], ["--source", "0:0.2,0.3,0.5"], ["--source", "0,0,0", "--exact-distance"],
-               ["--curve", mesh, "--signed"]]
+               ["--curve", mesh, "--signed"], ["--curve", curve], ["--curve", curve, "--signed"]]
     result += {"refine": ["--max-insertions", "300"], "distance": dice.choice(sources),
                "transfer": [dice.choice(["--points", "--data"]), mesh],
                "path": ["--from", "0", "--to", "1", dice.choice(["--flips", "--quiet"])],
@@ -331,9 +366,9 @@ class Server:
         return code, text
 
 
-def complaint(call, code, text, directory, mesh):
+def complaint(call, code, text, directory, inputs):
     """What is wrong with a run; nothing is None."""
-    left = [name for name in os.listdir(directory) if name != mesh]
+    left = [name for name in os.listdir(directory) if name not in inputs]
     if code == -signal.SIGALRM:
         return "more than a minute"
     if code not in (0, 1, 2) or b"Sanitizer" in text or b"runtime error" in text:
@@ -358,20 +393,26 @@ def is_png(path):
 def run(i, options, seeds, scratch):
     """Whether run i went well, and how it ended."""
     dice = random.Random(i)
-    extension, content = dice.choice(seeds)
-    mesh = "mesh." + extension
-    call = arguments(dice, mesh)
+    extension, content, curves = dice.choice(seeds)
+    curve_extension, curve_content = dice.choice(curves)
+    mesh, curve = "mesh." + extension, "curve." + curve_extension
+    call = arguments(dice, mesh, curve)
+    inputs = {mesh: content if curve in call and dice.random() < 0.5 else damaged(dice, content, seeds)}
+    if curve in call:
+        inputs[curve] = damaged(dice, curve_content, curves)
     directory = f"{scratch}/{i}"
     os.mkdir(directory)
-    with open(f"{directory}/{mesh}", "wb") as file:
-        file.write(damaged(dice, content, seeds))
+    for name, content in inputs.items():
+        with open(f"{directory}/{name}", "wb") as file:
+            file.write(content)
     code, text = options.run_program(call, directory)
-    wrong = complaint(call, code, text, directory, mesh)
+    wrong = complaint(call, code, text, directory, inputs)
     if wrong:
         print(f"FAILED: run {i}: intrinsic {' '.join(call)}: {wrong}", flush=True)
         if options.keep:
             os.makedirs(options.keep, exist_ok=True)
-            shutil.copy(f"{directory}/{mesh}", f"{options.keep}/{i}.{extension}")
+            for name in inputs:
+                shutil.copy(f"{directory}/{name}", f"{options.keep}/{i}.{name}")
     shutil.rmtree(directory)
     return not wrong, code
 

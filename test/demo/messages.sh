@@ -56,6 +56,13 @@ text nothing.txt '# nothing'
 text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
 text across.obj 'v 0 0 0;v 5 0 0;l 1 2'
 text far.obj 'v 0 0 0;v 0 0 9;l 1 2'
+ply_edge='element edge 1;property uchar vertex1;property uchar vertex2;end_header'
+text edge.ply "ply;format ascii 1.0;$ply_vertices;$ply_edge;0 0 0;1 0 0;0 1 0;0 3"
+{
+  tr ';' '\n' <<<"ply;format binary_little_endian 1.0;$ply_vertices;$ply_edge"
+  printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\xc0\x7f\0\0\0\0\0\0\0\0' # NaN
+  printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\1'
+} >nan.ply
 text value.txt '0 one'
 text range.txt '99 1'
 text twice.txt '0 1;0 2'
@@ -126,6 +133,8 @@ done <<'TABLE'
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
 2 | --exact-distance is for --source, not for --curve | distance flat.mesh.off --curve line.obj --exact-distance -o a.ply
 2 | away from the surface, more than | distance flat.mesh.off --curve far.obj -o a.ply
+2 | line 14 cannot be understood: an edge names a vertex that does not exist; there are 3 | distance flat.mesh.off --curve edge.ply -o a.ply
+2 | point 2 has a coordinate that is not finite | distance flat.mesh.off --curve nan.ply -o a.ply
 2 | is not connected to the one before | distance two_triangles.mesh.off --curve across.obj -o a.ply
 2 | inside.txt: has values for 1 of 25 vertices | transfer flat.mesh.off --data inside.txt -o a.txt
 2 | nothing.txt: has no points | transfer flat.mesh.off --points nothing.txt -o a.txt
