@@ -319,7 +319,7 @@ TEST(Pinch_handles, then_simplifies)
   Surface_surgery s{Triangulation(plate_with_holes(5))};
   EXPECT_EQ(IS::pinch_handles(s, no_bound), 5u);
   IS::Evolving_surface surface(s.triangulation());
-  IS::simplify(surface, IS::parameters::number_of_vertices(10));
+  IS::simplify(surface, IS::parameters::number_of_vertices(10u));
   EXPECT_LE(surface.mesh().number_of_vertices(), 10u);
 }
 
