@@ -399,6 +399,16 @@ void add_simplify_outputs(CLI::App& command, Options& options)
                      "File for the levels and the operations between them");
 }
 
+void add_topology(CLI::App& command, Simplify_options& own)
+{
+  add_number(command, "--close-loops", own.closed_length,
+             "Close boundary loops up to this length by disks before", CLI::NonNegativeNumber);
+  add_number(command, "--pinch-handles", own.pinched_length,
+             "Cut handles along closed curves of edges up to this length before, and close both "
+             "sides by disks",
+             CLI::NonNegativeNumber);
+}
+
 void add_simplify(CLI::App& app, Options& options)
 {
   CLI::App& command =
@@ -424,12 +434,7 @@ void add_simplify(CLI::App& app, Options& options)
              "Insert vertices into the coarse triangulation until all its angles have this many "
              "degrees, see `intrinsic refine`",
              CLI::Range(0., 60.));
-  add_number(command, "--close-loops", own.closed_length,
-             "Close boundary loops up to this length by disks before", CLI::NonNegativeNumber);
-  add_number(command, "--pinch-handles", own.pinched_length,
-             "Cut handles along closed curves of edges up to this length before, and close both "
-             "sides by disks",
-             CLI::NonNegativeNumber);
+  add_topology(command, own);
   add_common_options(command, options.common);
   add_exact(command, options.common,
             "Decide exactly about the intrinsic Delaunay triangulation from which vertices are "

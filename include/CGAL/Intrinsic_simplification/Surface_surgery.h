@@ -133,8 +133,8 @@ public:
   /// `Intrinsic_triangulations::point_across()` for each time that edges have been flipped.
   Location image(Location p) const
   {
-    for(const Stage& stage : m_stages)
-      p = point_across(stage.tri, Intrinsic_triangulations::Side::input, p);
+    for(const Triangulation& stage : m_stages)
+      p = point_across(stage, Intrinsic_triangulations::Side::input, p);
     return p;
   }
 
@@ -143,9 +143,9 @@ public:
   std::optional<Location> preimage(Location p) const
   {
     for(auto stage = m_stages.rbegin(); stage != m_stages.rend(); ++stage) {
-      if(p.first.idx() >= stage->tri.mesh().number_of_faces())
+      if(p.first.idx() >= stage->mesh().number_of_faces())
         return std::nullopt;
-      p = point_across(stage->tri, Intrinsic_triangulations::Side::intrinsic, p);
+      p = point_across(*stage, Intrinsic_triangulations::Side::intrinsic, p);
     }
     return p.first.idx() < m_number_of_faces ? std::optional(p) : std::nullopt;
   }
@@ -209,17 +209,12 @@ public:
     CGAL_precondition(tri.number_of_inserted_vertices() == 0 &&
                       tri.input_mesh().number_of_faces() == m_mesh.number_of_faces());
     take(tri);
-    m_stages.push_back({std::move(tri)});
+    m_stages.push_back(std::move(tri));
   }
 
   /// @}
 
 private:
-  struct Stage
-  {
-    Triangulation tri;
-  };
-
   static std::vector<Halfedge_index> border_loop(Halfedge_index border, const Delta_complex& mesh)
   {
     std::vector<Halfedge_index> result{border};
@@ -306,8 +301,8 @@ private:
   std::vector<double> m_length;
   std::vector<char> m_is_constrained;
   std::vector<Vertex_index> m_origin;
-  std::vector<Stage> m_stages;
-  std::size_t m_number_of_faces; // at the beginning
+  std::vector<Triangulation> m_stages; // each over the surface before it
+  std::size_t m_number_of_faces;       // at the beginning
   std::size_t m_number_of_disks = 0;
   double m_filled_area = 0;
 };
