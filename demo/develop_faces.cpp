@@ -5,6 +5,7 @@
 #include "develop_faces.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,7 @@ private:
     const double l = m_tri.length(IT::Edge_index(h));
     const double a = m_tri.length(IT::Edge_index(m_mesh.next(h)));
     const double b = m_tri.length(IT::Edge_index(m_mesh.prev(h)));
-    return {.5 + (b - a) / l * (b + a) / l / 2, IT::quadrupled_area(l, a, b) / l / l / 2};
+    return {.5 + IT::scaled_foot(a, b) / l / l / 2, IT::quadrupled_area(l, a, b) / l / l / 2};
   }
 
   // Development starts at a corner whose first edge is intrinsic too, if there is one, and whose edges

@@ -7,11 +7,12 @@
 #include <CGAL/Intrinsic_simplification/pinch_handles.h>
 
 namespace IS = CGAL::Intrinsic_simplification;
+namespace IT = CGAL::Intrinsic_triangulations;
 
 Mended_topology::Mended_topology(const Triangulation& start, double closed_length,
                                  double pinched_length)
   : m_number_of_vertices(start.mesh().number_of_vertices()),
-    m_before(IS::topological_type(start.mesh())),
+    m_before(IT::topological_type(start.mesh())),
     m_surface(start)
 {
   if(closed_length > 0)
@@ -22,7 +23,7 @@ Mended_topology::Mended_topology(const Triangulation& start, double closed_lengt
 
 void Mended_topology::describe(Statistics& statistics) const
 {
-  const IS::Topological_type after = IS::topological_type(m_surface.mesh());
+  const IT::Topological_type after = IT::topological_type(m_surface.mesh());
   statistics["closed_loops"] = m_closed;
   statistics["pinched_handles"] = m_pinched;
   statistics["boundary_loops_before"] = m_before.boundary_loops;

@@ -34,7 +34,7 @@ public:
 
 private:
   std::size_t m_number_of_vertices; // of the start
-  CGAL::Intrinsic_simplification::Topological_type m_before;
+  CGAL::Intrinsic_triangulations::Topological_type m_before;
   CGAL::Intrinsic_simplification::Surface_surgery m_surface;
   std::size_t m_closed = 0, m_pinched = 0;
 };

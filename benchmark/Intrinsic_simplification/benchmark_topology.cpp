@@ -11,6 +11,7 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>
 #include <CGAL/Intrinsic_simplification/pinch_handles.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
@@ -19,6 +20,7 @@
 #include <cstdlib>
 
 namespace IS = CGAL::Intrinsic_simplification;
+namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
@@ -27,13 +29,13 @@ void benchmark(const Mesh& mesh, double part, IS::Cutting_curves curves)
   const auto box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double length = part * std::hypot(box.x_span(), std::hypot(box.y_span(), box.z_span()));
   const IS::Surface_surgery::Triangulation input(mesh);
-  const IS::Topological_type before = IS::topological_type(input.mesh());
+  const IT::Topological_type before = IT::topological_type(input.mesh());
   IS::Surface_surgery surface(input);
   Samples samples;
   samples.time([&] {
     return IS::close_boundary_loops(surface, length) + IS::pinch_handles(surface, length, curves);
   });
-  const IS::Topological_type after = IS::topological_type(surface.mesh());
+  const IT::Topological_type after = IT::topological_type(surface.mesh());
   std::printf("| %.3f | %s | %zu | %zu | %zu | %zu | %.5f | %.2f |\n", part,
               curves == IS::Cutting_curves::edges ? "edges" : "geodesics", before.genus,
               after.genus, before.boundary_loops, after.boundary_loops,

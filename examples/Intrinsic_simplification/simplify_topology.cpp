@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>
 #include <CGAL/Intrinsic_simplification/pinch_handles.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -16,6 +17,7 @@
 #include <iostream>
 
 namespace IS = CGAL::Intrinsic_simplification;
+namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 int main(int argc, char* argv[])
@@ -25,10 +27,10 @@ int main(int argc, char* argv[])
        argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant-with-holes.off"), mesh))
     return 1;
   IS::Surface_surgery surgery{IS::Surface_surgery::Triangulation(mesh)};
-  const IS::Topological_type before = IS::topological_type(surgery.mesh());
+  const IT::Topological_type before = IT::topological_type(surgery.mesh());
   IS::close_boundary_loops(surgery, 0.5);
   IS::pinch_handles(surgery, 0.5);
-  const IS::Topological_type after = IS::topological_type(surgery.mesh());
+  const IT::Topological_type after = IT::topological_type(surgery.mesh());
   std::cout << before.boundary_loops << " boundary loops and " << before.genus
             << " handles before, " << after.boundary_loops << " and " << after.genus << " after\n";
 

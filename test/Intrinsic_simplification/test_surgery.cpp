@@ -114,10 +114,10 @@ TEST(Surface_surgery, closes_all_loops)
       SCOPED_TRACE(c.name);
       const Triangulation input = triangulation(c.mesh, random_lengths(c.mesh, seed));
       Surface_surgery s(input);
-      const auto before = IS::topological_type(c.mesh);
+      const auto before = IT::topological_type(c.mesh);
       const double area_before = area(s);
       EXPECT_EQ(IS::close_boundary_loops(s, no_bound), before.boundary_loops);
-      const auto after = IS::topological_type(s.mesh());
+      const auto after = IT::topological_type(s.mesh());
       EXPECT_EQ(after.boundary_loops, 0u);
       EXPECT_EQ(after.genus, before.genus);
       EXPECT_EQ(after.components, before.components);
@@ -206,7 +206,7 @@ TEST(Loop_signatures, against_cutting)
       IS::close_boundary_loops(s, no_bound); // components stay apart
       ASSERT_TRUE(IT::is_valid_Delta_complex(s.mesh(), true));
       const bool separates =
-        IS::topological_type(s.mesh()).components > IS::topological_type(c.mesh).components;
+        IT::topological_type(s.mesh()).components > IT::topological_type(c.mesh).components;
       EXPECT_EQ(signatures.of(loop) == 0, separates);
       ++(separates ? separating : others);
     }
@@ -218,10 +218,10 @@ TEST(Loop_signatures, against_cutting)
 std::size_t pinch_all(const Triangulation& input, Cutting_curves curves, double tolerance = 1e-9)
 {
   Surface_surgery s(input);
-  const auto before = IS::topological_type(s.mesh());
+  const auto before = IT::topological_type(s.mesh());
   const double area_before = area(s);
   const std::size_t pinched = IS::pinch_handles(s, no_bound, curves);
-  const auto after = IS::topological_type(s.mesh());
+  const auto after = IT::topological_type(s.mesh());
   EXPECT_EQ(after.genus + pinched, before.genus);
   EXPECT_EQ(after.components, before.components);
   EXPECT_EQ(after.boundary_loops, before.boundary_loops);
@@ -256,7 +256,7 @@ TEST(Pinch_handles, all_complexes)
       for(Cutting_curves curves : {Cutting_curves::edges, Cutting_curves::geodesics}) {
         const std::size_t left =
           pinch_all(triangulation(c.mesh, random_lengths(c.mesh, seed)), curves);
-        EXPECT_TRUE(left == 0 || IS::topological_type(c.mesh).boundary_loops > 0);
+        EXPECT_TRUE(left == 0 || IT::topological_type(c.mesh).boundary_loops > 0);
       }
     }
 }

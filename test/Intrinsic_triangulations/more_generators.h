@@ -21,13 +21,22 @@ namespace Test_surfaces {
 
 using Triangulation = IT::Intrinsic_triangulation<>;
 
-// ---- Random flips ----
+// ---- Lengths, and random flips ----
 
 inline double longest_input_edge(const Triangulation& t)
 {
   double result = 0;
   for(Edge_index e : t.input_mesh().edges())
     result = (std::max)(result, t.input_length(e));
+  return result;
+}
+
+inline std::vector<double> sorted_lengths(const Triangulation& t)
+{
+  std::vector<double> result;
+  for(Edge_index e : t.mesh().edges())
+    result.push_back(t.length(e));
+  std::sort(result.begin(), result.end());
   return result;
 }
 

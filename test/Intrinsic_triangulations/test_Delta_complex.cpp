@@ -5,6 +5,10 @@
 #include "generators.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -468,6 +472,34 @@ TEST(Delta_complex, pinched_vertices_are_found)
       mesh.set_target(h, v);
   mesh.remove_vertex(w);
   expect_defect(mesh, "it has more than one umbrella");
+}
+
+// Handles and loops are glued in and cut out one by one.
+template <typename Graph>
+void expect_topological_type(const Graph& g, std::size_t components, std::size_t loops,
+                             std::size_t genus)
+{
+  const IT::Topological_type type = IT::topological_type(g);
+  EXPECT_EQ(type.components, components);
+  EXPECT_EQ(type.boundary_loops, loops);
+  EXPECT_EQ(type.genus, genus);
+}
+
+TEST(Topological_type, is_that_of_known_surfaces)
+{
+  expect_topological_type(Delta_complex(), 0, 0, 0);
+  expect_topological_type(cone(false), 1, 1, 0);
+  expect_topological_type(double_torus(), 1, 0, 2);
+  Mesh all = punctured(random_sphere(40, 1), {0, 30});
+  expect_topological_type(all, 1, 2, 0);
+  all += embedded_torus(5, 4);
+  all.add_vertex(Point(0, 0, 0));
+  expect_topological_type(all, 2, 2, 1);
+  all += punctured(embedded_torus(5, 4), {3});
+  expect_topological_type(all, 3, 3, 2);
+  CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> polyhedron;
+  CGAL::copy_face_graph(punctured(embedded_torus(5, 4), {0, 20}), polyhedron);
+  expect_topological_type(polyhedron, 1, 2, 1);
 }
 
 TEST(Delta_complex, refusals_are_preconditions)

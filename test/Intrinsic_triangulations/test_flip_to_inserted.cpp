@@ -5,6 +5,7 @@
 // From one triangulation of a surface to another over a third, where both have inserted vertices.
 
 #include "flat_pair.h"
+#include "more_generators.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
@@ -225,15 +226,6 @@ TEST(Flip_to_inserted, polygons_against_brute_force)
 }
 
 // ---- Surfaces with curvature, and ties ----
-
-std::vector<double> sorted_lengths(const Triangulation& t)
-{
-  std::vector<double> result;
-  for(Edge_index e : t.mesh().edges())
-    result.push_back(t.length(e));
-  std::sort(result.begin(), result.end());
-  return result;
-}
 
 // T3, to which vertices are added, over T2.
 void expect_lengths(const Triangulation& t2, const Triangulation& t3)

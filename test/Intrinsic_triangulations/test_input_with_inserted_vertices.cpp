@@ -5,6 +5,7 @@
 #include "data_meshes.h"
 #include "equality.h"
 #include "generators.h"
+#include "more_generators.h"
 
 #include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
@@ -80,15 +81,6 @@ void check(const Triangulation& r)
   EXPECT_EQ(shared, t.input_mesh().number_of_edges() + on_edges);
   expect_areas(t);
   expect_equal(t, triangulation_of(text_of(t)));
-}
-
-std::vector<double> sorted_lengths(const Triangulation& t)
-{
-  std::vector<double> result;
-  for(Edge_index e : t.mesh().edges())
-    result.push_back(t.length(e));
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 // The Delaunay triangulation of these vertices is unique, on a surface without symmetries.

@@ -8,15 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <boost/graph/graph_traits.hpp>
-
-#include <cstddef>
-#include <iterator>
-#include <unordered_set>
-#include <vector>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 namespace CGAL::Discrete_conformal_maps {
 
@@ -45,43 +37,6 @@ inline const char* to_string(Surface_type type)
   return "unknown";
 }
 
-namespace internal {
-
-// the faces that can be reached from `start` through edges
-template <typename Graph>
-std::size_t number_of_connected_faces(const Graph& g,
-                                      typename boost::graph_traits<Graph>::face_descriptor start)
-{
-  typedef typename boost::graph_traits<Graph>::face_descriptor Face;
-  std::unordered_set<Face> reached{start};
-  std::vector<Face> stack{start};
-  while(!stack.empty()) {
-    const Face f = stack.back();
-    stack.pop_back();
-    for(auto h : CGAL::halfedges_around_face(halfedge(f, g), g))
-      if(const auto o = opposite(h, g); !is_border(o, g) && reached.insert(face(o, g)).second)
-        stack.push_back(face(o, g));
-  }
-  return reached.size();
-}
-
-template <typename Graph>
-std::size_t number_of_boundary_loops(const Graph& g)
-{
-  typedef typename boost::graph_traits<Graph>::halfedge_descriptor Halfedge;
-  std::unordered_set<Halfedge> seen;
-  std::size_t result = 0;
-  for(auto h : halfedges(g))
-    if(is_border(h, g) && seen.insert(h).second) {
-      ++result;
-      for(auto x = next(h, g); x != h; x = next(x, g))
-        seen.insert(x);
-    }
-  return result;
-}
-
-} // namespace internal
-
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// returns the topology of a surface. Isolated vertices do not count. Complexity: linear.
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -89,26 +44,16 @@ std::size_t number_of_boundary_loops(const Graph& g)
 template <typename Graph>
 Surface_type surface_type(const Graph& g)
 {
-  const auto faces_of_g = faces(g);
-  const auto number_of_faces =
-    static_cast<std::size_t>(std::distance(faces_of_g.begin(), faces_of_g.end()));
-  const auto halfedges_of_g = halfedges(g);
-  const auto number_of_edges =
-    static_cast<std::size_t>(std::distance(halfedges_of_g.begin(), halfedges_of_g.end())) / 2;
-  std::size_t number_of_vertices = 0;
-  for(auto v : vertices(g))
-    number_of_vertices += halfedge(v, g) != boost::graph_traits<Graph>::null_halfedge();
-  if(number_of_faces == 0 ||
-     internal::number_of_connected_faces(g, *faces_of_g.begin()) != number_of_faces)
+  const Intrinsic_triangulations::Topological_type type =
+    Intrinsic_triangulations::topological_type(g);
+  if(type.components != 1)
     throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
-  const std::size_t loops = internal::number_of_boundary_loops(g);
-  // that of the surface with its boundaries filled
-  const std::size_t characteristic = number_of_vertices + number_of_faces + loops - number_of_edges;
-  if(characteristic == 2 && loops < 3)
-    return loops == 0   ? Surface_type::sphere
-           : loops == 1 ? Surface_type::disk
-                        : Surface_type::annulus;
-  return characteristic == 0 && loops == 0 ? Surface_type::torus : Surface_type::hyperbolic;
+  if(type.genus == 0 && type.boundary_loops < 3)
+    return type.boundary_loops == 0   ? Surface_type::sphere
+           : type.boundary_loops == 1 ? Surface_type::disk
+                                      : Surface_type::annulus;
+  return type.genus == 1 && type.boundary_loops == 0 ? Surface_type::torus
+                                                     : Surface_type::hyperbolic;
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -10,8 +10,8 @@
 #include <CGAL/Intrinsic_simplification/Intrinsic_surface.h>
 #include <CGAL/Intrinsic_simplification/internal/topology/disk_radius.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/assertions.h>
@@ -24,39 +24,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification {
-
-/// \ingroup PkgIntrinsicSimplificationRef
-/// what surfaces without isolated vertices have in common if they can be deformed into each other:
-/// all of it if there is one component.
-struct Topological_type
-{
-  std::size_t components = 0;     ///< the number of components that have a face
-  std::size_t boundary_loops = 0; ///< the number of closed curves that form the boundary
-  std::size_t genus = 0;          ///< the number of handles of all components
-};
-
-/// \ingroup PkgIntrinsicSimplificationRef
-/// returns the topological type of an oriented surface. Complexity: linear.
-inline Topological_type topological_type(const Delta_complex& mesh)
-{
-  Topological_type result;
-  std::vector<bool> is_seen(mesh.num_halfedges(), false);
-  for(Halfedge_index start : mesh.halfedges())
-    if(mesh.is_border(start) && !is_seen[start]) {
-      ++result.boundary_loops;
-      for(Halfedge_index h = start; !is_seen[h]; h = mesh.next(h))
-        is_seen[h] = true;
-    }
-  std::size_t isolated = 0;
-  for(Vertex_index v : mesh.vertices())
-    isolated += mesh.is_isolated(v);
-  result.components = Intrinsic_triangulations::internal::Mesh_components(mesh).size() - isolated;
-  // by Euler, with all boundary loops filled
-  result.genus = (2 * result.components + mesh.number_of_edges() + isolated -
-                  mesh.number_of_vertices() - mesh.number_of_faces() - result.boundary_loops) /
-                 2;
-  return result;
-}
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a surface that is cut along closed curves, and on which boundary loops are closed by disks,
@@ -313,22 +280,17 @@ private:
 /// \returns the number of loops that have been closed
 inline std::size_t close_boundary_loops(Surface_surgery& surface, double maximum_length)
 {
-  const Delta_complex& mesh = surface.mesh();
-  std::vector<Halfedge_index> borders;
-  std::vector<bool> is_seen(mesh.num_halfedges(), false);
-  for(Halfedge_index start : mesh.halfedges())
-    if(mesh.is_border(start) && !is_seen[start]) {
-      double length = 0;
-      for(Halfedge_index h = start; !is_seen[h]; h = mesh.next(h)) {
-        is_seen[h] = true;
-        length += get(surface.length_map(), Edge_index(h));
-      }
-      if(length <= maximum_length)
-        borders.push_back(start);
+  std::size_t result = 0;
+  for(Halfedge_index h : Intrinsic_triangulations::boundary_loops(surface.mesh())) {
+    double length = 0;
+    for(Halfedge_index side : halfedges_around_face(h, surface.mesh()))
+      length += get(surface.length_map(), Edge_index(side));
+    if(length <= maximum_length) {
+      surface.close(h);
+      ++result;
     }
-  for(Halfedge_index h : borders)
-    surface.close(h);
-  return borders.size();
+  }
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_simplification

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -26,15 +27,6 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // The border halfedges of a loop, in their order; the surface is on their right.
 typedef std::vector<Halfedge_index> Boundary_loop;
 
-inline Boundary_loop loop_after(Halfedge_index border, const Delta_complex& mesh)
-{
-  Boundary_loop result;
-  for(Halfedge_index h = mesh.next(border); h != border; h = mesh.next(h))
-    result.push_back(h);
-  result.push_back(border);
-  return result;
-}
-
 // Returns the boundary of each component with faces.
 // Throws Invalid_input unless every such component has one loop of at least `least_size` edges.
 inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mesh,
@@ -42,19 +34,16 @@ inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mes
 {
   using Intrinsic_triangulations::Invalid_input;
   const Intrinsic_triangulations::internal::Mesh_components components(mesh);
-  std::vector<char> has_loop(components.size(), 0), is_seen(mesh.num_halfedges(), 0);
+  std::vector<char> has_loop(components.size(), 0);
   std::vector<Boundary_loop> result;
-  for(Halfedge_index border : mesh.halfedges()) {
-    if(!mesh.is_border(border) || is_seen[border.idx()])
-      continue;
+  for(Halfedge_index border : Intrinsic_triangulations::boundary_loops(mesh)) {
     char& is_known = has_loop[components[mesh.source(border).idx()]];
     if(is_known)
       throw Invalid_input(
         "a component has several boundary loops, but this shape is for one boundary loop");
     is_known = 1;
-    result.push_back(loop_after(border, mesh));
-    for(Halfedge_index h : result.back())
-      is_seen[h.idx()] = 1;
+    const auto loop = CGAL::halfedges_around_face(mesh.next(border), mesh);
+    result.emplace_back(loop.begin(), loop.end());
   }
   for(Vertex_index v : mesh.vertices())
     if(!mesh.is_isolated(v) && !has_loop[components[v.idx()]])

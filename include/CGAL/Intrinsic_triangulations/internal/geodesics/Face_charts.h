@@ -51,6 +51,8 @@ public:
     }
   }
 
+  std::size_t number_of_sides() const { return 3 * m_chart.size(); }
+
   // returns the side that the halfedge `h` is, which is not on the border
   static Index side_of(Halfedge_index h, const Delta_complex& mesh)
   {

@@ -23,6 +23,7 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -104,8 +105,7 @@ public:
   {
     const FT infinity = std::numeric_limits<FT>::infinity();
     for(;; ++m_steps) {
-      if(m_steps > greatest_number_of_steps())
-        throw Numerical_error("the search for shortest paths does not end");
+      check_bound(m_steps);
       const FT view = m_next.is_empty() ? infinity : m_next.least_key();
       const FT bend = m_bends.is_empty() ? infinity : m_bends.least_key();
       if((std::min)(view, bend) == infinity ||
@@ -186,12 +186,14 @@ private:
     return sum > 0 ? FT(sum / FT(4 * m_mesh.number_of_faces())) : FT(1);
   }
 
-  // More steps than surfaces need: on embedded ones views are at most quadratic in the size, and a
-  // hundred million are for few faces that paths wind around. Rounding could make it more.
-  std::size_t greatest_number_of_steps() const
+  // Surfaces take up to a hundred views for each halfedge, few faces with edges of lengths in the
+  // proportion of 1 to ten million take twenty million. Rounding could make it more.
+  void check_bound(std::size_t views) const
   {
-    const std::size_t n = m_mesh.number_of_halfedges();
-    return 100000000 + n * n;
+    const std::size_t bound = (std::size_t(1) << 25) + 1024 * m_charts.number_of_sides();
+    if(views > (std::min)(bound, std::size_t(null)))
+      throw Numerical_error("the search for shortest paths does not end within " +
+                            std::to_string(bound) + " views");
   }
 
   // ---- Vertices ----
@@ -321,8 +323,7 @@ private:
     if(m_charts.across(view.edge) == null || !cut_off(view))
       return;
     const FT nearest = distance(view, std::clamp(view.position.real(), view.begin, view.end));
-    if(m_views.size() >= null)
-      throw Numerical_error("there are too many views for shortest paths");
+    check_bound(m_views.size() + 1);
     m_next.push(nearest, static_cast<Index>(m_views.size()));
     m_views.push_back(view);
   }
