@@ -4,6 +4,9 @@
 
 #include "equality.h"
 
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <gtest/gtest.h>
@@ -151,6 +154,12 @@ const Lines& replacements()
   return result;
 }
 
+// Three numbers of elements, or a position.
+bool are_counts(const Lines& words)
+{
+  return words.size() == 3 && words[0].find('x') == std::string::npos;
+}
+
 // Replaces every number of every line except the numbers of elements, which are for another test.
 template <typename Check>
 void for_each_replacement(const std::string& text, const Check& check)
@@ -161,7 +170,7 @@ void for_each_replacement(const std::string& text, const Check& check)
     Lines words;
     for(std::string word; is >> word;)
       words.push_back(word);
-    for(std::size_t w = 0; w < words.size() && words.size() != 3; ++w)
+    for(std::size_t w = 0; w < words.size() && !are_counts(words); ++w)
       for(const std::string& replacement : replacements()) {
         Lines new_words = words, new_lines = lines;
         new_words[w] = replacement;
@@ -207,9 +216,9 @@ TEST(IO, lengths_of_all_magnitudes_are_exact)
 TEST(IO, header)
 {
   const std::string text = text_of(Triangulation(tetrahedron()));
-  EXPECT_EQ(lines_of(text)[0], "intrinsic_triangulation 2");
+  EXPECT_EQ(lines_of(text)[0], "intrinsic_triangulation 3");
   for(const char* header : {"", "intrinsic_triangulation 1", "intrinsic_triangulation", "OFF",
-                            " intrinsic_triangulation 2", "intrinsic_triangulation 2 "}) {
+                            " intrinsic_triangulation 3", "intrinsic_triangulation 3 "}) {
     Lines lines = lines_of(text);
     lines[0] = header;
     EXPECT_EQ(refused_line(joined(lines, '\n')), 1u);
@@ -285,7 +294,7 @@ TEST(IO, other_numbers)
 TEST(IO, other_numbers_of_elements)
 {
   const Lines lines = lines_of(text_of(Triangulation(tetrahedron())));
-  for(std::size_t l : {std::size_t(1), lines.size() / 2}) {
+  for(std::size_t l : {std::size_t(1), (lines.size() - 5) / 2}) { // without the positions
     ASSERT_EQ(lines[l], "4 6 4");
     for(const char* counts : {"", "4", "4 6", "3 6 4", "4 5 4", "4 6 3", "5 6 4", "4 7 4", "4 6 5",
                               "0 0 0", "-4 6 4", "4 -6 4", "4 6 -4", "4 6 4294967296",
@@ -318,8 +327,8 @@ TEST(IO, intrinsic_lengths_that_make_no_triangle)
   Triangulation t(embedded_torus(5, 4));
   EXPECT_GT(IT::make_Delaunay(t), 0u);
   Lines lines = lines_of(text_of(t));
-  const std::size_t first =
-    lines.size() - 1 - t.mesh().number_of_faces() - t.mesh().number_of_edges();
+  const std::size_t first = lines.size() - 2 - t.mesh().number_of_vertices() -
+                            t.mesh().number_of_faces() - t.mesh().number_of_edges();
   for(Edge_index e : t.mesh().edges())
     if(t.coordinates().normal_coordinate(e) > 0) {
       Lines changed = lines;
@@ -328,6 +337,84 @@ TEST(IO, intrinsic_lengths_that_make_no_triangle)
       line.replace(from, to - from, "0x1p+60");
       EXPECT_EQ(outcome(joined(changed, '\n')), Outcome::bad_triangulation) << line;
     }
+}
+
+// ---- What is exact stays so ----
+
+template <typename Tri>
+Tri reloaded(const Tri& t)
+{
+  std::stringstream stream;
+  EXPECT_TRUE(IT::write_intrinsic_triangulation(stream, t));
+  return IT::read_intrinsic_triangulation<typename Tri::Traits>(stream);
+}
+
+// A plane grid, turned in space: all of its diamonds are ties, which no lengths in `double` show.
+TEST(IO, ties_of_positions_are_kept)
+{
+  const Mesh mesh = grid(8, 4, [](double x, double y) {
+    return Point(2 * x + 3 * y + 1, 3 * x - 6 * y - 7, 6 * x + 2 * y);
+  });
+  typedef IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>> Exact;
+  Exact exact(mesh);
+  IT::make_Delaunay(exact);
+  const IT::Delaunay_certificate expected = IT::certify_Delaunay(exact);
+  EXPECT_GT(expected.ties.size(), 0u);
+  const IT::Delaunay_certificate found = IT::certify_Delaunay(reloaded(exact));
+  EXPECT_TRUE(found.is_Delaunay());
+  EXPECT_EQ(found.ties, expected.ties);
+  Triangulation t(mesh);
+  IT::make_Delaunay(t);
+  EXPECT_EQ(IT::certify_Delaunay(reloaded(t)).ties, IT::certify_Delaunay(t).ties);
+}
+
+// A square with diagonal sqrt(2): two edges of a flat torus are equally long diagonals.
+TEST(IO, ties_of_squared_lengths_are_kept)
+{
+  typedef IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>> Exact;
+  const Delta_complex mesh = glue({{1, 2, 3}, {-1, -2, -3}});
+  for(int scale : {1, 3, 7}) {
+    const auto square = boost::make_function_property_map<Edge_index>(
+      [&](Edge_index e) { return CGAL::Exact_rational(e.idx() == 2 ? 2 : 1) / scale; });
+    const Exact exact(mesh, IT::parameters::squared_edge_length_map(square));
+    EXPECT_EQ(IT::certify_Delaunay(exact).ties.size(), 1u);
+    EXPECT_EQ(IT::certify_Delaunay(reloaded(exact)).ties.size(), 1u);
+    std::stringstream stream;
+    EXPECT_TRUE(IT::write_intrinsic_triangulation(stream, exact));
+    EXPECT_EQ(IT::read_intrinsic_triangulation(stream).length(Edge_index(2)),
+              exact.length(Edge_index(2)));
+  }
+}
+
+TEST(IO, damaged_exact_numbers)
+{
+  const std::string start = text_of(triangulation(glue({{1, 2, 3}, {-1, -2, -3}}), {1, 1, 1}));
+  const std::string lengths = "exact lengths\n";
+  const std::string squares = start.substr(0, start.size() - lengths.size());
+  EXPECT_EQ(squares + lengths, start);
+  EXPECT_EQ(outcome(squares + "exact squared_lengths\n0x1p+0\n0x1p+0\n0x1p+0\n"), Outcome::valid);
+  EXPECT_EQ(outcome(squares + "exact squared_lengths\n1/1\n3/3\n1/1\n"), Outcome::valid);
+  EXPECT_EQ(outcome(squares + "exact squared_lengths\n0x1p+0\n0x1p+0\n0x1p+1\n"),
+            Outcome::bad_triangulation);
+  for(const char* bad : {"", "0", "1/", "/1", "1/0", "1/000", "-1/1", "1/-1", "1/1/1", "1 /1", "0x",
+                         "0xinf", "0xnan", "1/1x", "1.5/1"})
+    EXPECT_EQ(outcome(squares + "exact squared_lengths\n0x1p+0\n0x1p+0\n" + bad + "\n"),
+              Outcome::bad_format)
+      << bad;
+  for(const char* bad : {"exact positions\n", "exact\n", "lengths\n", "\n", ""})
+    EXPECT_EQ(outcome(squares + bad), Outcome::bad_format) << bad;
+}
+
+TEST(IO, positions_that_do_not_fit_the_lengths)
+{
+  const Lines lines = lines_of(text_of(Triangulation(tetrahedron())));
+  const auto first = std::find(lines.begin(), lines.end(), "exact positions") + 1;
+  ASSERT_EQ(lines.end() - first, 4);
+  for(auto l = first; l != lines.end(); ++l) {
+    Lines changed = lines;
+    changed[std::size_t(l - lines.begin())] = "0x1.8p+3 -0x1p+0 0x0p+0";
+    EXPECT_EQ(outcome(joined(changed, '\n')), Outcome::bad_triangulation);
+  }
 }
 
 #ifdef __linux__
@@ -341,7 +428,7 @@ TEST(IO, promises_take_no_memory)
   };
   for(const char* counts : {"40000000 6 4", "4 20000000 4", "4 6 40000000"}) {
     const long before = peak();
-    EXPECT_EQ(outcome(std::string("intrinsic_triangulation 2\n") + counts + "\n0\n"),
+    EXPECT_EQ(outcome(std::string("intrinsic_triangulation 3\n") + counts + "\n0\n"),
               Outcome::bad_format);
     EXPECT_LT(peak() - before, 50000) << counts;
   }

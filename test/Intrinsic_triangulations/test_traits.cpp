@@ -7,6 +7,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <gtest/gtest.h>
 #if defined(CGAL_USE_CORE) || defined(CGAL_USE_LEDA)
 #define HAS_EXACT_SQUARE_ROOTS
@@ -483,5 +484,18 @@ TEST(Exact_geometry_traits, all)
 }
 
 #endif
+
+TEST(Traits, lengths_of_positions_in_single_precision_are_not_rounded_to_it)
+{
+  CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3> mesh;
+  CGAL::copy_face_graph(perturbed(embedded_torus(9, 7), 1e-3, 5), mesh);
+  const IT::Intrinsic_triangulation<> t(mesh);
+  for(Edge_index e : mesh.edges()) {
+    const auto &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));
+    const long double x = p.x() - (long double)(q.x()), y = p.y() - (long double)(q.y()),
+                      z = p.z() - (long double)(q.z());
+    EXPECT_NEAR(double(t.length(e) / std::sqrt(x * x + y * y + z * z)), 1, 1e-15);
+  }
+}
 
 } // namespace Test_traits

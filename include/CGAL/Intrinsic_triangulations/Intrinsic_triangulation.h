@@ -161,19 +161,20 @@ public:
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the
   /// property map "e:length", `mesh` has this map and "e:normal_coordinate", "h:roundabout",
   /// "e:is_constrained", and `inserted` has the places of the vertices that only `mesh` has, in
-  /// their order. Complexity: linear in the elements and crossings.
+  /// their order. Lengths of `input` are exact unless `metric` is. Complexity: linear in the elements
+  /// and crossings.
   /// \throws Invalid_input if they do not fit together.
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
                           std::vector<Inserted_vertex<FT>> inserted = {},
-                          const Traits& traits = Traits())
-    : Base(traits, std::move(input), std::move(mesh), std::move(inserted))
+                          const Traits& traits = Traits(),
+                          internal::Input_metric_of<Traits> metric = {})
+    : Base(traits, std::move(input), std::move(mesh), std::move(inserted), std::move(metric))
   {
     for(const Delta_complex* complex : {&m_input, &m_mesh})
       if(!is_valid_Delta_complex(*complex))
         throw Invalid_input(internal::Delta_complex_defect(*complex));
     m_spokes = Vertex_spokes(m_input, boost::dummy_property_map());
-    for(Edge_index e : m_input.edges())
-      internal::check_length(e, this->input(), m_traits);
+    internal::check_lengths(this->input(), m_input_metric, m_traits);
     internal::check_inserted(*this);
     number_inserted_spokes();
     internal::check_triangles(this->input(), m_traits);

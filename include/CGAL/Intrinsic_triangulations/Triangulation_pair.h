@@ -307,9 +307,11 @@ private:
 
   explicit Triangulation_pair(const Traits& traits = Traits(), Delta_complex input = {},
                               Delta_complex mesh = {},
-                              std::vector<Inserted_vertex<FT>> inserted = {})
+                              std::vector<Inserted_vertex<FT>> inserted = {},
+                              internal::Input_metric_of<Traits> metric = {})
     : m_traits(traits),
       m_input(std::move(input)),
+      m_input_metric(std::move(metric)),
       m_mesh(std::move(mesh)),
       m_inserted(std::move(inserted))
   {

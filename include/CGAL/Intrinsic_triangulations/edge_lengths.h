@@ -12,6 +12,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/NT_converter.h>
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -24,12 +25,18 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+// Positions in single precision are exact, and their distances are not rounded to it.
 template <typename FT, typename Point>
 FT distance(const Point& p, const Point& q)
 {
   typedef typename Kernel_traits<Point>::Kernel Kernel;
-  const auto squared = typename Kernel::Compute_squared_distance_3()(p, q);
-  return CGAL::sqrt(NT_converter<typename Kernel::FT, FT>()(squared));
+  if constexpr(std::is_same_v<typename Kernel::FT, float> && std::is_same_v<FT, double>) {
+    typedef Simple_cartesian<double>::Point_3 Wide_point;
+    return distance<double>(Wide_point(p.x(), p.y(), p.z()), Wide_point(q.x(), q.y(), q.z()));
+  } else {
+    const auto squared = typename Kernel::Compute_squared_distance_3()(p, q);
+    return CGAL::sqrt(NT_converter<typename Kernel::FT, FT>()(squared));
+  }
 }
 
 // the root of an exact number, correctly to a few units in the last place if it is rounded

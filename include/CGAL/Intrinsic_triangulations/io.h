@@ -9,14 +9,20 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/number_text.h>
 
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <istream>
 #include <limits>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,7 +30,12 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-constexpr const char* file_header = "intrinsic_triangulation 2";
+constexpr const char* file_header = "intrinsic_triangulation 3";
+
+// what determines the lengths of T1 exactly
+constexpr std::string_view exact_lengths = "exact lengths";
+constexpr std::string_view exact_positions = "exact positions";
+constexpr std::string_view exact_squared_lengths = "exact squared_lengths";
 
 // Numbers in a file follow neither the locale nor the flags of the stream; -1 stands for no
 // element.
@@ -65,6 +76,23 @@ void write_complex(std::ostream& os, const Surface& surface, const More& more)
   }
   for(Face_index f : mesh.faces())
     write_line(os, mesh.halfedge(f));
+}
+
+inline void write_metric(std::ostream& os, const No_metric&) { os << exact_lengths << '\n'; }
+
+template <typename K>
+void write_metric(std::ostream& os, const Input_metric<K>& metric)
+{
+  if constexpr(std::is_floating_point_v<K> || is_fraction<K>())
+    if(!metric.squared_lengths.empty()) {
+      os << exact_squared_lengths << '\n';
+      for(const K& square : metric.squared_lengths)
+        write_line(os, exact_text(square));
+      return;
+    }
+  os << (metric.points.empty() ? exact_lengths : exact_positions) << '\n';
+  for(const auto& [x, y, z] : metric.points)
+    write_line(os, hexadecimal_text(x), hexadecimal_text(y), hexadecimal_text(z));
 }
 
 // Reads triangulations line by line. Memory is allocated for lines that were read, not for those
@@ -136,6 +164,27 @@ public:
     return inserted;
   }
 
+  // reads what determines the lengths of `input` exactly; nothing if the numbers are fractions, and
+  // `K` has none
+  template <typename K>
+  Input_metric<K> read_metric(const Delta_complex& input)
+  {
+    typedef std::conditional_t<is_fraction<K>(), K, double> Number;
+    std::vector<Number> squared_lengths;
+    Input_metric<K> result;
+    m_lines.next_line();
+    if(m_lines.is(exact_positions))
+      for_lines(input.number_of_vertices(), [&] { result.points.push_back(read_position()); });
+    else if(m_lines.is(exact_squared_lengths))
+      for_lines(input.number_of_edges(),
+                [&] { squared_lengths.push_back(m_lines.template exact<Number>()); });
+    else
+      m_lines.expect(exact_lengths);
+    if(std::all_of(squared_lengths.begin(), squared_lengths.end(), CGAL::Is_valid<Number>()))
+      result.squared_lengths.assign(squared_lengths.begin(), squared_lengths.end());
+    return result;
+  }
+
 private:
   void read_lines(bool with_coordinates)
   {
@@ -174,6 +223,14 @@ private:
   {
     const auto i = m_lines.integer<std::int64_t>(-1, 2 * std::int64_t(edges) - 1);
     return i < 0 ? Delta_complex::null_halfedge() : Halfedge_index(static_cast<size_type>(i));
+  }
+
+  std::array<double, 3> read_position()
+  {
+    std::array<double, 3> result;
+    for(double& coordinate : result)
+      coordinate = m_lines.template hexadecimal<double>();
+    return result;
   }
 
   Edge_line read_edge(size_type vertices, size_type edges, bool with_coordinates)
@@ -237,7 +294,9 @@ private:
 /// writes `tri` with its correspondence, exactly: what `read_intrinsic_triangulation()` makes of it
 /// has the same elements with the same numbers, and the same lengths to the bit. The format is
 /// described in the user manual (\ref Intrinsic_triangulations_file_format). The number type of the
-/// traits must be a floating point type. Complexity: linear.
+/// traits must be a floating point type. What is exact stays exact: positions, and squared lengths
+/// that are rational; for squared lengths in other fields, what is read is exact for its lengths.
+/// Complexity: linear.
 /// \pre \f$T_2\f$ has no garbage, see `Intrinsic_triangulation::collect_garbage()`
 /// \returns whether the stream is good after that.
 template <typename Traits>
@@ -259,6 +318,7 @@ bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulati
     internal::write_line(os, m.along, m.location.first, internal::hexadecimal_text(b[0]),
                          internal::hexadecimal_text(b[1]), internal::hexadecimal_text(b[2]));
   }
+  internal::write_metric(os, tri.input_metric());
   return os.good();
 }
 
@@ -276,8 +336,13 @@ Intrinsic_triangulation<Traits> read_intrinsic_triangulation(std::istream& is,
   Delta_complex input = reader.read_input();
   Delta_complex mesh = reader.read_intrinsic();
   auto inserted = reader.read_inserted(input);
+  internal::Input_metric_of<Traits> metric;
+  if constexpr(internal::has_metric<Traits>())
+    metric = reader.template read_metric<typename decltype(metric)::Number>(input);
+  else
+    reader.template read_metric<double>(input);
   return Intrinsic_triangulation<Traits>(std::move(input), std::move(mesh), std::move(inserted),
-                                         traits);
+                                         traits, std::move(metric));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

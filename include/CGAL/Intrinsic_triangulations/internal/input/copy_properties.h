@@ -12,10 +12,12 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cmath>
 #include <string>
 #include <type_traits>
 
@@ -34,6 +36,37 @@ void check_length(Edge_index e, const Surface& surface, const Traits& traits)
 {
   if(!traits.is_length_object()(get(surface.length_map(), e)))
     fail_at_length(e, surface.mesh());
+}
+
+// Returns the length of the edge `e` that the metric determines.
+template <typename K, typename Surface>
+double rounded_length(Edge_index e, const Input_metric<K>& metric, const Surface& surface)
+{
+  if(!metric.squared_lengths.empty())
+    return root_of<double>(metric.squared_lengths[e.idx()]);
+  if(metric.points.empty())
+    return get(surface.length_map(), e);
+  const auto d = vector_between<double>(metric.points[surface.mesh().vertex(e, 0)],
+                                        metric.points[surface.mesh().vertex(e, 1)]);
+  return std::sqrt(dot(d, d));
+}
+
+// The lengths of a file, which are those that its metric determines.
+template <typename Surface, typename Metric, typename Traits>
+void check_lengths(const Surface& surface, [[maybe_unused]] const Metric& metric,
+                   const Traits& traits)
+{
+  const Delta_complex& mesh = surface.mesh();
+  for(Edge_index e : mesh.edges()) {
+    check_length(e, surface, traits);
+    if constexpr(!std::is_same_v<Metric, No_metric>) {
+      const double length = get(surface.length_map(), e),
+                   exact = rounded_length(e, metric, surface);
+      if(!(std::abs(length - exact) <= rounding_unit<double>() * length))
+        throw Invalid_input("the length of edge " + std::to_string(e.idx()) +
+                            " is not that of its exact positions or squared length");
+    }
+  }
 }
 
 template <typename Surface, typename Traits>

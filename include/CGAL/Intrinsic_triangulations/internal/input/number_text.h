@@ -9,23 +9,57 @@
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <istream>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The shortest hexadecimal text of a finite positive number, with the prefix 0x, whatever the
+// The shortest hexadecimal text of a finite number, with the prefix 0x after the sign, whatever the
 // locale.
 template <typename FT>
 std::string hexadecimal_text(const FT& x)
 {
   static_assert(std::is_floating_point<FT>::value, "only floating point numbers can be written");
   char buffer[64];
-  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), x, std::chars_format::hex).ptr;
-  return "0x" + std::string(buffer, end);
+  const auto end =
+    std::to_chars(buffer, buffer + sizeof(buffer), std::abs(x), std::chars_format::hex).ptr;
+  return (std::signbit(x) ? "-0x" : "0x") + std::string(buffer, end);
+}
+
+// Whether numbers of this type are fractions of integers.
+template <typename K>
+constexpr bool is_fraction()
+{
+  return std::is_same_v<typename Fraction_traits<K>::Is_fraction, Tag_true>;
+}
+
+// Exact numbers are written as numerator and denominator.
+template <typename K>
+std::string exact_text(const K& x)
+{
+  if constexpr(std::is_floating_point_v<K>)
+    return hexadecimal_text(x);
+  else {
+    typename Fraction_traits<K>::Numerator_type numerator;
+    typename Fraction_traits<K>::Denominator_type denominator;
+    typename Fraction_traits<K>::Decompose()(x, numerator, denominator);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << numerator << '/' << denominator;
+    return text.str();
+  }
 }
 
 // Reads a text line by line, and numbers from a line; says in which line something is wrong.
@@ -52,10 +86,12 @@ public:
       fail("there is more than expected: '" + std::string(m_position, end()) + "'");
   }
 
-  void expect(const std::string& line)
+  bool is(std::string_view line) const { return m_line == line; }
+
+  void expect(std::string_view line) const
   {
-    if(m_line != line)
-      fail("'" + line + "' expected");
+    if(!is(line))
+      fail("'" + std::string(line) + "' expected");
   }
 
   // the next number of the line, which must be within the bounds
@@ -75,13 +111,35 @@ public:
   {
     FT value{};
     skip_blanks();
-    if(end() - m_position < 2 || m_position[0] != '0' || m_position[1] != 'x')
+    const bool is_negative = next_is("-");
+    if(!next_is("0x") || *m_position == '-')
       fail("a number that starts with 0x expected");
-    m_position += 2;
     parse(
       [&](const char* from) { return std::from_chars(from, end(), value, std::chars_format::hex); },
       "a hexadecimal number");
-    return value;
+    return is_negative ? -value : value;
+  }
+
+  // the next number of the line, as `exact_text()` writes it; NaN for a fraction that is not one of
+  // the type
+  template <typename K>
+  K exact()
+  {
+    skip_blanks();
+    if(m_line.find('/') == std::string::npos)
+      return K(finite(hexadecimal<double>()));
+    const std::string_view numerator = digits();
+    if(!next_is("/"))
+      fail("a fraction expected");
+    const std::string_view denominator = digits();
+    if(denominator.find_first_not_of('0') == std::string_view::npos)
+      fail("the denominator is zero");
+    if constexpr(is_fraction<K>()) {
+      typedef Fraction_traits<K> Traits;
+      return typename Traits::Compose()(integer<typename Traits::Numerator_type>(numerator),
+                                        integer<typename Traits::Denominator_type>(denominator));
+    } else
+      return std::numeric_limits<K>::quiet_NaN();
   }
 
   [[noreturn]] void fail(const std::string& message) const
@@ -96,6 +154,44 @@ private:
   {
     while(m_position != end() && *m_position == ' ')
       ++m_position;
+  }
+
+  // goes on behind `text` if that comes next
+  bool next_is(std::string_view text)
+  {
+    const bool result = std::string_view(m_position, static_cast<std::size_t>(end() - m_position))
+                          .substr(0, text.size()) == text;
+    m_position += result ? text.size() : 0;
+    return result;
+  }
+
+  double finite(double x) const
+  {
+    if(!std::isfinite(x))
+      fail("a finite number expected");
+    return x;
+  }
+
+  std::string_view digits()
+  {
+    const std::string_view rest(m_position, static_cast<std::size_t>(end() - m_position));
+    const std::string_view result =
+      rest.substr(0, (std::min)(rest.find_first_not_of("0123456789"), rest.size()));
+    if(result.empty())
+      fail("digits expected");
+    m_position += result.size();
+    return result;
+  }
+
+  // of any size
+  template <typename Integer>
+  static Integer integer(std::string_view digits)
+  {
+    std::istringstream is{std::string(digits)};
+    is.imbue(std::locale::classic());
+    Integer result;
+    is >> result;
+    return result;
   }
 
   template <typename Parse>
