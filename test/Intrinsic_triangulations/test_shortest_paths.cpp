@@ -292,30 +292,43 @@ TEST(Shortest_paths, on_hard_meshes)
   }
 }
 
-// As by unfolding in many digits. Lengths of `double` determine distances on flat faces up to half of
-// these digits; all others agree to the last.
+// Compares with unfolding in many digits, unless that takes more than `bound` faces, and returns whether
+// it has. Lengths of `double` determine distances on flat faces up to half of these digits; all others
+// agree to the last.
+bool is_as_in_many_digits(const Named_mesh& m, std::size_t source, std::size_t bound)
+{
+  SCOPED_TRACE(m.name + ", from " + std::to_string(source));
+  const Triangulation t(m.mesh);
+  const Vertex_index v(static_cast<unsigned>(source));
+  const auto truth = Precise_unfolding(t.input()).distances(v, bound);
+  if(!truth)
+    return false;
+  Paths paths(t.input());
+  paths.add_source(v);
+  paths.run();
+  const double farthest = *std::max_element(truth->begin(), truth->end());
+  for(Vertex_index w : m.mesh.vertices())
+    EXPECT_NEAR(paths.distance(w), (*truth)[w.idx()], 1e-7 * farthest) << w;
+  return true;
+}
+
 TEST(Shortest_paths, on_hard_meshes_as_in_many_digits)
 {
   std::size_t compared = 0;
   for(std::uint64_t seed = 0; seed < 300; ++seed) {
     const Named_mesh m = seed < 240 ? hard_mesh(seed) : near_degenerate_mesh(unsigned(seed));
-    if(m.mesh.number_of_faces() > 140)
-      continue;
-    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
-    const Triangulation t(m.mesh);
-    const Vertex_index source(static_cast<unsigned>(7 * seed % m.mesh.number_of_vertices()));
-    const auto truth = Precise_unfolding(t.input()).distances(source, 20000);
-    if(!truth)
-      continue;
-    Paths paths(t.input());
-    paths.add_source(source);
-    paths.run();
-    const double farthest = *std::max_element(truth->begin(), truth->end());
-    for(Vertex_index v : m.mesh.vertices())
-      EXPECT_NEAR(paths.distance(v), (*truth)[v.idx()], 1e-7 * farthest) << v;
-    ++compared;
+    if(m.mesh.number_of_faces() <= 140)
+      compared += is_as_in_many_digits(m, 7 * seed % m.mesh.number_of_vertices(), 20000);
   }
   EXPECT_GT(compared, 30u);
+}
+
+// Paths that pass vertices within rounding, very near to their start, or several vertices at one place.
+TEST(Shortest_paths, that_pass_vertices_within_rounding)
+{
+  for(const auto& [seed, source] :
+      std::vector<std::pair<std::uint64_t, std::size_t>>{{32, 84}, {39, 432}, {138, 180}})
+    EXPECT_TRUE(is_as_in_many_digits(hard_mesh(seed), source, 10000000));
 }
 
 // Integer coordinates: shortest paths run along edges, through flat vertices, and have equals.

@@ -218,13 +218,14 @@ private:
   class Sector
   {
   public:
-    // all of them if `is_whole`
-    Sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back)
+    // all of them if `is_whole`; `error` is that of the direction from which paths come
+    Sector(const Vertex_angles<FT>& angles, bool is_whole, const FT& back, const FT& error)
       : m_sum(angles.sum()),
         m_back(back),
         m_is_border(angles.is_border()),
         m_is_whole(is_whole),
-        m_is_empty(!is_whole && m_sum - (m_is_border ? 1 : 2) * pi<FT>() <= rounding_unit<FT>())
+        m_is_empty(!is_whole &&
+                   m_sum - (m_is_border ? 1 : 2) * pi<FT>() <= rounding_unit<FT>() - error)
     {}
 
     // whether there are some between two angles
@@ -270,16 +271,22 @@ private:
     m_opened[v] = m_distance[v];
   }
 
-  // Returns whether the last part of the path to `v` is too short for a direction.
-  bool is_within_rounding_of_origin(Vertex_index v) const
+  // Returns the error of the direction in which the path arrives at `v`; zero if it is no greater than
+  // that of angles. Directions are unknown where another vertex is as near as rounding: the path may
+  // pass it on either side.
+  FT direction_error(Vertex_index v) const
   {
     const Index origin = m_arrival[v.idx()].origin;
-    const FT way = m_distance[v.idx()] - (is_vertex(origin) ? m_distance[origin] : FT(0));
-    FT longest(0);
+    const FT way =
+      (std::max)(FT(0), FT(m_distance[v.idx()] - (is_vertex(origin) ? m_distance[origin] : FT(0))));
+    FT longest(0), shortest = std::numeric_limits<FT>::infinity();
     for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
       longest = (std::max)(longest, FT(edge_length(h, m_surface)));
+      shortest = (std::min)(shortest, FT(edge_length(h, m_surface)));
     });
-    return way <= rounding_unit<FT>() * longest;
+    if((std::min)(way, shortest) <= rounding_unit<FT>() * (way + longest))
+      return FT(1);
+    return 1024 * way < longest ? rounding_unit<FT>() * longest / way : FT(0);
   }
 
   // Ways along edges are bounds for others, and stand in for views that rounding has closed.
@@ -288,10 +295,11 @@ private:
     const Arrival& arrival = m_arrival[v.idx()];
     const bool is_source = arrival.origin == null;
     const FT before = m_distance[v.idx()];
-    const bool is_all_seen =
-      (arrival.view == null && !is_vertex(arrival.origin)) || is_within_rounding_of_origin(v);
+    const bool is_at_source = arrival.view == null && !is_vertex(arrival.origin);
+    const FT error = is_at_source ? FT(0) : direction_error(v);
+    const bool is_all_seen = is_at_source || error >= 1;
     const Sector sector(Vertex_angles<FT>(first_spoke(v, m_mesh), m_surface), is_all_seen,
-                        is_all_seen ? FT(0) : angle_of_arrival(v));
+                        is_all_seen ? FT(0) : angle_of_arrival(v), error);
     FT angle(0);
     for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
       reach(m_mesh.target(h).idx(), before + edge_length(h, m_surface),
