@@ -128,6 +128,9 @@ done <<'TABLE'
 2 | this format cannot carry distances (.ply and .vtp can) | distance flat.mesh.off --source 0 -o a.off
 2 | ' is no point of the mesh: on triangles that are no surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
 2 | has no signed distance: no part of the curve is on its component (draw one there; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
+2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
+2 | --section: the radius is a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
+2 | --section: on triangles that are no surface, the point is x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
