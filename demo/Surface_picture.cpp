@@ -250,7 +250,7 @@ private:
   {
     Vector sum{};
     for(const std::size_t i : m_order)
-      sum = add(sum, doubled_area(i));
+      sum = add(sum, normal(i));
     return unit(sum);
   }
 
@@ -282,17 +282,15 @@ private:
     return sum / double((std::max)(m_polygons[i].size(), std::size_t(1)));
   }
 
-  Vector normal(std::size_t i) const { return unit(doubled_area(i)); }
-
-  // With the direction of the normal.
-  Vector doubled_area(std::size_t i) const
+  // The normal, as the sum of cross products.
+  Vector normal(std::size_t i) const
   {
     const Polygons::Polygon p = m_polygons[i];
     Vector sum{};
     for(std::size_t k = 2; k < p.size(); ++k)
       sum = add(sum, cross(difference(m_positions[p[k - 1]], m_positions[p[0]]),
                            difference(m_positions[p[k]], m_positions[p[0]])));
-    return sum;
+    return unit(sum);
   }
 
   Vector color(std::size_t i) const
