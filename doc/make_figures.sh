@@ -47,10 +47,10 @@ screenshot Intrinsic_triangulations viewer_distortion 'view.setColor("field angl
 result refine joint.off -o out.ply
 screenshot Intrinsic_triangulations viewer_refine
 result path elephant.off -o out.obj --from 0 --to 2000
-screenshot Intrinsic_triangulations viewer_path 'view.set({shown: {edges: false}}) === undefined'
+screenshot Intrinsic_triangulations viewer_path
 "$program" info "$meshes/blobby-shuffled.off" --view page.html >info.txt || true
 screenshot Intrinsic_triangulations viewer_info
-"$program" delaunay "$meshes/joint.off" -o out.ply --quiet --picture shot.png --section 100 0.05
+"$program" delaunay "$meshes/cow.off" -o out.ply --quiet --picture shot.png --section 100 0.05
 pngquant --force --output "$doc/Intrinsic_triangulations/fig/section.png" 128 shot.png
 result sphere cow.off -o out.ply
 screenshot Discrete_conformal_maps sphere 'view.setColor("faces input") === undefined'
