@@ -30,6 +30,9 @@ public:
   // What follows is drawn that far to the right.
   virtual void move_to(double left) = 0;
 
+  // What follows is drawn in a square only, whose upper left corner is where it was moved to.
+  virtual void clip(double side) = 0;
+
   // A polygon, with a border in its own color if there is no other, so that neighbors leave no gap.
   virtual void add_polygon(const std::vector<Canvas_point>& points, const Rgb& fill,
                            const Line_style* border) = 0;

@@ -4,7 +4,12 @@
 
 #include "Command_run.h"
 
+#include "Program_error.h"
+#include "surface_points.h"
+
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
@@ -35,6 +40,8 @@ Command_run::Command_run(const std::string& command, const Common_options& optio
   if(!options.view.empty() || !options.picture.empty())
     m_page.emplace();
   read(command, are_soups_allowed);
+  if(!options.section.first.empty())
+    choose_section();
 }
 
 // Has no progress bar: repairs and notes are printed meanwhile.
@@ -57,6 +64,21 @@ void Command_run::read(const std::string& command, bool are_soups_allowed)
     m_statistics["polygons"] = m_input.parents.back() + 1;
   if(m_input.covered)
     describe_cover();
+}
+
+void Command_run::choose_section()
+{
+  const auto& [text, radius_text] = m_options.section;
+  char* end = nullptr;
+  const double radius = std::strtod(radius_text.c_str(), &end);
+  if(m_options.picture.empty())
+    throw Program_error("--section is for --picture; add one");
+  if(*end != '\0' || !std::isfinite(radius) || radius <= 0)
+    throw Program_error("--section: the radius is a finite number above zero");
+  if(m_input.covered && text.find(',') == std::string::npos)
+    throw Program_error("--section: on triangles that are no surface, the point is x,y,z");
+  const Mesh& mesh = m_input.mesh;
+  m_section = {position(surface_point(text, mesh), mesh), radius};
 }
 
 void Command_run::describe_cover()
@@ -136,7 +158,7 @@ void Command_run::write_page()
     page.set_statistics(m_statistics);
     m_output.add(m_options.view, [&](Text& text) { page.write_html(text); });
     m_output.add(m_options.picture,
-                 [&](Text& text) { page.write_picture(text, m_options.picture); });
+                 [&](Text& text) { page.write_picture(text, m_options.picture, m_section); });
   });
 }
 

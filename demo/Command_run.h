@@ -109,6 +109,7 @@ private:
   };
 
   void read(const std::string& command, bool are_soups_allowed);
+  void choose_section();
   void describe_cover();
   void write_page();
 
@@ -123,8 +124,9 @@ private:
   Input_mesh m_input;
   Statistics m_statistics;
   Statistics m_seconds;
-  std::optional<View_page> m_page; // if a page or a picture is wanted
-  std::optional<Timer> m_timer;    // of the stage that was started
+  std::optional<View_page> m_page;          // if a page or a picture is wanted
+  std::optional<Picture_section> m_section; // of the picture
+  std::optional<Timer> m_timer;             // of the stage that was started
 };
 
 #endif // INTRINSIC_COMMAND_RUN_H

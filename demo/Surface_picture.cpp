@@ -8,13 +8,13 @@
 #include "Occlusion.h"
 #include "Program_error.h"
 #include "file_extension.h"
+#include "surface_points.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -36,6 +36,8 @@ Vector difference(const Vector& a, const Vector& b)
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+Vector add(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
 Vector unit(const Vector& a)
 {
   const double length = std::sqrt(dot(a, a));
@@ -55,9 +57,17 @@ std::pair<Vector, Vector> box_of(const std::vector<Vector>& points)
   return {low, high};
 }
 
-// Coordinates to the right, upwards and to the viewer, who sees the broadest side, a little from above;
-// what is flat is seen from above.
-std::vector<Vector> seen(const std::vector<Vector>& points)
+// The directions to the right, upwards and to the viewer.
+typedef std::array<Vector, 3> Outlook;
+
+Outlook outlook(const Vector& way, const Vector& up)
+{
+  const Vector right = unit(cross(up, way));
+  return {right, cross(way, right), way};
+}
+
+// The viewer sees the broadest side, a little from above; what is flat is seen from above.
+Outlook outlook_on(const std::vector<Vector>& points)
 {
   const auto [low, high] = box_of(points);
   const Vector extent = difference(high, low);
@@ -71,12 +81,12 @@ std::vector<Vector> seen(const std::vector<Vector>& points)
   up[up_axis] = 1;
   way[up_axis] += .22 * oblique;
   way[3 - axis - up_axis] += .32 * oblique;
-  way = unit(way);
-  const Vector right = unit(cross(up, way)), top = cross(way, right);
-  std::vector<Vector> result;
-  for(const Vector& p : points)
-    result.push_back({dot(p, right), dot(p, top), dot(p, way)});
-  return result;
+  return outlook(unit(way), up);
+}
+
+Outlook outlook_along(const Vector& normal)
+{
+  return outlook(normal, std::abs(normal[1]) < .9 ? Vector{0, 1, 0} : Vector{0, 0, 1});
 }
 
 // Scaled into the picture, where y leads downwards.
@@ -118,15 +128,18 @@ std::vector<Line_style> all_styles()
 class Surface_drawing
 {
 public:
-  Surface_drawing(Canvas& canvas, const Shown_surface& surface, bool is_image)
+  Surface_drawing(Canvas& canvas, const Shown_surface& surface, bool is_image,
+                  const std::optional<Picture_section>& section)
     : m_canvas(canvas),
       m_surface(surface),
       m_polygons(is_image && surface.mesh.texture.dimension > 0 ? surface.mesh.texture.polygons
                                                                 : surface.mesh.polygons),
       m_is_image(is_image),
-      m_is_flat(is_image && surface.kind != Image_kind::sphere)
+      m_is_flat(is_image && surface.kind != Image_kind::sphere),
+      m_section(section)
   {
-    set_positions(is_image);
+    choose_polygons();
+    set_positions();
     set_edges();
     for(const Surface_marks& marks : surface.marks)
       if(marks.is_failure)
@@ -136,18 +149,17 @@ public:
 
   void draw()
   {
+    if(m_section)
+      m_canvas.clip(size);
     for(const auto& line : m_outlines)
       m_canvas.add_line(line, outline);
-    std::vector<std::size_t> order(m_polygons.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::vector<double> depth;
-    for(const std::size_t i : order)
-      depth.push_back(mean_depth(i));
-    std::stable_sort(order.begin(), order.end(),
+    std::vector<double> depth(m_polygons.size());
+    for(const std::size_t i : m_order)
+      depth[i] = mean_depth(i);
+    std::stable_sort(m_order.begin(), m_order.end(),
                      [&](std::size_t i, std::size_t j) { return depth[i] < depth[j]; });
-    for(const std::size_t i : order)
-      if(m_polygons[i].size() > 2)
-        add_polygon(i);
+    for(const std::size_t i : m_order)
+      add_polygon(i);
     if(!m_is_image)
       add_marked_lines();
   }
@@ -155,27 +167,91 @@ public:
 private:
   // ---- Positions and styles ----
 
-  void set_positions(bool is_image)
+  // All, or those that meet the section.
+  void choose_polygons()
   {
-    if(is_image)
+    for(std::size_t i = 0; i < m_polygons.size(); ++i)
+      if(m_polygons[i].size() > 2 && (!m_section || meets_section(m_surface.mesh.polygons[i])))
+        m_order.push_back(i);
+  }
+
+  // From the middle of a section to the corners of its square, in radii.
+  static constexpr double reach = 1.6;
+
+  bool meets_section(const Polygons::Polygon& p) const
+  {
+    const std::vector<Point>& points = m_surface.mesh.points;
+    for(std::size_t k = 2; k < p.size(); ++k) {
+      const std::array<Point, 3> t{points[p[0]], points[p[k - 1]], points[p[k]]};
+      const auto [a, b, c] = nearest_in_triangle(m_section->center, t);
+      const Point nearest = CGAL::barycenter(t[0], a, t[1], b, t[2], c);
+      if(CGAL::squared_distance(m_section->center, nearest) <=
+         std::pow(reach * m_section->radius, 2))
+        return true;
+    }
+    return false;
+  }
+
+  void set_positions()
+  {
+    if(m_is_image)
       m_positions = m_surface.image;
-    else
+    else {
       for(const Point& p : m_surface.mesh.points)
         m_positions.push_back({p.x(), p.y(), p.z()});
-    if(!m_is_flat)
-      m_positions = seen(m_positions);
-    const auto box = m_surface.kind == Image_kind::disk && is_image
-                       ? std::pair(Vector{-1, -1, 0}, Vector{1, 1, 0})
-                       : box_of(m_positions);
+      if(m_section) // after them
+        m_positions.push_back(
+          {m_section->center.x(), m_section->center.y(), m_section->center.z()});
+    }
+    if(!m_is_flat) {
+      const auto [right, top, way] =
+        m_section ? outlook_along(mean_normal()) : outlook_on(m_positions);
+      for(Vector& p : m_positions)
+        p = {dot(p, right), dot(p, top), dot(p, way)};
+    }
+    const auto box = box_of_picture();
     fit(m_positions, box);
-    if(is_image)
-      for(const auto& line : m_surface.outlines) {
-        std::vector<Vector> points;
-        for(const std::array<double, 2>& p : line)
-          points.push_back({p[0], p[1], 0});
-        fit(points, box);
-        m_outlines.push_back(on_canvas(points));
-      }
+    for(std::vector<Vector> line : outlines()) {
+      fit(line, box);
+      m_outlines.push_back(on_canvas(line));
+    }
+  }
+
+  // Beside the image.
+  std::vector<std::vector<Vector>> outlines() const
+  {
+    std::vector<std::vector<Vector>> result;
+    for(std::size_t i = 0; i < m_surface.outlines.size() && m_is_image; ++i) {
+      result.emplace_back();
+      for(const std::array<double, 2>& p : m_surface.outlines[i])
+        result.back().push_back({p[0], p[1], 0});
+    }
+    return result;
+  }
+
+  std::pair<Vector, Vector> box_of_picture() const
+  {
+    std::vector<Vector> points;
+    if(m_section && !m_is_image)
+      for(const double r : {m_section->radius, -m_section->radius})
+        points.push_back(
+          {m_positions.back()[0] + r, m_positions.back()[1] + r, m_positions.back()[2]});
+    else if(m_section)
+      for(const std::size_t i : m_order)
+        for(const Polygons::Index c : m_polygons[i])
+          points.push_back(m_positions[c]);
+    else if(m_is_image && m_surface.kind == Image_kind::disk)
+      for(const std::vector<Vector>& line : outlines())
+        points.insert(points.end(), line.begin(), line.end());
+    return box_of(points.empty() ? m_positions : points);
+  }
+
+  Vector mean_normal() const
+  {
+    Vector sum{};
+    for(const std::size_t i : m_order)
+      sum = add(sum, normal(i));
+    return unit(sum);
   }
 
   // The style of the edge between two points; the last layer counts.
@@ -211,11 +287,9 @@ private:
   {
     const Polygons::Polygon p = m_polygons[i];
     Vector sum{};
-    for(std::size_t k = 2; k < p.size(); ++k) {
-      const Vector n = cross(difference(m_positions[p[k - 1]], m_positions[p[0]]),
-                             difference(m_positions[p[k]], m_positions[p[0]]));
-      sum = {sum[0] + n[0], sum[1] + n[1], sum[2] + n[2]};
-    }
+    for(std::size_t k = 2; k < p.size(); ++k)
+      sum = add(sum, cross(difference(m_positions[p[k - 1]], m_positions[p[0]]),
+                           difference(m_positions[p[k]], m_positions[p[0]])));
     return unit(sum);
   }
 
@@ -278,7 +352,17 @@ private:
       for(const Polygons::Polygon& line : marks.lines)
         for(std::size_t k = 1; k < line.size() && !marks.is_failure; ++k)
           add_parts(m_positions[line[k - 1]], m_positions[line[k]], result);
+    if(m_section) // what could hide the others is not there
+      result.erase(std::remove_if(result.begin(), result.end(),
+                                  [&](const Segment& s) { return is_out_of_reach(s[0]); }),
+                   result.end());
     return result;
+  }
+
+  bool is_out_of_reach(const Vector& p) const
+  {
+    const Vector d = difference(p, m_positions.back());
+    return dot(d, d) > std::pow(reach * (size / 2 - margin), 2);
   }
 
   static void add_parts(const Vector& a, const Vector& b, std::vector<Segment>& parts)
@@ -302,8 +386,9 @@ private:
     for(const auto& [a, b] : parts)
       middles.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
     Occlusion occlusion(std::move(middles));
-    for(std::size_t i = 0; i < m_polygons.size() && !parts.empty(); ++i)
-      occlusion.add_polygon(corners_of(i), normal(i));
+    if(!parts.empty())
+      for(const std::size_t i : m_order)
+        occlusion.add_polygon(corners_of(i), normal(i));
     std::vector<Vector> line;
     for(std::size_t i = 0; i < parts.size(); ++i) {
       if(occlusion.is_hidden(i))
@@ -358,6 +443,8 @@ private:
   const Shown_surface& m_surface;
   const Polygons& m_polygons;
   bool m_is_image, m_is_flat;
+  const std::optional<Picture_section>& m_section;
+  std::vector<std::size_t> m_order; // of the polygons that are drawn
   std::vector<Vector> m_positions;
   std::vector<std::vector<Canvas_point>> m_outlines;
   std::map<std::pair<Polygons::Index, Polygons::Index>, const Line_style*> m_edge_style;
@@ -376,7 +463,8 @@ void check_picture_available(const std::string& path)
                         ".svg file, or install libcairo2-dev and build again");
 }
 
-void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const std::string& path)
+void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const std::string& path,
+                   const std::optional<Picture_section>& section)
 {
   std::size_t count = 0;
   for(const Shown_surface& surface : surfaces)
@@ -389,7 +477,7 @@ void write_picture(Text& text, const std::vector<Shown_surface>& surfaces, const
     for(const bool is_image : {false, true})
       if(!is_image || surface.kind != Image_kind::none) {
         canvas->move_to(left);
-        Surface_drawing(*canvas, surface, is_image).draw();
+        Surface_drawing(*canvas, surface, is_image, section).draw();
         left += size;
       }
   canvas->finish();

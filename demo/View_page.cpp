@@ -60,7 +60,11 @@ std::string json_in_script(const Statistics& json)
 }
 
 double coordinate(const Point& p, std::size_t k) { return p[static_cast<int>(k)]; }
-double coordinate(const std::array<double, 3>& p, std::size_t k) { return p[k]; }
+template <std::size_t n>
+double coordinate(const std::array<double, n>& p, std::size_t k)
+{
+  return p[k];
+}
 
 // The middle and half the greatest side of a box.
 struct Frame
@@ -208,23 +212,36 @@ private:
   {
     static constexpr const char* const names[] = {"", "plane", "disk", "sphere"};
     std::vector<double> coordinates;
-    const Frame frame(surface.image, 3);
+    const Frame frame = frame_of_image(surface);
     for(const std::array<double, 3>& p : surface.image)
       for(std::size_t k = 0; k < 3; ++k)
-        coordinates.push_back(surface.kind == Image_kind::plane ? frame(p[k], k) : p[k]);
+        coordinates.push_back(frame(p[k], k));
     return {{"kind", names[std::size_t(surface.kind)]},
+            {"center", frame.center},
+            {"radius", frame.radius},
             {"positions", m_arrays.add_reals(coordinates, 3)},
-            {"outlines", outlines(surface)}};
+            {"outlines", outlines(surface, frame)}};
   }
 
-  Statistics outlines(const Shown_surface& surface)
+  // Disks are whole, and beside each other; the sphere stays.
+  static Frame frame_of_image(const Shown_surface& surface)
+  {
+    if(surface.kind == Image_kind::plane)
+      return Frame(surface.image, 3);
+    std::vector<std::array<double, 2>> extent;
+    for(const auto& line : surface.outlines)
+      extent.insert(extent.end(), line.begin(), line.end());
+    return Frame(extent, 2);
+  }
+
+  Statistics outlines(const Shown_surface& surface, const Frame& frame)
   {
     std::vector<double> coordinates;
     std::vector<std::int64_t> sizes;
     for(const auto& line : surface.outlines) {
       sizes.push_back(std::int64_t(line.size()));
       for(const std::array<double, 2>& p : line)
-        coordinates.insert(coordinates.end(), p.begin(), p.end());
+        coordinates.insert(coordinates.end(), {frame(p[0], 0), frame(p[1], 1)});
     }
     return {{"sizes", m_arrays.add_integers(sizes)},
             {"points", m_arrays.add_reals(coordinates, 2)}};

@@ -10,6 +10,7 @@
 #include "Surface_picture.h"
 #include "Text.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,9 +52,10 @@ public:
   void write_html(Text& text) const;
 
   // See Surface_picture.h.
-  void write_picture(Text& text, const std::string& path) const
+  void write_picture(Text& text, const std::string& path,
+                     const std::optional<Picture_section>& section = {}) const
   {
-    ::write_picture(text, m_surfaces, path);
+    ::write_picture(text, m_surfaces, path, section);
   }
 
 private:

@@ -52,6 +52,9 @@ void add_common_options(CLI::App& command, Common_options& options)
   command.add_option("--view", options.view,
                      "HTML file that shows the result in a browser, see `intrinsic view`");
   command.add_option("--picture", options.picture, "SVG or PNG file with a picture of the result");
+  command.add_option(
+    "--section", options.section,
+    "What the picture shows: a point (a vertex, face:a,b,c or x,y,z) and a radius");
   add_number(command, "--mollify", options.mollification,
              "Lengthen all edges until every triangle inequality has this slack, "
              "relative to the mean edge length",
@@ -71,7 +74,7 @@ void add_direct(CLI::App& command, Common_options& options)
 {
   command.add_flag("--direct", options.is_direct,
                    "Let the --view page find intrinsic edges while it draws, without the common "
-                   "subdivision, as it does for large meshes");
+                   "subdivision, as it does for large meshes; not with --mollify");
 }
 
 void add_exact(

@@ -40,8 +40,9 @@ struct Common_options
   std::string input;
   std::string save;
   std::string statistics;
-  std::string view;    // a page
-  std::string picture; // SVG or PNG
+  std::string view;                            // a page
+  std::string picture;                         // SVG or PNG
+  std::pair<std::string, std::string> section; // of the picture: a point, empty for all; a radius
   double mollification = 0;
   bool is_repair_wanted = false;
   bool is_strict = false;              // faces must be triangles

@@ -97,13 +97,13 @@ std::string disk_picture(const DCM::Hyperbolic_conformal_map& map, int depth)
   std::ostringstream out;
   out.precision(6);
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << 1000 * n
-      << "\" height=\"1000\" viewBox=\"-1.02 -1.02 " << 2.04 * double(n) << " 2.04\">\n"
+      << "\" height=\"1000\" viewBox=\"-1.02 -1.02 " << disk_distance * double(n) << " 2.04\">\n"
       << "<style>path{stroke:#234;stroke-width:.002;stroke-linejoin:round}"
          ".t0{fill:#f4b860}.t1{fill:#c9dbe8}.t2{fill:#e6eef4}.t3{fill:#fafcfd}"
          "circle{fill:none;stroke:#234;stroke-width:.004}</style>\n";
   for(std::size_t c = 0; c < n; ++c) {
     const DCM::Hyperbolic_tiling tiling(map, c);
-    out << "<g transform=\"translate(" << 2.04 * double(c) << ") scale(1 -1)\">\n";
+    out << "<g transform=\"translate(" << disk_distance * double(c) << ") scale(1 -1)\">\n";
     for(const Tile& tile : tiles(map, c, tiling, depth))
       add_tile(out, tile, tiling.corners());
     out << "<circle r=\"1\"/>\n</g>\n";
@@ -115,9 +115,16 @@ std::string disk_picture(const DCM::Hyperbolic_conformal_map& map, int depth)
 std::vector<std::vector<std::array<double, 2>>>
 disk_outlines(const DCM::Hyperbolic_conformal_map& map, int depth)
 {
-  const DCM::Hyperbolic_tiling tiling(map, 0);
-  std::vector<std::vector<std::array<double, 2>>> result{unit_circle()};
-  for(const Tile& tile : tiles(map, 0, tiling, depth))
-    result.push_back(outline(tile, tiling.corners()));
+  std::vector<std::vector<std::array<double, 2>>> result;
+  for(std::size_t c = 0; c < map.number_of_components(); ++c) {
+    const std::size_t first = result.size();
+    const DCM::Hyperbolic_tiling tiling(map, c);
+    result.push_back(unit_circle());
+    for(const Tile& tile : tiles(map, c, tiling, depth))
+      result.push_back(outline(tile, tiling.corners()));
+    for(std::size_t i = first; i < result.size(); ++i)
+      for(std::array<double, 2>& p : result[i])
+        p[0] += disk_distance * double(c);
+  }
   return result;
 }

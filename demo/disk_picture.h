@@ -17,7 +17,10 @@
 std::string disk_picture(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
                          int depth);
 
-// The circle, and what `disk_picture()` draws of the first component, as chains of short segments.
+// Between the centers of the disks of components.
+constexpr double disk_distance = 2.04;
+
+// The circles, and what `disk_picture()` draws of each component, as chains of short segments.
 std::vector<std::vector<std::array<double, 2>>>
 disk_outlines(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map, int depth);
 

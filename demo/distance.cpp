@@ -40,6 +40,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace {
 
 constexpr double unreachable = -1;
+constexpr std::size_t most_vertices = 100000; // of a triangulation on which errors are computed
 
 Mesh_format format_with_attributes(const std::string& path, const Output_options& options)
 {
@@ -338,16 +339,38 @@ private:
         with_distances(subdivision_mesh(*subdivision),
                        interpolated(on_triangulation(values, triangulation, m_run.input().covered),
                                     *subdivision, triangulation)),
-        *subdivision, triangulation);
+        values, *subdivision, triangulation);
     save(m_run, triangulation);
   }
 
-  void write_subdivision(const Output_mesh& mesh, const Subdivision& subdivision,
-                         const Triangulation& triangulation)
+  void write_subdivision(Output_mesh mesh, const std::vector<double>& values,
+                         const Subdivision& subdivision, const Triangulation& triangulation)
   {
     if(m_subdivision_format)
       m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
-    m_run.show([&](View_page& page) { show_sources(page, mesh, subdivision, triangulation); });
+    m_run.show([&](View_page& page) {
+      if(are_errors_known(triangulation))
+        mesh.point_data.push_back({"distance_error", interpolated(errors(values, triangulation),
+                                                                  subdivision, triangulation)});
+      show_sources(page, std::move(mesh), subdivision, triangulation);
+    });
+  }
+
+  // Shortest paths start at points, and take their time.
+  bool are_errors_known(const Triangulation& triangulation)
+  {
+    return m_options.curve.empty() && !m_options.is_shortest && !m_run.input().covered &&
+           triangulation.mesh().number_of_vertices() <= most_vertices;
+  }
+
+  // Of the heat method, at the vertices of the triangulation.
+  std::vector<double> errors(std::vector<double> values, const Triangulation& triangulation) const
+  {
+    const std::vector<double> lengths =
+      lengths_of_shortest_paths(triangulation, sources_across(m_sources, triangulation));
+    for(std::size_t v = 0; v < values.size(); ++v)
+      values[v] -= lengths[v];
+    return values;
   }
 
   // Points and curves come after the points of the subdivision.

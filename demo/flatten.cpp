@@ -209,7 +209,7 @@ void finish(Command_run& run, const Texture_options& options, Mesh_format format
     describe(run, map, result, iterations, cones.size());
     run.add_output(options.output, result, format);
     run.show([&](View_page& page) {
-      show(page, run, map, flat_mesh(map, run.input().mesh, cones, true));
+      show(page, run, map, flat_mesh(map, run.input().mesh, cones, true), Image_kind::plane);
       page.add_marks({"flipped triangles", true, flipped_polygons(result), {}, {}});
     });
   });

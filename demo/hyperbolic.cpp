@@ -96,6 +96,21 @@ std::string hyperbolic_summary(const Statistics& s)
   return text.str();
 }
 
+// Each component is in its own disk.
+std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conformal_map& map,
+                                                      const Output_mesh& mesh)
+{
+  std::vector<std::array<double, 3>> result = mesh.texture.coordinates;
+  const auto& faces = std::get<0>(find_attribute(mesh.polygon_data, "flat_face")->values);
+  for(std::size_t i = 0; i < mesh.texture.polygons.size(); ++i) {
+    const DCM::Face_index f(static_cast<Mesh::size_type>(faces[i]));
+    for(const Polygons::Index c : mesh.texture.polygons[i])
+      result[c] = {mesh.texture.coordinates[c][0] + disk_distance * double(map.component(f)),
+                   mesh.texture.coordinates[c][1], 0};
+  }
+  return result;
+}
+
 // Texture coordinates are those of Klein's disk, where the map is projective; the picture is in
 // Poincare's.
 void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map& map,
@@ -103,12 +118,8 @@ void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_confo
 {
   const Mesh& mesh = run.input().mesh;
   const Output_mesh straight = flat_mesh(map, mesh, cones, true);
-  show(page, run, map, straight);
-  std::vector<std::array<double, 3>> positions =
-    flat_mesh(map, mesh, cones, false).texture.coordinates;
-  for(std::array<double, 3>& z : positions)
-    z[2] = 0;
-  page.set_image(Image_kind::disk, std::move(positions));
+  show(page, run, map, straight, Image_kind::disk);
+  page.set_image(Image_kind::disk, positions_in_disks(map, flat_mesh(map, mesh, cones, false)));
   page.set_outlines(disk_outlines(map, depth));
   page.add_marks({"flipped triangles", true, flipped_polygons(straight), {}, {}});
 }

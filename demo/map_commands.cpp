@@ -5,6 +5,7 @@
 #include "map_commands.h"
 
 #include "Program_error.h"
+#include "map_distortion.h"
 #include "map_mesh.h"
 #include "triangulation_stages.h"
 
@@ -88,10 +89,11 @@ void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& m
 }
 
 void show(View_page& page, Command_run& run, const DCM::Discrete_conformal_map& map,
-          Output_mesh mesh)
+          Output_mesh mesh, Image_kind kind)
 {
   const Mesh& input = run.input().mesh;
   mesh.point_data.push_back({"curvature", interpolated(map, input, curvatures(run))});
+  add_distortion(mesh, kind);
   page.add_surface("surface", mesh);
   show_angles(page, "input", input, edge_lengths(run));
   show_angles(page, "intrinsic", map.Delaunay().mesh(), map.Delaunay().length_map());

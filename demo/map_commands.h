@@ -54,10 +54,12 @@ void describe_sizes(Statistics& statistics,
                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
                     const Mesh& input, const Output_mesh& result);
 
-// Shows the common subdivision of a map on a page, with scale factors and the curvature of the input,
-// and histograms of the angles of the input and its intrinsic Delaunay triangulation.
+// Shows the common subdivision of a map on a page, with scale factors, the curvature of the input and
+// the distortion of the map, and histograms of the angles of the input and its intrinsic Delaunay
+// triangulation.
 void show(View_page& page, Command_run& run,
-          const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, Output_mesh mesh);
+          const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, Output_mesh mesh,
+          Image_kind kind);
 
 // The ends of the commands: check the map, add it to the outputs in `format` and its properties to
 // the statistics, and finish the run. Throw std::runtime_error if the map is not as it must be.

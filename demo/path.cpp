@@ -45,7 +45,7 @@ bool is_vertex(const Place& p)
          std::count(p.location.second.begin(), p.location.second.end(), 0.) == 2;
 }
 
-// How a path is told in JSON: at a vertex, on an edge with its ends, or in a face.
+// A place of a path in JSON: at a vertex, on an edge with its ends, or in a face.
 Statistics description(const Place& p, const IT::Delta_complex& mesh)
 {
   Statistics result;

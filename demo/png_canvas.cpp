@@ -40,9 +40,16 @@ public:
 
   void move_to(double left) override
   {
+    cairo_reset_clip(m_cairo);
     cairo_identity_matrix(m_cairo);
     cairo_scale(m_cairo, scale, scale);
     cairo_translate(m_cairo, left, 0);
+  }
+
+  void clip(double side) override
+  {
+    cairo_rectangle(m_cairo, 0, 0, side, side);
+    cairo_clip(m_cairo);
   }
 
   void add_polygon(const std::vector<Canvas_point>& points, const Rgb& fill,

@@ -33,6 +33,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -319,7 +320,10 @@ private:
     const IS::Surface_map map(history, m_levels[0], m_levels.back());
     Coarse_subdivision subdivision(map);
     set_points(subdivision);
-    m_run.show([&](View_page&) { set_curvature(subdivision); });
+    m_run.show([&](View_page&) {
+      set_curvature(subdivision);
+      set_area_change(subdivision);
+    });
     const Mesh& mesh = subdivision.mesh();
     describe_subdivision(m_run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
                          mesh.number_of_faces());
@@ -332,6 +336,7 @@ private:
     mesh.line_data.clear();
     if(!m_curvature.empty())
       mesh.point_data.push_back({"curvature", m_curvature});
+    mesh.polygon_data.push_back({"area_change", m_area_change});
     page.add_surface("surface", mesh);
     show_angles(page, "input", m_run.input().mesh, edge_lengths(m_run));
     show_angles(page, "coarse", m_levels.back().mesh(), m_levels.back().length_map());
@@ -349,6 +354,19 @@ private:
                                                       get(boost::vertex_index, m_levels[0].mesh())),
                     boost::make_iterator_property_map(
                       m_curvature.begin(), get(boost::vertex_index, subdivision.mesh())));
+  }
+
+  // The logarithms of the quotients of areas on both levels, of the polygons that have an area.
+  void set_area_change(const Coarse_subdivision& subdivision)
+  {
+    const Mesh& mesh = subdivision.mesh();
+    for(const Mesh::Face_index f : mesh.faces())
+      if(mesh.degree(f) > 2) {
+        const double fine = subdivision.signed_area(IS::Level::fine, f);
+        const double coarse = subdivision.signed_area(IS::Level::coarse, f);
+        m_area_change.push_back(fine > 0 && coarse > 0 ? std::log(coarse / fine)
+                                                       : std::numeric_limits<double>::quiet_NaN());
+      }
   }
 
   Fine_origin origin()
@@ -486,6 +504,7 @@ private:
   std::vector<Point> m_points;                  // of the vertices of the fine level
   std::size_t m_fine_edges = 0, m_fine_faces = 0; // of the fine level, without cuts and disks
   std::vector<double> m_curvature;                // at the vertices of the subdivision, for a page
+  std::vector<double> m_area_change;              // of its polygons, for a page
   std::vector<IS::Surface_level> m_levels;        // from the fine one to the coarse one
 };
 

@@ -76,7 +76,7 @@ void show_on_sphere(View_page& page, Command_run& run, const DCM::Spherical_conf
   for(Attribute& a : mesh.point_data)
     if(a.name == "log_scale")
       a.values = interpolated(map, run.input().mesh, scales);
-  show(page, run, map, mesh);
+  show(page, run, map, mesh, Image_kind::sphere);
   page.set_image(Image_kind::sphere, std::move(positions));
 }
 

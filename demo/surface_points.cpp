@@ -92,8 +92,9 @@ double nearest_on_segment(const Point& p, const Point& a, const Point& b)
   return square > 0 ? std::clamp((p - a) * d / square, 0., 1.) : 0;
 }
 
-// the coordinates of the point of a triangle that is nearest to `p`
-std::array<double, 3> nearest(const Point& p, const std::array<Point, 3>& c)
+} // namespace
+
+std::array<double, 3> nearest_in_triangle(const Point& p, const std::array<Point, 3>& c)
 {
   const auto u = c[1] - c[0], v = c[2] - c[0], d = p - c[0];
   const double uu = u * u, uv = u * v, vv = v * v, det = uu * vv - uv * uv;
@@ -112,8 +113,6 @@ std::array<double, 3> nearest(const Point& p, const std::array<Point, 3>& c)
   }
   return best;
 }
-
-} // namespace
 
 Point position(const Surface_location& p, const Mesh& mesh)
 {
@@ -148,7 +147,7 @@ Surface_location Point_finder::operator()(const Point& p) const
     const double reach = std::sqrt(least) + ball.radius;
     if(CGAL::squared_distance(p, ball.center) > reach * reach * (1 + 1e-9))
       continue;
-    const Surface_location q{f, nearest(p, corners(f, m_mesh))};
+    const Surface_location q{f, nearest_in_triangle(p, corners(f, m_mesh))};
     if(const double square = CGAL::squared_distance(p, position(q, m_mesh)); square < least) {
       least = square;
       best = q;

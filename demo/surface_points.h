@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ Surface_location surface_point(const std::string& text, const Mesh& mesh);
 
 // The point "face:a,b,c" of a triangulation with so many faces. Throws Program_error if there is none.
 Surface_location face_point(const std::string& text, std::size_t number_of_faces);
+
+// The barycentric coordinates of the point of a triangle that is nearest to `p`.
+std::array<double, 3> nearest_in_triangle(const Point& p, const std::array<Point, 3>& corners);
 
 // Finds nearest points of a mesh.
 class Point_finder

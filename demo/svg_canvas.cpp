@@ -40,6 +40,13 @@ public:
     m_is_group_open = true;
   }
 
+  void clip(double side) override
+  {
+    m_text << "<clipPath id=\"c\"><path d=\"M0,0h" << side << 'v' << side << 'h' << -side
+           << "z\"/></clipPath>\n<g clip-path=\"url(#c)\">\n";
+    m_is_clipped = true;
+  }
+
   void add_polygon(const std::vector<Canvas_point>& points, const Rgb& fill,
                    const Line_style* border) override
   {
@@ -71,8 +78,8 @@ private:
   void close_group()
   {
     if(m_is_group_open)
-      m_text << "</g>\n";
-    m_is_group_open = false;
+      m_text << (m_is_clipped ? "</g>\n</g>\n" : "</g>\n");
+    m_is_group_open = m_is_clipped = false;
   }
 
   void add_points(const std::vector<Canvas_point>& points)
@@ -87,7 +94,7 @@ private:
   static double rounded(double x) { return std::round(100 * x) / 100; }
 
   Text& m_text;
-  bool m_is_group_open = false;
+  bool m_is_group_open = false, m_is_clipped = false;
 };
 
 } // namespace

@@ -43,6 +43,15 @@ result distance elephant.off -o out.ply --source 0
 screenshot Intrinsic_triangulations viewer_distance
 result flatten elephant.off -o out.obj
 screenshot Discrete_conformal_maps flatten
+screenshot Intrinsic_triangulations viewer_distortion 'view.setColor("field angle_distortion") === undefined'
+result refine joint.off -o out.ply
+screenshot Intrinsic_triangulations viewer_refine
+result path elephant.off -o out.obj --from 0 --to 2000
+screenshot Intrinsic_triangulations viewer_path
+"$program" info "$meshes/blobby-shuffled.off" --view page.html >info.txt || true
+screenshot Intrinsic_triangulations viewer_info
+"$program" delaunay "$meshes/cow.off" -o out.ply --quiet --section 100 0.05 \
+  --picture "$doc/Intrinsic_triangulations/fig/section.svg"
 result sphere cow.off -o out.ply
 screenshot Discrete_conformal_maps sphere 'view.setColor("faces input") === undefined'
 result simplify elephant.off -o out.ply --ratio 0.06

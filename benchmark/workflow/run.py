@@ -4,29 +4,38 @@
 
 """run.py PROGRAM MESH RESULT TIMEOUT COMMAND ARGUMENT...: runs the program on a mesh and writes a JSON
 file with how that ended, whatever it was, and the statistics if there are any. OUT in an argument
-stands for an output that is thrown away."""
+stands for an output that is thrown away. TIMEOUT is in seconds of the processor, so that other work on
+the machine does not count; a program that waits may do so ten times as long."""
 
 import json
+import math
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 program, mesh, result, timeout, command, *arguments = sys.argv[1:]
+timeout = float(timeout)
+seconds = math.ceil(timeout)
 row = {"mesh": Path(mesh).name, "command": Path(result).parent.name, "bytes": Path(mesh).stat().st_size}
 with tempfile.TemporaryDirectory() as scratch:
     arguments = [a.replace("OUT", scratch + "/out") for a in arguments]
     statistics = Path(scratch) / "statistics.json"
     call = [program, command, mesh, *arguments, "--stats", statistics, "--quiet", "--threads", "1"]
     try:
-        run = subprocess.run(call, capture_output=True, text=True, errors="replace", timeout=float(timeout))
-        row["outcome"] = {0: "success", 1: "failure", 2: "refused"}.get(run.returncode, "crash")
+        run = subprocess.run(call, capture_output=True, text=True, errors="replace", timeout=10 * timeout,
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5)))
+        outcomes = {0: "success", 1: "failure", 2: "refused", -signal.SIGXCPU: "timeout"}
+        row["outcome"] = outcomes.get(run.returncode, "crash")
         row["message"] = run.stderr.strip().split("\n")[-1]
     except subprocess.TimeoutExpired:
-        row["outcome"], row["message"] = "timeout", f"none after {timeout} seconds"
+        row["outcome"] = "timeout"
     except OSError as error:
         sys.exit(f"{program}: {error}")
+    if row["outcome"] == "timeout":
+        row["message"] = f"no result after {timeout:g} seconds"
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     row["seconds"] = used.ru_utime + used.ru_stime  # of the processor, whatever else it does
     if statistics.exists():

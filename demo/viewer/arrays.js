@@ -24,8 +24,8 @@ export class Arrays {
   quantized({at, size, components, ranges}) {
     const numbers = new Uint16Array(this.bytes.slice(at, at + 2 * size).buffer);
     const steps = ranges.map(([low, high]) => (high - low) / 65534);
-    return Float32Array.from(numbers, (n, i) =>
-      n === 65535 ? NaN : ranges[i % components][0] + n * steps[i % components]);
+    return new Float32Array(size).map((_, i) => numbers[i] === 65535 ? NaN
+      : ranges[i % components][0] + numbers[i] * steps[i % components]);
   }
 
   differences({at, size}) {

@@ -7,6 +7,7 @@ export const layers = {input: '#8795a3', intrinsic: '#c8501e', flat: '#1f6fb2', 
 export const points = {is_cone: '#7a2fa0'};
 export const others = '#147a5a';
 export const plain = '#e4e2da';
+export const missing = '#9a9a9a';
 export const faces = ['#8db4e2', '#facd82', '#a0d796', '#eb968c', '#c9b3e0', '#9fd9d5'];
 
 const rising = ['#27306b', '#2a6f9e', '#3fae9b', '#a5d77c', '#fbf2b0'];
@@ -29,6 +30,18 @@ export function scaleOf(values) {
     return {low: -most, high: most, whole, stops: diverging};
   }
   return {low, high: high > low ? high : low + 1, whole, stops: rising};
+}
+
+// Of a value, in steps; grey if it is NaN.
+export function colorOf(x, {low, high, stops}) {
+  const steps = 48;
+  const part = Math.round(steps * Math.min(Math.max((x - low) / (high - low), 0), 1)) / steps;
+  if(Number.isNaN(part))
+    return missing;
+  const i = Math.min(Math.floor(part * (stops.length - 1)), stops.length - 2);
+  const [a, b] = [rgb(stops[i]), rgb(stops[i + 1])], t = part * (stops.length - 1) - i;
+  return `#${a.map((c, k) => Math.round(255 * (c + t * (b[k] - c))).toString(16).padStart(2, '0'))
+    .join('')}`;
 }
 
 export const gradient = stops => `linear-gradient(to right, ${stops.join(', ')})`;

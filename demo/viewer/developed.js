@@ -103,9 +103,13 @@ export class Developed {
     for(let f = 0, i = 0; f < starts.length; ++f) {
       const isAlong = starts[f] % 2 === 0;
       const x = isAlong ? 1 : firstEdges[i++], y = isAlong ? 0 : firstEdges[i++];
-      const [u, v] = shapeOf(points, corners, 3 * f);
-      this.places.set([x, y, u * x - v * y, u * y + v * x], 6 * f + 2);
-      this.starts.fill(starts[f] >> 1, 3 * f, 3 * f + 3);
+      const [u, v] = shapeOf(points, 3 * corners[3 * f], 3 * corners[3 * f + 1], 3 * corners[3 * f + 2]);
+      this.places[6 * f + 2] = x;
+      this.places[6 * f + 3] = y;
+      this.places[6 * f + 4] = u * x - v * y;
+      this.places[6 * f + 5] = u * y + v * x;
+      for(let k = 3 * f; k < 3 * f + 3; ++k)
+        this.starts[k] = starts[f] >> 1;
     }
   }
 
@@ -147,14 +151,12 @@ const prev = h => h % 3 === 0 ? h + 2 : h - 1;
 const turn = (a, b) => a[0] * b[1] - a[1] * b[0];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
 
-// The third corner of a triangle if its first edge goes from 0 to 1.
-function shapeOf(points, corners, first) {
-  const [a, b, c] = [0, 1, 2].map(k => 3 * corners[first + k]);
-  const e = [0, 1, 2].map(k => points[b + k] - points[a + k]);
-  const d = [0, 1, 2].map(k => points[c + k] - points[a + k]);
-  const norm = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
-  const along = e[0] * d[0] + e[1] * d[1] + e[2] * d[2];
-  const across = Math.hypot(e[1] * d[2] - e[2] * d[1], e[2] * d[0] - e[0] * d[2],
-    e[0] * d[1] - e[1] * d[0]);
-  return [along / norm, across / norm];
+// The third corner of a triangle with points at a, b and c if its first edge goes from 0 to 1. There are
+// many: no arrays are made on the way.
+function shapeOf(points, a, b, c) {
+  const [ex, ey, ez] = [points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2]];
+  const [dx, dy, dz] = [points[c] - points[a], points[c + 1] - points[a + 1], points[c + 2] - points[a + 2]];
+  const norm = ex * ex + ey * ey + ez * ez;
+  const x = ey * dz - ez * dy, y = ez * dx - ex * dz, z = ex * dy - ey * dx;
+  return [(ex * dx + ey * dy + ez * dz) / norm, Math.sqrt(x * x + y * y + z * z) / norm];
 }

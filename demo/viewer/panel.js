@@ -8,7 +8,12 @@ const names = {
   flat: 'edges of the flat triangulation',
   sphere: 'edges of the polyhedron', coarse: 'coarse edges', edges: 'edges', is_seam: 'seams',
   is_cone: 'cones', log_scale: 'logarithmic scale factor', curvature: 'Gaussian curvature',
-  distance: 'distance'};
+  distance: 'distance', distance_error: 'error of the distance',
+  angle_distortion: 'distortion of angles (quotient of stretches)',
+  linear_angle_distortion: 'distortion of angles, linear interpolation',
+  area_distortion: 'distortion of areas (logarithm)',
+  interpolation_error: 'linear against projective interpolation',
+  area_change: 'change of areas (logarithm)'};
 
 export const nameOf = key => names[key] ?? key.replace(/^is_/, '').replace(/_/g, ' ');
 
@@ -131,8 +136,9 @@ export class Panel {
       textContent: isCut ? `all values: ${format(whole[0])} to ${format(whole[1])}` : ''});
     const box = make('input', {type: 'checkbox', checked: this.viewer.state.isolines});
     box.addEventListener('change', () => this.viewer.set({isolines: box.checked}));
+    const hasLines = this.viewer.surfaces.some(s => s.pointData[name]);
     return [bar, make('div', {className: 'legend-ticks'}, ...ticks), range,
-      make('label', {}, box, 'isolines')];
+      ...(hasLines ? [make('label', {}, box, 'isolines')] : [])];
   }
 
   slider() {

@@ -23,10 +23,11 @@ function scaled(weights, factors) {
   return products.map(p => p / sum);
 }
 
-function valuesAt(surface, corners, weights) {
+function valuesAt(surface, polygon, corners, weights) {
   return Object.fromEntries(surface.fields.map(name =>
-    [name, corners.reduce((sum, c, i) =>
-      sum + weights[i] * surface.pointData[name].values[surface.point(c)], 0)]));
+    [name, surface.pointData[name] ? corners.reduce((sum, c, i) =>
+      sum + weights[i] * surface.pointData[name].values[surface.point(c)], 0)
+      : surface.polygonData[name].values[polygon]]));
 }
 
 function facesOf(surface, polygon, weights) {
@@ -61,11 +62,11 @@ export function locate({surface, pane, isPicture}, {triangle, point}) {
       picture: inPicture && unframed(inPicture.toArray(), surface),
       nearestVertex: nearestPoint(surface, corners, weights),
       faces: facesOf(surface, polygon, weights),
-      values: valuesAt(surface, corners, weights)}};
+      values: valuesAt(surface, polygon, corners, weights)}};
 }
 
-function unframed(position, {description, picture}) {
-  return picture.kind === 'plane'
-    ? [0, 1].map(k => description.texture_center[k] + description.texture_radius * position[k])
-    : position.slice(0, picture.kind === 'disk' ? 2 : 3);
+// In its own disk, if there are several.
+function unframed(position, {picture: {kind, center, radius}}) {
+  const [x, y, z] = position.map((t, k) => center[k] + radius * t);
+  return kind === 'sphere' ? [x, y, z] : [kind === 'disk' ? x - 2.04 * Math.round(x / 2.04) : x, y];
 }

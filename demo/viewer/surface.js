@@ -19,6 +19,8 @@ const withData = (arrays, descriptions) =>
   Object.fromEntries(Object.entries(descriptions).map(([name, d]) =>
     [name, {isReal: d.code !== 'differences', values: arrays.read(d)}]));
 
+const namesOfReals = data => Object.keys(data).filter(name => data[name].isReal);
+
 // "input_edge" and the like are attributes of elements of a triangulation "input".
 const ownersOf = (data, suffix) =>
   Object.keys(data)
@@ -52,7 +54,7 @@ export class Surface {
       this.texture = arrays.read(description.texture);
     }
     if(description.picture)
-      this.picture = {kind: description.picture.kind,
+      this.picture = {...description.picture,
         positions: arrays.read(description.picture.positions)};
     const outlines = description.picture?.outlines;
     if(outlines)
@@ -64,7 +66,7 @@ export class Surface {
   develop(description, arrays) {
     const {corners} = this.polygons;
     this.pointOfCorner = corners;
-    this.polygons.corners = Int32Array.from(corners, (_, i) => i);
+    this.polygons.corners = new Int32Array(corners.length).map((_, i) => i);
     this.developed = new Developed(description, arrays, this.points, corners);
   }
 
@@ -112,8 +114,11 @@ export class Surface {
     return [...new Set([...withEdges, ...ownersOf(this.polygonData, '_face')])];
   }
 
-  // The real attributes of points, those of which names begin with "is_", and those of edges.
-  get fields() { return Object.keys(this.pointData).filter(name => this.pointData[name].isReal); }
+  // The real attributes of points or polygons, and those of points and edges that begin with "is_".
+  get fields() {
+    return [...namesOfReals(this.pointData), ...namesOfReals(this.polygonData)];
+  }
+  field(name) { return (this.pointData[name] ?? this.polygonData[name]).values; }
   get markedPoints() {
     return Object.keys(this.pointData).filter(name => name.startsWith('is_'));
   }

@@ -126,7 +126,7 @@ export class Viewer {
     const [kind, name] = this.state.color.split(' ');
     material.uniforms.squares.value = this.state.squares / 2;
     material.uniforms.isolines.value = this.state.isolines ? 1 : 0;
-    material.uniforms.mode.value = kind === 'field' && surface.fields.includes(name) ? modes.value
+    material.uniforms.mode.value = kind === 'field' && surface.pointData[name] ? modes.value
       : surface.texture && modes[kind] || modes.plain;
     pane.mesh.material = material;
     pane.geometry.setIndex(surface.triangleIndex);
@@ -141,7 +141,7 @@ export class Viewer {
 
   scale(name) {
     const values = this.surfaces.filter(s => s.fields.includes(name))
-      .map(s => s.pointData[name].values);
+      .map(s => s.field(name));
     this.scales ??= new Map();
     if(!this.scales.has(name))
       this.scales.set(name, colors.scaleOf(values.length === 1 ? values[0]
@@ -149,9 +149,15 @@ export class Viewer {
     return this.scales.get(name);
   }
 
-  colorByField({surface, pane, material}, name) {
+  colorByField(view, name) {
+    const {surface, pane, material} = view;
     if(!surface.fields.includes(name))
       return;
+    if(!surface.pointData[name]) {
+      const values = surface.field(name), scale = this.scale(name);
+      this.colorByPolygon(view, name, i => colors.colorOf(values[i], scale));
+      return;
+    }
     surface.fieldAttributes ??= new Map();
     if(!surface.fieldAttributes.has(name))
       surface.fieldAttributes.set(name,
@@ -163,15 +169,18 @@ export class Viewer {
     stops.forEach((stop, i) => material.uniforms.stops.value[i].set(...colors.rgb(stop)));
   }
 
+  colorByFace(view, triangulation) {
+    const {polygonData} = view.surface;
+    const owner = polygonData[`${triangulation}_face`]?.values;
+    if(owner)
+      this.colorByPolygon(view, triangulation, triangulation === 'coarse' && polygonData.red
+        ? colorsGiven(view.surface) : colorsByOwner(owner));
+  }
+
   // Triangles of one color follow each other.
-  colorByFace({surface, pane, material}, triangulation) {
-    const owner = surface.polygonData[`${triangulation}_face`]?.values;
-    if(!owner)
-      return;
-    const given = triangulation === 'coarse' && surface.polygonData.red;
-    const {index, groups, palette} = surface.groups?.[triangulation] ??
-      groupsOf(surface, given ? colorsGiven(surface) : colorsByOwner(owner));
-    surface.groups = {...surface.groups, [triangulation]: {index, groups, palette}};
+  colorByPolygon({surface, pane, material}, name, colorOf) {
+    surface.groups ??= {};
+    const {index, groups, palette} = surface.groups[name] ??= groupsOf(surface, colorOf);
     pane.geometry.setIndex(index);
     for(const [i, {start, count}] of groups.entries())
       pane.geometry.addGroup(start, count, i);

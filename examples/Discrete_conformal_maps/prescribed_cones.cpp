@@ -39,5 +39,5 @@ int main(int argc, char* argv[])
     greatest = (std::max)(greatest, map.log_scale(v));
   }
   std::cout << "logarithmic scale factors from " << least << " to " << greatest
-            << "; curvatures are as prescribed but for " << map.max_curvature_error() << '\n';
+            << "; curvatures are as prescribed up to " << map.max_curvature_error() << '\n';
 }

@@ -49,8 +49,9 @@ const share = (i, test) => {
 function check(view, claims) {
   for(const claim of claims)
     try {
-      if(eval(claim) !== true)
-        problem(`not true: ${claim}`);
+      const value = eval(claim);
+      if(value !== true)
+        problem(`${value} instead of true: ${claim}`);
     } catch(error) {
       problem(`${claim}: ${error}`);
     }

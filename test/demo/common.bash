@@ -76,6 +76,20 @@ grid()
   }' >"$1.mesh.off"
 }
 
+# rough NAME: a wave of 70 triangles over a sheared rectangle.
+rough()
+{
+  awk 'BEGIN {
+    print "OFF\n48 70 0"
+    for(j = 0; j < 6; ++j)
+      for(i = 0; i < 8; ++i)
+        print i / 8 + (j % 2) / 3, j / 6, .06 * (i % 2 + 2 * (j % 3 == 1))
+    for(j = 0; j < 5; ++j)
+      for(i = 0; i < 7; ++i)
+        print 3, 8 * j + i, 8 * j + i + 1, 8 * j + i + 9 "\n" 3, 8 * j + i, 8 * j + i + 9, 8 * j + i + 8
+  }' >"$1.mesh.off"
+}
+
 # with_isolated NAME NEW: the mesh with one more vertex before all others, in no face.
 with_isolated()
 {
@@ -93,6 +107,29 @@ claim()
 has_keys()
 {
   claim "' '.join(keys(json('$1'))) == '${*:2}'"
+}
+
+# page_shows PAGE CLAIMS...: see browse.py.
+page_shows()
+{
+  python3 "$tests/browse.py" "$@" || { [ $? -eq 77 ] && skip 'Chromium is missing'; fail "page $1"; }
+}
+
+skip()
+{
+  echo "SKIPPED: $*"
+  exit 77
+}
+
+# needs_pages: ends the test if the program writes none.
+needs_pages()
+{
+  local result=0
+  "$program" view good.mesh.off -o needed.html 2>err || result=$?
+  rm -f needed.html
+  if [ "$result" -eq 2 ] && grep -q 'built without three.js' err; then
+    skip 'the program was built without three.js'
+  fi
 }
 
 square='0 0 0,1 0 0,1 1 0,0 1 0'

@@ -45,7 +45,7 @@ PLACES = NUMBERS + """0 1 3 0:1,0,0 1:0.2,0.3,0.5 0:nan,0,1 0:1e308,-1e308,1 99:
     nan,0,0 1,2 0: :0 ,, 0:,, 0:0.5,0.5,0.5 1e-320,0,0""".split()
 
 COMMON = {"--mollify": NUMBERS, "--threads": NUMBERS, "--stats": ["", ".", "-", "/none/o", "mesh.off"],
-          "--view": ["", "o.x", "o.html"], "--picture": ["", "o.svg", "o.png"],
+          "--section": PLACES, "--view": ["", "o.x", "o.html"], "--picture": ["", "o.svg", "o.png"],
           "--format": ["", "x", "off", "vtp"]}
 
 OPTIONS = {
@@ -298,7 +298,8 @@ def arguments(dice, mesh, curve):
     result += dice.choice([[], ["--repair"], ["--mollify", "1e-6"], ["--strict"]])
     if command in ("distance", "operators"):
         result += dice.choice([[], ["--neighbors", "9"]])
-    result += dice.choice([[], [], ["--view", "o.html", "--picture", picture]])
+    result += dice.choice([[], [], ["--view", "o.html", "--picture", picture],
+                           ["--picture", picture, "--section", dice.choice(PLACES), dice.choice(NUMBERS)]])
     if command in ("delaunay", "refine"):
         result += dice.choice([[], ["--direct"]])
     if dice.random() < 0.9:
@@ -314,7 +315,7 @@ def with_absurd_options(dice, call, choices):
             i = result.index(option) + 1
             del result[i - 1:i + (choices[option] is not None)]
         result.append(option)
-        for _ in range(2 if option == "--straightest" else 0 if choices[option] is None else 1):
+        for _ in range(2 if option in ("--straightest", "--section") else 0 if choices[option] is None else 1):
             result.append(dice.choice(choices[option]))
     return result
 

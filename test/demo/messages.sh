@@ -22,6 +22,7 @@ text infinite.mesh.off 'OFF;3 1 0;0 0 1e999;1 0 0;0 1 0;3 0 1 2'
 text head.mesh.off 'OBJ;3 1 0'
 text short.mesh.off 'OFF;3 1 0;0 0;1 0 0;0 1 0;3 0 1 2'
 text negative.mesh.off 'OFF;-3 1 0'
+printf 'OFF BINARY\n\xff\xff\xff\xfd\0\0\0\1\0\0\0\0' >binary.mesh.off
 text index.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 7'
 text half.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 1.5'
 text far.mesh.off '4OFF;3 1 0;0 0 0 0;1 0 0 1;0 1 0 1;3 0 1 2'
@@ -92,6 +93,7 @@ done <<'TABLE'
 2 | '1e999' is not a finite number | info infinite.mesh.off
 2 | 'OFF' expected | info head.mesh.off
 2 | a number of elements is negative | info negative.mesh.off
+2 | a number of elements is negative; the first line counts vertices, faces and edges | info binary.mesh.off
 2 | there is no vertex 7 | info index.mesh.off
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off
@@ -105,6 +107,8 @@ done <<'TABLE'
 2 | the size of a list is an integer | info f.mesh.ply
 2 | there is no such type of numbers | info g.mesh.ply
 2 | a number of elements is negative | info h.mesh.ply
+2 | a number of elements is negative | info negative.mesh.off
+2 | a number of elements is negative; the first line counts vertices, faces and edges | info binary.mesh.off
 2 | the size of a list is negative or not an integer | info i.mesh.ply
 2 | 'facet' or 'endsolid' expected | info a.mesh.stl
 2 | a facet has more than three vertices | info b.mesh.stl
@@ -128,9 +132,13 @@ done <<'TABLE'
 2 | this format cannot carry distances (.ply and .vtp can) | distance flat.mesh.off --source 0 -o a.off
 2 | ' is no point of the mesh: on triangles that are no surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
 2 | has no signed distance: no part of the curve is on its component (draw one there; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
+2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
+2 | --section: the radius is a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
+2 | --section: on triangles that are no surface, the point is x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
+2 | ; choose one on it, or give face:a,b,c | distance flat.mesh.off --source 0,0,9 -o a.ply
 2 | --exact-distance is for --source, not for --curve | distance flat.mesh.off --curve line.obj --exact-distance -o a.ply
 2 | away from the surface, more than | distance flat.mesh.off --curve far.obj -o a.ply
 2 | line 14 cannot be understood: an edge names a vertex that does not exist; there are 3 | distance flat.mesh.off --curve edge.ply -o a.ply
@@ -196,11 +204,12 @@ seen = open(sys.argv[2], errors="replace").read()
 missing = []
 for source in sorted(Path(sys.argv[1]).glob("*.[ch]*")):
     text = re.sub(r'"\s*\n\s*"', "", source.read_text())
-    for call in re.findall(r'(?:throw [\w:]*[eE]rror\(|\bfail\(|\brefuse\()(.*?);', text, re.S):
+    for call in re.findall(r'(?:throw [\w:]*[eE]rror\(|\bfail\(|\brefuse\()(.*?)\);\n', text, re.S):
         pieces = [p.replace(r'\"', '"') for p in re.findall(r'"((?:[^"\\]|\\.)*)"', call)]
-        longest = max(pieces, key=len, default="").strip()
-        if len(longest) > 3 and longest not in seen and not any(u.strip() in longest for u in UNREACHED):
-            missing.append(f"{source.name}: {longest}")
+        longest = max(pieces, key=len, default="")
+        for piece in (p.strip() for p in pieces if len(p.strip()) > 9 or p is longest):
+            if piece not in seen and not any(u.strip() in longest for u in UNREACHED):
+                missing.append(f"{source.name}: {piece}")
 print(*missing, sep="\n")
 sys.exit(bool(missing))
 PYTHON

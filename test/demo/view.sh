@@ -6,27 +6,12 @@
 # The pages of `intrinsic view` and --view, opened in headless Chromium. Skipped if it is missing.
 source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 
-# page_shows PAGE CLAIMS...: see browse.py.
-page_shows()
-{
-  python3 "$tests/browse.py" "$@" || { [ $? -eq 77 ] && skip 'Chromium is missing'; fail "page $1"; }
-}
-
-skip()
-{
-  echo "SKIPPED: $*"
-  exit 77
-}
-
 cp "$shipped" slivers.mesh.off
 grid flat 6 0
 grid sheared 4 3
 
-result=0
-"$program" view good.mesh.off -o page.html 2>err || result=$?
-if [ "$result" -eq 2 ] && grep -q 'built without three.js' err; then
-  skip 'the program was built without three.js'
-fi
+needs_pages
+expect 0 view good.mesh.off -o page.html
 expect_files page.html
 page_shows page.html 'view.viewer.views.length === 1' 'view.viewer.surfaces[0].numberOfPoints === 4' \
   'share(0, isPaper) > .2' 'share(0, isPaper) < .9' 'view.page.statistics["good.mesh.off"].polygons === 4'
@@ -102,15 +87,7 @@ drawn()
     'view.set({shown: {intrinsic: false}}) === undefined' 'view.setColor("faces input") === undefined' \
     "$frame" "$faces"
 }
-awk 'BEGIN {
-  print "OFF\n48 70 0"
-  for(j = 0; j < 6; ++j)
-    for(i = 0; i < 8; ++i)
-      print i / 8 + (j % 2) / 3, j / 6, .06 * (i % 2 + 2 * (j % 3 == 1))
-  for(j = 0; j < 5; ++j)
-    for(i = 0; i < 7; ++i)
-      print 3, 8 * j + i, 8 * j + i + 1, 8 * j + i + 9 "\n" 3, 8 * j + i, 8 * j + i + 9, 8 * j + i + 8
-}' >rough.mesh.off
+rough rough
 for call in 'refine rough.mesh.off --min-angle 28' \
   'delaunay slivers.mesh.off' 'refine good.mesh.off --max-circumradius 0.1'; do
   drawn $call -o a.ply >subdivision.txt
@@ -129,6 +106,32 @@ assert len(set(pages[0][3])) > 4
 PYTHON
 done
 
+# fan N: the edge between two points, with N points on either side, each of which is joined to the first:
+# the Delaunay triangulation crosses it about 2 N times.
+fan()
+{
+  awk -v n="$1" 'BEGIN {
+    print "OFF\n" 2 * n + 2, 2 * n, 0
+    print -1, 0, 0 "\n" n, 0, 0
+    for(i = 0; i < n; ++i)
+      print i, 1, 0 "\n" i, -1, 0
+    print 3, 0, 1, 2 * n "\n" 3, 1, 0, 2 * n + 1
+    for(i = 2; i < 2 * n; i += 2)
+      print 3, 0, i + 2, i "\n" 3, 0, i + 1, i + 3
+  }' >"fan$1.mesh.off"
+}
+
+# Where the edges of a face are crossed too often, or lengths are not those in space, there is the subdivision.
+fan 40
+fan 300
+has_subdivision() { page_shows page.html "!view.viewer.surfaces[0].developed === $1" 'share(0, isPaper) > .1'; }
+expect 0 delaunay fan40.mesh.off -o a.ply --view page.html --direct
+has_subdivision false
+expect 0 delaunay fan40.mesh.off -o a.ply --view page.html --direct --mollify 0.001
+has_subdivision true
+expect 0 delaunay fan300.mesh.off -o a.ply --view page.html --direct
+has_subdivision true
+
 # Curvature of a tetrahedron's corner: the angle defect by a third of the area of its faces.
 expect 0 refine good.mesh.off -o a.ply --view page.html --max-insertions 0 --min-angle 50
 page_shows page.html 'view.viewer.marks[0].name === "faces below the bounds"' \
@@ -140,6 +143,10 @@ page_shows page.html 'view.viewer.layers.length === 2'
 expect 0 distance flat.mesh.off -o a.ply --source 0 --view page.html
 page_shows page.html 'view.viewer.state.color === "field distance"' \
   'clickAt([.01, .01, 0]).values.distance < .05' 'clickAt([.6, .5, 0]).values.distance > .6' \
+  'view.viewer.surfaces[0].pointData.distance_error.values.every((error, p) => {
+    const {pointData, points, description: {center, radius}} = view.viewer.surfaces[0];
+    const [x, y] = [0, 1].map(k => center[k] + radius * points[3 * p + k]);
+    return p >= 49 || close(pointData.distance.values[p] - error, Math.hypot(x, y), 1e-5) })' \
   'view.viewer.marks[0].points.join() === "0"'
 
 # A flat square in the plane is the square; points are found from either side.
@@ -150,8 +157,8 @@ page_shows page.html 'view.viewer.views.length === 2' 'view.viewer.hasTexture' \
     return close(Math.hypot(q.picture[0] - r.picture[0], q.picture[1] - r.picture[1]), .5, 1e-4) })()' \
   '(() => { const q = clickAt([.3, .6, 0]);
     const {pane} = view.viewer.views[1];
-    const s = view.viewer.surfaces[0].description;
-    const [x, y] = [0, 1].map(k => (q.picture[k] - s.texture_center[k]) / s.texture_radius);
+    const {center, radius} = view.viewer.surfaces[0].picture;
+    const [x, y] = [0, 1].map(k => (q.picture[k] - center[k]) / radius);
     const at = pane.project(new pane.scene.position.constructor(x, y, 0));
     const back = view.pick(at[0] + pane.box.left, at[1] + pane.box.top);
     return closePoints(back.point, [.3, .6, 0]) })()'
@@ -174,11 +181,34 @@ page_shows page.html 'view.viewer.views.length === 2'
 expect 0 simplify slivers.mesh.off -o a.ply --ratio 0.1 --view page.html
 page_shows page.html 'view.viewer.state.color === "faces coarse"' 'view.viewer.state.shown.coarse' \
   'view.page.angles[1].name === "coarse"' 'share(0, isPaper) < .95'
-
 if [ -n "$data" ]; then
   expect 0 hyperbolic "$data/meshes/eight.off" -o a.obj --view page.html
   page_shows page.html 'view.viewer.surfaces[0].picture.kind === "disk"' \
     'view.viewer.surfaces[0].picture.outlines.begin.length > 9' 'share(1, isPaper) < .85'
+  # Each component has its disk.
+  python3 - "$data/meshes/eight.off" >eights.mesh.off <<'PYTHON'
+import sys
+_, n, m, _, *words = open(sys.argv[1]).read().split()
+n, m = int(n), int(m)
+points, faces = words[:3 * n], words[3 * n:3 * n + 4 * m]
+print("OFF", 2 * n, 2 * m, 0)
+for shift in 0, 5:
+    for i in range(n):
+        print(float(points[3 * i]) + shift, *points[3 * i + 1:3 * i + 3])
+for shift in 0, n:
+    for i in range(m):
+        print(3, *(int(v) + shift for v in faces[4 * i + 1:4 * i + 4]))
+PYTHON
+  expect 0 hyperbolic eights.mesh.off -o a.obj --view page.html --picture a.svg --tiles 2
+  page_shows page.html '(({positions}) => [1, -1].every(side => Array.from({length: positions.length / 3},
+      (_, i) => [positions[3 * i], positions[3 * i + 1]]).some(([x, y]) => side * x > .1)))(
+    view.viewer.surfaces[0].picture)' 'close(view.viewer.surfaces[0].picture.radius, 2.02, 1e-6)' \
+    '(({positions}) => Array.from({length: positions.length / 3}, (_, i) => Math.hypot(
+      Math.abs(positions[3 * i]) - 1.02 / 2.02, positions[3 * i + 1])).every(r => r < 1 / 2.02))(
+    view.viewer.surfaces[0].picture)' \
+    '[150, 450].every(x => { const {left, top, width, height} = view.viewer.views[1].pane.box;
+      const place = view.pick(left + width * x / 600, top + height / 2);
+      return place && Math.hypot(...place.picture) < .6 })'
 fi
 
 # Pictures are XML, have every polygon, and are the same in each run.
@@ -189,6 +219,21 @@ python3 -c 'import sys, xml.dom.minidom as dom
 paths = dom.parse("a.svg").getElementsByTagName("path")
 polygons = [p for p in paths if p.hasAttribute("style")]
 sys.exit(len(polygons) != 2 * 72)' || fail 'polygons are missing in a.svg'
+
+# A section is what is near, at its size: an edge of length 1/6 in a circle of 1/4 is 560 * 1/6 / (1/2) long.
+expect 0 flatten flat.mesh.off -o a.obj --picture b.svg --section .5,.5,0 0.25
+expect 0 distance flat.mesh.off -o a.ply --source 0 --picture c.svg --section 24 0.25
+python3 -c 'import re, xml.dom.minidom as dom
+for name, columns in ("b.svg", 2), ("c.svg", 1):
+    groups = [g for g in dom.parse(name).getElementsByTagName("g") if g.hasAttribute("clip-path")]
+    assert len(groups) == columns
+    paths = [p for p in groups[0].getElementsByTagName("path") if p.hasAttribute("style")]
+    assert 16 < len(paths) < 72, len(paths)
+    points = [tuple(map(float, p.split(","))) for p in re.findall(r"[-\d.]+,[-\d.]+", paths[0].getAttribute("d"))]
+    sides = sorted(abs(complex(*p) - complex(*q)) for p, q in zip(points, points[1:] + points[:1]))
+    assert abs(sides[0] - 560 / 3) < .05, sides
+    middle = [p for path in paths for p in re.findall(r"[-\d.]+,[-\d.]+", path.getAttribute("d"))]
+    assert "300,300" in middle' || fail 'sections'
 
 # As PNG too, where the program can: beside each other, and drawn on.
 result=0
