@@ -257,7 +257,7 @@ TEST(Short_loops, shortest_of_all)
   std::size_t found = 0;
   for(unsigned seed = 0; seed < 5; ++seed)
     for(const Named_complex& c : complexes()) {
-      if(c.mesh.number_of_vertices() > 60 || IS::topological_type(c.mesh).genus > 3)
+      if(c.mesh.number_of_vertices() > 60 || IT::topological_type(c.mesh).genus > 3)
         continue;
       SCOPED_TRACE(c.name);
       const Surface_surgery s(triangulation(c.mesh, random_lengths(c.mesh, seed)));
@@ -362,11 +362,11 @@ TEST(Pinch_handles, effort_at_high_genus)
   for(const Mesh& mesh : {plate_with_holes(int(genus)), sphere_with_handles(4000, genus, 6)})
     for(Cutting_curves curves : {Cutting_curves::edges, Cutting_curves::geodesics}) {
       Surface_surgery s{Triangulation(mesh)};
-      ASSERT_EQ(IS::topological_type(s.mesh()).genus, genus);
-      ASSERT_EQ(IS::topological_type(s.mesh()).boundary_loops, 0u);
+      ASSERT_EQ(IT::topological_type(s.mesh()).genus, genus);
+      ASSERT_EQ(IT::topological_type(s.mesh()).boundary_loops, 0u);
       IS::internal::Handle_pincher pincher(s, no_bound, curves);
       EXPECT_EQ(pincher(), genus);
-      EXPECT_EQ(IS::topological_type(s.mesh()).genus, 0u);
+      EXPECT_EQ(IT::topological_type(s.mesh()).genus, 0u);
       EXPECT_LT(pincher.number_of_searches(), 40u);
       EXPECT_LT(pincher.number_of_visits(), 60 * mesh.number_of_vertices());
     }

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_simplification/internal/topology/Short_loops.h>
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,7 +46,7 @@ public:
   {
     if(m_curves == Cutting_curves::geodesics)
       make_Delaunay();
-    const std::size_t genus = topological_type(m_surface.mesh()).genus;
+    const std::size_t genus = Intrinsic_triangulations::topological_type(m_surface.mesh()).genus;
     const double all = total_length(), last = greatest_edge_loop();
     double bound = first_bound * all / static_cast<double>(m_surface.mesh().number_of_edges());
     std::size_t result = 0;
