@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
 
 #include <cstddef>
 
@@ -29,6 +30,9 @@ public:
       throw Failure("not Delaunay");
     return flips;
   }
+
+  // Returns the number of insertions.
+  std::size_t refine() { return IT::refine(m_tri, IT::parameters::minimum_angle(25.)).insertions; }
 
   Subdivision_size subdivide() const
   {

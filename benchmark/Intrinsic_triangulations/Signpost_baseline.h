@@ -6,7 +6,7 @@
 #define INTRINSIC_BENCHMARK_SIGNPOST_BASELINE_H
 
 #include "Flipped_mesh.h"
-#include "Traced_curves.h"
+#include "Traced_map.h"
 #include "method.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
@@ -44,7 +44,7 @@ public:
 
   Subdivision_size subdivide() const
   {
-    Traced_curves curves(m_tri.input(), m_tri.mesh());
+    Traced_map curves(m_tri.input(), m_tri.mesh());
     for(Edge_index e : m_tri.mesh().edges())
       curves.add(trace(m_tri.mesh().halfedge(e)));
     return curves.subdivide();

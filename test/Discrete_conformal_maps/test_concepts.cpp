@@ -140,7 +140,7 @@ TEST(Concepts, flattening_visitor)
     octahedron(), DCM::parameters::vertex_condition_map(four_cones()).visitor(std::ref(visitor)));
   typedef DCM::Flattening_stage Stage;
   EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
-                                                Stage::subdivide, Stage::layout}));
+                                                Stage::layout, Stage::subdivide}));
   EXPECT_EQ(visitor.steps, map.minimization().iterations);
   EXPECT_GT(visitor.steps, 0u);
 }

@@ -8,15 +8,21 @@
 #include "evolving_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>
+#include <CGAL/Intrinsic_simplification/internal/topology/Short_loops.h>
 #include <CGAL/Intrinsic_simplification/pinch_handles.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Random.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace Test_surgery {
@@ -215,6 +221,74 @@ TEST(Loop_signatures, against_cutting)
   EXPECT_GT(others, 100u);
 }
 
+// The length of the shortest closed walk that does not separate and stays inside: a shortest path
+// in the cover in which a walk around such a curve leads to another sheet.
+double shortest_loop(const Surface_surgery& s)
+{
+  const Delta_complex& mesh = s.mesh();
+  const IS::internal::Loop_signatures signatures(mesh);
+  typedef std::pair<Vertex_index, std::uint64_t> State;
+  double result = no_bound;
+  for(Vertex_index start : mesh.vertices()) {
+    if(mesh.is_isolated(start) || mesh.is_border(start))
+      continue;
+    std::map<State, double> distance;
+    std::set<std::pair<double, State>> queue{{0, {start, 0}}};
+    while(!queue.empty()) {
+      const auto [d, state] = *queue.begin();
+      queue.erase(queue.begin());
+      if(!distance.emplace(state, d).second)
+        continue;
+      if(state.first == start && state.second != 0) {
+        result = (std::min)(result, d);
+        break;
+      }
+      for(Halfedge_index h : mesh.halfedges())
+        if(mesh.source(h) == state.first && !mesh.is_border(mesh.target(h)))
+          queue.insert({d + get(s.length_map(), Edge_index(h)),
+                        {mesh.target(h), state.second ^ signatures[Edge_index(h)]}});
+    }
+  }
+  return result;
+}
+
+TEST(Short_loops, shortest_of_all)
+{
+  std::size_t found = 0;
+  for(unsigned seed = 0; seed < 5; ++seed)
+    for(const Named_complex& c : complexes()) {
+      if(c.mesh.number_of_vertices() > 60 || IT::topological_type(c.mesh).genus > 3)
+        continue;
+      SCOPED_TRACE(c.name);
+      const Surface_surgery s(triangulation(c.mesh, random_lengths(c.mesh, seed)));
+      const double expected = shortest_loop(s);
+      for(double bound : {no_bound, expected * (1 + 1e-9), expected * (1 - 1e-9)}) {
+        const auto loops = IS::internal::Short_loops(s).disjoint_loops(bound);
+        ASSERT_EQ(loops.empty(), !(expected < no_bound && expected <= bound));
+        if(!loops.empty()) {
+          EXPECT_NEAR(loops.front().length, expected, 1e-12 * expected);
+          ++found;
+        }
+      }
+    }
+  EXPECT_GT(found, 30u);
+}
+
+// Where nothing is found, searches reach each vertex some times, however far they go.
+TEST(Short_loops, searches_overlap_little)
+{
+  const std::size_t n = 30;
+  const double around = 2 * double(n) * std::sin(pi / double(n)); // a circle of the tube
+  for(std::size_t m : {100u, 400u}) {
+    const Surface_surgery s{Triangulation(embedded_torus(m, n))};
+    for(double part : {0.2, 0.5, 0.65, 0.8}) {
+      IS::internal::Short_loops loops(s);
+      EXPECT_TRUE(loops.disjoint_loops(part * around).empty());
+      EXPECT_LT(loops.number_of_visits(), 10 * m * n);
+    }
+  }
+}
+
 std::size_t pinch_all(const Triangulation& input, Cutting_curves curves, double tolerance = 1e-9)
 {
   Surface_surgery s(input);
@@ -245,6 +319,57 @@ TEST(Pinch_handles, all_handles)
     EXPECT_EQ(pinch_all(Triangulation(punctured(embedded_torus(9, 8), {7})), curves), 0u);
     EXPECT_EQ(pinch_all(Triangulation(five_components()), curves), 0u);
   }
+}
+
+// A sphere from which pairs of triangles are taken, far from each other, with tubes between them.
+Mesh sphere_with_handles(std::size_t n, std::size_t genus, unsigned seed)
+{
+  const Mesh sphere = random_sphere(n, seed);
+  std::vector<Point> points;
+  for(Vertex_index v : sphere.vertices())
+    points.push_back(sphere.point(v));
+  std::vector<std::array<std::size_t, 3>> free;
+  Triangles triangles;
+  std::vector<bool> is_used(n, false);
+  for(Face_index f : sphere.faces()) {
+    std::array<std::size_t, 3> t;
+    Halfedge_index h = sphere.halfedge(f);
+    for(std::size_t c = 0; c < 3; ++c, h = sphere.next(h))
+      t[c] = sphere.source(h);
+    if(free.size() == 2 * genus || is_used[t[0]] || is_used[t[1]] || is_used[t[2]]) {
+      triangles.push_back({t[0], t[1], t[2]});
+      continue;
+    }
+    for(std::size_t v : t)
+      is_used[v] = true;
+    free.push_back(t);
+  }
+  for(std::size_t i = 0; i < genus; ++i) {
+    const auto &a = free[i], &b = free[i + genus];
+    for(std::size_t c = 0; c < 3; ++c) { // the other one in its opposite direction
+      const std::size_t d = (c + 1) % 3, p = b[(3 - c) % 3], q = b[(3 - d) % 3];
+      triangles.push_back({a[c], a[d], p});
+      triangles.push_back({a[d], q, p});
+    }
+  }
+  return make_mesh(points, triangles);
+}
+
+// Rounds and searches do not grow with the genus, nor with the bound.
+TEST(Pinch_handles, effort_at_high_genus)
+{
+  const std::size_t genus = 200;
+  for(const Mesh& mesh : {plate_with_holes(int(genus)), sphere_with_handles(4000, genus, 6)})
+    for(Cutting_curves curves : {Cutting_curves::edges, Cutting_curves::geodesics}) {
+      Surface_surgery s{Triangulation(mesh)};
+      ASSERT_EQ(IT::topological_type(s.mesh()).genus, genus);
+      ASSERT_EQ(IT::topological_type(s.mesh()).boundary_loops, 0u);
+      IS::internal::Handle_pincher pincher(s, no_bound, curves);
+      EXPECT_EQ(pincher(), genus);
+      EXPECT_EQ(IT::topological_type(s.mesh()).genus, 0u);
+      EXPECT_LT(pincher.number_of_searches(), 40u);
+      EXPECT_LT(pincher.number_of_visits(), 60 * mesh.number_of_vertices());
+    }
 }
 
 // Some have a single vertex, or all vertices on the boundary.

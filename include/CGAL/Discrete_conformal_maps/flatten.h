@@ -77,32 +77,58 @@ public:
     m_layout = layout;
     m_visitor.start(Flattening_stage::trace);
     m_builder.trace(m_scale);
-    m_visitor.start(Flattening_stage::subdivide);
-    m_builder.subdivide();
-    m_visitor.start(Flattening_stage::layout);
-    find_walls();
     m_map.m_has_layout = m_scale.has_layout();
-    if(m_map.m_has_layout)
+    // The factor of the layout and the subdivision need not be there at the same time.
+    if(m_problem.has_no_copies()) {
       lay_out();
-    else
-      leave_out();
+      subdivide();
+    } else {
+      subdivide();
+      lay_out();
+    }
+    if(m_map.m_has_layout) {
+      arrange_charts();
+      if(m_map.status() == Map_status::success && has_collapsed_face())
+        m_builder.set_status(Map_status::layout_collapsed);
+    }
     return std::move(m_map);
   }
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
 
+  void subdivide()
+  {
+    m_visitor.start(Flattening_stage::subdivide);
+    m_builder.subdivide();
+  }
+
+  void lay_out()
+  {
+    m_visitor.start(Flattening_stage::layout);
+    find_walls();
+    if(!m_map.m_has_layout)
+      leave_out();
+    else if(m_scale.is_extended())
+      lay_out(m_scale.extended_values(), area_correction());
+    else
+      lay_out(std::vector<double>(m_scale.values().begin(), m_scale.values().end()),
+              area_correction());
+  }
+
   // On a doubled surface, only edges of T^C with a part inside the input are passed.
   void find_walls()
   {
-    m_is_wall.assign(mesh().num_edges(), 1);
+    m_is_wall.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
+    m_map.m_is_laid_out.assign(mesh().num_faces(), m_problem.has_no_copies() ? 1 : 0);
+    if(m_problem.has_no_copies())
+      return;
     const auto& subdivision = m_map.subdivision();
     for(Edge_index e : subdivision.mesh().edges())
       if(const Edge_index c = subdivision.parent_edge(Layer::C, e); c.is_valid())
         if(m_map.is_front(subdivision.mesh().halfedge(e)) &&
            m_map.is_front(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
           m_is_wall[c.idx()] = 0;
-    m_map.m_is_laid_out.assign(mesh().num_faces(), 0);
     for(Face_index f : subdivision.mesh().faces())
       if(m_map.is_front(subdivision.parent_face(Layer::A, f)))
         m_map.m_is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
@@ -143,18 +169,6 @@ private:
       if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0)
         result[v] = std::log(curved[c] / flat[c]) / 2;
     return result;
-  }
-
-  void lay_out()
-  {
-    const std::vector<double> correction = area_correction();
-    if(m_scale.is_extended())
-      lay_out(m_scale.extended_values(), correction);
-    else
-      lay_out(std::vector<double>(m_scale.values().begin(), m_scale.values().end()), correction);
-    arrange_charts();
-    if(m_map.status() == Map_status::success && has_collapsed_face())
-      m_builder.set_status(Map_status::layout_collapsed);
   }
 
   bool has_collapsed_face() const
@@ -247,7 +261,7 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
 // `solve(problem, flattening, find)` calls `find()`, which finds the scale factors, until the
 // problem is what it should be.
 template <typename NamedParameters, typename Solve>
-Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
+Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                const std::vector<Vertex_condition>& conditions,
                                const std::vector<double>& log_scale, double default_bound,
                                const NamedParameters& np, const Solve& solve)
@@ -259,12 +273,12 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
   Doubled_problem problem(
-    input, conditions,
+    std::move(input), conditions,
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
     choose_parameter(get_parameter(np, internal_np::exact_decisions), false));
   problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
-    problem, input.mesh().num_faces(), visitor);
+    problem, problem.surface().num_faces(), visitor);
   flattening.start_from(log_scale);
   solve(problem, flattening, [&] {
     flattening.find_scale_factors(
@@ -276,12 +290,12 @@ Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangu
 }
 
 template <typename NamedParameters>
-Planar_conformal_map flattened(const Intrinsic_triangulations::Intrinsic_triangulation<>& input,
+Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                const std::vector<Vertex_condition>& conditions,
                                const std::vector<double>& log_scale, double default_bound,
                                const NamedParameters& np)
 {
-  return flattened(input, conditions, log_scale, default_bound, np,
+  return flattened(std::move(input), conditions, log_scale, default_bound, np,
                    [](auto&, auto&, const auto& find) { find(); });
 }
 
@@ -375,11 +389,11 @@ Planar_conformal_map flatten(const Graph& g,
   constexpr bool is_free =
     CGAL::parameters::is_default_parameter<NamedParameters,
                                            internal_np::vertex_condition_map_t>::value;
-  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  return internal::flattened(
-    input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0)),
-    internal::initial_log_scales(g, np), is_free ? 5. : std::numeric_limits<double>::infinity(),
-    np);
+  Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  const auto conditions =
+    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0));
+  return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
+                             is_free ? 5. : std::numeric_limits<double>::infinity(), np);
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -17,6 +17,7 @@
 
 #include <limits>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -81,7 +82,7 @@ private:
     return result;
   }
 
-  const Delta_complex& m_mesh;
+  Delta_complex m_mesh; // the surface itself need not stay
   std::vector<Boundary_loop> m_loops;
   Vector m_angle; // of each vertex; zero inside
   Fixed_point_acceleration m_acceleration;
@@ -141,7 +142,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
 {
   const auto rounds = static_cast<std::size_t>(CGAL::parameters::choose_parameter(
     CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations), 100));
-  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   std::vector<Vertex_condition> conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
   internal::Circular_boundary boundary(input);
@@ -162,7 +163,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
          << " rounds its angles still change by " << change << " radians";
     throw Intrinsic_triangulations::Numerical_error(text.str());
   };
-  return internal::flattened(input, conditions, internal::initial_log_scales(g, np),
+  return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
                              std::numeric_limits<double>::infinity(), np, solve);
 }
 

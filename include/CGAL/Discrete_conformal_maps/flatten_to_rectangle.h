@@ -17,6 +17,7 @@
 #include <limits>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -114,7 +115,7 @@ Planar_conformal_map
 flatten_to_rectangle(const Graph& g, const VertexRange& corners,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   const std::unordered_set<typename boost::graph_traits<Graph>::vertex_descriptor> given(
     std::begin(corners), std::end(corners));
   std::vector<char> is_corner;
@@ -123,7 +124,7 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
   std::vector<Vertex_condition> conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
   internal::set_rectangles(conditions, is_corner, input.mesh());
-  return internal::flattened(input, conditions, internal::initial_log_scales(g, np),
+  return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
                              std::numeric_limits<double>::infinity(), np);
 }
 

@@ -229,12 +229,12 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
   Default_flattening_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
-  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  internal::Doubled_problem problem(
-    input, std::vector<Vertex_condition>(input.mesh().num_vertices()), Flipping::to_Delaunay);
+  Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  const std::vector<Vertex_condition> conditions(input.mesh().num_vertices());
+  internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay);
   problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
   internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(
-    problem, input.mesh().num_faces(), visitor);
+    problem, problem.surface().num_faces(), visitor);
   return mapping.run();
 }
 

@@ -323,14 +323,14 @@ uniformize_hyperbolic(const Graph& g,
   Default_flattening_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
-  const Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
-  internal::Doubled_problem problem(
-    input, internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0)),
-    Flipping::to_Delaunay);
+  Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
+  const auto conditions =
+    internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));
+  internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay);
   problem.check_hyperbolic();
   problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
   internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
-    problem, input.mesh().num_faces(), visitor);
+    problem, problem.surface().num_faces(), visitor);
   uniformization.find_scale_factors(
     choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()));
   return uniformization.finish();

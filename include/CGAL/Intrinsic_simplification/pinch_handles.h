@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_simplification/internal/topology/Short_loops.h>
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,25 +40,62 @@ public:
     : m_surface(surface), m_maximum(maximum_length), m_curves(curves)
   {}
 
-  // Where geodesics touch themselves or each other, the edge loops take their place.
+  // Bounds of the length of edge loops grow, so that searches do not go far where handles are
+  // small, and are few when they go far.
   std::size_t operator()()
   {
     if(m_curves == Cutting_curves::geodesics)
       make_Delaunay();
+    const std::size_t genus = Intrinsic_triangulations::topological_type(m_surface.mesh()).genus;
+    const double all = total_length(), last = greatest_edge_loop();
+    double bound = first_bound * all / static_cast<double>(m_surface.mesh().number_of_edges());
     std::size_t result = 0;
-    for(bool is_going_on = true; is_going_on;) {
+    for(bool is_last = false; !is_last && result < genus; bound *= 2) {
+      is_last = !(bound < last && bound < all);
+      result += pinch_up_to(is_last ? last : bound, genus - result);
+    }
+    return result;
+  }
+
+  // the effort: how often loops have been looked for, and the vertices reached by that
+  std::size_t number_of_searches() const { return m_searches; }
+  std::size_t number_of_visits() const { return m_visits; }
+
+private:
+  // the first bound, in mean edge lengths
+  static constexpr double first_bound = 4;
+
+  // In a Delaunay triangulation of the plane, shortest paths along edges are less than twice as
+  // long as straight lines; so edge loops are looked for up to twice the length.
+  double greatest_edge_loop() const
+  {
+    return m_curves == Cutting_curves::geodesics ? 2 * m_maximum : m_maximum;
+  }
+
+  // Where geodesics touch themselves or each other, the edge loops take their place.
+  std::size_t pinch_up_to(double bound, std::size_t genus)
+  {
+    std::size_t result = 0;
+    for(bool is_going_on = true; is_going_on && result < genus;) {
       std::size_t pinched = 0;
       if(m_curves == Cutting_curves::geodesics)
-        pinched = pinch_geodesics();
+        pinched = pinch_geodesics(bound);
       if(pinched == 0)
-        pinched = pinch(edge_loops(m_maximum));
+        pinched = pinch(edge_loops((std::min)(bound, m_maximum)));
       is_going_on = pinched > 0;
       result += pinched;
     }
     return result;
   }
 
-private:
+  double total_length() const
+  {
+    double result = 0;
+    for(Edge_index e : m_surface.mesh().edges())
+      result += get(m_surface.length_map(), e);
+    return result;
+  }
+
   void make_Delaunay()
   {
     Surface_surgery::Triangulation tri = m_surface.triangulation();
@@ -65,19 +103,20 @@ private:
       m_surface.retriangulate(std::move(tri));
   }
 
-  std::vector<Curve> edge_loops(double maximum_length) const
+  std::vector<Curve> edge_loops(double maximum_length)
   {
+    Short_loops search(m_surface);
     std::vector<Curve> result;
-    for(auto& loop : Short_loops(m_surface, maximum_length).disjoint_loops())
+    for(auto& loop : search.disjoint_loops(maximum_length))
       result.push_back(std::move(loop.halfedges));
+    ++m_searches;
+    m_visits += search.number_of_visits();
     return result;
   }
 
-  // In a Delaunay triangulation of the plane, shortest paths along edges are less than twice as
-  // long as straight lines; so edge loops are looked for up to twice the length.
-  std::size_t pinch_geodesics()
+  std::size_t pinch_geodesics(double bound)
   {
-    const std::vector<Curve> loops = edge_loops(2 * m_maximum);
+    const std::vector<Curve> loops = edge_loops(bound);
     if(loops.empty())
       return 0;
     Surface_surgery::Triangulation tri = m_surface.triangulation();
@@ -149,6 +188,8 @@ private:
   Surface_surgery& m_surface;
   double m_maximum;
   Cutting_curves m_curves;
+  std::size_t m_searches = 0;
+  std::size_t m_visits = 0;
 };
 
 } // namespace internal
@@ -159,12 +200,13 @@ private:
 /// both sides by disks, see `Surface_surgery`. No curve separates the surface: each cut lowers the
 /// genus by one, and components and boundary loops stay.
 ///
-/// Curves are found among edges: for each vertex the shortest one that is closed by an edge
-/// between two shortest paths from there and does not separate. Curves that have no vertex in
-/// common are shortened together by flips, to geodesics in their class (see
+/// Curves are found among edges: from one vertex after the other, the shortest one that is closed by
+/// an edge between two shortest paths from there and does not separate. The length up to which they
+/// are looked for doubles, from some edges up to the bound. Curves that have no vertex in common are
+/// shortened together by flips, to geodesics in their class (see
 /// `Intrinsic_triangulations::Edge_paths`), and cut; then others are looked for, disks included. A
-/// curve that touches itself, another one or the boundary waits for the next round. If all do so,
-/// those edge loops are cut that are short enough as they are.
+/// curve that touches itself, another one or the boundary waits for the next round. If all that are
+/// so long do so, those edge loops are cut that are short enough as they are.
 ///
 /// With geodesics the surface is made Delaunay before and beside the curves.
 ///
@@ -175,8 +217,10 @@ private:
 /// \returns the number of handles that have been taken away
 /// \throws what `Intrinsic_triangulations::Edge_paths` and `make_Delaunay()` throw
 ///
-/// Complexity: for each round \f$O(n m \log m)\f$ for \f$n\f$ vertices and \f$m\f$ edges within
-/// half of the length of edge loops from a vertex, and shortening.
+/// Complexity: \f$O(n \log n)\f$ for each round, and shortening. There are some rounds for each
+/// length, since all curves that have no vertex in common are cut at once, and where a search finds
+/// nothing, none begins near by; so searches reach each vertex some times in a round, unless curves
+/// are as long as the bound or a little longer at many places.
 inline std::size_t pinch_handles(Surface_surgery& surface, double maximum_length,
                                  Cutting_curves curves = Cutting_curves::geodesics)
 {

@@ -136,20 +136,28 @@ private:
     for(const Cut_graph::Step& step : cut.steps())
       if(!step.entry.is_valid())
         shift.hold(point(m_mesh.halfedge(step.face)));
+    want_what_fits(cut, shift);
+    if(std::is_same<FT, double>::value)
+      std::vector<Vector>().swap(m_direction); // the factor comes in its place
     shift.factorize(order.refined(m_vertex));
-    distribute_errors(cut, shift);
+    move(shift.solve());
     // with more digits than shifts have, what the first has left
-    if(!std::is_same<FT, double>::value)
-      distribute_errors(cut, shift);
+    if(!std::is_same<FT, double>::value) {
+      want_what_fits(cut, shift);
+      move(shift.solve());
+    }
   }
 
-  void distribute_errors(const Cut_graph& cut, Least_squares_shift& shift)
+  void want_what_fits(const Cut_graph& cut, Least_squares_shift& shift) const
   {
     for_each_side(cut, [&](Halfedge_index h) {
       const Halfedge_index n = m_mesh.next(h);
       shift.want(point(h), point(n), weight(h), to_complex(side(h) - (united(n) - united(h))));
     });
-    const std::vector<std::complex<double>> by = shift.solve();
+  }
+
+  void move(const std::vector<std::complex<double>>& by)
+  {
     for(std::size_t i = 0; i < m_united.size(); ++i)
       m_united[i] = m_united[i] + Vector{FT(by[i].real()), FT(by[i].imag())};
   }

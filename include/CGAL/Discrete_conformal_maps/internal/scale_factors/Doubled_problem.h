@@ -49,9 +49,9 @@ public:
   typedef Intrinsic_triangulations::internal::Mesh_components Components;
   typedef Eigen::VectorXd Vector;
 
-  // `half` is the surface, `condition` has one entry for each of its vertices; the flips to T^B can be
-  // decided exactly
-  Doubled_problem(const Triangulation& half, const std::vector<Vertex_condition>& condition,
+  // `half` is the surface, of which nothing but connectivity and lengths is kept; `condition` has one
+  // entry for each of its vertices; the flips to T^B can be decided exactly
+  Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, bool has_exact_flips = false)
     : m_flipping(flipping),
       m_has_exact_flips(has_exact_flips),

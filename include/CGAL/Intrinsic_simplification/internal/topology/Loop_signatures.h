@@ -143,25 +143,6 @@ private:
   std::vector<Halfedge_index> m_first; // of each face
 };
 
-// Finds out which closed curves, together, do not separate: those with independent signatures.
-class Independent_signatures
-{
-public:
-  // Adds a signature, and returns whether it is independent of those before.
-  bool add(Loop_signatures::Signature s)
-  {
-    for(Loop_signatures::Signature b : m_basis)
-      s = (s ^ b) < s ? s ^ b : s;
-    if(s == 0)
-      return false;
-    m_basis.push_back(s);
-    return true;
-  }
-
-private:
-  std::vector<Loop_signatures::Signature> m_basis;
-};
-
 } // namespace CGAL::Intrinsic_simplification::internal
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_INTERNAL_TOPOLOGY_LOOP_SIGNATURES_H
