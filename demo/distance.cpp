@@ -332,8 +332,9 @@ private:
   void write(const std::vector<double>& values, const std::optional<Subdivision>& subdivision,
              const Triangulation& triangulation)
   {
-    m_run.add_output(m_options.output,
-                     with_distances(m_run.input_as_read(), at_input_vertices(values)), m_format);
+    Output_mesh result = with_distances(m_run.input_as_read(), at_input_vertices(values));
+    add_data(result, m_run.input().data);
+    m_run.add_output(m_options.output, result, m_format);
     if(subdivision)
       write_subdivision(
         with_distances(subdivision_mesh(*subdivision),
@@ -343,17 +344,21 @@ private:
     save(m_run, triangulation);
   }
 
-  void write_subdivision(Output_mesh mesh, const std::vector<double>& values,
+  void write_subdivision(const Output_mesh& mesh, const std::vector<double>& values,
                          const Subdivision& subdivision, const Triangulation& triangulation)
   {
-    if(m_subdivision_format)
-      m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
     m_run.show([&](View_page& page) {
+      Output_mesh shown = mesh;
       if(are_errors_known(triangulation))
-        mesh.point_data.push_back({"distance_error", interpolated(errors(values, triangulation),
-                                                                  subdivision, triangulation)});
-      show_sources(page, std::move(mesh), subdivision, triangulation);
+        shown.point_data.push_back({"distance_error", interpolated(errors(values, triangulation),
+                                                                   subdivision, triangulation)});
+      show_sources(page, std::move(shown), subdivision, triangulation);
     });
+    if(!m_subdivision_format)
+      return;
+    Output_mesh result = mesh;
+    add_input_data(m_run.input(), subdivision, result);
+    m_run.add_output(m_options.subdivision, result, *m_subdivision_format);
   }
 
   // Shortest paths start at points, and take their time.

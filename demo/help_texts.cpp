@@ -21,6 +21,9 @@ const char* const examples =
   intrinsic sphere bunny.obj -o sphere.ply
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
+Colors, normals, texture coordinates and numbers at the vertices of a mesh are carried to the meshes
+that are written, as far as their format has them.
+
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
 
 const char* const view =
