@@ -17,6 +17,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -42,7 +43,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace fs = std::filesystem;
 
-// Manifold and consistently oriented, by CGAL, with polygons split.
+// Manifold and consistently oriented, by CGAL, with polygons split and without isolated vertices,
+// which no valid mesh has for CGAL.
 bool read(const std::string& file, Mesh& mesh)
 {
   std::vector<Kernel::Point_3> points;
@@ -50,6 +52,7 @@ bool read(const std::string& file, Mesh& mesh)
   if(!CGAL::IO::read_polygon_soup(file, points, polygons) || polygons.empty() ||
      !PMP::is_polygon_soup_a_polygon_mesh(polygons))
     return false;
+  PMP::remove_isolated_points_in_polygon_soup(points, polygons);
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   return CGAL::is_triangle_mesh(mesh) || PMP::triangulate_faces(mesh);
 }
