@@ -278,7 +278,7 @@ public:
   }
 
 private:
-  void check_options() const
+  void check_options()
   {
     const bool has_curve = !m_options.curve.empty();
     if(m_options.is_signed && !has_curve)

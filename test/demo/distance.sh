@@ -438,8 +438,8 @@ claim "near(lines('b.vtp'), [1, 4 * sqrt(.5)], 1e-12)"
 expect 0 distance slivers.mesh.off --source 0 -o a.ply --min-angle 25 --level-sets b.obj
 claim "len([w for w in lines_of('b.obj') if w.startswith('l')]) >= 10"
 expect 2 distance good.mesh.off --source 0 -o a.ply --level-sets b.off
-says 'no lines'
+says 'b.off: this format has no lines (.obj, .ply and .vtp have)'
 expect 2 distance good.mesh.off --source 0 -o a.ply --level 1
-says '--level is for --level-sets'
+says '--level is for --level-sets; name a file for the curves'
 expect 2 distance edge_of_three.mesh.off --source 0 -o a.ply --level-sets b.obj
-says '--level-sets needs a surface'
+says 'edge_of_three.mesh.off: --level-sets needs a surface; --repair may make it one'

@@ -198,7 +198,7 @@ import re, sys
 from pathlib import Path
 # another build, a damaged disk, or a fault of the program
 UNREACHED = """built without | cannot be opened | cannot be read: | could not be written completely | Cairo says
-  | has not come | is not planned | too many corners | not all vertices have one value
+  | has not come | is not planned | too many corners
   | there are no faces | 'endfacet' expected""".split("|")
 seen = open(sys.argv[2], errors="replace").read()
 missing = []
