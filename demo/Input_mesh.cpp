@@ -124,7 +124,7 @@ void print_notes(const std::string& path, const Polygon_soup& soup,
 
 Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance, bool is_quiet)
 {
-  Polygon_soup soup = read_mesh(path, nullptr, tolerance.neighbors > 0);
+  Polygon_soup soup = read_mesh(path, tolerance.neighbors > 0);
   const bool is_cloud = soup.polygons.empty();
   Input_mesh result;
   result.diagnosis = diagnose(soup);
@@ -145,6 +145,8 @@ Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance,
     check_acceptable(path, result.diagnosis, tolerance);
   }
   result.parents = soup.parents;
+  if(!soup.data.empty())
+    result.data = {std::move(soup.data), soup.polygons};
   if(is_cloud || number_of_soup_defects(result.diagnosis) > 0) {
     auto cover = IT::tufted_cover(soup.points, soup.polygons);
     result.mesh = cover.mesh();

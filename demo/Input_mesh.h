@@ -9,6 +9,7 @@
 #include "Soup_repair.h"
 
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
+#include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
 
 #include <cstddef>
@@ -37,11 +38,28 @@ struct Input_mesh
   std::vector<std::int64_t> parents; // of the faces that were read, if polygons have been split
   CGAL::Intrinsic_triangulations::Input_diagnosis diagnosis;
   Repair_report repairs;
+  Triangle_data data; // at the vertices and triangles of what was read; these only if there are any
 
   // Of what was read.
   std::size_t number_of_vertices() const
   {
     return covered ? covered->soup.points.size() : mesh.number_of_vertices();
+  }
+
+  // The data of a point of the mesh.
+  Point_weights weights(const CGAL::Intrinsic_triangulations::Vertex_weights<double>& w) const
+  {
+    Point_weights result{w.size, {}, w.weight};
+    for(std::size_t c = 0; c < w.size; ++c)
+      result.point[c] = covered ? covered->cover.input_vertex(w.vertex[c]) : w.vertex[c].idx();
+    return result;
+  }
+  // What was read as a face of the mesh; -1 for none.
+  std::int64_t triangle(Mesh::Face_index f) const
+  {
+    if(!f.is_valid())
+      return -1;
+    return static_cast<std::int64_t>(covered ? covered->cover.input_face(f) : f.idx());
   }
 };
 

@@ -13,15 +13,14 @@
 
 namespace {
 
-void read(Scanner& in, const std::string& extension, Polygon_soup& soup,
-          Vertex_functions* functions, bool are_points_allowed)
+void read(Scanner& in, const std::string& extension, Polygon_soup& soup, bool are_points_allowed)
 {
   if(extension == ".off")
-    read_off(in, soup, functions);
+    read_off(in, soup);
   else if(extension == ".obj")
     read_obj(in, soup);
   else if(extension == ".ply")
-    read_ply(in, soup, functions);
+    read_ply(in, soup);
   else if(extension == ".stl")
     read_stl(in, soup);
   else if(extension == ".xyz" && are_points_allowed)
@@ -32,13 +31,13 @@ void read(Scanner& in, const std::string& extension, Polygon_soup& soup,
 
 } // namespace
 
-Polygon_soup read_mesh(const std::filesystem::path& path, Vertex_functions* functions,
-                       bool are_points_allowed)
+Polygon_soup read_mesh(const std::filesystem::path& path, bool are_points_allowed)
 {
   Scanner in(path);
   Polygon_soup soup;
   try {
-    read(in, extension_of(path), soup, functions, are_points_allowed);
+    read(in, extension_of(path), soup, are_points_allowed);
+    clean(soup.data, soup.points.size());
   } catch(const std::bad_alloc&) {
     in.fail_as_a_whole("has more elements than fit into memory");
   } catch(const std::length_error&) {

@@ -35,23 +35,124 @@ void write_off(Text& text, const Output_mesh& mesh)
   }
 }
 
-void add_coordinates(Text& text, const Texture& texture, std::size_t i)
+// The texture comes first.
+std::vector<const Corner_data*> all_corner_data(const Output_mesh& mesh)
 {
-  for(std::size_t k = 0; k < texture.dimension; ++k)
-    text << ' ' << texture.coordinates[i][k];
+  std::vector<const Corner_data*> result;
+  if(mesh.texture.dimension > 0)
+    result.push_back(&mesh.texture);
+  for(const Corner_data& data : mesh.corner_data)
+    result.push_back(&data);
+  return result;
 }
 
-void add_obj_face(Text& text, const Output_mesh& mesh, std::size_t i)
+void add_coordinates(Text& text, std::size_t dimension, const std::array<double, 3>& coordinates)
 {
-  text << 'f';
-  const Polygons::Polygon polygon = mesh.polygons[i];
-  for(std::size_t k = 0; k < polygon.size(); ++k) {
-    text << ' ' << polygon[k] + 1;
-    if(mesh.texture.dimension > 0)
-      text << '/' << mesh.texture.polygons[i][k] + 1;
-  }
-  text << '\n';
+  for(std::size_t k = 0; k < dimension; ++k)
+    text << ' ' << coordinates[k];
 }
+
+// Attributes of points by their names; empty unless there are all and they have these numbers.
+template <class Number>
+std::vector<const Values<Number>*> components(const Output_mesh& mesh,
+                                              const std::array<const char*, 3>& names)
+{
+  std::vector<const Values<Number>*> result;
+  for(const char* name : names)
+    for(const Attribute& a : mesh.point_data)
+      if(const auto* values = std::get_if<Values<Number>>(&a.values);
+         values != nullptr && a.name == name)
+        result.push_back(values);
+  if(result.size() != names.size())
+    result.clear();
+  return result;
+}
+
+// Writes one texture, and normals of corners or of points.
+class Obj_writer
+{
+public:
+  Obj_writer(Text& text, const Output_mesh& mesh)
+    : m_text(text), m_mesh(mesh), m_colors(components<std::int64_t>(mesh, {"red", "green", "blue"}))
+  {
+    for(const Corner_data* data : all_corner_data(mesh)) {
+      const Corner_data*& place = data->name == "normal" ? m_normals : m_texture;
+      if(place == nullptr)
+        place = data;
+    }
+    if(m_normals == nullptr)
+      m_point_normals = components<double>(mesh, {"nx", "ny", "nz"});
+  }
+
+  void operator()()
+  {
+    for(std::size_t i = 0; i < m_mesh.points.size(); ++i)
+      add_point(i);
+    add_all_coordinates("vt", m_texture);
+    add_all_coordinates("vn", m_normals);
+    if(!m_point_normals.empty())
+      for(std::size_t i = 0; i < m_mesh.points.size(); ++i)
+        add_line("vn",
+                 {(*m_point_normals[0])[i], (*m_point_normals[1])[i], (*m_point_normals[2])[i]}, 3);
+    for(std::size_t i = 0; i < m_mesh.polygons.size(); ++i)
+      add_face(i);
+  }
+
+private:
+  void add_point(std::size_t i)
+  {
+    m_text << "v " << m_mesh.points[i];
+    for(const Values<std::int64_t>* component : m_colors)
+      m_text << ' ' << static_cast<double>((*component)[i]) / 255;
+    m_text << '\n';
+  }
+
+  void add_line(const char* key, const std::array<double, 3>& coordinates, std::size_t dimension)
+  {
+    m_text << key;
+    add_coordinates(m_text, dimension, coordinates);
+    m_text << '\n';
+  }
+
+  void add_all_coordinates(const char* key, const Corner_data* data)
+  {
+    if(data != nullptr)
+      for(const std::array<double, 3>& coordinates : data->coordinates)
+        add_line(key, coordinates, data->dimension);
+  }
+
+  void add_face(std::size_t i)
+  {
+    m_text << 'f';
+    for(std::size_t k = 0; k < m_mesh.polygons[i].size(); ++k)
+      add_corner(i, k);
+    m_text << '\n';
+  }
+
+  void add_corner(std::size_t i, std::size_t k)
+  {
+    const auto number = [&](const Corner_data* data, Polygons::Index otherwise) {
+      return data == nullptr ? otherwise : data->polygons[i][k];
+    };
+    const Polygons::Index point = m_mesh.polygons[i][k],
+                          texture = number(m_texture, Polygons::none),
+                          normal =
+                            number(m_normals, m_point_normals.empty() ? Polygons::none : point);
+    m_text << ' ' << point + 1;
+    if(texture != Polygons::none || normal != Polygons::none)
+      m_text << '/';
+    if(texture != Polygons::none)
+      m_text << texture + 1;
+    if(normal != Polygons::none)
+      m_text << '/' << normal + 1;
+  }
+
+  Text& m_text;
+  const Output_mesh& m_mesh;
+  std::vector<const Values<std::int64_t>*> m_colors; // none if empty
+  const Corner_data *m_texture = nullptr, *m_normals = nullptr;
+  std::vector<const Values<double>*> m_point_normals; // none if empty
+};
 
 void add_obj_lines(Text& text, const Output_mesh& mesh)
 {
@@ -65,28 +166,16 @@ void add_obj_lines(Text& text, const Output_mesh& mesh)
 
 void write_obj(Text& text, const Output_mesh& mesh)
 {
-  for(const Point& p : mesh.points)
-    text << "v " << p << '\n';
-  for(std::size_t i = 0; i < mesh.texture.coordinates.size(); ++i) {
-    text << "vt";
-    add_coordinates(text, mesh.texture, i);
-    text << '\n';
-  }
-  for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
-    add_obj_face(text, mesh, i);
+  Obj_writer(text, mesh)();
   if(mesh.polygons.size() == 0)
     add_obj_lines(text, mesh);
-}
-
-const char* name_of(const Texture& texture)
-{
-  return texture.dimension == 3 ? "homogeneous_texcoord" : "texcoord";
 }
 
 // Viewers know colors by their names and this type.
 bool is_color(const Attribute& a)
 {
-  return a.name == "red" || a.name == "green" || a.name == "blue";
+  return a.has_integers() &&
+         (a.name == "red" || a.name == "green" || a.name == "blue" || a.name == "alpha");
 }
 
 const char* ply_type(const Attribute& a)
@@ -100,8 +189,11 @@ class Ply_writer
 {
 public:
   Ply_writer(Text& text, const Output_mesh& mesh, bool is_binary)
-    : m_text(text), m_mesh(mesh), m_is_binary(is_binary), m_is_texture_small(is_texture_small())
-  {}
+    : m_text(text), m_mesh(mesh), m_is_binary(is_binary)
+  {
+    for(const Corner_data* data : all_corner_data(mesh))
+      m_lists.push_back({data, is_small(*data)});
+  }
 
   void operator()()
   {
@@ -129,9 +221,9 @@ private:
     add_properties(m_mesh.point_data);
     m_text << "element face " << m_mesh.polygons.size()
            << "\nproperty list uint int vertex_indices\n";
-    if(m_mesh.texture.dimension > 0)
-      m_text << "property list " << (m_is_texture_small ? "uchar" : "uint") << " double "
-             << name_of(m_mesh.texture) << '\n';
+    for(const List& list : m_lists)
+      m_text << "property list " << (list.is_small ? "uchar" : "uint") << " double "
+             << name_of(*list.data) << '\n';
     add_properties(m_mesh.polygon_data);
     if(!m_mesh.edges.empty()) {
       m_text << "element edge " << m_mesh.edges.size()
@@ -148,11 +240,10 @@ private:
   }
 
   // Whether the number of coordinates of each polygon fits into one byte, as viewers expect it.
-  bool is_texture_small() const
+  static bool is_small(const Corner_data& data)
   {
-    return std::all_of(
-      m_mesh.texture.polygons.begin(), m_mesh.texture.polygons.end(),
-      [this](const Polygons::Polygon& p) { return m_mesh.texture.dimension * p.size() < 256; });
+    return std::all_of(data.polygons.begin(), data.polygons.end(),
+                       [&](const Polygons::Polygon& p) { return data.dimension * p.size() < 256; });
   }
 
   // ---- Rows of numbers ----
@@ -219,26 +310,32 @@ private:
     add(static_cast<std::uint32_t>(polygon.size()));
     for(const Polygons::Index v : polygon)
       add(static_cast<std::int32_t>(v));
-    if(m_mesh.texture.dimension > 0)
-      add_texture(m_mesh.texture.polygons[i]);
+    for(const List& list : m_lists)
+      add_list(list, list.data->polygons[i]);
   }
 
-  void add_texture(const Polygons::Polygon& polygon)
+  struct List
   {
-    const std::size_t n = m_mesh.texture.dimension * polygon.size();
-    if(m_is_texture_small)
+    const Corner_data* data;
+    bool is_small;
+  };
+
+  void add_list(const List& list, const Polygons::Polygon& polygon)
+  {
+    const std::size_t n = list.data->dimension * polygon.size();
+    if(list.is_small)
       add(static_cast<std::uint8_t>(n));
     else
       add(static_cast<std::uint32_t>(n));
     for(const Polygons::Index c : polygon)
-      for(std::size_t k = 0; k < m_mesh.texture.dimension; ++k)
-        add(m_mesh.texture.coordinates[c][k]);
+      for(std::size_t k = 0; k < list.data->dimension; ++k)
+        add(c == Polygons::none ? 0. : list.data->coordinates[c][k]);
   }
 
   Text& m_text;
   const Output_mesh& m_mesh;
   bool m_is_binary;
-  bool m_is_texture_small;
+  std::vector<List> m_lists;
   bool m_is_in_row = false;
 };
 
@@ -254,82 +351,112 @@ void add_vtp_array(Text& text, std::string_view attributes, std::size_t n, const
   text << "</DataArray>\n";
 }
 
+// As an attribute of XML, in ASCII.
+std::string vtp_name(const std::string& name)
+{
+  std::string result;
+  for(const char c : name)
+    if(c == '&' || c == '<' || c == '>' || c == '"')
+      result += "&#" + std::to_string(static_cast<int>(c)) + ";";
+    else
+      result += c > ' ' && c <= '~' ? c : '_';
+  return result;
+}
+
 void add_vtp_data(Text& text, const std::vector<Attribute>& data)
 {
   for(const Attribute& a : data)
-    add_vtp_array(
-      text,
-      (a.has_integers() ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") + a.name + "\"",
-      a.size(),
-      [&](std::size_t i) { std::visit([&](const auto& values) { text << values[i]; }, a.values); });
+    add_vtp_array(text,
+                  (a.has_integers() ? "type=\"Int32\" Name=\"" : "type=\"Float64\" Name=\"") +
+                    vtp_name(a.name) + "\"",
+                  a.size(), [&](std::size_t i) {
+                    std::visit([&](const auto& values) { text << values[i]; }, a.values);
+                  });
 }
 
-// The points have the texture coordinates with their numbers.
-void add_vtp_texture(Text& text, const Texture& texture)
-{
-  if(texture.dimension == 0)
-    return;
-  Text attributes;
-  attributes << "type=\"Float64\" Name=\"" << name_of(texture) << "\" NumberOfComponents=\""
-             << texture.dimension << '"';
-  add_vtp_array(text, attributes.take(), texture.coordinates.size(),
-                [&](std::size_t i) { add_coordinates(text, texture, i); });
-}
-
-// Repeats points until each has one texture coordinate, with the number of the point.
-class Texture_splitting
+// Repeats points until each has one entry of all corner data, of which the coordinates get the
+// numbers of the points.
+class Corner_splitting
 {
 public:
-  explicit Texture_splitting(const Output_mesh& mesh)
-    : m_mesh(mesh), m_coordinate(mesh.points.size(), none)
+  explicit Corner_splitting(const Output_mesh& mesh) : m_mesh(mesh)
   {
-    m_mesh.texture.polygons = m_mesh.polygons = Polygons();
-    for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
-      for(std::size_t k = 0; k < mesh.polygons[i].size(); ++k)
-        m_mesh.polygons.add_corner(point_with(mesh.texture.polygons[i][k], mesh.polygons[i][k]));
-      m_mesh.polygons.close();
-    }
-    set_coordinates(mesh.texture.coordinates);
+    for(const Corner_data* data : all_corner_data(mesh))
+      split(*data);
+    m_mesh.corner_data = std::move(m_data);
   }
 
   const Output_mesh& mesh() const { return m_mesh; }
 
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  std::size_t point_with(std::size_t coordinate, std::size_t point)
+  void split(const Corner_data& data)
   {
-    if(m_coordinate[point] == none)
-      m_coordinate[point] = coordinate;
-    if(m_coordinate[point] == coordinate)
+    m_number.assign(m_mesh.points.size(), Polygons::none);
+    m_copy.clear();
+    Polygons polygons;
+    for(std::size_t i = 0; i < m_mesh.polygons.size(); ++i) {
+      for(std::size_t k = 0; k < m_mesh.polygons[i].size(); ++k)
+        polygons.add_corner(point_with(data.polygons[i][k], m_mesh.polygons[i][k]));
+      polygons.close();
+    }
+    m_mesh.polygons = std::move(polygons);
+    m_data.push_back({name_of(data), data.dimension, coordinates_of_points(data), {}});
+  }
+
+  std::size_t point_with(Polygons::Index number, Polygons::Index point)
+  {
+    if(m_number[point] == Polygons::none)
+      m_number[point] = number;
+    if(m_number[point] == number || number == Polygons::none)
       return point;
-    const auto [copy, is_new] = m_copy.emplace(std::pair(point, coordinate), m_coordinate.size());
+    const auto [copy, is_new] = m_copy.emplace(std::pair(point, number), m_number.size());
     if(is_new)
-      repeat(point, coordinate);
+      repeat(point, number);
     return copy->second;
   }
 
-  void repeat(std::size_t point, std::size_t coordinate)
+  void repeat(Polygons::Index point, Polygons::Index number)
   {
-    m_coordinate.push_back(coordinate);
+    m_number.push_back(number);
     m_mesh.points.push_back(Point(m_mesh.points[point]));
     for(Attribute& a : m_mesh.point_data)
       std::visit([point](auto& v) { v.kept().insert(v.kept().end(), 1, v.kept()[point]); },
                  a.values);
+    for(Corner_data& data : m_data)
+      data.coordinates.push_back(std::array(data.coordinates[point]));
   }
 
-  // isolated points are at the origin
-  void set_coordinates(const std::vector<std::array<double, 3>>& all)
+  // points without coordinates are at the origin
+  std::vector<std::array<double, 3>> coordinates_of_points(const Corner_data& data) const
   {
-    m_mesh.texture.coordinates.clear();
-    for(const std::size_t c : m_coordinate)
-      m_mesh.texture.coordinates.push_back(c == none ? std::array<double, 3>{0, 0, 1} : all[c]);
+    std::vector<std::array<double, 3>> result;
+    for(const Polygons::Index c : m_number)
+      result.push_back(c == Polygons::none ? std::array<double, 3>{0, 0, 1} : data.coordinates[c]);
+    return result;
   }
 
   Output_mesh m_mesh;
-  std::vector<std::size_t> m_coordinate; // of each point
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_copy;
+  std::vector<Corner_data> m_data;       // with one entry for each point
+  std::vector<Polygons::Index> m_number; // of the entry of each point
+  std::map<std::pair<Polygons::Index, Polygons::Index>, std::size_t> m_copy;
 };
+
+void add_vtp_coordinates(Text& text, const Corner_data& data)
+{
+  Text attributes;
+  attributes << "type=\"Float64\" Name=\"" << vtp_name(data.name) << "\" NumberOfComponents=\""
+             << data.dimension << '"';
+  add_vtp_array(text, attributes.take(), data.coordinates.size(),
+                [&](std::size_t i) { add_coordinates(text, data.dimension, data.coordinates[i]); });
+}
+
+// The names of the first texture and of the normals.
+void add_vtp_roles(Text& text, const Output_mesh& mesh)
+{
+  for(const Corner_data& data : mesh.corner_data)
+    if(data.name == "texcoord" || data.name == "normal")
+      text << (data.name == "normal" ? " Normals=\"" : " TCoords=\"") << data.name << '"';
+}
 
 void add_vtp_points(Text& text, const Output_mesh& mesh)
 {
@@ -388,16 +515,20 @@ std::vector<Attribute> vtp_cell_data(const Output_mesh& mesh)
   return result;
 }
 
-void write_vtp_with_point_texture(Text& text, const Output_mesh& mesh)
+// The corner data have one entry for each point.
+void write_vtp_with_point_data(Text& text, const Output_mesh& mesh)
 {
   text << "<?xml version=\"1.0\"?>\n"
        << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
        << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfVerts=\"0\" "
        << "NumberOfLines=\"" << mesh.lines.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\""
        << mesh.polygons.size() << "\">\n";
-  text << "<PointData" << (mesh.texture.dimension == 2 ? " TCoords=\"texcoord\">\n" : ">\n");
+  text << "<PointData";
+  add_vtp_roles(text, mesh);
+  text << ">\n";
   add_vtp_data(text, mesh.point_data);
-  add_vtp_texture(text, mesh.texture);
+  for(const Corner_data& data : mesh.corner_data)
+    add_vtp_coordinates(text, data);
   text << "</PointData>\n<CellData>\n";
   add_vtp_data(text, vtp_cell_data(mesh));
   text << "</CellData>\n";
@@ -409,10 +540,10 @@ void write_vtp_with_point_texture(Text& text, const Output_mesh& mesh)
 
 void write_vtp(Text& text, const Output_mesh& mesh)
 {
-  if(mesh.texture.dimension == 0)
-    write_vtp_with_point_texture(text, mesh);
+  if(all_corner_data(mesh).empty())
+    write_vtp_with_point_data(text, mesh);
   else
-    write_vtp_with_point_texture(text, Texture_splitting(mesh).mesh());
+    write_vtp_with_point_data(text, Corner_splitting(mesh).mesh());
 }
 
 constexpr std::array<std::string_view, 4> names = {"off", "obj", "ply", "vtp"};

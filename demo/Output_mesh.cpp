@@ -4,6 +4,9 @@
 
 #include "Output_mesh.h"
 
+#include <algorithm>
+#include <set>
+
 namespace {
 
 template <class Faces>
@@ -15,7 +18,21 @@ Output_mesh points_and_polygons(const Mesh& mesh, const Faces& faces)
   return result;
 }
 
+std::string untaken(std::string name, std::set<std::string>& taken)
+{
+  while(!taken.insert(name).second)
+    name = "input_" + name;
+  return name;
+}
+
 } // namespace
+
+const char* name_of(const Corner_data& data)
+{
+  if(!data.name.empty())
+    return data.name.c_str();
+  return data.dimension == 3 ? "homogeneous_texcoord" : "texcoord";
+}
 
 Output_mesh output_mesh(const Mesh& mesh) { return points_and_polygons(mesh, mesh.faces()); }
 
@@ -34,4 +51,25 @@ Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Fac
   for(const Mesh::Edge_index e : mesh.edges())
     result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
   return result;
+}
+
+void add_data(Output_mesh& mesh, Mesh_data data)
+{
+  std::set<std::string> taken;
+  for(const Attribute& a : mesh.point_data)
+    taken.insert(a.name);
+  if(mesh.texture.dimension > 0)
+    taken.insert(name_of(mesh.texture));
+  for(Corner_data& corners : data.corners) {
+    corners.name = untaken(corners.name, taken);
+    mesh.corner_data.push_back(std::move(corners));
+  }
+  for(Point_function& f : data.functions) {
+    const std::string name = untaken(f.name, taken);
+    if(f.is_color)
+      mesh.point_data.push_back(
+        {name, std::vector<std::int64_t>(f.values.begin(), f.values.end())});
+    else
+      mesh.point_data.push_back({name, std::move(f.values)});
+  }
 }

@@ -5,6 +5,7 @@
 #ifndef INTRINSIC_OUTPUT_MESH_H
 #define INTRINSIC_OUTPUT_MESH_H
 
+#include "Mesh_data.h"
 #include "Polygon_soup.h"
 
 #include <array>
@@ -99,14 +100,6 @@ std::int64_t number_of(Index i)
   return i.is_valid() ? static_cast<std::int64_t>(i.idx()) : -1;
 }
 
-// Texture coordinates of the corners of polygons.
-struct Texture
-{
-  std::size_t dimension = 0; // zero if there is no texture; 2, the third being 1; 3 if homogeneous
-  std::vector<std::array<double, 3>> coordinates;
-  Polygons polygons; // with coordinates in place of points
-};
-
 // A mesh with what is known about its elements, ready to be written.
 struct Output_mesh
 {
@@ -118,8 +111,12 @@ struct Output_mesh
   std::vector<Attribute> edge_data;
   std::vector<Attribute> polygon_data;
   std::vector<Attribute> line_data;
-  Texture texture;
+  Corner_data texture;                  // an image of the mesh; its name follows from its dimension
+  std::vector<Corner_data> corner_data; // beside that
 };
+
+// That of a property of a file.
+const char* name_of(const Corner_data& data);
 
 // What a vertex of a common subdivision is: the property "kind" of files.
 enum class Vertex_kind : std::int64_t
@@ -136,5 +133,8 @@ Output_mesh output_mesh(const Polygon_soup& soup);
 
 // The points and edges of a mesh, and those of its polygons.
 Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces);
+
+// Adds data of its points and corners. A name that is taken already gets "input_" in front.
+void add_data(Output_mesh& mesh, Mesh_data data);
 
 #endif // INTRINSIC_OUTPUT_MESH_H

@@ -144,4 +144,21 @@ private:
 
 } // namespace
 
+void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& parents,
+                    const Polygons& parts, Mesh_data& data)
+{
+  for(Corner_data& corners : data.corners) {
+    Polygons numbers;
+    for(std::size_t i = 0; i < parts.size(); ++i) {
+      const auto parent = static_cast<std::size_t>(parents[i]);
+      const Polygons::Polygon polygon = polygons[parent], old = corners.polygons[parent];
+      for(const Polygons::Index v : parts[i])
+        numbers.add_corner(old[static_cast<std::size_t>(
+          std::find(polygon.begin(), polygon.end(), v) - polygon.begin())]);
+      numbers.close();
+    }
+    corners.polygons = std::move(numbers);
+  }
+}
+
 Mesh mesh_of(const Polygon_soup& soup) { return Mesh_builder(soup)(); }

@@ -5,6 +5,7 @@
 #ifndef INTRINSIC_POLYGON_SOUP_H
 #define INTRINSIC_POLYGON_SOUP_H
 
+#include "Mesh_data.h"
 #include "Polygons.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,7 +27,13 @@ struct Polygon_soup
   std::size_t merged_corners = 0; // of a format that has no indices
   std::vector<std::int64_t>
     parents; // of triangles, the polygons they are parts of, if there are any
+  Mesh_data data;
 };
+
+// Takes corner data from polygons to their parts: part i is one of polygon `parents[i]`, with corners
+// of that.
+void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& parents,
+                    const Polygons& parts, Mesh_data& data);
 
 // Vertices and faces keep their indices, isolated vertices too. Edges are numbered in the order of
 // faces: first those that a face runs along from the smaller to the larger index, then the others.

@@ -57,6 +57,8 @@ public:
   std::size_t size() const { return m_ends.size() - 1; }
   bool empty() const { return size() == 0; }
   std::size_t number_of_corners() const { return m_indices.size(); }
+  // Those of all polygons, in their order.
+  const std::vector<Index>& corners() const { return m_indices; }
 
   Polygon operator[](std::size_t i) const
   {

@@ -122,7 +122,26 @@ bool Scanner::accept(std::string_view expected)
   return true;
 }
 
-void Scanner::skip_rest_of_word() { m_position += rest_of_word().size(); }
+std::string_view Scanner::take_rest_of_word()
+{
+  const std::string_view result = rest_of_word();
+  m_position += result.size();
+  return result;
+}
+
+std::vector<double> Scanner::numbers()
+{
+  std::vector<double> result;
+  for(std::string_view w = word(); !w.empty(); w = word()) {
+    w.remove_prefix(w.size() > 1 && w[0] == '+' && w[1] != '-');
+    double x = 0;
+    const auto [last, error] = std::from_chars(w.data(), w.data() + w.size(), x);
+    if(error != std::errc() || last != w.data() + w.size() || !std::isfinite(x))
+      break;
+    result.push_back(x);
+  }
+  return result;
+}
 
 std::string_view Scanner::until(std::string_view last)
 {

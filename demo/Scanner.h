@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // The bytes of a file and how far they have been read. Nothing is read beyond their end, whatever
 // they are. All functions that read throw Program_error, with the line in a text, if they do not
@@ -56,8 +57,11 @@ public:
   // The next integer in the line, which is no less than zero.
   std::size_t count();
 
-  // What follows the last number or word directly up to the next blank is not read.
-  void skip_rest_of_word();
+  // What follows the last number or word directly, up to the next blank.
+  std::string_view take_rest_of_word();
+
+  // The finite numbers that come next in the line, up to something else.
+  std::vector<double> numbers();
 
   // What comes before the next `last`, which is read, too.
   std::string_view until(std::string_view last);

@@ -8,17 +8,65 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
+
+// A corner of a polygon, which keeps its origin when CGAL gives its point another number.
+class Corner
+{
+public:
+  Corner() = default;
+  Corner(Polygons::Index point, std::size_t origin)
+    : m_point(point), m_origin(static_cast<Polygons::Index>(origin))
+  {}
+
+  Corner& operator=(std::size_t point)
+  {
+    m_point = static_cast<Polygons::Index>(point);
+    return *this;
+  }
+  operator std::size_t() const { return m_point; }
+
+  Polygons::Index origin() const { return m_origin; } // among those of all polygons of the input
+
+  friend std::size_t hash_value(const Corner& c) { return c.m_point; }
+
+private:
+  Polygons::Index m_point = 0, m_origin = 0;
+};
+
+// Notes of which polygon each face is a part.
+struct Parent_recorder : PMP::Triangulate_faces::Default_visitor<Mesh>
+{
+  explicit Parent_recorder(std::vector<std::int64_t>& p) : parents(&p) {}
+
+  void before_subface_creations(Mesh::Face_index f) { parent = static_cast<std::int64_t>(f.idx()); }
+  void after_subface_created(Mesh::Face_index f)
+  {
+    parents->resize((std::max)(parents->size(), std::size_t(f) + 1));
+    (*parents)[f] = parent;
+  }
+
+  std::vector<std::int64_t>* parents; // visitors are copied
+  std::int64_t parent = 0;
+};
 
 class Soup_repairer
 {
 public:
   explicit Soup_repairer(Polygon_soup& soup) : m_soup(soup)
   {
-    for(const Polygons::Polygon& p : soup.polygons)
-      m_polygons.emplace_back(p.begin(), p.end());
+    std::size_t corner = 0;
+    for(const Polygons::Polygon& p : soup.polygons) {
+      m_polygons.emplace_back();
+      for(const Polygons::Index v : p)
+        m_polygons.back().emplace_back(v, corner++);
+    }
   }
 
   Repair_report operator()()
@@ -27,6 +75,8 @@ public:
          PMP::merge_duplicate_points_in_polygon_soup(m_soup.points, m_polygons));
     clean();
     orient();
+    if(!m_soup.data.empty())
+      carry_data();
     m_soup.polygons = polygons();
     if(has_polygons())
       triangulate();
@@ -34,14 +84,21 @@ public:
   }
 
 private:
-  // Counts elsewhere, for visitors are copied.
-  struct Reversal_counter : PMP::Default_orientation_visitor
+  // Keeps the corners, whose points CGAL wants as plain numbers here. Works elsewhere, for visitors are
+  // copied.
+  struct Reversal_follower : PMP::Default_orientation_visitor
   {
+    Soup_repairer* repairer;
     std::size_t* count;
 
-    explicit Reversal_counter(std::size_t& c) : count(&c) {}
+    Reversal_follower(Soup_repairer& r, std::size_t& c) : repairer(&r), count(&c) {}
 
-    void polygon_orientation_reversed(std::size_t) { ++*count; }
+    void polygon_orientation_reversed(std::size_t i)
+    {
+      ++*count;
+      auto& polygon = repairer->m_polygons[i];
+      std::reverse(polygon.begin(), polygon.end());
+    }
   };
 
   void note(const char* what, std::size_t count)
@@ -53,7 +110,7 @@ private:
   Polygons polygons() const
   {
     Polygons result;
-    for(const std::vector<std::size_t>& polygon : m_polygons)
+    for(const std::vector<Corner>& polygon : m_polygons)
       result.push_back(polygon);
     return result;
   }
@@ -80,10 +137,39 @@ private:
   {
     const std::size_t points = m_soup.points.size();
     std::size_t reversals = 0;
-    PMP::orient_polygon_soup(m_soup.points, m_polygons,
-                             CGAL::parameters::visitor(Reversal_counter(reversals)));
+    std::vector<std::vector<std::size_t>> polygons;
+    for(const std::vector<Corner>& polygon : m_polygons)
+      polygons.emplace_back(polygon.begin(), polygon.end());
+    PMP::orient_polygon_soup(m_soup.points, polygons,
+                             CGAL::parameters::visitor(Reversal_follower(*this, reversals)));
+    for(std::size_t i = 0; i < polygons.size(); ++i)
+      std::copy(polygons[i].begin(), polygons[i].end(), m_polygons[i].begin());
     note("faces reversed", reversals);
     note("points duplicated to make the surface manifold", m_soup.points.size() - points);
+  }
+
+  // Corners keep their data. A point gets those of the first of its corners in the input.
+  void carry_data()
+  {
+    std::vector<Polygons::Index> origin(m_soup.points.size(), Polygons::none);
+    for(const std::vector<Corner>& polygon : m_polygons)
+      for(const Corner& c : polygon)
+        origin[c] = (std::min)(origin[c], m_soup.polygons.corners()[c.origin()]);
+    for(Point_function& f : m_soup.data.functions) {
+      std::vector<double> values;
+      for(const Polygons::Index v : origin)
+        values.push_back(f.values[v]);
+      f.values = std::move(values);
+    }
+    for(Corner_data& data : m_soup.data.corners) {
+      Polygons numbers;
+      for(const std::vector<Corner>& polygon : m_polygons) {
+        for(const Corner& c : polygon)
+          numbers.add_corner(data.polygons.corners()[c.origin()]);
+        numbers.close();
+      }
+      data.polygons = std::move(numbers);
+    }
   }
 
   bool has_polygons() const
@@ -95,13 +181,17 @@ private:
   {
     const std::size_t faces = m_soup.polygons.size();
     Mesh mesh = mesh_of(m_soup);
-    PMP::triangulate_faces(mesh);
-    m_soup.polygons = polygons_of(mesh, mesh.faces());
+    std::vector<std::int64_t> parents(faces);
+    std::iota(parents.begin(), parents.end(), 0);
+    PMP::triangulate_faces(mesh, CGAL::parameters::visitor(Parent_recorder(parents)));
+    Polygons triangles = polygons_of(mesh, mesh.faces());
+    carry_to_parts(m_soup.polygons, parents, triangles, m_soup.data);
+    m_soup.polygons = std::move(triangles);
     note("triangles added by splitting polygons", m_soup.polygons.size() - faces);
   }
 
   Polygon_soup& m_soup;
-  std::vector<std::vector<std::size_t>> m_polygons; // as CGAL wants them
+  std::vector<std::vector<Corner>> m_polygons; // as CGAL wants them
   Repair_report m_report;
 };
 

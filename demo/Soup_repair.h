@@ -17,7 +17,8 @@ using Repair_report = std::vector<std::pair<std::string, std::size_t>>;
 
 // Mends what CGAL can mend in a polygon soup: equal points are merged, broken and duplicate faces
 // and isolated points removed, faces oriented, points where the surface is not manifold duplicated,
-// polygons triangulated. Indices may change. Precondition: all coordinates are finite and all
+// polygons triangulated. Indices may change. Corners keep their data; points get those of the first
+// of the points of the file that have become one. Precondition: all coordinates are finite and all
 // indices in range.
 Repair_report repair(Polygon_soup& soup);
 

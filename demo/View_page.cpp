@@ -95,7 +95,7 @@ struct Frame
 };
 
 // Homogeneous coordinates as positions.
-std::vector<std::array<double, 3>> in_plane(const Texture& texture)
+std::vector<std::array<double, 3>> in_plane(const Corner_data& texture)
 {
   std::vector<std::array<double, 3>> result;
   for(const std::array<double, 3>& z : texture.coordinates)
@@ -187,7 +187,7 @@ private:
   // Polygons have texture coordinates as their corners, and each of these has a point.
   void add_texture(const Output_mesh& mesh, Statistics& result)
   {
-    const Texture& texture = mesh.texture;
+    const Corner_data& texture = mesh.texture;
     std::vector<std::int64_t> points(texture.coordinates.size(), 0);
     for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
       for(std::size_t k = 0; k < mesh.polygons[i].size(); ++k)
@@ -305,7 +305,7 @@ void View_page::add_surface(const std::string& name, Output_mesh mesh)
     for(Attribute& a : *data)
       a.keep(); // it outlives what the values are computed from
   m_surfaces.back().mesh = std::move(mesh);
-  if(const Texture& texture = m_surfaces.back().mesh.texture; texture.dimension > 0)
+  if(const Corner_data& texture = m_surfaces.back().mesh.texture; texture.dimension > 0)
     set_image(Image_kind::plane, in_plane(texture));
 }
 

@@ -128,3 +128,18 @@ Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_origin
   add_coarse_edges(subdivision, result);
   return result;
 }
+
+Mesh_data data_of_coarse_mesh(const Coarse_subdivision& subdivision, const Triangle_data& fine,
+                              const Output_mesh& mesh)
+{
+  const std::vector<Mesh::Face_index> faces = polygons(subdivision.mesh());
+  const auto weights = [&](std::size_t i) {
+    const auto w =
+      subdivision.weights(IS::Level::fine, IS::Vertex_index(static_cast<Mesh::size_type>(i)));
+    return Point_weights{w.size, {w.vertex[0], w.vertex[1], w.vertex[2]}, w.weight};
+  };
+  const auto triangle = [&](std::size_t i, std::size_t) {
+    return number_of(subdivision.parent_face(IS::Level::fine, faces[i]));
+  };
+  return carried(fine, {mesh.points.size(), mesh.polygons, weights, triangle});
+}

@@ -33,4 +33,8 @@ struct Fine_origin
 // with their numbers, in black.
 Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_origin& origin);
 
+// The data of that mesh, from those of the fine level.
+Mesh_data data_of_coarse_mesh(const Coarse_subdivision& subdivision, const Triangle_data& fine,
+                              const Output_mesh& mesh);
+
 #endif // INTRINSIC_COARSE_MESH_H

@@ -185,6 +185,13 @@ void add_distance_outputs(CLI::App& command, Distance_options& options)
   command.add_option("--subdivision", options.subdivision,
                      "Common subdivision of the mesh and its intrinsic triangulation, "
                      "with the same property");
+  command.add_option("--level-sets", options.level_sets,
+                     "Curves of equal distance (.obj, .ply or .vtp)");
+  command
+    .add_option("--level", options.levels,
+                "A distance for --level-sets; ten of them if none is given")
+    ->allow_extra_args(false)
+    ->check(CLI::Number);
 }
 
 void add_distance(CLI::App& app, Options& options)

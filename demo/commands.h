@@ -103,6 +103,8 @@ struct Distance_options : Output_options
   std::string subdivision;
   std::vector<std::string> sources; // points as `surface_point()` reads them
   std::string curve;                // a file; empty for none
+  std::string level_sets;           // a file; empty if they are not wanted
+  std::vector<double> levels;       // none for a choice
   bool is_signed = false;
   std::optional<double> time_step_factor;
   double minimum_angle = 0; // of the refined triangulation; 0 for no refinement

@@ -28,12 +28,13 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
-    const Output_mesh mesh = subdivision_mesh(subdivision);
-    run.add_output(options.output, mesh, format);
+    Output_mesh mesh = subdivision_mesh(subdivision);
     run.show([&](View_page& page) {
       show(page, run, triangulation, subdivision, mesh);
       develop_if_large(page, run, triangulation, subdivision);
     });
+    add_input_data(run.input(), subdivision, mesh);
+    run.add_output(options.output, mesh, format);
     save(run, triangulation);
   });
   run.finish(summary_of(run));

@@ -7,6 +7,7 @@
 #include "Command_run.h"
 #include "Mesh_writer.h"
 #include "Program_error.h"
+#include "level_curves.h"
 #include "surface_curves.h"
 #include "surface_points.h"
 #include "triangulation_stages.h"
@@ -247,7 +248,8 @@ public:
     : m_options(options),
       m_format(format_with_attributes(options.output, options)),
       m_subdivision_format(subdivision_format(options)),
-      m_run("distance", common, {options.output, options.subdivision},
+      m_level_format(level_format(options)),
+      m_run("distance", common, {options.output, options.subdivision, options.level_sets},
             !options.is_shortest && options.curve.empty())
   {
     check_options();
@@ -276,7 +278,7 @@ public:
   }
 
 private:
-  void check_options() const
+  void check_options()
   {
     const bool has_curve = !m_options.curve.empty();
     if(m_options.is_signed && !has_curve)
@@ -287,6 +289,11 @@ private:
       throw Program_error("--signed is for a --curve alone, without --source");
     if(m_options.is_shortest && has_curve)
       throw Program_error("--exact-distance is for --source, not for --curve");
+    if(!m_options.levels.empty() && !m_level_format)
+      throw Program_error("--level is for --level-sets; name a file for the curves");
+    if(m_level_format && m_run.input().covered)
+      throw Program_error(m_run.options().input +
+                          ": --level-sets needs a surface; --repair may make it one");
   }
 
   void read_curve_if_wanted(const Triangulation& triangulation)
@@ -317,6 +324,17 @@ private:
     return format_with_attributes(options.subdivision, options);
   }
 
+  static std::optional<Mesh_format> level_format(const Distance_options& options)
+  {
+    if(options.level_sets.empty())
+      return std::nullopt;
+    const Mesh_format format = output_format(options.level_sets, options);
+    if(format == Mesh_format::OFF)
+      throw Program_error(options.level_sets +
+                          ": this format has no lines (.obj, .ply and .vtp have)");
+    return format;
+  }
+
   bool is_subdivision_wanted()
   {
     return m_subdivision_format || !view_stages(m_run.options()).empty();
@@ -332,28 +350,49 @@ private:
   void write(const std::vector<double>& values, const std::optional<Subdivision>& subdivision,
              const Triangulation& triangulation)
   {
-    m_run.add_output(m_options.output,
-                     with_distances(m_run.input_as_read(), at_input_vertices(values)), m_format);
+    Output_mesh result = with_distances(m_run.input_as_read(), at_input_vertices(values));
+    add_data(result, m_run.input().data);
+    m_run.add_output(m_options.output, result, m_format);
     if(subdivision)
       write_subdivision(
         with_distances(subdivision_mesh(*subdivision),
                        interpolated(on_triangulation(values, triangulation, m_run.input().covered),
                                     *subdivision, triangulation)),
         values, *subdivision, triangulation);
+    if(m_level_format)
+      m_run.add_output(m_options.level_sets,
+                       level_curves(triangulation, m_run.input().mesh, values, levels(values)),
+                       *m_level_format);
     save(m_run, triangulation);
+  }
+
+  // Ten with equal differences if none are given.
+  std::vector<double> levels(const std::vector<double>& values) const
+  {
+    if(!m_options.levels.empty())
+      return m_options.levels;
+    const double greatest = *std::max_element(values.begin(), values.end()),
+                 least = m_options.is_signed ? *std::min_element(values.begin(), values.end()) : 0;
+    std::vector<double> result;
+    for(int i = 0; i < 10; ++i)
+      result.push_back(least + (greatest - least) * (i + 0.5) / 10);
+    return result;
   }
 
   void write_subdivision(Output_mesh mesh, const std::vector<double>& values,
                          const Subdivision& subdivision, const Triangulation& triangulation)
   {
-    if(m_subdivision_format)
-      m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
     m_run.show([&](View_page& page) {
+      Output_mesh shown = mesh;
       if(are_errors_known(triangulation))
-        mesh.point_data.push_back({"distance_error", interpolated(errors(values, triangulation),
-                                                                  subdivision, triangulation)});
-      show_sources(page, std::move(mesh), subdivision, triangulation);
+        shown.point_data.push_back({"distance_error", interpolated(errors(values, triangulation),
+                                                                   subdivision, triangulation)});
+      show_sources(page, std::move(shown), subdivision, triangulation);
     });
+    if(!m_subdivision_format)
+      return;
+    add_input_data(m_run.input(), subdivision, mesh);
+    m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
   }
 
   // Shortest paths start at points, and take their time.
@@ -412,7 +451,7 @@ private:
 
   const Distance_options& m_options;
   Mesh_format m_format;
-  std::optional<Mesh_format> m_subdivision_format; // none if it is not wanted
+  std::optional<Mesh_format> m_subdivision_format, m_level_format; // none if they are not wanted
   Command_run m_run;
   Sources m_sources; // on the input
 };

@@ -10,6 +10,7 @@
 #include "flat_mesh.h"
 #include "flattening_conditions.h"
 #include "map_commands.h"
+#include "map_mesh.h"
 #include "matrix_market.h"
 #include "triangulation_stages.h"
 
@@ -205,13 +206,14 @@ void finish(Command_run& run, const Texture_options& options, Mesh_format format
 {
   check_status(map);
   run.timed("write", [&] {
-    const Output_mesh result = flat_mesh(map, run.input().mesh, cones, options.is_homogeneous);
+    Output_mesh result = flat_mesh(map, run.input().mesh, cones, options.is_homogeneous);
     describe(run, map, result, iterations, cones.size());
-    run.add_output(options.output, result, format);
     run.show([&](View_page& page) {
       show(page, run, map, flat_mesh(map, run.input().mesh, cones, true), Image_kind::plane);
       page.add_marks({"flipped triangles", true, flipped_polygons(result), {}, {}});
     });
+    add_input_data(run.input(), map, result);
+    run.add_output(options.output, result, format);
   });
   run.finish(flat_summary(run.statistics()));
 }

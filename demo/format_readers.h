@@ -8,20 +8,18 @@
 #include "Mesh_reader.h"
 #include "Scanner.h"
 
-// The readers of the formats add what the scanner has to the soup, and to the functions unless
-// these are null. They throw Program_error if the file does not follow the format. Memory is taken
+// The readers of the formats add what the scanner has to the soup. They throw Program_error if the file does not follow the format. Memory is taken
 // for what was read, not for what a file announces.
 
 // With polylines, of .ply the edges, unless `lines` is null.
 void read_obj(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);
-void read_ply(Scanner& in, Polygon_soup& soup, Vertex_functions* functions,
-              Polygons* lines = nullptr);
+void read_ply(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);
 
 // Points and polylines alone.
 void read_vtp(Scanner& in, Polygon_soup& soup, Polygons& lines);
 
 void read_xyz(Scanner& in, Polygon_soup& soup);
 void read_stl(Scanner& in, Polygon_soup& soup);
-void read_off(Scanner& in, Polygon_soup& soup, Vertex_functions* functions);
+void read_off(Scanner& in, Polygon_soup& soup);
 
 #endif // INTRINSIC_FORMAT_READERS_H

@@ -21,6 +21,9 @@ const char* const examples =
   intrinsic sphere bunny.obj -o sphere.ply
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
+Colors, normals, texture coordinates and numbers at the vertices of a mesh are carried to the meshes
+that are written, as far as their format has them.
+
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
 
 const char* const view =
@@ -253,7 +256,7 @@ const char* const simplify =
 what is left is an intrinsic triangulation, Delaunay, of a surface close to the mesh in its
 distances. The cost of a vertex is a length: how far its curvature, area, or both times their
 weights, will have been moved, times the part of the whole that this is. With a weight of color
-(in .ply and .off) or any other numbers at the vertices (properties in .ply, by their names) their
+(in .ply, .off and .obj) or any other numbers at the vertices (properties in .ply, by their names) their
 Laplacian is moved too, so that more vertices stay where their gradients change. --error ends with
 the last vertex whose cost is not above. Where vertices cannot be removed any more, simplification
 ends early, with exit code 0 and the status "nothing_removable" in the statistics. Vertices

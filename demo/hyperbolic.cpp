@@ -10,6 +10,7 @@
 #include "flat_mesh.h"
 #include "flattening_conditions.h"
 #include "map_commands.h"
+#include "map_mesh.h"
 #include "triangulation_stages.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
@@ -132,8 +133,9 @@ void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format for
   check_status(map);
   run.timed("write", [&] {
     describe(run, map, cones);
-    run.add_output(options.output, flat_mesh(map, run.input().mesh, cones, options.is_homogeneous),
-                   format);
+    Output_mesh result = flat_mesh(map, run.input().mesh, cones, options.is_homogeneous);
+    add_input_data(run.input(), map, result);
+    run.add_output(options.output, result, format);
     run.show([&](View_page& page) { show_in_disk(page, run, map, cones, options.depth); });
     if(!options.picture.empty())
       run.add_output(options.picture, disk_picture(map, options.depth));

@@ -90,6 +90,19 @@ void Map_mesh_builder::add_parent_faces(const std::string& name)
       }));
 }
 
+// The second copies of vertices and edges are taken to the first.
+CGAL::Intrinsic_triangulations::Vertex_weights<double>
+Map_mesh_builder::input_weights(Vertex_index v) const
+{
+  if(is_of_input(v))
+    return {1, {v}, {1}};
+  auto result = CGAL::Intrinsic_triangulations::vertex_weights(subdivision().place(Layer::A, v),
+                                                               m_map.Delaunay().input_mesh());
+  for(std::size_t c = 0; c < result.size; ++c)
+    result.vertex[c] = m_map.input_vertex(result.vertex[c]);
+  return result;
+}
+
 namespace {
 
 class Interpolation : Map_mesh_builder
@@ -118,6 +131,17 @@ public:
     }
     return result;
   }
+
+  Mesh_data operator()(const Input_mesh& input, const Polygons& polygons) const
+  {
+    return carried(input.data,
+                   {vertices().size(), polygons,
+                    [&](std::size_t i) { return input.weights(input_weights(vertices()[i])); },
+                    [&](std::size_t i, std::size_t) {
+                      return input.triangle(
+                        Face_index(subdivision().parent_face(Layer::A, faces()[i])));
+                    }});
+  }
 };
 
 } // namespace
@@ -132,4 +156,12 @@ std::vector<Point> input_points(const CGAL::Discrete_conformal_maps::Discrete_co
                                 const Mesh& input)
 {
   return Interpolation(map, input).points();
+}
+
+void add_input_data(const Input_mesh& input,
+                    const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                    Output_mesh& mesh)
+{
+  if(!input.data.empty())
+    add_data(mesh, Interpolation(map, input.mesh)(input, mesh.polygons));
 }

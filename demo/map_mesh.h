@@ -5,6 +5,7 @@
 #ifndef INTRINSIC_MAP_MESH_H
 #define INTRINSIC_MAP_MESH_H
 
+#include "Input_mesh.h"
 #include "Output_mesh.h"
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
@@ -62,6 +63,7 @@ protected:
   }
 
   Point input_point(Vertex_index v) const;
+  CGAL::Intrinsic_triangulations::Vertex_weights<double> input_weights(Vertex_index v) const;
 
   // ---- The result ----
 
@@ -93,5 +95,10 @@ std::vector<Point> input_points(const CGAL::Discrete_conformal_maps::Discrete_co
 // input.
 std::vector<double> interpolated(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
                                  const Mesh& input, const std::vector<double>& values);
+
+// Adds the data of the input to the mesh of a map.
+void add_input_data(const Input_mesh& input,
+                    const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                    Output_mesh& mesh);
 
 #endif // INTRINSIC_MAP_MESH_H

@@ -5,70 +5,197 @@
 #include "format_readers.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace {
 
 // What says nothing about faces and vertices.
 constexpr std::string_view ignored_keywords[] = {
-  "vt",       "vn",         "vp",        "o",      "g",        "s",      "l",        "p",
-  "usemtl",   "mtllib",     "usemap",    "bevel",  "lod",      "ctech",  "c_interp", "stech",
-  "d_interp", "shadow_obj", "trace_obj", "cstype", "deg",      "step",   "bmat",     "con",
-  "curv",     "curv2",      "surf",      "parm",   "trim",     "hole",   "scrv",     "sp",
-  "end",      "surf_1",     "q0_1",      "q1_1",   "curv2d_1", "surf_2", "q0_2",     "q1_2",
-  "curv2d_2", "bsp",        "bzp",       "cdc",    "cdp",      "res"};
+  "vp",        "o",      "g",        "s",      "l",        "p",     "usemtl",   "mtllib",
+  "usemap",    "bevel",  "lod",      "ctech",  "c_interp", "stech", "d_interp", "shadow_obj",
+  "trace_obj", "cstype", "deg",      "step",   "bmat",     "con",   "curv",     "curv2",
+  "surf",      "parm",   "trim",     "hole",   "scrv",     "sp",    "end",      "surf_1",
+  "q0_1",      "q1_1",   "curv2d_1", "surf_2", "q0_2",     "q1_2",  "curv2d_2", "bsp",
+  "bzp",       "cdc",    "cdp",      "res"};
 
-Point read_point(Scanner& in)
+// The index of texture coordinates or a normal, as an offset from the first; nothing if there is none.
+std::optional<std::int64_t> offset(std::string_view index, std::size_t number_so_far)
 {
-  const double x = in.number<double>(), y = in.number<double>(), z = in.number<double>();
-  return Point(x, y, z);
+  std::int64_t i = 0;
+  const auto [last, error] = std::from_chars(index.data(), index.data() + index.size(), i);
+  if(error != std::errc() || i == 0)
+    return std::nullopt;
+  return i > 0 ? i - 1 : i + static_cast<std::int64_t>(number_so_far);
 }
 
-// A negative index counts back from the last vertex so far; a positive one may be of a vertex that
-// follows.
-std::size_t read_index(Scanner& in, std::size_t number_of_points)
+// Texture coordinates or normals, of which corners have indices.
+struct Indexed_coordinates
 {
-  const Scanner::Place start = in.place();
-  const std::int64_t i = in.integer();
-  if(i == 0 || i < -static_cast<std::int64_t>(number_of_points)) {
-    in.return_to(start);
-    in.fail("there is no vertex " + std::to_string(i) +
-            "; count from 1, or back from -1 for the last one before");
+  std::vector<Corner_data_builder::Coordinates> all;
+  std::vector<Polygons::Index> number; // of those of each corner, as far as there were any
+
+  void add(const std::vector<double>& numbers)
+  {
+    Corner_data_builder::Coordinates c{0, 0, 0};
+    std::copy_n(numbers.begin(), (std::min)(numbers.size(), c.size()), c.begin());
+    all.push_back(numbers.empty() ? Corner_data_builder::missing : c);
   }
-  in.skip_rest_of_word(); // texture coordinates and normals
-  return i > 0 ? static_cast<std::size_t>(i - 1) : number_of_points - static_cast<std::size_t>(-i);
-}
 
-void read_corners(Scanner& in, std::size_t number_of_points, Polygons& polygons)
-{
-  while(!in.at_line_end('#'))
-    polygons.add_corner(read_index(in, number_of_points));
-  polygons.close();
-}
-
-// Polylines are read unless `lines` is null.
-void read_line(Scanner& in, Polygon_soup& soup, Polygons* lines)
-{
-  const Scanner::Place start = in.place();
-  const std::string_view key = in.word();
-  if(key == "v")
-    soup.points.push_back(read_point(in));
-  else if(key == "f")
-    read_corners(in, soup.points.size(), soup.polygons);
-  else if(key == "l" && lines != nullptr)
-    read_corners(in, soup.points.size(), *lines);
-  else if(std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
-          std::end(ignored_keywords)) {
-    in.return_to(start);
-    in.fail("'" + std::string(key) + "' is no keyword of .obj; begin a comment with #");
+  void set_corner(std::size_t corner, std::string_view index)
+  {
+    const std::optional<std::int64_t> i = offset(index, all.size());
+    if(!i || *i < 0 || *i >= Polygons::none)
+      return;
+    number.resize(corner + 1, Polygons::none);
+    number[corner] = static_cast<Polygons::Index>(*i);
   }
-  in.skip_line();
-}
+
+  Corner_data_builder::Coordinates operator()(std::size_t corner) const
+  {
+    return corner < number.size() && number[corner] < all.size() ? all[number[corner]]
+                                                                 : Corner_data_builder::missing;
+  }
+};
+
+class Obj_reader
+{
+public:
+  Obj_reader(Scanner& in, Polygon_soup& soup, Polygons* lines)
+    : m_in(in), m_soup(soup), m_lines(lines)
+  {}
+
+  void operator()()
+  {
+    for(m_in.skip_comments('#'); !m_in.at_end(); m_in.skip_comments('#'))
+      read_line();
+    add_data();
+  }
+
+private:
+  // Polylines are read unless `m_lines` is null.
+  void read_line()
+  {
+    const Scanner::Place start = m_in.place();
+    const std::string_view key = m_in.word();
+    if(key == "v")
+      read_point();
+    else if(key == "f")
+      read_corners(m_soup.polygons, true);
+    else if(key == "vt")
+      m_texture.add(m_in.numbers());
+    else if(key == "vn")
+      m_normals.add(m_in.numbers());
+    else if(key == "l" && m_lines != nullptr)
+      read_corners(*m_lines, false);
+    else if(std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
+            std::end(ignored_keywords)) {
+      m_in.return_to(start);
+      m_in.fail("'" + std::string(key) + "' is no keyword of .obj; begin a comment with #");
+    }
+    m_in.skip_line();
+  }
+
+  void read_point()
+  {
+    const double x = m_in.number<double>(), y = m_in.number<double>(), z = m_in.number<double>();
+    m_soup.points.emplace_back(x, y, z);
+    if(m_in.at_line_end('#'))
+      return;
+    if(const std::vector<double> rest = m_in.numbers(); rest.size() == 3)
+      for(std::size_t k = 0; k < 3; ++k)
+        m_colors[k].push_back(rest[k]);
+  }
+
+  void read_corners(Polygons& polygons, bool have_data)
+  {
+    while(!m_in.at_line_end('#')) {
+      const std::size_t corner = polygons.number_of_corners();
+      polygons.add_corner(read_index());
+      const std::string_view data = m_in.take_rest_of_word();
+      if(have_data && !data.empty() && data[0] == '/')
+        read_indices_of_data(corner, data.substr(1));
+    }
+    polygons.close();
+  }
+
+  // A negative index counts back from the last vertex so far; a positive one may be of a vertex that
+  // follows.
+  std::size_t read_index()
+  {
+    const Scanner::Place start = m_in.place();
+    const std::int64_t i = m_in.integer(), n = static_cast<std::int64_t>(m_soup.points.size());
+    if(i == 0 || i < -n) {
+      m_in.return_to(start);
+      m_in.fail("there is no vertex " + std::to_string(i) +
+                "; count from 1, or back from -1 for the last one before");
+    }
+    return static_cast<std::size_t>(i > 0 ? i - 1 : n + i);
+  }
+
+  // What names nothing has no meaning.
+  void read_indices_of_data(std::size_t corner, std::string_view texture)
+  {
+    const std::size_t slash = texture.find('/');
+    m_texture.set_corner(corner, texture.substr(0, slash));
+    if(slash != texture.npos)
+      m_normals.set_corner(corner, texture.substr(slash + 1));
+  }
+
+  // ---- Data ----
+
+  // Many programs write a third texture coordinate that is always zero.
+  bool is_texture_flat() const
+  {
+    return std::all_of(m_texture.all.begin(), m_texture.all.end(),
+                       [](const Corner_data_builder::Coordinates& c) { return c[2] == 0; });
+  }
+
+  void add_data()
+  {
+    const Polygons& polygons = m_soup.polygons;
+    const std::size_t points = m_soup.points.size();
+    if(!m_texture.number.empty()) {
+      const bool is_flat = is_texture_flat();
+      for(Corner_data_builder::Coordinates& c : m_texture.all)
+        c[2] = is_flat ? 1 : c[2];
+      add_corner_data(
+        is_flat ? "texcoord" : "homogeneous_texcoord", is_flat ? 2 : 3, polygons, points,
+        [this](std::size_t c) { return m_texture(c); }, m_soup.data);
+    }
+    if(!m_normals.number.empty())
+      add_corner_data(
+        "normal", 3, polygons, points, [this](std::size_t c) { return m_normals(c); }, m_soup.data);
+    add_colors();
+  }
+
+  // Fractions, or integers up to 255 if one is greater than one.
+  void add_colors()
+  {
+    double greatest = 0;
+    for(const std::vector<double>& component : m_colors)
+      for(const double x : component)
+        greatest = (std::max)(greatest, x);
+    const char* const names[] = {"red", "green", "blue"};
+    for(std::size_t k = 0; k < 3; ++k) {
+      for(double& x : m_colors[k])
+        x = std::round(std::clamp(greatest > 1 ? x : 255 * x, 0., 255.));
+      m_soup.data.functions.push_back({names[k], std::move(m_colors[k])});
+    }
+  }
+
+  Scanner& m_in;
+  Polygon_soup& m_soup;
+  Polygons* m_lines;
+  Indexed_coordinates m_texture, m_normals;
+  std::array<std::vector<double>, 3> m_colors;
+};
 
 } // namespace
 
-void read_obj(Scanner& in, Polygon_soup& soup, Polygons* lines)
-{
-  for(in.skip_comments('#'); !in.at_end(); in.skip_comments('#'))
-    read_line(in, soup, lines);
-}
+void read_obj(Scanner& in, Polygon_soup& soup, Polygons* lines) { Obj_reader(in, soup, lines)(); }

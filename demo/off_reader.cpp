@@ -25,9 +25,7 @@ struct Off_header
 class Off_reader
 {
 public:
-  Off_reader(Scanner& in, Polygon_soup& soup, Vertex_functions* functions)
-    : m_in(in), m_soup(soup), m_functions(functions)
-  {}
+  Off_reader(Scanner& in, Polygon_soup& soup) : m_in(in), m_soup(soup) {}
 
   void operator()()
   {
@@ -43,7 +41,7 @@ public:
     else
       for(std::size_t f = 0; f < m_header.faces; ++f)
         read_face();
-    add_colors();
+    add_data();
   }
 
 private:
@@ -115,8 +113,8 @@ private:
     if(w == 0)
       m_in.fail("a vertex is infinitely far away; its fourth coordinate must not be 0");
     add_point(x, y, z, w);
-    if(m_functions != nullptr && m_header.has_color)
-      read_color();
+    if(m_header.has_normal || m_header.has_color || m_header.has_texture)
+      read_data();
     m_in.skip_line();
   }
 
@@ -137,48 +135,69 @@ private:
     m_in.skip_line();
   }
 
-  // ---- Colors ----
+  // ---- Data ----
 
-  // Between the normal and the texture coordinates: the number of a color, or three or four
-  // components, which are integers up to 255 or fractions of that.
-  void read_color()
+  // The normal, then the number of a color, or three or four components, which are integers up to
+  // 255 or fractions of that, then the texture coordinates. A fourth coordinate of a normal is not
+  // kept.
+  void read_data()
   {
-    for(std::size_t k = m_header.has_normal ? m_header.coordinates() : 0; k > 0; --k)
-      m_in.number<double>();
-    std::vector<double> numbers;
-    while(!m_in.at_line_end('#'))
-      numbers.push_back(m_in.number<double>());
-    const std::size_t texture = m_header.has_texture ? m_header.coordinates() - 1 : 0;
-    numbers.resize(numbers.size() - (std::min)(numbers.size(), texture));
-    if(numbers.size() == 1)
-      add_color(CGAL::File_scanner_OFF::get_indexed_color(
-        static_cast<int>(std::clamp(numbers[0], 0., 148.))));
-    else if(numbers.size() >= 3)
-      add_color(color(numbers));
+    std::vector<double> numbers = m_in.numbers();
+    const std::size_t texture = m_header.has_texture ? m_header.coordinates() - 1 : 0,
+                      normal = m_header.has_normal ? m_header.coordinates() : 0;
+    if(numbers.size() < texture + normal)
+      return;
+    const auto color = numbers.begin() + static_cast<std::ptrdiff_t>(normal),
+               rest = numbers.end() - static_cast<std::ptrdiff_t>(texture);
+    for(std::size_t k = 0; k < 3 && m_header.has_normal; ++k)
+      m_normals[k].push_back(numbers[k]);
+    if(m_header.has_texture)
+      m_texture.push_back({rest[0], rest[1], texture == 3 ? rest[2] : 1});
+    if(m_header.has_color)
+      add_color({color, rest});
   }
 
-  static CGAL::IO::Color color(const std::vector<double>& numbers)
+  void add_color(const std::vector<double>& numbers)
+  {
+    if(numbers.size() == 1) {
+      const CGAL::IO::Color color = CGAL::File_scanner_OFF::get_indexed_color(
+        static_cast<int>(std::clamp(numbers[0], 0., 148.)));
+      add_components({double(color.red()), double(color.green()), double(color.blue())});
+    } else if(numbers.size() >= 3)
+      add_components(in_bytes(numbers));
+  }
+
+  static std::vector<double> in_bytes(std::vector<double> numbers)
   {
     const bool are_integers = std::all_of(numbers.begin(), numbers.begin() + 3,
                                           [](double x) { return x == std::floor(x); });
-    const auto component = [&](std::size_t k) {
-      return static_cast<unsigned char>(
-        std::clamp(are_integers ? numbers[k] : 255 * numbers[k], 0., 255.));
-    };
-    return CGAL::IO::Color(component(0), component(1), component(2));
+    numbers.resize((std::min)(numbers.size(), std::size_t(4)));
+    for(double& x : numbers)
+      x = std::floor(std::clamp(are_integers ? x : 255 * x, 0., 255.));
+    return numbers;
   }
 
-  void add_color(const CGAL::IO::Color& color)
+  void add_components(const std::vector<double>& components)
   {
-    m_colors[0].push_back(color.red());
-    m_colors[1].push_back(color.green());
-    m_colors[2].push_back(color.blue());
+    for(std::size_t k = 0; k < components.size(); ++k)
+      m_colors[k].push_back(components[k]);
   }
 
-  void add_colors()
+  // What only some vertices have is removed later.
+  void add_data()
   {
-    if(m_functions != nullptr && m_colors[0].size() == m_soup.points.size())
-      *m_functions = {{"red", m_colors[0]}, {"green", m_colors[1]}, {"blue", m_colors[2]}};
+    const std::size_t points = m_soup.points.size();
+    const char* const normals[] = {"nx", "ny", "nz"};
+    for(std::size_t k = 0; k < 3; ++k)
+      m_soup.data.functions.push_back({normals[k], std::move(m_normals[k])});
+    const char* const colors[] = {"red", "green", "blue", "alpha"};
+    for(std::size_t k = 0; k < 4; ++k)
+      m_soup.data.functions.push_back({colors[k], std::move(m_colors[k])});
+    if(m_texture.size() == points)
+      add_corner_data(
+        m_header.is_homogeneous ? "homogeneous_texcoord" : "texcoord",
+        m_header.is_homogeneous ? 3 : 2, m_soup.polygons, points,
+        [&](std::size_t c) { return m_texture[m_soup.polygons.corners()[c]]; }, m_soup.data);
   }
 
   // ---- Binary: numbers of four bytes, the most significant first ----
@@ -224,14 +243,11 @@ private:
 
   Scanner& m_in;
   Polygon_soup& m_soup;
-  Vertex_functions* m_functions;
   Off_header m_header;
-  std::vector<double> m_colors[3];
+  std::vector<double> m_normals[3], m_colors[4];
+  std::vector<Corner_data_builder::Coordinates> m_texture; // of vertices
 };
 
 } // namespace
 
-void read_off(Scanner& in, Polygon_soup& soup, Vertex_functions* functions)
-{
-  Off_reader(in, soup, functions)();
-}
+void read_off(Scanner& in, Polygon_soup& soup) { Off_reader(in, soup)(); }

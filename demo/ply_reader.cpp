@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -104,8 +106,8 @@ private:
 class Ply_reader
 {
 public:
-  Ply_reader(Scanner& in, Polygon_soup& soup, Vertex_functions* functions, Polygons* lines)
-    : m_in(in), m_soup(soup), m_functions(functions), m_lines(lines)
+  Ply_reader(Scanner& in, Polygon_soup& soup, Polygons* lines)
+    : m_in(in), m_soup(soup), m_lines(lines)
   {}
 
   void operator()()
@@ -113,6 +115,9 @@ public:
     read_header();
     for(const Element& element : m_elements)
       read_element(element);
+    add_corner_lists();
+    if(m_soup.data.corners.empty())
+      add_texture_of_points();
   }
 
 private:
@@ -285,9 +290,82 @@ private:
         const Property& property = element.properties[p];
         if(p == list)
           read_list(read_size(*property.type_of_size), property.type);
+        else if(property.type_of_size && corner_dimension(property.name) > 0)
+          read_corner_list(property);
         else
           read_or_skip(property);
       }
+  }
+
+  // ---- Data of corners ----
+
+  // The numbers of all polygons so far, one polygon after the other.
+  struct Corner_list
+  {
+    std::vector<double> numbers;
+    std::vector<std::size_t> first; // of each polygon
+  };
+
+  void read_corner_list(const Property& property)
+  {
+    Corner_list& list = m_corner_lists[property.name];
+    list.first.push_back(list.numbers.size());
+    for(std::size_t size = read_size(*property.type_of_size); size > 0; --size)
+      list.numbers.push_back(read_number(property.type));
+  }
+
+  // Those that have a number for each polygon. Numbers for other corners than there are do not count.
+  void add_corner_lists()
+  {
+    for(auto& [name, list] : m_corner_lists)
+      if(list.first.size() == m_soup.polygons.size()) {
+        const std::size_t dimension = corner_dimension(name);
+        const std::vector<std::size_t> place = places(list, dimension);
+        add_corner_data(
+          name, dimension, m_soup.polygons, m_soup.points.size(),
+          [&, &numbers = list.numbers](std::size_t c) {
+            auto result = Corner_data_builder::missing;
+            if(place[c] != numbers.size())
+              result = {numbers[place[c]], numbers[place[c] + 1],
+                        dimension == 3 ? numbers[place[c] + 2] : 1};
+            return result;
+          },
+          m_soup.data);
+      }
+  }
+
+  // Of the numbers of each corner; the end for none.
+  std::vector<std::size_t> places(const Corner_list& list, std::size_t dimension) const
+  {
+    std::vector<std::size_t> result;
+    result.reserve(m_soup.polygons.number_of_corners());
+    for(std::size_t i = 0; i < list.first.size(); ++i) {
+      const std::size_t size = m_soup.polygons[i].size(), first = list.first[i],
+                        end = i + 1 < list.first.size() ? list.first[i + 1] : list.numbers.size();
+      for(std::size_t k = 0; k < size; ++k)
+        result.push_back(end - first == dimension * size ? first + dimension * k
+                                                         : list.numbers.size());
+    }
+    return result;
+  }
+
+  // Properties of vertices with these names.
+  void add_texture_of_points()
+  {
+    for(const std::array<const char*, 2>& names :
+        {std::array{"texture_u", "texture_v"}, std::array{"s", "t"}, std::array{"u", "v"}}) {
+      const Point_function *u = m_soup.data.function(names[0]), *v = m_soup.data.function(names[1]);
+      const std::size_t n = m_soup.points.size();
+      const bool is_vector = names[0][0] == 'u' && m_soup.data.function("w") != nullptr;
+      if(u == nullptr || v == nullptr || is_vector || u->values.size() != n ||
+         v->values.size() != n)
+        continue;
+      const auto coordinates = [&](std::size_t c) -> Corner_data_builder::Coordinates {
+        const Polygons::Index p = m_soup.polygons.corners()[c];
+        return {u->values[p], v->values[p], 1};
+      };
+      return add_corner_data("texcoord", 2, m_soup.polygons, n, coordinates, m_soup.data);
+    }
   }
 
   void read_vertices(const Element& element)
@@ -300,14 +378,33 @@ private:
         m_in.fail_as_a_whole("vertices have no coordinate '" + name + "'");
     }
     m_soup.points.reserve(m_soup.points.size() + expected_count(element));
+    const std::vector<std::array<std::size_t, 2>> columns = columns_of_functions(element, axes);
     std::vector<double> row(element.properties.size());
     for(std::size_t i = 0; i < element.count; ++i) {
       for(std::size_t p = 0; p < row.size(); ++p)
         row[p] = read_or_skip(element.properties[p]);
       m_soup.points.emplace_back(row[axes[0]], row[axes[1]], row[axes[2]]);
-      if(m_functions != nullptr)
-        add_values(element, row);
+      for(const auto& [property, function] : columns)
+        m_soup.data.functions[function].values.push_back(row[property]);
     }
+  }
+
+  // The properties that are functions, each with the number of the function.
+  std::vector<std::array<std::size_t, 2>>
+  columns_of_functions(const Element& element, const std::array<std::size_t, 3>& axes)
+  {
+    std::vector<std::array<std::size_t, 2>> result;
+    auto& all = m_soup.data.functions;
+    for(std::size_t p = 0; p < element.properties.size(); ++p) {
+      if(!element.has(p, false) || std::find(axes.begin(), axes.end(), p) != axes.end())
+        continue;
+      const std::string& name = element.properties[p].name;
+      const Point_function* known = m_soup.data.function(name);
+      result.push_back({p, known == nullptr ? all.size() : std::size_t(known - all.data())});
+      if(known == nullptr)
+        all.push_back({name, {}});
+    }
+    return result;
   }
 
   void read_edges(const Element& element)
@@ -351,24 +448,14 @@ private:
     return result;
   }
 
-  void add_values(const Element& element, const std::vector<double>& row)
-  {
-    for(std::size_t p = 0; p < row.size(); ++p)
-      if(element.has(p, false))
-        (*m_functions)[element.properties[p].name].push_back(row[p]);
-  }
-
   Scanner& m_in;
   Polygon_soup& m_soup;
-  Vertex_functions* m_functions;
   Polygons* m_lines; // edges, unless it is null
   bool m_is_binary = false, m_is_big_endian = false;
   std::vector<Element> m_elements;
+  std::map<std::string, Corner_list> m_corner_lists; // by the names of the properties
 };
 
 } // namespace
 
-void read_ply(Scanner& in, Polygon_soup& soup, Vertex_functions* functions, Polygons* lines)
-{
-  Ply_reader(in, soup, functions, lines)();
-}
+void read_ply(Scanner& in, Polygon_soup& soup, Polygons* lines) { Ply_reader(in, soup, lines)(); }

@@ -229,6 +229,7 @@ public:
           m_taken.insert(p[i], p[(i + 1) % p.size()]);
     for(std::size_t f = 0; f < m_soup.polygons.size(); ++f)
       split(f);
+    carry_to_parts(m_soup.polygons, m_parents, m_triangles, m_soup.data);
     m_soup.polygons = std::move(m_triangles);
     m_soup.parents = std::move(m_parents);
   }

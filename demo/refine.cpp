@@ -36,10 +36,31 @@ faces_below_bounds(const CGAL::Intrinsic_triangulations::Refinement_result& refi
   return {"faces below the bounds", true, parts_of(faces, "intrinsic_face", mesh), {}, {}};
 }
 
-// The faces of the triangulation itself, flat in space.
-Output_mesh own_faces(const Triangulation& triangulation, const Mesh& input)
+// Data of a corner are those of the input where its face begins there, counterclockwise.
+void add_input_data(const Input_mesh& input, const Triangulation& triangulation, Output_mesh& mesh)
 {
-  const Mesh mesh = IT::extrinsic_mesh(triangulation, input.points());
+  if(input.data.empty())
+    return;
+  typedef Mesh::size_type Size;
+  const IT::Delta_complex& own = triangulation.mesh();
+  const auto weights = [&](std::size_t i) {
+    const IT::Vertex_index v(static_cast<Size>(i));
+    return input.weights(
+      triangulation.is_inserted(v)
+        ? IT::vertex_weights(triangulation.inserted_vertex(v), triangulation.input_mesh())
+        : IT::Vertex_weights<double>{1, {v}, {1}});
+  };
+  const auto triangle = [&](std::size_t i, std::size_t k) {
+    const auto side = IT::sides(IT::Face_index(static_cast<Size>(i)), own); // the first ends at 0
+    return input.triangle(triangulation.input_location(side[(k + 1) % 3]).first);
+  };
+  add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
+}
+
+// The faces of the triangulation itself, flat in space.
+Output_mesh own_faces(const Triangulation& triangulation, const Input_mesh& input)
+{
+  const Mesh mesh = IT::extrinsic_mesh(triangulation, input.mesh.points());
   Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
   const auto kind = [&](IT::Vertex_index v) {
     return static_cast<std::int64_t>(triangulation.is_inserted(v) ? Vertex_kind::inserted
@@ -48,6 +69,7 @@ Output_mesh own_faces(const Triangulation& triangulation, const Mesh& input)
   result.point_data = {attribute("kind", mesh.vertices(), kind)};
   result.edge_data = {
     attribute("length", mesh.edges(), [&](IT::Edge_index e) { return triangulation.length(e); })};
+  add_input_data(input, triangulation, result);
   return result;
 }
 
@@ -64,15 +86,17 @@ int refine(const Common_options& common, const Refine_options& options)
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {
-    const Output_mesh mesh = subdivision_mesh(subdivision);
-    run.add_output(options.output,
-                   options.bounds.is_simplicial ? own_faces(triangulation, run.input().mesh) : mesh,
-                   format);
+    Output_mesh mesh = subdivision_mesh(subdivision);
     run.show([&](View_page& page) {
       show(page, run, triangulation, subdivision, mesh);
       develop_if_large(page, run, triangulation, subdivision);
       page.add_marks(faces_below_bounds(refinement, mesh));
     });
+    if(options.bounds.is_simplicial)
+      mesh = own_faces(triangulation, run.input());
+    else
+      add_input_data(run.input(), subdivision, mesh);
+    run.add_output(options.output, mesh, format);
     save(run, triangulation);
   });
   run.finish(summary_of(run));

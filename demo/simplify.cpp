@@ -8,6 +8,7 @@
 #include "Mesh_writer.h"
 #include "Program_error.h"
 #include "coarse_mesh.h"
+#include "fine_data.h"
 #include "matrix_market.h"
 #include "mended_topology.h"
 #include "removal_cost.h"
@@ -138,12 +139,13 @@ public:
     if(m_options.coarse_minimum_angle > 0)
       m_run.timed("refine_coarse", [&] { refine_coarse(surface); });
     describe_levels();
-    const auto [mesh, matrices] = m_run.timed("map", [&] {
+    auto [mesh, matrices] = m_run.timed("map", [&] {
       return std::pair(common_mesh(surface.history()), prolongations(surface.history()));
     });
     m_run.timed("write", [&, &mesh = mesh, &matrices = matrices] {
-      m_run.add_output(m_options.output, mesh, m_format);
       m_run.show([&, &mesh = mesh](View_page& page) { show(page, mesh); });
+      add_data(mesh, std::move(m_data));
+      m_run.add_output(m_options.output, mesh, m_format);
       for(std::size_t n = 0; n < matrices.size(); ++n)
         m_run.add_output(matrix_paths(m_options)[n], matrices[n]);
       save(surface.history());
@@ -195,7 +197,8 @@ private:
       return start;
     const Mended_topology topology(start, m_options.closed_length, m_options.pinched_length);
     topology.describe(m_run.statistics());
-    for(const std::vector<Mesh::Vertex_index>& sources : topology.sources_of_new_vertices()) {
+    m_sources = topology.sources_of_new_vertices();
+    for(const std::vector<Mesh::Vertex_index>& sources : m_sources) {
       std::vector<Point> points;
       for(const Mesh::Vertex_index v : sources)
         points.push_back(m_points[v]);
@@ -327,7 +330,14 @@ private:
     const Mesh& mesh = subdivision.mesh();
     describe_subdivision(m_run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
                          mesh.number_of_faces());
-    return coarse_mesh(subdivision, origin());
+    Output_mesh result = coarse_mesh(subdivision, origin());
+    if(!m_run.input().data.empty())
+      m_data = data_of_coarse_mesh(
+        subdivision,
+        fine_data(m_run.input(), {m_levels[0].mesh(), m_triangulation ? &*m_triangulation : nullptr,
+                                  m_sources, [&](IT::Face_index f) { return input_face(f); }}),
+        result);
+    return result;
   }
 
   void show(View_page& page, Output_mesh mesh)
@@ -502,6 +512,8 @@ private:
   Command_run m_run;
   std::optional<Triangulation> m_triangulation; // the refined one, then the input with its vertices
   std::vector<Point> m_points;                  // of the vertices of the fine level
+  std::vector<std::vector<Mesh::Vertex_index>> m_sources; // of vertices that mending added
+  Mesh_data m_data;                                       // of the output
   std::size_t m_fine_edges = 0, m_fine_faces = 0; // of the fine level, without cuts and disks
   std::vector<double> m_curvature;                // at the vertices of the subdivision, for a page
   std::vector<double> m_area_change;              // of its polygons, for a page

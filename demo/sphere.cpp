@@ -87,10 +87,11 @@ void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
 {
   check_status(map);
   run.timed("write", [&] {
-    const Output_mesh result = sphere_mesh(map, run.input().mesh);
+    Output_mesh result = sphere_mesh(map, run.input().mesh);
     describe(run, map, result);
-    run.add_output(options.output, result, format);
     run.show([&](View_page& page) { show_on_sphere(page, run, map, result); });
+    add_input_data(run.input(), map, result);
+    run.add_output(options.output, result, format);
     if(!options.precise.empty())
       run.add_output(options.precise, precise_positions(map, run.input().mesh));
   });

@@ -94,3 +94,19 @@ Output_mesh subdivision_mesh(const Subdivision& subdivision)
                          parent_faces(subdivision, "intrinsic_face", IT::Side::intrinsic)};
   return result;
 }
+
+void add_input_data(const Input_mesh& input, const Subdivision& subdivision, Output_mesh& mesh)
+{
+  if(input.data.empty())
+    return;
+  typedef Mesh::size_type Size;
+  const auto weights = [&](std::size_t i) {
+    return input.weights(
+      subdivision.weights(IT::Side::input, IT::Vertex_index(static_cast<Size>(i))));
+  };
+  const auto triangle = [&](std::size_t i, std::size_t) {
+    return input.triangle(
+      subdivision.parent_face(IT::Side::input, IT::Face_index(static_cast<Size>(i))));
+  };
+  add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
+}

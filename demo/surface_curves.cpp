@@ -86,7 +86,7 @@ void read_points_and_lines(Scanner& in, const std::string& extension, Polygon_so
     read_obj(in, soup, &lines);
   else if(extension == ".ply") {
     Polygons edges;
-    read_ply(in, soup, nullptr, &edges);
+    read_ply(in, soup, &edges);
     lines = Joined_edges(edges, soup.points.size())();
   } else if(extension == ".vtp")
     read_vtp(in, soup, lines);

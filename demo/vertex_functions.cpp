@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace {
@@ -22,30 +23,46 @@ typedef std::vector<double> Values;
 }
 
 // No component if a vertex has no color.
-std::vector<Values> colors(const Vertex_functions& functions)
+std::vector<Values> colors(const Mesh_data& data)
 {
   for(const std::array<const char*, 3>& names :
       {std::array{"red", "green", "blue"}, std::array{"r", "g", "b"}}) {
     std::vector<Values> result;
     for(const char* name : names)
-      if(const auto component = functions.find(name); component != functions.end())
-        result.push_back(component->second);
+      if(const Point_function* component = data.function(name))
+        result.push_back(component->values);
     if(result.size() == names.size())
       return result;
   }
   return {};
 }
 
-Values property(const std::string& path, const Vertex_functions& functions, const std::string& name)
+Values property(const std::string& path, const Mesh_data& data, const std::string& name)
 {
   if(extension_of(path) != ".ply")
     fail(path, "vertices have no property '" + name + "' (.ply can have properties)");
-  if(const auto function = functions.find(name); function != functions.end())
-    return function->second;
+  if(const Point_function* function = data.function(name))
+    return function->values;
+  std::set<std::string> names;
+  for(const Point_function& f : data.functions)
+    names.insert(f.name);
   std::string known;
-  for(const auto& [other, values] : functions)
+  for(const std::string& other : names)
     known += (known.empty() ? "" : ", ") + other;
   fail(path, "vertices have no property '" + name + "'; they have " + known);
+}
+
+// The coordinates are functions, too.
+Mesh_data data_with_positions(const std::string& path)
+{
+  Polygon_soup soup = read_mesh(path);
+  for(int k = 0; k < 3; ++k) {
+    Point_function f{std::string(1, "xyz"[k]), {}};
+    for(const Point& p : soup.points)
+      f.values.push_back(p[k]);
+    soup.data.functions.push_back(std::move(f));
+  }
+  return std::move(soup.data);
 }
 
 } // namespace
@@ -53,20 +70,16 @@ Values property(const std::string& path, const Vertex_functions& functions, cons
 std::vector<std::vector<double>> read_vertex_function(const std::string& path,
                                                       const std::string& name)
 {
-  Vertex_functions functions;
-  const std::size_t vertices = read_mesh(path, &functions).points.size();
+  const Mesh_data data = data_with_positions(path);
   std::vector<Values> result =
-    name == "color" ? colors(functions) : std::vector<Values>{property(path, functions, name)};
+    name == "color" ? colors(data) : std::vector<Values>{property(path, data, name)};
   if(result.empty())
-    fail(path,
-         "vertices have no colors (.ply and .off can have them); give each one, or leave out the "
-         "weight of color");
-  for(const Values& component : result) {
-    if(component.size() != vertices)
-      fail(path, "not all vertices have one value of '" + name + "'");
+    fail(path, "vertices have no colors (.ply, .off and .obj can have them); give each one, or "
+               "leave out the "
+               "weight of color");
+  for(const Values& component : result)
     for(const double x : component)
       if(!std::isfinite(x))
         fail(path, "a value of '" + name + "' is not finite; correct it in the file");
-  }
   return result;
 }

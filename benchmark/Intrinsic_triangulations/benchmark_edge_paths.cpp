@@ -2,12 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Geodesics by flips: shortest paths along edges between random vertices, and the loops that a
-// breadth-first tree closes with the edges that generate homology.
+// Geodesics by flips: shortest paths along edges between random vertices, and the loops of a basis
+// of homology.
 // Usage: benchmark_edge_paths [--paths N] [mesh...]
 
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/homology_basis.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
@@ -23,7 +24,6 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -84,49 +84,11 @@ void print(const Result& r)
             << std::setw(10) << 1e3 * r.slowest;
 }
 
-// Edges that generate homology, boundary included: of a tree of vertices, and of a tree of faces over
-// the other edges, they are in neither.
-Halfedges generators(const IT::Delta_complex& mesh)
-{
-  std::vector<std::size_t> set(mesh.num_vertices() + mesh.num_faces() + 1);
-  std::iota(set.begin(), set.end(), std::size_t(0));
-  const auto find = [&](std::size_t i) {
-    while(set[i] != i)
-      i = set[i] = set[set[i]];
-    return i;
-  };
-  const auto join = [&](std::size_t i, std::size_t k) {
-    i = find(i);
-    k = find(k);
-    set[i] = k;
-    return i != k;
-  };
-  const auto face = [&](IT::Halfedge_index h) { // all that is beyond the boundary is one
-    return mesh.num_vertices() + (mesh.is_border(h) ? mesh.num_faces() : mesh.face(h).idx());
-  };
-  Halfedges rest, result;
-  for(IT::Halfedge_index h : mesh.halfedges())
-    if(IT::is_first_halfedge(h) && !join(mesh.source(h).idx(), mesh.target(h).idx()))
-      rest.push_back(h);
-  for(IT::Halfedge_index h : rest)
-    if(!join(face(h), face(mesh.opposite(h))))
-      result.push_back(h);
-  return result;
-}
-
-// The loop around each generator of homology, along shortest paths from one vertex.
 Result homology_loops(const Triangulation& input)
 {
-  const IT::Delta_complex& mesh = input.mesh();
   Result result;
   Triangulation t = input;
-  for(IT::Halfedge_index h : generators(mesh)) {
-    Halfedges loop = IT::shortest_edge_path(input, IT::Vertex_index(0), mesh.source(h));
-    loop.push_back(h);
-    for(IT::Halfedge_index x : IT::shortest_edge_path(input, mesh.target(h), IT::Vertex_index(0)))
-      loop.push_back(x);
-    if(mesh.source(loop.front()) != mesh.target(loop.back()))
-      continue; // on another component
+  for(const Halfedges& loop : IT::homology_basis(input)) {
     t.reset_to_input();
     shorten(loop, true, t, result);
   }

@@ -427,3 +427,19 @@ if [ -n "$data" ]; then
     claim "is_harmless('mesh.ply')"
   done
 fi
+
+# Level sets: circles around the center of a square, and straight lines beside a curve.
+off fan '0 0 0,1 0 0,0 1 0,-1 0 0,0 -1 0' '0 1 2,0 2 3,0 3 4,0 4 1'
+expect 0 distance fan.mesh.off --source 0 --exact-distance -o a.ply --level-sets b.ply --level 0.5 --level 0.25
+claim "m = ply('b.ply')" "all(near(abs(p[0]) + abs(p[1]), l, 1e-12) for e, l in zip(m.edges, m.edge['level']) for p in (m.points[v] for v in e))" \
+  "Counter(m.edge['level']) == {.5: 4, .25: 4}"
+expect 0 distance fan.mesh.off --source 0 --exact-distance -o a.ply --level-sets b.vtp --level 0.5
+claim "near(lines('b.vtp'), [1, 4 * sqrt(.5)], 1e-12)"
+expect 0 distance slivers.mesh.off --source 0 -o a.ply --min-angle 25 --level-sets b.obj
+claim "len([w for w in lines_of('b.obj') if w.startswith('l')]) >= 10"
+expect 2 distance good.mesh.off --source 0 -o a.ply --level-sets b.off
+says 'b.off: this format has no lines (.obj, .ply and .vtp have)'
+expect 2 distance good.mesh.off --source 0 -o a.ply --level 1
+says '--level is for --level-sets; name a file for the curves'
+expect 2 distance edge_of_three.mesh.off --source 0 -o a.ply --level-sets b.obj
+says 'edge_of_three.mesh.off: --level-sets needs a surface; --repair may make it one'

@@ -31,7 +31,7 @@ WORDS = """-1 0 1 2 3 255 256 65536 2147483647 2147483648 4294967295 4294967296 
     18446744073709551615 99999999999999999999999 -99999999999 1e308 -1e308 1e309 1e-320 1e-400 nan
     -inf inf 0x10 1.5 1,5 .5 5. + - . e +-1 1e 1/2/3 -1//2 / # 3#3 OFF COFF NOFF STOFF 4OFF nOFF
     CN4nOFF SKEL BINARY ply end_header element property list vertex face tristrips uchar float double
-    int x y z red vertex_indices ascii binary_little_endian binary_big_endian v vt vn f l o solid
+    int x y z red alpha nx s t texcoord normal vertex_indices ascii binary_little_endian binary_big_endian v vt vn f l o solid
     facet endfacet endsolid vertex edge vertex1 vertex2 <Lines> </Lines> <Points> </Piece> <!-- --> < > <>
     </DataArray> format="binary" Name="offsets" """.split() + ["", "\0", "\r", "\n", "\n\n", "\xff\xfe", "9" * 400]
 
@@ -53,7 +53,7 @@ OPTIONS = {
     "refine": {"--constrain-angle": NUMBERS, "--min-angle": NUMBERS, "--max-circumradius": NUMBERS,
                "--exact": None, "--simplicial": None, "--save": ["", "o.txt"]},
     "distance": {"--source": NUMBERS, "--curve": ["", "."], "--time-step": NUMBERS, "--neighbors": NUMBERS, "--exact": None,
-                 "--exact-distance": None, "--subdivision": ["", "o.off", "p.ply", "p.vtp"],
+                 "--exact-distance": None, "--level-sets": ["", "q.obj", "q.off", "q.vtp"], "--level": NUMBERS, "--subdivision": ["", "o.off", "p.ply", "p.vtp"],
                  "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
     "path": {"--from": PLACES, "--to": PLACES, "--via": PLACES, "--flips": None, "--loop": None,
              "--straightest": NUMBERS, "--save": ["", "o.txt"]},
@@ -103,9 +103,12 @@ def colored_off(points, faces):
 
 
 def obj(points, faces):
-    return ("# mesh\nmtllib a.mtl\n" + rows(["v"] + p for p in points) + "vt 0 0\nvn 0 0 1\ng a\n"
-            + rows(["f"] + [f"{i - len(points)}/1/1" if i % 2 else f"{i + 1}//1" for i in f]
-                   for f in faces))
+    corner = iter(range(1, 1 + sum(map(len, faces))))
+    return ("# mesh\nmtllib a.mtl\n" + rows(["v"] + p + [0.5, i % 2, 0] for i, p in enumerate(points))
+            + rows(["vt", i / 8, i % 3, 0] for i, _ in enumerate(f for f in faces for _ in f))
+            + "vn 0 0 1\nvn 0 1 0\ng a\n"
+            + rows(["f"] + [f"{i - len(points)}/{c}/1" if i % 2 else f"{i + 1}/{-c if i % 5 else ''}/2"
+                            for i, c in zip(f, corner)] for f in faces))
 
 
 def ply_header(form, points, faces):
@@ -117,10 +120,14 @@ def ply_header(form, points, faces):
             "end_header\n")
 
 
+def texture(face):
+    return [2 * len(face)] + [i % 5 / 4 for v in face for i in (v, v // 2)]
+
+
 def ply(points, faces):
     return (ply_header("ascii", points, faces)
             + rows(p + [3, 2, i % 256, i / 7] for i, p in enumerate(points))
-            + rows([1, len(f)] + f + [2, 0.5, 0.25] for f in faces))
+            + rows([1, len(f)] + f + texture(f) for f in faces))
 
 
 def binary_ply(order, form):
@@ -129,7 +136,7 @@ def binary_ply(order, form):
         for i, p in enumerate(points):
             result += struct.pack(order + "ffdBBBd", *p, 3, 2, i % 256, i / 7)
         for f in faces:
-            result += struct.pack(f"{order}BB{len(f)}iB2f", 1, len(f), *f, 2, 0.5, 0.25)
+            result += struct.pack(f"{order}BB{len(f)}iB{2 * len(f)}f", 1, len(f), *f, *texture(f))
         return result
     return write
 

@@ -185,7 +185,7 @@ done <<'TABLE'
 2 | the mesh had to be repaired, and its vertices are not those of the file | simplify repeated.mesh.off --repair -o a.ply --ratio 0.5 --weight color=1
 2 | vertices have no property 'heat' (.ply can have properties) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight heat=1
 2 | vertices have no property 'cold'; they have | simplify k.mesh.ply -o a.ply --ratio 0.5 --weight cold=1
-2 | vertices have no colors (.ply and .off can have them) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight color=1
+2 | vertices have no colors (.ply, .off and .obj can have them) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight color=1
 2 | a value of 'heat' is not finite | simplify j.mesh.ply -o a.ply --ratio 0.5 --weight heat=1
 1 | cannot be written | delaunay flat.mesh.off -o /proc/a.ply
 TABLE
@@ -198,7 +198,7 @@ import re, sys
 from pathlib import Path
 # another build, a damaged disk, or a fault of the program
 UNREACHED = """built without | cannot be opened | cannot be read: | could not be written completely | Cairo says
-  | has not come | is not planned | too many corners | not all vertices have one value
+  | has not come | is not planned | too many corners
   | there are no faces | 'endfacet' expected""".split("|")
 seen = open(sys.argv[2], errors="replace").read()
 missing = []

@@ -30,6 +30,20 @@ struct Vertex_weights
 };
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
+/// returns a point as a convex combination of the ends of the edge on which it lies, or of the
+/// corners of its face. Complexity: constant.
+template <typename FT>
+Vertex_weights<FT> vertex_weights(const Surface_place<FT>& p, const Delta_complex& mesh)
+{
+  if(p.along.is_valid()) {
+    const FT t = edge_point(p.along, p.location, mesh).t;
+    return {2, {mesh.source(p.along), mesh.target(p.along)}, {1 - t, t}};
+  }
+  const auto h = sides(p.location.first, mesh);
+  return {3, {mesh.source(h[0]), mesh.source(h[1]), mesh.source(h[2])}, p.location.second};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// what all subdivisions have: a polygon mesh into which the edges of two or more triangulations of
 /// a surface together cut it. Every face of it is part of one face of each triangulation.
 ///
@@ -127,11 +141,7 @@ public:
     const Vertex_index parent = derived().parent_vertex(side, v);
     if(parent.is_valid())
       return {1, {parent}, {FT(1)}};
-    const Surface_place<FT> p = derived().place(side, v);
-    if(!p.along.is_valid())
-      return corner_weights(side, p.location);
-    const FT t = edge_point(p.along, p.location, mesh(side)).t;
-    return {2, {mesh(side).source(p.along), mesh(side).target(p.along)}, {1 - t, t}};
+    return vertex_weights(derived().place(side, v), mesh(side));
   }
 
   /// cuts every polygon into triangles; the parts keep the parents. Complexity: linear if polygons
@@ -156,9 +166,7 @@ protected:
 
   Vertex_weights<FT> corner_weights(Side side, const Face_location<FT>& p) const
   {
-    const auto h = sides(p.first, mesh(side));
-    return {
-      3, {mesh(side).source(h[0]), mesh(side).source(h[1]), mesh(side).source(h[2])}, p.second};
+    return vertex_weights(Surface_place<FT>{Halfedge_index(), p}, mesh(side));
   }
 
   // ---- Refined by subdivisions whose polygons are not convex, or that have data at corners ----

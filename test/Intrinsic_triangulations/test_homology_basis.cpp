@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "generators.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_paths.h>
+#include <CGAL/Intrinsic_triangulations/homology_basis.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace Test_homology_basis {
+
+using namespace Test_surfaces;
+using Halfedges = std::vector<Halfedge_index>;
+using Chain = std::map<std::size_t, std::uint64_t>; // of edges
+
+constexpr std::uint64_t prime = 2147483647;
+
+std::uint64_t inverse(std::uint64_t x)
+{
+  std::uint64_t result = 1;
+  for(std::uint64_t n = prime - 2; n > 0; n /= 2, x = x * x % prime)
+    if(n % 2 == 1)
+      result = result * x % prime;
+  return result;
+}
+
+Chain chain(const Halfedges& halfedges)
+{
+  Chain result;
+  for(Halfedge_index h : halfedges) {
+    std::uint64_t& sum = result[Edge_index(h).idx()];
+    sum = (sum + (h.idx() % 2 == 0 ? 1 : prime - 1)) % prime;
+    if(sum == 0)
+      result.erase(Edge_index(h).idx());
+  }
+  return result;
+}
+
+// Chains of edges modulo a prime, in echelon form.
+class Chain_space
+{
+public:
+  // returns whether the chain was not in the space
+  bool add(Chain c)
+  {
+    while(!c.empty() && m_row.count(c.begin()->first) > 0) {
+      const std::uint64_t factor = prime - c.begin()->second;
+      for(const auto& [edge, value] : m_row[c.begin()->first]) {
+        c[edge] = (c[edge] + factor * value) % prime;
+        if(c[edge] == 0)
+          c.erase(edge);
+      }
+    }
+    if(c.empty())
+      return false;
+    const std::uint64_t factor = inverse(c.begin()->second);
+    for(auto& entry : c)
+      entry.second = entry.second * factor % prime;
+    m_row[c.begin()->first] = c;
+    return true;
+  }
+
+private:
+  std::map<std::size_t, Chain> m_row; // by their first edges
+};
+
+// the space of all boundaries of faces
+Chain_space boundaries(const Delta_complex& mesh)
+{
+  Chain_space result;
+  for(Face_index f : mesh.faces()) {
+    const auto side = IT::sides(f, mesh);
+    result.add(chain({side.begin(), side.end()}));
+  }
+  return result;
+}
+
+bool is_closed(const Halfedges& loop, const Delta_complex& mesh)
+{
+  for(std::size_t i = 0; i < loop.size(); ++i)
+    if(mesh.target(loop[i]) != mesh.source(loop[(i + 1) % loop.size()]) ||
+       (loop.size() > 1 && loop[(i + 1) % loop.size()] == mesh.opposite(loop[i])))
+      return false;
+  return !loop.empty();
+}
+
+std::size_t number_of_borders(const Delta_complex& mesh)
+{
+  std::set<Halfedge_index> seen;
+  std::size_t result = 0;
+  for(Halfedge_index h : mesh.halfedges())
+    if(mesh.is_border(h) && seen.count(h) == 0) {
+      ++result;
+      for(Halfedge_index x = h; seen.insert(x).second;)
+        x = mesh.next(x);
+    }
+  return result;
+}
+
+// The rank of the first homology group of a connected surface.
+std::size_t rank(const Delta_complex& mesh)
+{
+  const auto characteristic = std::int64_t(mesh.number_of_vertices()) -
+                              std::int64_t(mesh.number_of_edges()) +
+                              std::int64_t(mesh.number_of_faces());
+  return std::size_t((number_of_borders(mesh) == 0 ? 2 : 1) - characteristic);
+}
+
+// Loops that are independent of each other and of boundaries, as many as the rank, are a basis
+// (over a field). Over the integers they are one because the loops are those of the edges beside a
+// tree and a cotree.
+void expect_basis(const std::vector<Halfedges>& loops, const Delta_complex& mesh,
+                  std::size_t expected_rank)
+{
+  EXPECT_EQ(loops.size(), expected_rank);
+  Chain_space space = boundaries(mesh);
+  for(const Halfedges& loop : loops) {
+    EXPECT_TRUE(is_closed(loop, mesh));
+    EXPECT_TRUE(space.add(chain(loop)));
+  }
+}
+
+TEST(Homology_basis, all_surfaces)
+{
+  for(const Named_complex& c : complexes())
+    for(unsigned int seed = 0; seed < 10; ++seed) {
+      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+      const auto lengths = random_lengths(c.mesh, seed);
+      const auto t = triangulation(c.mesh, lengths);
+      expect_basis(IT::homology_basis(t), t.mesh(), rank(t.mesh()));
+    }
+}
+
+// What the loops of the torus go along.
+TEST(Homology_basis, is_integral)
+{
+  for(unsigned int seed = 0; seed < 20; ++seed) {
+    const Flat_surface torus = flat_torus(5, 4, seed);
+    const auto t = triangulation(torus);
+    const auto loops = IT::homology_basis(t);
+    ASSERT_EQ(loops.size(), 2u);
+    Vector sum[2] = {{0, 0}, {0, 0}};
+    for(std::size_t i = 0; i < 2; ++i)
+      for(Halfedge_index h : loops[i])
+        sum[i] = sum[i] + torus.vector[h];
+    EXPECT_EQ(std::abs(det(sum[0], sum[1])), std::abs(det(torus.a, torus.b))) << seed;
+  }
+}
+
+TEST(Homology_basis, components_and_isolated_vertices)
+{
+  Mesh mesh = embedded_torus(6, 5);
+  mesh.add_vertex(Point(9, 9, 9));
+  mesh += punctured(embedded_torus(5, 4), {7, 20});
+  mesh += random_sphere(20, 3);
+  const IT::Intrinsic_triangulation<> t(mesh);
+  expect_basis(IT::homology_basis(t), t.mesh(), 2 + 3);
+}
+
+TEST(Homology_basis, all_loops_become_geodesics)
+{
+  for(const Named_mesh& m : meshes()) {
+    SCOPED_TRACE(m.name);
+    IT::Intrinsic_triangulation<> t(m.mesh);
+    for(const Halfedges& loop : IT::homology_basis(t)) {
+      IT::Intrinsic_triangulation<> copy = t;
+      IT::Edge_paths paths(copy);
+      paths.add_loop(loop);
+      const double before = paths.length(0);
+      EXPECT_EQ(paths.shorten(), IT::Shortening_status::geodesic);
+      EXPECT_LE(paths.length(0), before * (1 + 1e-12));
+      EXPECT_FALSE(paths.halfedges(0).empty()); // not contractible
+    }
+  }
+}
+
+} // namespace Test_homology_basis
