@@ -65,15 +65,15 @@ public:
     return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, m_double)};
   }
 
-  // Returns the length of the edge of `h`, correct to `certified_length_error()`.
+  // Returns the length of the edge of `h`, correct to a relative error of `error`.
   // \throws Numerical_error if it is not positive and finite
-  double length(Halfedge_index h) const
+  double length(Halfedge_index h, double error = certified_length_error()) const
   {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
       return shared_length(h);
     double length = 0;
     try_with_more_digits([&](auto& corners) {
-      length = rounded_length(development(corners).uncrossed_strip(h), corners);
+      length = rounded_length(development(corners).uncrossed_strip(h), corners, error);
       return !std::isnan(length);
     });
     if(!m_pair.traits().is_length_object()(length))
@@ -224,13 +224,14 @@ private:
     return result;
   }
 
-  // NaN if it is not known up to `certified_length_error()`
+  // NaN if it is not known up to a relative error of `error`
   template <typename Strip, typename Corners>
-  static double rounded_length(const Strip& strip, const Corners& corners)
+  static double rounded_length(const Strip& strip, const Corners& corners,
+                               double error = certified_length_error())
   {
     const auto length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
     const double midpoint = to_double(length.x);
-    return length.radius <= midpoint * certified_length_error() / 2
+    return length.radius <= midpoint * error / 2
              ? midpoint
              : std::numeric_limits<double>::quiet_NaN();
   }

@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -18,36 +20,49 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // The relative error of the length of an edge of T1: it comes from less than ten roundings.
 constexpr double input_length_error() { return 4 * std::numeric_limits<double>::epsilon(); }
 
-// Returns how far the apex k of a triangle that is laid out along its side c is displaced if each
-// side has a relative error of `error`, and infinity if that may not be small. A change of side a
-// moves k along the circle around the end of b, by more than that change by the inverse of the sine
-// of the angle at k, and so does a change of b or c. The bound is twice the sum, as the sine may
-// change, too, and includes the rounding of the layout.
-inline double apex_displacement(double a, double b, double c, double error)
-{
-  const double area = quadrupled_area(a, b, c), perimeter = a + b + c;
-  const double change = error * perimeter;
-  if(!(16 * change * (a + b) * a * b <= area * area))
-    return std::numeric_limits<double>::infinity();
-  return 4 * change * a * b / area + 32 * std::numeric_limits<double>::epsilon() * perimeter;
-}
-
 // a length with a bound for its relative error
 struct Bounded_length
 {
   double length, error;
 
-  bool is_good() const { return error <= certified_length_error() / 2; }
+  bool is_good() const { return error <= certified_length_error(); }
 };
 
+// The perimeter of a triangle over its least slack in the triangle inequality: by this many relative
+// errors of its sides its squared area can change, at most three times.
+inline double thinness(double a, double b, double c)
+{
+  const double perimeter = a + b + c;
+  return perimeter / (perimeter - 2 * (std::max)({a, b, c}));
+}
+
 // Returns the length of the other diagonal of a diamond whose sides have relative errors of at most
-// `error`.
+// `error`; the bound is infinite if that may not be small.
+//
+// For four points of the plane with the affine dependency a_i p_i + ... = 0, the products a_i a_j are
+// an equilibrium stress, so that the sum of a_i a_j l_ij dl_ij over all six distances is zero, and that
+// of a_i a_j l_ij^2 is zero, too. Only the products of the two diagonals are positive: hence l_kl has
+// at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here a_k and a_l are the
+// areas of the two triangles, and a_i a_j is at most a quarter of their squared sum. As the areas change
+// by less than a hundredth, so does the factor, by a sixteenth. What is rounded in the formula itself
+// is small changes of the distance of the feet and of both heights.
 inline Bounded_length flipped_length(const Diamond<double>& length, double error)
 {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const auto [ij, jk, ki, il, lj] = length;
   const double flipped = Euclidean_geometry_traits<double>::Compute_flipped_length()(length);
-  return {flipped, (apex_displacement(length.jk, length.ki, length.ij, error) +
-                    apex_displacement(length.il, length.lj, length.ij, error)) /
-                     flipped};
+  const double thin_k = thinness(ij, jk, ki), thin_l = thinness(ij, lj, il);
+  const double height_k = squared_quadrupled_area(ij, jk, ki),
+               height_l = squared_quadrupled_area(ij, lj, il);
+  const double root = std::sqrt(height_k * height_l), heights = height_k + height_l + 2 * root;
+  const double square = 4 * (ij * ij) * (flipped * flipped);
+  if(!(256 * (error + 4 * epsilon) * (std::max)(thin_k, thin_l) <= 1) || !(root * square > 0))
+    return {flipped, std::numeric_limits<double>::infinity()};
+  const double factor = 1 + 2 * heights * (ij * ij) * (ij * ij) / (root * square);
+  const double rounding =
+    4 + 1.5 * (jk + ki + il + lj) / (std::max)(ij, flipped) +
+    ((height_k + root) * (thin_k + 4) + (height_l + root) * (thin_l + 4)) / square;
+  return {flipped, (17. / 16) * error * factor + rounding * epsilon};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
