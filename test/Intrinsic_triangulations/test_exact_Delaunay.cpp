@@ -423,13 +423,12 @@ TEST(Exact_Delaunay, bounds_of_flipped_lengths_hold)
       return Long_real(sqrt(x * x + y * y));
     };
     const auto stored = [&](std::size_t a, std::size_t b) {
-      const double change = random.get_int(0, 2) == 0 ? random.get_double(-1, 1)
-                                                      : double(2 * random.get_int(0, 2) - 1);
+      const double change =
+        random.get_int(0, 2) == 0 ? random.get_double(-1, 1) : double(2 * random.get_int(0, 2) - 1);
       return static_cast<double>(exact(a, b) * (1 + Long_real(change) * error));
     };
     const IT::internal::Bounded_length flipped = IT::internal::flipped_length(
-      {stored(0, 1), stored(1, 2), stored(2, 0), stored(0, 3), stored(3, 1)},
-      error + 0x1p-53);
+      {stored(0, 1), stored(1, 2), stored(2, 0), stored(0, 3), stored(3, 1)}, error + 0x1p-53);
     const Long_real kl = exact(2, 3);
     ASSERT_LE(abs(flipped.length - kl), kl * Long_real(flipped.error)) << trial;
     good += flipped.is_good();

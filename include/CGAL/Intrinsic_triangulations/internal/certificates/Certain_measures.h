@@ -231,9 +231,8 @@ private:
   {
     const auto length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
     const double midpoint = to_double(length.x);
-    return length.radius <= midpoint * error / 2
-             ? midpoint
-             : std::numeric_limits<double>::quiet_NaN();
+    return length.radius <= midpoint * error / 2 ? midpoint
+                                                 : std::numeric_limits<double>::quiet_NaN();
   }
 
   mutable Rounded<double> m_double;

@@ -28,14 +28,6 @@ struct Bounded_length
   bool is_good() const { return error <= certified_length_error(); }
 };
 
-// The perimeter of a triangle over its least slack in the triangle inequality: by this many relative
-// errors of its sides its squared area can change, at most three times.
-inline double thinness(double a, double b, double c)
-{
-  const double perimeter = a + b + c;
-  return perimeter / (perimeter - 2 * (std::max)({a, b, c}));
-}
-
 // Returns the length of the other diagonal of a diamond whose sides have relative errors of at most
 // `error`; the bound is infinite if that may not be small.
 //
@@ -43,26 +35,37 @@ inline double thinness(double a, double b, double c)
 // an equilibrium stress, so that the sum of a_i a_j l_ij dl_ij over all six distances is zero, and that
 // of a_i a_j l_ij^2 is zero, too. Only the products of the two diagonals are positive: hence l_kl has
 // at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here a_k and a_l are the
-// areas of the two triangles, and a_i a_j is at most a quarter of their squared sum. As the areas change
-// by less than a hundredth, so does the factor, by a sixteenth. What is rounded in the formula itself
-// is small changes of the distance of the feet and of both heights.
+// areas of the two triangles, and a_i a_j is at most a quarter of their squared sum. The squared area
+// of a triangle changes by at most three errors of its perimeter over its least slack in the triangle
+// inequality, here a hundredth, and the place where the diagonals cross by a sixteenth of l_ij: so the
+// factor changes by less than three eighths. What is rounded in the formula itself is small changes
+// of the distance of the feet and of both heights.
 inline Bounded_length flipped_length(const Diamond<double>& length, double error)
 {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const auto [ij, jk, ki, il, lj] = length;
   const double flipped = Euclidean_geometry_traits<double>::Compute_flipped_length()(length);
-  const double thin_k = thinness(ij, jk, ki), thin_l = thinness(ij, lj, il);
+  const double round_k = ij + jk + ki, slack_k = round_k - 2 * (std::max)({ij, jk, ki});
+  const double round_l = ij + lj + il, slack_l = round_l - 2 * (std::max)({ij, lj, il});
   const double height_k = squared_quadrupled_area(ij, jk, ki),
                height_l = squared_quadrupled_area(ij, lj, il);
   const double root = std::sqrt(height_k * height_l), heights = height_k + height_l + 2 * root;
   const double square = 4 * (ij * ij) * (flipped * flipped);
-  if(!(256 * (error + 4 * epsilon) * (std::max)(thin_k, thin_l) <= 1) || !(root * square > 0))
+  const double change = error + 4 * epsilon;
+  const double squares = jk * jk + ki * ki + il * il + lj * lj;
+  if(!(256 * change * round_k <= slack_k && 256 * change * round_l <= slack_l &&
+       32 * change * squares <= ij * ij && root * square > 0))
     return {flipped, std::numeric_limits<double>::infinity()};
-  const double factor = 1 + 2 * heights * (ij * ij) * (ij * ij) / (root * square);
+  // few quotients: this stands in the loop of flips
+  const double inverse = 1 / (root * square), inverse_slack = 1 / (slack_k * slack_l);
+  const double sides = (jk + ki + il + lj) * (std::min)(ij, flipped);
+  const double thin_k = round_k * slack_l * inverse_slack,
+               thin_l = round_l * slack_k * inverse_slack;
   const double rounding =
-    4 + 1.5 * (jk + ki + il + lj) / (std::max)(ij, flipped) +
-    ((height_k + root) * (thin_k + 4) + (height_l + root) * (thin_l + 4)) / square;
-  return {flipped, (17. / 16) * error * factor + rounding * epsilon};
+    8 + ((height_k + root) * (thin_k + 4) + (height_l + root) * (thin_l + 4) + sides * sides) *
+          (root * inverse);
+  const double factor = 1 + 2 * heights * (ij * ij) * (ij * ij) * inverse;
+  return {flipped, 1.375 * error * factor + rounding * epsilon};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

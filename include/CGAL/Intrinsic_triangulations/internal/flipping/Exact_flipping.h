@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
@@ -54,10 +53,12 @@ public:
       m_error(m_mesh.num_edges(), input_error),
       m_effort(effort)
   {
-    const bool has_inserted = tri.number_of_inserted_vertices() > 0;
+    bool are_shared = tri.number_of_inserted_vertices() == 0;
     for(Delta_complex::size_type i = 0; i < m_error.size(); ++i)
-      if(const Edge_index e(i); !tri.coordinates().is_shared(e) || has_inserted)
-        if(!m_mesh.is_removed(e) && !m_decisions.is_input_edge(m_mesh.halfedge(e)))
+      are_shared &= tri.coordinates().is_shared(Edge_index(i));
+    if(!are_shared)
+      for(Edge_index e : m_mesh.edges())
+        if(!m_decisions.is_input_edge(m_mesh.halfedge(e)))
           set_error(e, Is_exact<Traits>::value ? certified_error : unknown_error);
   }
 
@@ -65,20 +66,19 @@ public:
 
   bool is_certainly_Delaunay(Edge_index e) const
   {
-    return m_by_lengths.is_certain(diamond(m_tri.length_map(), m_mesh.halfedge(e), m_mesh));
+    return By_lengths{tolerance}.is_certain(
+      diamond(m_tri.length_map(), m_mesh.halfedge(e), m_mesh));
   }
 
   bool is_Delaunay(Edge_index e)
   {
     const Halfedge_index h = m_mesh.halfedge(e);
     const Diamond<double> lengths = diamond(m_tri.length_map(), h, m_mesh);
-    const Uncertain<bool> by_lengths = m_by_lengths(lengths);
-    if(certainly(by_lengths) || !m_tri.can_be_turned(h))
+    if(By_lengths{tolerance}.is_certain(lengths) || !m_tri.can_be_turned(h))
       return true;
-    const float error = greatest_error_around(h);
-    if(error == unknown_error || (!is_certain(by_lengths) && !can_afford(h)))
-      return Stored_lengths()(lengths);
-    return possibly(by_lengths) && is_exactly_Delaunay(h, error);
+    if(m_has_unknown_lengths && greatest_error_around(h) == unknown_error)
+      return By_lengths()(lengths);
+    return By_lengths{tolerance}(lengths) && is_exactly_Delaunay(h);
   }
 
   bool can_be_turned(Halfedge_index h) const { return m_tri.can_be_turned(h); }
@@ -90,15 +90,12 @@ public:
   {
     const float error = greatest_error_around(h);
     Bounded_length flipped = flipped_length(diamond(m_tri.length_map(), h, m_mesh), double(error));
-    if(error == input_error)
-      if(const double in_plane = length_in_plane(h, flipped.length); in_plane > 0)
-        flipped = {in_plane, double(input_error)};
     if(error == unknown_error && !m_tri.traits().is_length_object()(flipped.length))
       return false;
     m_tri.turn(h, [&] {
       if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
         flipped = shared_length(h);
-      else if(!flipped.is_good())
+      else if(!(flipped.error <= (is_limited() ? tolerance : certified_length_error())))
         flipped = length_in_strip(h, flipped.length);
       set_error(m_mesh.edge(h), static_cast<float>(flipped.error));
       return flipped.length;
@@ -134,18 +131,20 @@ public:
     return true;
   }
 
-  // Computes the lengths anew that make an edge seem to be no tie: stored lengths do not deny then
-  // what has been decided exactly.
+  // Computes the lengths anew that make an edge seem not to be Delaunay: stored lengths do not deny
+  // what has been decided exactly. What is sharp does not change again, so that this ends.
   void sharpen_lengths()
   {
-    for(Edge_index e : m_near_ties)
-      if(const Halfedge_index h = m_mesh.halfedge(e);
-         !Stored_lengths()(diamond(m_tri.length_map(), h, m_mesh))) {
-        sharpen_length(e);
-        for(Edge_index side : edges_around(h, m_mesh))
-          sharpen_length(side);
-      }
-    m_near_ties.clear();
+    for(bool has_changed = true; has_changed;) {
+      has_changed = false;
+      for(Edge_index e : m_doubtful)
+        if(const Halfedge_index h = m_mesh.halfedge(e);
+           !By_lengths()(diamond(m_tri.length_map(), h, m_mesh))) {
+          has_changed |= has_sharpened_length(e);
+          for(Edge_index side : edges_around(h, m_mesh))
+            has_changed |= has_sharpened_length(side);
+        }
+    }
   }
 
   // Computes all lengths anew.
@@ -158,9 +157,11 @@ public:
   }
 
 private:
-  typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay Stored_lengths;
+  typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay By_lengths;
 
-  // An edge with the least error is an edge of T1 or a straight line in space.
+  // The greatest relative error of lengths that decide: most edges are far from a tie.
+  static constexpr double tolerance = Is_exact<Traits>::value ? certified_length_error() : 0x1p-24;
+
   static constexpr float input_error = static_cast<float>(input_length_error()),
                          certified_error = static_cast<float>(certified_length_error()),
                          unknown_error = std::numeric_limits<float>::infinity();
@@ -181,19 +182,18 @@ private:
 
   bool is_limited() const { return m_effort < std::numeric_limits<double>::infinity(); }
 
-  BOOST_NOINLINE bool is_exactly_Delaunay(Halfedge_index h, float error)
+  BOOST_NOINLINE bool is_exactly_Delaunay(Halfedge_index h)
   {
+    if(!can_afford(h))
+      return By_lengths()(diamond(m_tri.length_map(), h, m_mesh));
+    m_doubtful.push_back(m_mesh.edge(h));
     try {
-      const Sign sign = error == input_error ? m_decisions.Delaunay_sign_by_squares(h)
-                                             : m_decisions.Delaunay_sign(h);
-      if(sign == NEGATIVE)
-        return false;
+      return m_decisions.Delaunay_sign(h) != NEGATIVE;
     } catch(const Numerical_error&) { // as good as a tie
       if(!is_limited())
         throw;
+      return true;
     }
-    m_near_ties.push_back(m_mesh.edge(h));
-    return true;
   }
 
   BOOST_NOINLINE Bounded_length shared_length(Halfedge_index h) const
@@ -229,24 +229,8 @@ private:
   {
     if(!can_afford(m_mesh.edge(h)))
       return {by_diamond, double(unknown_error)};
+    m_doubtful.push_back(m_mesh.edge(h));
     return {m_decisions.length(h), double(certified_error)};
-  }
-
-  // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are straight
-  // in space, lie in one plane, and 0 otherwise. There its ends are as far apart as on the surface.
-  // What could underflow is left out.
-  double length_in_plane(Halfedge_index h, double flipped_length)
-  {
-    const auto& points = m_tri.input_metric().points;
-    if(points.empty())
-      return 0;
-    const auto u = vector_between<double>(points[m_mesh.target(m_mesh.next(h))],
-                                          points[m_mesh.target(m_mesh.next(m_mesh.opposite(h)))]);
-    const double distance = std::sqrt(dot(u, u));
-    const bool is_in_plane = !m_tri.coordinates().is_shared(m_mesh.edge(h)) ||
-                             (std::abs(distance - flipped_length) < 1e-6 * distance &&
-                              m_decisions.is_flat(m_tri.input_halfedge(h)));
-    return is_in_plane && distance > 1e-100 ? distance : 0;
   }
 
   // Sets the lengths of edges, and returns whether these are straight.
@@ -269,20 +253,22 @@ private:
     });
   }
 
-  void sharpen_length(Edge_index e)
+  bool has_sharpened_length(Edge_index e)
   {
-    if(const Halfedge_index h = m_mesh.halfedge(e); !m_tri.coordinates().is_shared(e))
-      m_tri.m_length[e] = m_decisions.length(h, rounding_unit<double>() / 2);
+    if(m_tri.coordinates().is_shared(e))
+      return false;
+    const double before = m_tri.length(e);
+    m_tri.m_length[e] = m_decisions.length(m_mesh.halfedge(e), rounding_unit<double>() / 2);
+    return m_tri.length(e) != before;
   }
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
   Exact_decisions<Traits, Crossings> m_decisions;
-  Delaunay_by_lengths m_by_lengths;
   std::vector<float> m_error; // relative error bounds of the lengths
   double m_effort;
   bool m_has_unknown_lengths = false;
-  std::vector<Edge_index> m_near_ties; // edges that are Delaunay by exact decisions
+  std::vector<Edge_index> m_doubtful; // edges that stored lengths may not decide about rightly
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -42,8 +42,7 @@ public:
   // \throws Numerical_error if there is a vertex already
   void insert(const Place& place)
   {
-    const Vertex_index m =
-      place.along.is_valid() ? insert_on_edge(place) : insert_in_face(place);
+    const Vertex_index m = place.along.is_valid() ? insert_on_edge(place) : insert_in_face(place);
     m_tri.measured(m, exact_decisions(m_tri));
   }
 
@@ -54,8 +53,7 @@ private:
     const auto minor = [&](std::size_t i, std::size_t j) {
       return R(R(b[i]) * R(c[j]) - R(b[j]) * R(c[i]));
     };
-    return CGAL::sign(
-      R(R(a[0]) * minor(1, 2) + R(a[1]) * minor(2, 0) + R(a[2]) * minor(0, 1)));
+    return CGAL::sign(R(R(a[0]) * minor(1, 2) + R(a[1]) * minor(2, 0) + R(a[2]) * minor(0, 1)));
   }
 
   // on which side of a side of a face of T2 it lies
