@@ -30,7 +30,8 @@ struct Default_flip_visitor
 {
   /// is called after the edge of `h` has been flipped.
   void after_flip(Halfedge_index /* h */) {}
-  /// is called if lengths leave too much in doubt, before flipping starts anew with exact decisions.
+  /// is called if edges were bent, before flipping starts anew: \f$T_2\f$ is \f$T_1\f$ again, with the
+  /// inserted vertices.
   void before_exact_flips() {}
 };
 
@@ -116,11 +117,9 @@ Edge_stack doubtful_edges(const Delta_complex& mesh, const Flipping& flipping,
   return stack;
 }
 
-// Everything is inlined: most meshes are flipped in less time than they are built.
 template <typename Flipping, typename Visitor>
-[[gnu::flatten]] Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping,
-                                                  std::size_t limit, Visitor& visitor,
-                                                  Concurrency concurrency = Concurrency())
+Flipping_result flip_to_Delaunay(const Delta_complex& mesh, Flipping& flipping, std::size_t limit,
+                                 Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   Edge_stack stack = doubtful_edges(mesh, flipping, concurrency);
   std::size_t flips = 0;
@@ -285,12 +284,16 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
 ///
-/// With `Exact_Euclidean_geometry_traits` every decision is exact. With lengths of type `double`, if
-/// there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths are
-/// recomputed from \f$T_1\f$ and flipping goes on; if that is not enough, or there were more than ten
-/// million flips and a thousand for each edge, and no vertices have been inserted, \f$T_2\f$ becomes
-/// \f$T_1\f$ again and flipping starts anew with exact decisions. The result is then exactly
-/// Delaunay.
+/// With `Exact_Euclidean_geometry_traits`, and with `Euclidean_geometry_traits<double>` too, it is
+/// decided exactly which edges are Delaunay: by the stored lengths and bounds for their errors, and
+/// where these leave doubts, on the surface of \f$T_1\f$. `certify_Delaunay()` confirms the result. At
+/// the beginning edges that are not in \f$T_1\f$ are laid out; if one is bent, \f$T_2\f$ becomes
+/// \f$T_1\f$ again with the inserted vertices, and flipping starts anew.
+///
+/// In `double`, the stored lengths decide where edges cross too many others, more than a million and
+/// a hundred for each edge in all, or where a decision involves too many square roots. With other
+/// number types that are rounded they always decide; if there were more flips than edges, or rounding
+/// has left a flipped edge non-Delaunay, lengths are recomputed from \f$T_1\f$ and flipping goes on.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -303,8 +306,8 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///     \cgalParamDefault{a thousand for each edge, and a hundred million}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, too. If
-///       vertices have been inserted, `certify_Delaunay()` must find the edges straight.}
+///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, however
+///       long that takes; lengths are then correct to a relative error of \f$2^{-40}\f$}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

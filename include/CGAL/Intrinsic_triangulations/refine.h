@@ -38,8 +38,8 @@ struct Default_refinement_visitor : Default_flip_visitor
   void after_removal(Vertex_index /* v */, Face_index /* f */) {}
   /// is called after elements have been renumbered.
   void after_renumbering() {}
-  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, and refinement
-  /// starts anew with exact decisions.
+  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, with the vertices
+  /// that it had at the start, and refinement starts anew with exact decisions.
   void before_exact_refinement() {}
 };
 
@@ -292,11 +292,10 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// without end, and the default is small.
 ///
 /// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
-/// circumcenter, a place or a length is lost, or a face is left that nothing excuses. Then \f$T_2\f$
-/// becomes \f$T_1\f$ again and refinement starts anew with exact decisions, unless it had inserted
-/// vertices at the start. At the end lengths are computed afresh: what their error bounds leave in
-/// doubt is decided exactly. If edges are not Delaunay then, but straight, refinement goes on from
-/// there with exact decisions; if they are not straight, from \f$T_1\f$.
+/// circumcenter, a place or a length is lost, edges are bent at the end, or a face is left that nothing
+/// excuses. Then \f$T_2\f$ becomes \f$T_1\f$ again, with the vertices that had been inserted at the
+/// start, and refinement starts anew with exact decisions. At the end lengths are computed afresh, and
+/// it is decided exactly which edges are Delaunay, as by `make_Delaunay()`.
 ///
 /// With exact decisions it is decided exactly which edges are Delaunay, on which
 /// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex gets
@@ -336,8 +335,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of type
-///       `double`, too. If vertices have been inserted, `certify_Delaunay()` must find the edges
-///       straight.}
+///       `double`, too}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -362,8 +360,8 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
-/// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type `double` if no
-///   vertices had been inserted before, exactly: `certify_Delaunay()` confirms it
+/// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type `double`,
+///   exactly: `certify_Delaunay()` confirms it
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                          const NamedParameters& np = CGAL::parameters::default_values())
