@@ -100,8 +100,8 @@ TEST(Exact_Delaunay, balls_of_products_are_small)
 
 using IT::internal::Position;
 
-// Points with few digits, which have ties; or with many, or far from the origin, or near the ends of
-// the range.
+// Points with few digits, which have ties; or with many, or far from the origin, or near the ends
+// of the range.
 std::array<Position, 4> random_diamond(Portable_random& random)
 {
   const int kind = random.get_int(0, 4);

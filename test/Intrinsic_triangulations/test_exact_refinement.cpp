@@ -143,8 +143,9 @@ struct Insertion_counter : IT::Default_refinement_visitor
   bool has_exact_flips = false;
 };
 
-// In `double`, refinement does what exact traits do if it starts anew in doubt, and otherwise, going on
-// exactly or not, needs about as many vertices at most. In any case the result is certified.
+// In `double`, refinement does what exact traits do if it starts anew in doubt, and otherwise,
+// going on exactly or not, needs about as many vertices at most. In any case the result is
+// certified.
 void expect_refined_in_double(const std::string& name, const Mesh& mesh)
 {
   SCOPED_TRACE(name);
@@ -180,8 +181,8 @@ TEST(Exact_refinement, in_double_goes_on_where_rounding_leaves_doubts)
       expect_refined_in_double(std::to_string(seed), hard_mesh(seed).mesh);
 }
 
-// Squares on a turned grid are ties that rounding breaks: refinement in `double` goes on from where it
-// is, and the visitor is not notified of a restart.
+// Squares on a turned grid are ties that rounding breaks: refinement in `double` goes on from
+// where it is, and the visitor is not notified of a restart.
 TEST(Exact_refinement, in_double_is_certified_on_ordinary_meshes)
 {
   Portable_random random(6);
@@ -217,8 +218,8 @@ TEST(Exact_refinement, in_double_is_certified_on_hard_meshes)
   }
 }
 
-// What counts as certain by lengths is so: exact arithmetic agrees that these edges are straight, and
-// on their lengths.
+// What counts as certain by lengths is so: exact arithmetic agrees that these edges are straight,
+// and on their lengths.
 TEST(Exact_refinement, lengths_without_doubt_are_right)
 {
   std::size_t certain = 0, doubtful = 0;
@@ -475,7 +476,8 @@ TEST(Exact_refinement, parts_of_edges_near_a_target_lose_no_digits)
   EXPECT_LT(length(nearer, near_target), 0);
 }
 
-// A boundary edge of a prism-free strip whose only vertex lies on it exactly cannot be flipped away.
+// A boundary edge of a prism-free strip whose only vertex lies on it exactly cannot be flipped
+// away.
 TEST(Exact_refinement, faces_without_area_are_named)
 {
   const Mesh mesh = make_mesh({Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0), Point(1, 2, 0)},

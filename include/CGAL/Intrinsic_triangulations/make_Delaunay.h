@@ -30,15 +30,15 @@ struct Default_flip_visitor
 {
   /// is called after the edge of `h` has been flipped.
   void after_flip(Halfedge_index /* h */) {}
-  /// is called if edges were bent, before flipping starts anew: \f$T_2\f$ is \f$T_1\f$ again, with the
-  /// inserted vertices.
+  /// is called if edges were bent, before flipping starts anew: \f$T_2\f$ is \f$T_1\f$ again, with
+  /// the inserted vertices.
   void before_exact_flips() {}
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// returns whether every edge of `tri` that could be flipped is Delaunay (Equation 2.6). With
-/// floating point numbers the tolerance is one-sided: `false` is true of the stored lengths, `true`
-/// of lengths within `rounding_unit()` of them. Complexity: linear.
+/// floating point numbers the tolerance is one-sided: `false` is true of the stored lengths,
+/// `true` of lengths within `rounding_unit()` of them. Complexity: linear.
 template <typename Traits>
 bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 {
@@ -152,9 +152,9 @@ bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri)
   return true;
 }
 
-// Where edges have been flipped more than once on average, rounding may have added up; where a flip
-// failed, it has. With lengths computed afresh a second round is enough as a rule, but nothing
-// guarantees it.
+// Where edges have been flipped more than once on average, rounding may have added up; where a
+// flip failed, it has. With lengths computed afresh a second round is enough as a rule, but
+// nothing guarantees it.
 template <typename Traits, typename Visitor>
 Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                 Visitor& visitor, Concurrency concurrency = Concurrency())
@@ -285,15 +285,17 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
 ///
 /// With `Exact_Euclidean_geometry_traits`, and with `Euclidean_geometry_traits<double>` too, it is
-/// decided exactly which edges are Delaunay: by the stored lengths and bounds for their errors, and
-/// where these leave doubts, on the surface of \f$T_1\f$. `certify_Delaunay()` confirms the result. At
-/// the beginning edges that are not in \f$T_1\f$ are laid out; if one is bent, \f$T_2\f$ becomes
+/// decided exactly which edges are Delaunay: by the stored lengths and bounds for their errors,
+/// and where these leave doubts, on the surface of \f$T_1\f$. `certify_Delaunay()` confirms the
+/// result. At the beginning edges that are not in \f$T_1\f$ are laid out; if one is bent,
+/// \f$T_2\f$ becomes
 /// \f$T_1\f$ again with the inserted vertices, and flipping starts anew.
 ///
-/// In `double`, the stored lengths decide where edges cross too many others, more than a million and
-/// a hundred for each edge in all, or where a decision involves too many square roots. With other
-/// number types that are rounded they always decide; if there were more flips than edges, or rounding
-/// has left a flipped edge non-Delaunay, lengths are recomputed from \f$T_1\f$ and flipping goes on.
+/// In `double`, the stored lengths decide where edges cross too many others, more than a million
+/// and a hundred for each edge in all, or where a decision involves too many square roots. With
+/// other number types that are rounded they always decide; if there were more flips than edges, or
+/// rounding has left a flipped edge non-Delaunay, lengths are recomputed from \f$T_1\f$ and
+/// flipping goes on.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -306,13 +308,15 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///     \cgalParamDefault{a thousand for each edge, and a hundred million}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, however
+///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`,
+///     however
 ///       long that takes; lengths are then correct to a relative error of \f$2^{-40}\f$}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{concurrency_tag}
-///     \cgalParamDescription{whether several threads find the edges to start from; flips are made one
+///     \cgalParamDescription{whether several threads find the edges to start from; flips are made
+///     one
 ///                           after the other. See \ref it_parallel.}
 ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 ///                    `CGAL::Parallel_if_available_tag`}
@@ -327,8 +331,8 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// \cgalNamedParamsEnd
 ///
 /// Complexity: linear in the edges and flips. The number of flips has no bound in the number of
-/// edges, since a geodesic triangulation can be sheared without end; on real meshes it is about the
-/// number of edges. A mark for each edge and a stack of edges are allocated.
+/// edges, since a geodesic triangulation can be sheared without end; on real meshes it is about
+/// the number of edges. A mark for each edge and a stack of edges are allocated.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
 /// \throws Numerical_error if a flipped length is not positive and finite, an exact decision

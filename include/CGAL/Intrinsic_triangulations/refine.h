@@ -38,8 +38,8 @@ struct Default_refinement_visitor : Default_flip_visitor
   void after_removal(Vertex_index /* v */, Face_index /* f */) {}
   /// is called after elements have been renumbered.
   void after_renumbering() {}
-  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, with the vertices
-  /// that it had at the start, and refinement starts anew with exact decisions.
+  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, with the
+  /// vertices that it had at the start, and refinement starts anew with exact decisions.
   void before_exact_refinement() {}
 };
 
@@ -62,8 +62,8 @@ public:
       m_predicate(predicate)
   {}
 
-  // Returns whether `f` violates the bound on angles. With sides a <= b <= c, the sine of the least
-  // angle is a * quadrupled_area / (2 abc).
+  // Returns whether `f` violates the bound on angles. With sides a <= b <= c, the sine of the
+  // least angle is a * quadrupled_area / (2 abc).
   bool is_too_thin(Face_index f) const
   {
     const std::array<FT, 3> side = sides_of(f);
@@ -162,8 +162,8 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
   return !all_excused;
 }
 
-// Inserts vertices and leaves no garbage, not even after an exception. Returns whether rounding has
-// left no doubt.
+// Inserts vertices and leaves no garbage, not even after an exception. Returns whether rounding
+// has left no doubt.
 template <bool is_exact, typename Traits, typename Bounds, typename Visitor>
 bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                      const Refinement_limits& limits, Visitor& visitor, bool stops_in_doubt,
@@ -185,8 +185,8 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   return is_certain;
 }
 
-// Flips to Delaunay with certainty, or else with lengths that are computed afresh, and returns whether
-// that was possible.
+// Flips to Delaunay with certainty, or else with lengths that are computed afresh, and returns
+// whether that was possible.
 template <typename Traits, typename Visitor>
 bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
                        Refinement_result& result)
@@ -244,8 +244,8 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
   return result;
 }
 
-// Starts anew with exact decisions where rounding leaves doubts, from T1 and the vertices that had been
-// inserted before.
+// Starts anew with exact decisions where rounding leaves doubts, from T1 and the vertices that had
+// been inserted before.
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                                         const Refinement_limits& limits, Visitor& visitor)
@@ -292,16 +292,16 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// without end, and the default is small.
 ///
 /// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
-/// circumcenter, a place or a length is lost, edges are bent at the end, or a face is left that nothing
-/// excuses. Then \f$T_2\f$ becomes \f$T_1\f$ again, with the vertices that had been inserted at the
-/// start, and refinement starts anew with exact decisions. At the end lengths are computed afresh, and
-/// it is decided exactly which edges are Delaunay, as by `make_Delaunay()`.
+/// circumcenter, a place or a length is lost, edges are bent at the end, or a face is left that
+/// nothing excuses. Then \f$T_2\f$ becomes \f$T_1\f$ again, with the vertices that had been
+/// inserted at the start, and refinement starts anew with exact decisions. At the end lengths are
+/// computed afresh, and it is decided exactly which edges are Delaunay, as by `make_Delaunay()`.
 ///
 /// With exact decisions it is decided exactly which edges are Delaunay, on which
-/// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex gets
-/// coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if its
-/// edges are straight then and its faces positive; otherwise points farther inside the face are
-/// tried, and if none of them will do, the bad face is left, with the reason `at_rounding`.
+/// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex
+/// gets coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if
+/// its edges are straight then and its faces positive; otherwise points farther inside the face
+/// are tried, and if none of them will do, the bad face is left, with the reason `at_rounding`.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type
@@ -334,7 +334,8 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///     \cgalParamDefault{`default_maximum_number_of_insertions()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of type
+///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of
+///     type
 ///       `double`, too}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
@@ -360,7 +361,8 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
-/// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type `double`,
+/// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type
+/// `double`,
 ///   exactly: `certify_Delaunay()` confirms it
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,

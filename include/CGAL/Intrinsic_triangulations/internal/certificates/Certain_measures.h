@@ -34,8 +34,8 @@ struct Straight_edge
   double length;   // NaN if it is not known up to `certified_length_error()`
 };
 
-// Lengths, angles and corners of T2, each laid out anew from the metric of T1 with as many digits as
-// its rounded value needs.
+// Lengths, angles and corners of T2, each laid out anew from the metric of T1 with as many digits
+// as its rounded value needs.
 template <typename Traits, typename Crossings>
 class Certain_measures
 {
@@ -88,8 +88,8 @@ public:
     return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
   }
 
-  // Returns the angle at the source of `h` in its face, between 0 and pi: where it is near to one of
-  // them, rounding can make the corner clockwise.
+  // Returns the angle at the source of `h` in its face, between 0 and pi: where it is near to one
+  // of them, rounding can make the corner clockwise.
   double rounded_angle(Halfedge_index h) const
   {
     const auto [corner, error] =
@@ -206,8 +206,8 @@ private:
             flipped.is_good() ? flipped.length : std::numeric_limits<double>::quiet_NaN()};
   }
 
-  // Returns a corner and its error, which is small in comparison with `size(corner)` if more digits
-  // can help.
+  // Returns a corner and its error, which is small in comparison with `size(corner)` if more
+  // digits can help.
   template <typename Size>
   std::pair<std::complex<double>, double> rounded_corner(Halfedge_index h, const Size& size) const
   {

@@ -71,8 +71,8 @@ public:
     return std::move(m_certificate);
   }
 
-  // Returns the length of the edge `e`; zero if it cannot be shown that it is straight, and that the
-  // faces at inserted ends turn around once.
+  // Returns the length of the edge `e`; zero if it cannot be shown that it is straight, and that
+  // the faces at inserted ends turn around once.
   double straight_length(Edge_index e)
   {
     try {
@@ -159,8 +159,8 @@ private:
       part.folded_vertices.push_back(v);
   }
 
-  // Returns whether the faces at an inserted vertex lie the right way round and around it once. The
-  // sum of the angles is a multiple of a full turn (of a half turn on the boundary): rounding
+  // Returns whether the faces at an inserted vertex lie the right way round and around it once.
+  // The sum of the angles is a multiple of a full turn (of a half turn on the boundary): rounding
   // does not matter.
   bool is_turned_around_once(Vertex_index v, Decisions& decisions) const
   {

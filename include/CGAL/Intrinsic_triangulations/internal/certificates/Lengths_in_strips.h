@@ -55,8 +55,8 @@ public:
     return {m_pair.traits().is_length_object()(length) && is_certain(h, length), length};
   }
 
-  // Returns whether the edge of `h`, whose length has just been computed, is certainly straight, and
-  // the error of `length` is at most `tolerance()`, whatever rounding has done.
+  // Returns whether the edge of `h`, whose length has just been computed, is certainly straight,
+  // and the error of `length` is at most `tolerance()`, whatever rounding has done.
   bool is_certain(Halfedge_index h, double length)
   {
     const Delta_complex &mesh = m_pair.mesh(), &input = m_pair.input_mesh();
@@ -100,9 +100,9 @@ private:
     return along.is_valid() || (p[0] > 0 && p[1] > 0 && p[2] > 0);
   }
 
-  // Returns a bound for the errors of the angles and sides of a triangle of T1, from its lengths and
-  // the formulas: that of an angle with opposite side a is a (a + b + c) / (2 area) times that of a
-  // length. Where rounding can change the area by more than a small part, it is infinite.
+  // Returns a bound for the errors of the angles and sides of a triangle of T1, from its lengths
+  // and the formulas: that of an angle with opposite side a is a (a + b + c) / (2 area) times that
+  // of a length. Where rounding can change the area by more than a small part, it is infinite.
   float angle_error(Face_index f)
   {
     if(m_angle_error.empty())

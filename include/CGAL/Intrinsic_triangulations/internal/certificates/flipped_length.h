@@ -28,18 +28,19 @@ struct Bounded_length
   bool is_good() const { return error <= certified_length_error(); }
 };
 
-// Returns the length of the other diagonal of a diamond whose sides have relative errors of at most
-// `error`; the bound is infinite if that may not be small.
+// Returns the length of the other diagonal of a diamond whose sides have relative errors of at
+// most `error`; the bound is infinite if that may not be small.
 //
-// For four points of the plane with the affine dependency a_i p_i + ... = 0, the products a_i a_j are
-// an equilibrium stress, so that the sum of a_i a_j l_ij dl_ij over all six distances is zero, and that
-// of a_i a_j l_ij^2 is zero, too. Only the products of the two diagonals are positive: hence l_kl has
-// at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here a_k and a_l are the
-// areas of the two triangles, and a_i a_j is at most a quarter of their squared sum. The squared area
-// of a triangle changes by at most three errors of its perimeter over its least slack in the triangle
-// inequality, here a hundredth, and the place where the diagonals cross by a sixteenth of l_ij: so the
-// factor changes by less than three eighths. What is rounded in the formula itself is small changes
-// of the distance of the feet and of both heights.
+// For four points of the plane with the affine dependency a_i p_i + ... = 0, the products a_i a_j
+// are an equilibrium stress, so that the sum of a_i a_j l_ij dl_ij over all six distances is zero,
+// and that of a_i a_j l_ij^2 is zero, too. Only the products of the two diagonals are positive:
+// hence l_kl has at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here
+// a_k and a_l are the areas of the two triangles, and a_i a_j is at most a quarter of their
+// squared sum. The squared area of a triangle changes by at most three errors of its perimeter
+// over its least slack in the triangle inequality, here a hundredth, and the place where the
+// diagonals cross by a sixteenth of l_ij: so the factor changes by less than three eighths. What
+// is rounded in the formula itself is small changes of the distance of the feet and of both
+// heights.
 inline Bounded_length flipped_length(const Diamond<double>& length, double error)
 {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();

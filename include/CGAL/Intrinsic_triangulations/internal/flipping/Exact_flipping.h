@@ -33,8 +33,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Flips with decisions about the surface of T1. Each length has an error bound: that of a flipped
 // edge comes from its diamond as long as bounds allow, otherwise from its strip. Where the bounds
 // around an edge are known, it is decided exactly whether it is Delaunay: what is flipped then is
-// straight, if all edges were. Where strips get too long, a length is unknown up to an error, and the
-// stored lengths decide, until `find_lengths()` makes sure of them.
+// straight, if all edges were. Where strips get too long, a length is unknown up to an error, and
+// the stored lengths decide, until `find_lengths()` makes sure of them.
 template <typename Traits>
 class Exact_flipping
 {
@@ -42,9 +42,9 @@ class Exact_flipping
   typedef Traced_crossings<Traits> Crossings;
 
 public:
-  // Lengths of edges that are not in T1 are unknown at first, unless `Traits` is exact. `effort` is the
-  // number of steps that may be spent on strips; without a limit no length gets unknown, and a
-  // decision that involves too many roots throws.
+  // Lengths of edges that are not in T1 are unknown at first, unless `Traits` is exact. `effort`
+  // is the number of steps that may be spent on strips; without a limit no length gets unknown,
+  // and a decision that involves too many roots throws.
   explicit Exact_flipping(Triangulation& tri,
                           double effort = std::numeric_limits<double>::infinity())
     : m_tri(tri),
@@ -90,6 +90,9 @@ public:
   {
     const float error = greatest_error_around(h);
     Bounded_length flipped = flipped_length(diamond(m_tri.length_map(), h, m_mesh), double(error));
+    if(error == input_error && m_luck > 0)
+      if(const double in_plane = length_in_plane(h, flipped.length); in_plane > 0)
+        flipped = {in_plane, double(input_error)};
     if(error == unknown_error && !m_tri.traits().is_length_object()(flipped.length))
       return false;
     m_tri.turn(h, [&] {
@@ -131,8 +134,8 @@ public:
     return true;
   }
 
-  // Computes the lengths anew that make an edge seem not to be Delaunay: stored lengths do not deny
-  // what has been decided exactly. What is sharp does not change again, so that this ends.
+  // Computes the lengths anew that make an edge seem not to be Delaunay: stored lengths do not
+  // deny what has been decided exactly. What is sharp does not change again, so that this ends.
   void sharpen_lengths()
   {
     for(bool has_changed = true; has_changed;) {
@@ -159,9 +162,11 @@ public:
 private:
   typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay By_lengths;
 
-  // The greatest relative error of lengths that decide: most edges are far from a tie.
-  static constexpr double tolerance = Is_exact<Traits>::value ? certified_length_error() : 0x1p-24;
+  // The greatest relative error of lengths that decide. More leaves more to strips, less more
+  // edges in doubt where coordinates have been rounded to few digits.
+  static constexpr double tolerance = Is_exact<Traits>::value ? certified_length_error() : 0x1p-34;
 
+  // An edge with the least error is an edge of T1 or a straight line in space.
   static constexpr float input_error = static_cast<float>(input_length_error()),
                          certified_error = static_cast<float>(certified_length_error()),
                          unknown_error = std::numeric_limits<float>::infinity();
@@ -188,7 +193,8 @@ private:
       return By_lengths()(diamond(m_tri.length_map(), h, m_mesh));
     m_doubtful.push_back(m_mesh.edge(h));
     try {
-      return m_decisions.Delaunay_sign(h) != NEGATIVE;
+      return (greatest_error_around(h) == input_error ? m_decisions.Delaunay_sign_by_squares(h)
+                                                      : m_decisions.Delaunay_sign(h)) != NEGATIVE;
     } catch(const Numerical_error&) { // as good as a tie
       if(!is_limited())
         throw;
@@ -233,6 +239,24 @@ private:
     return {m_decisions.length(h), double(certified_error)};
   }
 
+  // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are
+  // straight in space, lie in one plane, and 0 otherwise. There its ends are as far apart as on the
+  // surface. What could underflow is left out. Where few edges are in planes, it is not tried again.
+  double length_in_plane(Halfedge_index h, double flipped_length)
+  {
+    const auto& points = m_tri.input_metric().points;
+    if(points.empty())
+      return 0;
+    const auto u = vector_between<double>(points[m_mesh.target(m_mesh.next(h))],
+                                          points[m_mesh.target(m_mesh.next(m_mesh.opposite(h)))]);
+    const double distance = std::sqrt(dot(u, u));
+    const bool is_in_plane = !m_tri.coordinates().is_shared(m_mesh.edge(h)) ||
+                             (std::abs(distance - flipped_length) < 1e-6 * distance &&
+                              m_decisions.is_flat(m_tri.input_halfedge(h)));
+    m_luck = (std::min)(m_luck + (is_in_plane ? 16 : -1), 1024);
+    return is_in_plane && distance > 1e-100 ? distance : 0;
+  }
+
   // Sets the lengths of edges, and returns whether these are straight.
   bool are_straight(std::vector<std::pair<Edge_index, double>>& edges)
   {
@@ -267,6 +291,7 @@ private:
   Exact_decisions<Traits, Crossings> m_decisions;
   std::vector<float> m_error; // relative error bounds of the lengths
   double m_effort;
+  int m_luck = 64; // more attempts to find edges in planes are made as long as it is positive
   bool m_has_unknown_lengths = false;
   std::vector<Edge_index> m_doubtful; // edges that stored lengths may not decide about rightly
 };

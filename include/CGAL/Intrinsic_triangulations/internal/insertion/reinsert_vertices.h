@@ -26,8 +26,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Inserts vertices into T2, which is T1 with such vertices and without flips, exactly at their places:
-// every edge of T2 lies in one triangle of T1.
+// Inserts vertices into T2, which is T1 with such vertices and without flips, exactly at their
+// places: every edge of T2 lies in one triangle of T1.
 template <typename Traits>
 class Vertex_reinserter
 {
@@ -63,9 +63,9 @@ private:
                        m_tri.input_location(m_mesh.next(h)).second);
   }
 
-  // Returns a side of the face in which the point lies, that on which it lies if it is on one. The walk
-  // begins in the face with the number `f`, which lies in that of T1; turns at random keep it from
-  // going in circles.
+  // Returns a side of the face in which the point lies, that on which it lies if it is on one. The
+  // walk begins in the face with the number `f`, which lies in that of T1; turns at random keep it
+  // from going in circles.
   Halfedge_index locate(const Weights& point, Face_index f)
   {
     Halfedge_index h = m_mesh.halfedge(f);
@@ -99,7 +99,8 @@ private:
     return CGAL::compare(R(R(v[1]) * R(w[0])), R(R(w[1]) * R(v[0])));
   }
 
-  // the parts of an edge of T1, in the direction of its first halfedge, with the weights of their ends
+  // the parts of an edge of T1, in the direction of its first halfedge, with the weights of their
+  // ends
   struct Part
   {
     Halfedge_index halfedge;
