@@ -35,12 +35,11 @@ struct Bounded_length
 // are an equilibrium stress, so that the sum of a_i a_j l_ij dl_ij over all six distances is zero,
 // and that of a_i a_j l_ij^2 is zero, too. Only the products of the two diagonals are positive:
 // hence l_kl has at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here
-// a_k and a_l are the areas of the two triangles, and a_i a_j is at most a quarter of their
-// squared sum. The squared area of a triangle changes by at most three errors of its perimeter
-// over its least slack in the triangle inequality, here a hundredth, and the place where the
-// diagonals cross by a sixteenth of l_ij: so the factor changes by less than three eighths. What
-// is rounded in the formula itself is small changes of the distance of the feet and of both
-// heights.
+// a_k and a_l are the areas of the two triangles; a_i and a_j are the parts of their sum on either
+// side of kl. The squared area of a triangle changes by at most three errors of its perimeter over
+// its least slack in the triangle inequality, here a hundredth; the place where kl cuts ij changes
+// by the error of the feet, here at most a sixteenth of l_ij, which is added. What is rounded in
+// the formula itself is small changes of the distance of the feet and of both heights.
 inline Bounded_length flipped_length(const Diamond<double>& length, double error)
 {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -65,8 +64,11 @@ inline Bounded_length flipped_length(const Diamond<double>& length, double error
   const double rounding =
     8 + ((height_k + root) * (thin_k + 4) + (height_l + root) * (thin_l + 4) + sides * sides) *
           (root * inverse);
-  const double factor = 1 + 2 * heights * (ij * ij) * (ij * ij) * inverse;
-  return {flipped, 1.375 * error * factor + rounding * epsilon};
+  const double cut = (scaled_foot(jk, ki) * root + scaled_foot(lj, il) * height_k) /
+                     (2 * (height_k + root)); // from the midpoint of ij, times its length
+  const double parts = (ij * ij / 2 - cut) * (ij * ij / 2 + cut) + 4 * change * squares * (ij * ij);
+  const double factor = 1 + 8 * heights * (std::max)(parts, 0.) * inverse;
+  return {flipped, 1.25 * error * factor + rounding * epsilon};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
