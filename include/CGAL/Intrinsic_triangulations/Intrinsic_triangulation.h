@@ -21,8 +21,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
 
-#include <boost/config.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -462,15 +460,10 @@ private:
     try {
       m_length[m_mesh.edge(h)] = length();
     } catch(...) {
-      turn_back(h);
+      for(int flips = 0; flips < 3; ++flips)
+        m_coordinates.flip(h, m_mesh, m_spokes);
       throw;
     }
-  }
-
-  BOOST_NOINLINE void turn_back(Halfedge_index h)
-  {
-    for(int flips = 0; flips < 3; ++flips)
-      m_coordinates.flip(h, m_mesh, m_spokes);
   }
 
   // Sets all lengths. If `length()` throws, nothing has changed.
