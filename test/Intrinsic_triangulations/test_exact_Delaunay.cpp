@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Sqrt_extension.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,8 +100,8 @@ TEST(Exact_Delaunay, balls_of_products_are_small)
 
 using IT::internal::Position;
 
-// Points with few digits, which have ties; or with many, or far from the origin, or near the ends of
-// the range.
+// Points with few digits, which have ties; or with many, or far from the origin, or near the ends
+// of the range.
 std::array<Position, 4> random_diamond(Portable_random& random)
 {
   const int kind = random.get_int(0, 4);
@@ -335,22 +336,110 @@ TEST(Exact_Delaunay, certified_on_hard_meshes)
   }
 }
 
-// Lengths of type `double` cannot carry the decisions there: flipping goes on exactly, or ends with
-// edges that are wrong by rounding.
-TEST(Exact_Delaunay, double_ends_on_hard_meshes)
+// `double` asks for exact decisions where its lengths cannot carry them; the stored lengths do not
+// deny what was decided.
+void expect_certified_in_double(const Mesh& mesh)
+{
+  Triangulation t(mesh);
+  EXPECT_NO_THROW(IT::make_Delaunay(t));
+  EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
+  EXPECT_TRUE(IT::is_Delaunay(t));
+  EXPECT_TRUE(t.is_valid(true));
+  EXPECT_EQ(IT::make_Delaunay(t), 0u);
+}
+
+TEST(Exact_Delaunay, double_is_certified_on_hard_meshes)
 {
   for(std::uint64_t seed = 0; seed < 240; ++seed) {
     const Named_mesh hard = hard_mesh(seed);
     SCOPED_TRACE(hard.name + " " + std::to_string(seed));
-    Triangulation t(hard.mesh);
-    EXPECT_NO_THROW(IT::make_Delaunay(t));
+    expect_certified_in_double(hard.mesh);
+  }
+}
+
+TEST(Exact_Delaunay, double_is_certified_on_ties)
+{
+  for(std::uint64_t seed = 0; seed < 105; ++seed) {
+    const Tied_mesh tied = tied_mesh(seed);
+    SCOPED_TRACE(tied.name + " " + std::to_string(seed));
+    expect_certified_in_double(tied.mesh);
+    Triangulation t(tied.mesh);
+    EXPECT_EQ(IT::make_Delaunay(t), 0u); // ties keep the edge
+    Portable_random random(seed);
+    shuffle(t, 100 + 3 * t.mesh().number_of_edges(), random);
+    IT::make_Delaunay(t);
+    const Delaunay_certificate certificate = IT::certify_Delaunay(t);
+    EXPECT_TRUE(certificate.is_Delaunay());
+    EXPECT_EQ(certificate.ties.size(), tied.ties);
+  }
+}
+
+// Lengths that say nothing, and bent edges, are found out at the beginning.
+TEST(Exact_Delaunay, double_is_certified_whatever_it_starts_from)
+{
+  for(std::uint64_t seed = 0; seed < 60; ++seed) {
+    Portable_random random(seed);
+    Triangulation t(seed % 2 == 0 ? hard_mesh(seed).mesh : hard_base(random));
+    const int edges = static_cast<int>(t.mesh().number_of_edges());
+    for(int flip = 0; flip < edges; ++flip) {
+      const Halfedge_index h =
+        t.mesh().halfedge(Edge_index(static_cast<unsigned>(random.get_int(0, edges))));
+      if(IT::flip_status(h, t.mesh()) == IT::Operation_status::possible &&
+         (flip % 5 == 0 || t.is_flippable(h)))
+        try {
+          t.flip(h); // not always straight
+        } catch(const IT::Numerical_error&) {
+        }
+    }
+    SCOPED_TRACE(seed);
+    IT::make_Delaunay(t);
+    EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
     EXPECT_TRUE(t.is_valid(true));
   }
+}
+
+// ---- Error bounds ----
+
+typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>> Long_real;
+
+// A random diamond that is convex; thin by up to `digits` decimals.
+std::array<std::array<double, 2>, 4> convex_diamond(Portable_random& random, double digits)
+{
+  const auto thin = [&] { return std::pow(10, -digits * random.get_double(0, 1)); };
+  const double base = thin(), k = random.get_double(0, 1), l = random.get_double(0, 1);
+  return {{{0, 0}, {base, 0}, {k * base, thin()}, {l * base, -thin()}}};
+}
+
+// The lengths are off by up to `error`, all in the worst direction or at random.
+TEST(Exact_Delaunay, bounds_of_flipped_lengths_hold)
+{
+  Portable_random random(8);
+  std::size_t good = 0;
+  for(int trial = 0; trial < 20000; ++trial) {
+    const auto p = convex_diamond(random, trial % 8);
+    const double error = trial % 3 == 0 ? 0 : std::ldexp(1., -random.get_int(30, 52));
+    const auto exact = [&](std::size_t a, std::size_t b) {
+      const Long_real x = Long_real(p[a][0]) - p[b][0], y = Long_real(p[a][1]) - p[b][1];
+      return Long_real(sqrt(x * x + y * y));
+    };
+    const auto stored = [&](std::size_t a, std::size_t b) {
+      const double change =
+        random.get_int(0, 2) == 0 ? random.get_double(-1, 1) : double(2 * random.get_int(0, 2) - 1);
+      return static_cast<double>(exact(a, b) * (1 + Long_real(change) * error));
+    };
+    const IT::internal::Bounded_length flipped = IT::internal::flipped_length(
+      {stored(0, 1), stored(1, 2), stored(2, 0), stored(0, 3), stored(3, 1)}, error + 0x1p-53);
+    const Long_real kl = exact(2, 3);
+    ASSERT_LE(abs(flipped.length - kl), kl * Long_real(flipped.error)) << trial;
+    good += flipped.is_good();
+  }
+  EXPECT_GT(good, 5000u);
 }
 
 TEST(Exact_Delaunay, certified_on_data_meshes)
 {
   for_each_data_mesh(2000000, [](const Mesh& mesh) {
+    expect_certified_in_double(mesh);
     Exact_triangulation t(mesh);
     IT::make_Delaunay(t);
     EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());

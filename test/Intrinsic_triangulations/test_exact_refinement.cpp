@@ -143,8 +143,9 @@ struct Insertion_counter : IT::Default_refinement_visitor
   bool has_exact_flips = false;
 };
 
-// In `double`, refinement does what exact traits do if it starts anew in doubt, and otherwise, going on
-// exactly or not, needs about as many vertices at most. In any case the result is certified.
+// In `double`, refinement does what exact traits do if it starts anew in doubt, and otherwise,
+// going on exactly or not, needs about as many vertices at most. In any case the result is
+// certified.
 void expect_refined_in_double(const std::string& name, const Mesh& mesh)
 {
   SCOPED_TRACE(name);
@@ -180,8 +181,8 @@ TEST(Exact_refinement, in_double_goes_on_where_rounding_leaves_doubts)
       expect_refined_in_double(std::to_string(seed), hard_mesh(seed).mesh);
 }
 
-// Squares on a turned grid are ties that rounding breaks: refinement in `double` goes on from where it
-// is, and the visitor is not notified of a restart.
+// Squares on a turned grid are ties that rounding breaks: refinement in `double` goes on from
+// where it is, and the visitor is not notified of a restart.
 TEST(Exact_refinement, in_double_is_certified_on_ordinary_meshes)
 {
   Portable_random random(6);
@@ -217,8 +218,8 @@ TEST(Exact_refinement, in_double_is_certified_on_hard_meshes)
   }
 }
 
-// What counts as certain by lengths is so: exact arithmetic agrees that these edges are straight, and
-// on their lengths.
+// What counts as certain by lengths is so: exact arithmetic agrees that these edges are straight,
+// and on their lengths.
 TEST(Exact_refinement, lengths_without_doubt_are_right)
 {
   std::size_t certain = 0, doubtful = 0;
@@ -285,6 +286,54 @@ TEST(Exact_refinement, can_be_stopped_before_exact_decisions)
   Visitor visitor;
   EXPECT_THROW(IT::refine(tri, IT::parameters::visitor(std::ref(visitor))), Stopped);
   EXPECT_EQ(text_of(tri), text_of(given));
+}
+
+// Flips at random, some of which make edges that are not straight.
+void bend(Triangulation& tri, Portable_random& random)
+{
+  const int edges = static_cast<int>(tri.mesh().number_of_edges());
+  for(int flip = 0; flip < edges / 4; ++flip) {
+    const Halfedge_index h =
+      tri.mesh().halfedge(Edge_index(static_cast<unsigned>(random.get_int(0, edges))));
+    if(IT::flip_status(h, tri.mesh()) == IT::Operation_status::possible &&
+       !tri.is_constrained(tri.mesh().edge(h)))
+      try {
+        tri.flip(h);
+      } catch(const IT::Numerical_error&) {
+      }
+  }
+}
+
+// Inserted vertices keep their places where T2 is made anew from T1, and refinement goes on.
+TEST(Exact_refinement, bent_edges_between_inserted_vertices_are_repaired)
+{
+  Portable_random random(9);
+  std::size_t bent = 0;
+  for(std::uint64_t seed = 0; seed < 24; ++seed) {
+    SCOPED_TRACE(seed);
+    Mesh mesh = seed % 2 == 0 ? hard_base(random) : hard_mesh(seed).mesh;
+    auto is_constrained = mesh.add_property_map<Edge_index, bool>("e:constrained", false).first;
+    for(Edge_index e : mesh.edges())
+      is_constrained[e] = seed % 3 == 0 && random.get_int(0, 5) == 0;
+    Triangulation tri(mesh, IT::parameters::edge_is_constrained_map(is_constrained));
+    IT::refine(tri, IT::parameters::face_predicate([](Face_index) {
+                      return true;
+                    }).maximum_number_of_insertions(std::size_t(60)));
+    bend(tri, random);
+    bent += !IT::certify_Delaunay(tri).is_geodesic();
+    const auto places = tri.inserted_vertices();
+    IT::make_Delaunay(tri);
+    EXPECT_TRUE(IT::certify_Delaunay(tri).is_Delaunay());
+    EXPECT_TRUE(tri.is_valid(true));
+    ASSERT_EQ(tri.number_of_inserted_vertices(), places.size());
+    for(std::size_t i = 0; i < places.size(); ++i)
+      EXPECT_EQ(tri.inserted_vertices()[i].location, places[i].location);
+    bend(tri, random);
+    const Refinement_result result = refined(tri);
+    EXPECT_GE(tri.number_of_inserted_vertices(), places.size());
+    expect_certified(tri, result);
+  }
+  EXPECT_GT(bent, 20u);
 }
 
 // Flips and inserted vertices are gone; constraints stay, also those of edges that were split.
@@ -427,7 +476,8 @@ TEST(Exact_refinement, parts_of_edges_near_a_target_lose_no_digits)
   EXPECT_LT(length(nearer, near_target), 0);
 }
 
-// A boundary edge of a prism-free strip whose only vertex lies on it exactly cannot be flipped away.
+// A boundary edge of a prism-free strip whose only vertex lies on it exactly cannot be flipped
+// away.
 TEST(Exact_refinement, faces_without_area_are_named)
 {
   const Mesh mesh = make_mesh({Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0), Point(1, 2, 0)},

@@ -23,8 +23,8 @@ public:
   /// `h` leads along the new edge.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
-  /// is called if lengths leave too much in doubt: \f$T_2\f$ has become \f$T_1\f$ again, and flipping
-  /// starts anew with exact decisions.
+  /// is called if edges were bent: \f$T_2\f$ has become \f$T_1\f$ again, with the inserted
+  /// vertices, and flipping starts anew.
   void before_exact_flips();
 
   /// is called after the vertex `v` has been inserted by `inserter`, before any edge is flipped.
@@ -40,7 +40,8 @@ public:
   /// `CGAL::Intrinsic_triangulations::Intrinsic_triangulation::collect_garbage()`).
   void after_renumbering();
 
-  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, without flips and
-  /// without inserted vertices, and refinement starts anew with exact decisions.
+  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, without flips
+  /// and with the vertices only that it had at the start, and refinement starts anew with exact
+  /// decisions.
   void before_exact_refinement();
 };

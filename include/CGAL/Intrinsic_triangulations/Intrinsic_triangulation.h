@@ -41,6 +41,8 @@ template <typename Traits>
 class Exact_flipping;
 template <typename Traits>
 class Exact_insertion;
+template <typename Traits>
+class Vertex_reinserter;
 
 } // namespace internal
 
@@ -394,6 +396,7 @@ private:
   friend class internal::Input_splitter<Traits>;
   friend class internal::Exact_flipping<Traits>;
   friend class internal::Exact_insertion<Traits>;
+  friend class internal::Vertex_reinserter<Traits>;
 
   bool can_be_turned(Halfedge_index h) const
   {

@@ -12,10 +12,12 @@
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/reinsert_vertices.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -28,14 +30,15 @@ struct Default_flip_visitor
 {
   /// is called after the edge of `h` has been flipped.
   void after_flip(Halfedge_index /* h */) {}
-  /// is called if lengths leave too much in doubt, before flipping starts anew with exact decisions.
+  /// is called if edges were bent, before flipping starts anew: \f$T_2\f$ is \f$T_1\f$ again, with
+  /// the inserted vertices.
   void before_exact_flips() {}
 };
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// returns whether every edge of `tri` that could be flipped is Delaunay (Equation 2.6). With
-/// floating point numbers the tolerance is one-sided: `false` is true of the stored lengths, `true`
-/// of lengths within `rounding_unit()` of them. Complexity: linear.
+/// floating point numbers the tolerance is one-sided: `false` is true of the stored lengths,
+/// `true` of lengths within `rounding_unit()` of them. Complexity: linear.
 template <typename Traits>
 bool is_Delaunay(const Intrinsic_triangulation<Traits>& tri)
 {
@@ -149,15 +152,15 @@ bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri)
   return true;
 }
 
-// Where edges have been flipped more than once on average, rounding may have added up; where a flip
-// failed, it has. With lengths computed afresh a second round is enough as a rule, but nothing
-// guarantees it.
+// Where edges have been flipped more than once on average, rounding may have added up; where a
+// flip failed, it has. With lengths computed afresh a second round is enough as a rule, but
+// nothing guarantees it.
 template <typename Traits, typename Visitor>
-Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit, int rounds,
+Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                 Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   Flipping_result result{0, true};
-  for(int round = 0; round < rounds && result.is_Delaunay; ++round) {
+  for(int round = 0; round < 100 && result.is_Delaunay; ++round) {
     Flipping_by_lengths<Traits> flipping(tri);
     const std::size_t before = result.flips;
     result = flip_to_Delaunay(tri.mesh(), flipping, limit - before, visitor, concurrency);
@@ -178,26 +181,53 @@ inline void check_flip_limit(bool is_exceeded)
     throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
 }
 
-template <typename Traits, typename Visitor>
-std::size_t flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
-                         Concurrency concurrency)
+// What flips with decisions about the surface of T1 have come to.
+struct Certain_flips
 {
-  Exact_flipping<Traits> flipping(tri);
-  const Flipping_result result =
-    flip_to_Delaunay(tri.mesh(), flipping, limit, visitor, concurrency);
-  check_flip_limit(!result.is_Delaunay);
-  return result.flips;
+  enum class End
+  {
+    Delaunay,
+    limit,
+    bent,
+    too_long
+  };
+
+  std::size_t number;
+  End end;
+};
+
+// Flips to Delaunay with at most `effort` steps on strips of triangles, and then once more with a
+// hundred times as many.
+template <typename Traits, typename Visitor>
+Certain_flips flip_with_certainty(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                                  double effort, Visitor& visitor, Concurrency concurrency)
+{
+  typedef Certain_flips::End End;
+  std::size_t flips = 0;
+  for(double factor : {1, 100}) {
+    Exact_flipping<Traits> flipping(tri, factor * effort);
+    if(flipping.has_unknown_lengths() && flipping.has_too_many_crossings())
+      break;
+    if(flipping.has_unknown_lengths() && !flipping.find_lengths())
+      return {flips, End::bent};
+    const Flipping_result result =
+      flip_to_Delaunay(tri.mesh(), flipping, limit - flips, visitor, concurrency);
+    flips += result.flips;
+    if(flips == limit && !result.is_Delaunay)
+      return {flips, End::limit};
+    if(!flipping.has_unknown_lengths()) {
+      flipping.sharpen_lengths();
+      return {flips, End::Delaunay};
+    }
+  }
+  return {flips, End::too_long};
 }
 
-// From lengths of type `double` that may be far off.
-template <typename Traits, typename Visitor>
-std::size_t make_exactly_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                                  Visitor& visitor, Concurrency concurrency = Concurrency())
+struct Delaunay_flips
 {
-  if constexpr(!Is_exact<Traits>::value)
-    Exact_flipping<Traits>(tri).recompute_lengths();
-  return flip_exactly(tri, limit, visitor, concurrency);
-}
+  std::size_t number;
+  bool are_anew; // whether flipping has started anew from T1
+};
 
 // The number of flips beyond which lengths of type `double` are not relied on.
 inline std::size_t flips_by_lengths(std::size_t number_of_edges)
@@ -205,34 +235,47 @@ inline std::size_t flips_by_lengths(std::size_t number_of_edges)
   return 10000000 + 1000 * number_of_edges;
 }
 
-struct Delaunay_flips
+// Whether T2 can start from T1 again: what is constrained are edges of T1, or parts of them.
+template <typename Traits>
+bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
 {
-  std::size_t number;
-  bool are_exact; // whether flipping went on with exact decisions
-};
+  const auto edges = tri.mesh().edges();
+  return std::all_of(edges.begin(), edges.end(), [&](Edge_index e) {
+    return !tri.is_constrained(e) || tri.coordinates().is_shared(e);
+  });
+}
 
-// Starts anew from T1 with exact decisions where lengths of type `double` cannot carry these: after
-// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2 may
-// be bent, and exact decisions are about straight ones. That needs a triangulation without inserted
-// vertices.
+// Decides exactly which edges are Delaunay, and starts anew from T1 where edges are bent. Unless
+// `is_strict`, stored lengths decide where strips are too long for that.
 template <typename Traits, typename Visitor>
 Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             Visitor& visitor, Concurrency concurrency = Concurrency())
+                             bool is_strict, Visitor& visitor,
+                             Concurrency concurrency = Concurrency())
 {
-  const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
-  const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
-  const auto [flips, is_Delaunay] =
-    flip_by_lengths(tri, can_be_exact ? (std::min)(limit, carried) : limit, can_be_exact ? 2 : 100,
-                    visitor, concurrency);
-  if(is_Delaunay)
+  std::size_t flips = 0;
+  if constexpr(has_metric<Traits>()) {
+    const double no_limit = std::numeric_limits<double>::infinity();
+    const std::size_t carried =
+      is_strict ? limit : (std::min)(limit, flips_by_lengths(tri.mesh().number_of_edges()));
+    Certain_flips certain =
+      flip_with_certainty(tri, carried, is_strict ? no_limit : 1e7, visitor, concurrency);
+    flips = certain.number;
+    if(certain.end == Certain_flips::End::Delaunay)
+      return {flips, false};
+    check_flip_limit(flips == limit);
+    if(certain.end != Certain_flips::End::too_long && can_be_reset(tri)) {
+      reset_with_vertices(tri, tri.number_of_inserted_vertices());
+      visitor.before_exact_flips();
+      certain = flip_with_certainty(tri, limit - flips, no_limit, visitor, concurrency);
+      check_flip_limit(certain.end == Certain_flips::End::limit);
+      return {flips + certain.number, true};
+    }
+  }
+  const Flipping_result result = flip_by_lengths(tri, limit - flips, visitor, concurrency);
+  flips += result.flips;
+  if(result.is_Delaunay)
     return {flips, false};
   check_flip_limit(flips == limit);
-  if constexpr(has_metric<Traits>())
-    if(can_be_exact) {
-      tri.reset_to_input();
-      visitor.before_exact_flips();
-      return {flips + make_exactly_Delaunay(tri, limit - flips, visitor, concurrency), true};
-    }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
 
@@ -241,12 +284,18 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
 ///
-/// With `Exact_Euclidean_geometry_traits` every decision is exact. With lengths of type `double`, if
-/// there were more flips than edges, or rounding has left a flipped edge non-Delaunay, lengths are
-/// recomputed from \f$T_1\f$ and flipping goes on; if that is not enough, or there were more than ten
-/// million flips and a thousand for each edge, and no vertices have been inserted, \f$T_2\f$ becomes
-/// \f$T_1\f$ again and flipping starts anew with exact decisions. The result is then exactly
-/// Delaunay.
+/// With `Exact_Euclidean_geometry_traits`, and with `Euclidean_geometry_traits<double>` too, it is
+/// decided exactly which edges are Delaunay: by the stored lengths and bounds for their errors,
+/// and where these leave doubts, on the surface of \f$T_1\f$. `certify_Delaunay()` confirms the
+/// result. At the beginning edges that are not in \f$T_1\f$ are laid out; if one is bent,
+/// \f$T_2\f$ becomes
+/// \f$T_1\f$ again with the inserted vertices, and flipping starts anew.
+///
+/// In `double`, the stored lengths decide where edges cross too many others, more than a million
+/// and a hundred for each edge in all, or where a decision involves too many square roots. With
+/// other number types that are rounded they always decide; if there were more flips than edges, or
+/// rounding has left a flipped edge non-Delaunay, lengths are recomputed from \f$T_1\f$ and
+/// flipping goes on.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -259,13 +308,15 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///     \cgalParamDefault{a thousand for each edge, and a hundred million}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, too. If
-///       vertices have been inserted, `certify_Delaunay()` must find the edges straight.}
+///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`,
+///     however
+///       long that takes; lengths are then correct to a relative error of \f$2^{-40}\f$}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{concurrency_tag}
-///     \cgalParamDescription{whether several threads find the edges to start from; flips are made one
+///     \cgalParamDescription{whether several threads find the edges to start from; flips are made
+///     one
 ///                           after the other. See \ref it_parallel.}
 ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 ///                    `CGAL::Parallel_if_available_tag`}
@@ -280,8 +331,8 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// \cgalNamedParamsEnd
 ///
 /// Complexity: linear in the edges and flips. The number of flips has no bound in the number of
-/// edges, since a geodesic triangulation can be sheared without end; on real meshes it is about the
-/// number of edges. A mark for each edge and a stack of edges are allocated.
+/// edges, since a geodesic triangulation can be sheared without end; on real meshes it is about
+/// the number of edges. A mark for each edge and a stack of edges are allocated.
 /// \returns the number of flips
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
 /// \throws Numerical_error if a flipped length is not positive and finite, an exact decision
@@ -305,11 +356,9 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   Default_flip_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
-  if constexpr(internal::has_metric<Traits>())
-    if(internal::Is_exact<Traits>::value ||
-       choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
-      return internal::make_exactly_Delaunay(tri, limit, visitor, concurrency);
-  return internal::make_Delaunay(tri, limit, visitor, concurrency).number;
+  const bool is_strict = internal::Is_exact<Traits>::value ||
+                         choose_parameter(get_parameter(np, internal_np::exact_decisions), false);
+  return internal::make_Delaunay(tri, limit, is_strict, visitor, concurrency).number;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

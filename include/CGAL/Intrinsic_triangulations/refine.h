@@ -10,8 +10,6 @@
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Delaunay_refinement.h>
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
@@ -40,8 +38,8 @@ struct Default_refinement_visitor : Default_flip_visitor
   void after_removal(Vertex_index /* v */, Face_index /* f */) {}
   /// is called after elements have been renumbered.
   void after_renumbering() {}
-  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, and refinement
-  /// starts anew with exact decisions.
+  /// is called if rounding leaves too much in doubt: \f$T_2\f$ is \f$T_1\f$ again, with the
+  /// vertices that it had at the start, and refinement starts anew with exact decisions.
   void before_exact_refinement() {}
 };
 
@@ -64,8 +62,8 @@ public:
       m_predicate(predicate)
   {}
 
-  // Returns whether `f` violates the bound on angles. With sides a <= b <= c, the sine of the least
-  // angle is a * quadrupled_area / (2 abc).
+  // Returns whether `f` violates the bound on angles. With sides a <= b <= c, the sine of the
+  // least angle is a * quadrupled_area / (2 abc).
   bool is_too_thin(Face_index f) const
   {
     const std::array<FT, 3> side = sides_of(f);
@@ -164,8 +162,8 @@ bool note_remaining(const Intrinsic_triangulation<Traits>& tri, const Bounds& bo
   return !all_excused;
 }
 
-// Inserts vertices and leaves no garbage, not even after an exception. Returns whether rounding has
-// left no doubt.
+// Inserts vertices and leaves no garbage, not even after an exception. Returns whether rounding
+// has left no doubt.
 template <bool is_exact, typename Traits, typename Bounds, typename Visitor>
 bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                      const Refinement_limits& limits, Visitor& visitor, bool stops_in_doubt,
@@ -187,98 +185,40 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   return is_certain;
 }
 
-// Flips by lengths that have been computed afresh, and notes the edges that they leave in doubt.
-template <typename Traits>
-class Flipping_in_doubt : public Flipping_by_lengths<Traits>
-{
-  typedef Flipping_by_lengths<Traits> Base;
-
-public:
-  Flipping_in_doubt(Intrinsic_triangulation<Traits>& tri, Doubtful_edges& doubts)
-    : Base(tri), m_tri(tri), m_doubts(doubts)
-  {}
-
-  bool is_certainly_Delaunay(Edge_index e) const
-  {
-    return m_by_lengths.is_certain(
-      diamond(m_tri.length_map(), m_tri.mesh().halfedge(e), m_tri.mesh()));
-  }
-
-  bool is_Delaunay(Edge_index e)
-  {
-    const bool result = Base::is_Delaunay(e);
-    if(result)
-      m_doubts.non_Delaunay.push_back(e);
-    return result;
-  }
-
-private:
-  const Intrinsic_triangulation<Traits>& m_tri;
-  Doubtful_edges& m_doubts;
-  typename Traits::Is_locally_Delaunay m_by_lengths{Lengths_in_strips<Traits>::tolerance()};
-};
-
-// Computes lengths afresh, notes what they leave in doubt, and returns whether that was possible.
-template <typename Traits>
-bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri, Doubtful_edges& doubts)
-{
-  Lengths_in_strips<Traits> lengths(tri);
-  const auto length = [&](Halfedge_index h) {
-    const double result = lengths(h);
-    if(!lengths.is_certain(h, result))
-      doubts.bent.push_back(tri.mesh().edge(h));
-    return result;
-  };
-  try {
-    Exact_flipping<Traits>::set_lengths(tri, length);
-  } catch(const Numerical_error&) {
-    return false;
-  }
-  doubts.crossings = std::move(lengths).crossings();
-  return true;
-}
-
-// Flips to Delaunay with lengths that are computed afresh, and returns whether that was possible.
-// Doubts are those of the last time, when no flip was necessary.
+// Flips to Delaunay with certainty, or else with lengths that are computed afresh, and returns
+// whether that was possible.
 template <typename Traits, typename Visitor>
 bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
-                       Refinement_result& result, [[maybe_unused]] Doubtful_edges& doubts)
+                       Refinement_result& result)
 {
-  Flipping_result flipping{1, true};
-  bool is_done = true;
   if constexpr(has_metric<Traits>()) {
-    for(int round = 0; round < 20 && flipping.flips > 0 && flipping.is_Delaunay; ++round) {
-      doubts = Doubtful_edges();
-      if(!has_recomputed_lengths(tri, doubts))
-        return false;
-      Flipping_in_doubt<Traits> by_lengths(tri, doubts);
-      flipping = flip_to_Delaunay(tri.mesh(), by_lengths, limit, visitor);
-      result.flips += flipping.flips;
-    }
-    is_done = flipping.flips == 0;
+    const Certain_flips flips = flip_with_certainty(tri, limit, 1e9, visitor, Concurrency());
+    result.flips += flips.number;
+    check_flip_limit(flips.end == Certain_flips::End::limit);
+    return flips.end == Certain_flips::End::Delaunay;
   } else {
     tri.recompute_lengths();
-    flipping = flip_by_lengths(tri, limit, 100, visitor);
-    result.flips += flipping.flips;
+    const Flipping_result flips = flip_by_lengths(tri, limit, visitor);
+    result.flips += flips.flips;
+    check_flip_limit(!flips.is_Delaunay && flips.flips == limit);
+    return flips.is_Delaunay;
   }
-  check_flip_limit(!flipping.is_Delaunay && flipping.flips == limit);
-  return flipping.is_Delaunay && is_done;
 }
 
 // Lengths that come from many roundings are computed afresh; edges and faces that turn out to
 // violate their conditions are flipped and refined again. Returns whether rounding has left no
-// doubt but `doubts`; otherwise, with `stops_in_doubt`, this can end anywhere.
+// doubt; otherwise, with `stops_in_doubt`, this can end anywhere.
 template <typename Traits, typename Bounds, typename Visitor>
 bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                        const Refinement_limits& limits, Visitor& visitor, bool stops_in_doubt,
-                       Refinement_result& result, Doubtful_edges& doubts)
+                       Refinement_result& result)
 {
   for(int round = 0; round < 20; ++round) {
     const std::size_t before = result.insertions + result.flips;
     if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_in_doubt, result) &&
        stops_in_doubt)
       return false;
-    if(!is_flipped_afresh(tri, limits.flips, visitor, result, doubts)) {
+    if(!is_flipped_afresh(tri, limits.flips, visitor, result)) {
       if(stops_in_doubt)
         return false;
       throw Numerical_error("rounding of the lengths keeps the refinement from becoming Delaunay");
@@ -298,50 +238,31 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
 {
   result.is_exact = true;
   result.status = Refinement_status::bounds_met;
-  result.flips += make_exactly_Delaunay(tri, limits.flips, visitor);
+  result.flips += make_Delaunay(tri, limits.flips, true, visitor).number;
   insert_vertices<true>(tri, bounds, limits, visitor, false, result);
   note_remaining(tri, bounds, result);
   return result;
 }
 
-// Certifies what rounding has left in doubt, and goes on exactly if edges are straight, but not all
-// Delaunay. Returns whether edges are straight.
-template <typename Traits, typename Bounds, typename Visitor>
-bool settle(Doubtful_edges&& doubts, Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-            const Refinement_limits& limits, Visitor& visitor, Refinement_result& result)
-{
-  const Delaunay_certificate certificate = certificate_for(tri, std::move(doubts));
-  if(certificate.is_Delaunay() || !certificate.is_geodesic())
-    return certificate.is_geodesic();
-  result.is_exact = true;
-  result.flips += make_exactly_Delaunay(tri, limits.flips, visitor);
-  const bool is_limited = result.status == Refinement_status::insertion_limit;
-  if(note_remaining(tri, bounds, result) && !is_limited)
-    result = refine_exactly(tri, bounds, limits, visitor, result);
-  return true;
-}
-
-// Goes on with exact decisions where rounding leaves doubts: from the triangulation that lengths have
-// led to if its edges are straight, and otherwise from T1. That needs a triangulation without
-// vertices that must stay, since the edges at those may not be straight.
+// Starts anew with exact decisions where rounding leaves doubts, from T1 and the vertices that had
+// been inserted before.
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                                         const Refinement_limits& limits, Visitor& visitor)
 {
-  const bool can_be_exact = has_metric<Traits>() && tri.number_of_inserted_vertices() == 0;
-  const Delaunay_flips flips = make_Delaunay(tri, limits.flips, visitor);
+  [[maybe_unused]] const std::size_t given = tri.number_of_inserted_vertices();
+  const bool can_be_exact = has_metric<Traits>() && can_be_reset(tri);
+  const Delaunay_flips flips = make_Delaunay(tri, limits.flips, false, visitor);
   Refinement_result result;
   result.flips = flips.number;
   if constexpr(has_metric<Traits>())
-    if(flips.are_exact)
+    if(flips.are_anew)
       return refine_exactly(tri, bounds, limits, visitor, result);
-  Doubtful_edges doubts;
   [[maybe_unused]] const bool is_certain =
-    refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result, doubts);
+    refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
   if constexpr(has_metric<Traits>())
-    if(!(is_certain && settle(std::move(doubts), tri, bounds, limits, visitor, result)) &&
-       can_be_exact) {
-      tri.reset_to_input();
+    if(!is_certain && can_be_exact) {
+      reset_with_vertices(tri, given);
       visitor.before_exact_refinement();
       return refine_exactly(tri, bounds, limits, visitor);
     }
@@ -371,17 +292,16 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// without end, and the default is small.
 ///
 /// With lengths of type `double`, decisions are in doubt if a face outlives the insertion of its
-/// circumcenter, a place or a length is lost, or a face is left that nothing excuses. Then \f$T_2\f$
-/// becomes \f$T_1\f$ again and refinement starts anew with exact decisions, unless it had inserted
-/// vertices at the start. At the end lengths are computed afresh: what their error bounds leave in
-/// doubt is decided exactly. If edges are not Delaunay then, but straight, refinement goes on from
-/// there with exact decisions; if they are not straight, from \f$T_1\f$.
+/// circumcenter, a place or a length is lost, edges are bent at the end, or a face is left that
+/// nothing excuses. Then \f$T_2\f$ becomes \f$T_1\f$ again, with the vertices that had been
+/// inserted at the start, and refinement starts anew with exact decisions. At the end lengths are
+/// computed afresh, and it is decided exactly which edges are Delaunay, as by `make_Delaunay()`.
 ///
 /// With exact decisions it is decided exactly which edges are Delaunay, on which
-/// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex gets
-/// coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if its
-/// edges are straight then and its faces positive; otherwise points farther inside the face are
-/// tried, and if none of them will do, the bad face is left, with the reason `at_rounding`.
+/// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex
+/// gets coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if
+/// its edges are straight then and its faces positive; otherwise points farther inside the face
+/// are tried, and if none of them will do, the bad face is left, with the reason `at_rounding`.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type
@@ -414,9 +334,9 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///     \cgalParamDefault{`default_maximum_number_of_insertions()`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of type
-///       `double`, too. If vertices have been inserted, `certify_Delaunay()` must find the edges
-///       straight.}
+///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of
+///     type
+///       `double`, too}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -441,8 +361,9 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   reason
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
-/// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type `double` if no
-///   vertices had been inserted before, exactly: `certify_Delaunay()` confirms it
+/// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type
+/// `double`,
+///   exactly: `certify_Delaunay()` confirms it
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                          const NamedParameters& np = CGAL::parameters::default_values())

@@ -34,8 +34,8 @@ struct Straight_edge
   double length;   // NaN if it is not known up to `certified_length_error()`
 };
 
-// Lengths, angles and corners of T2, each laid out anew from the metric of T1 with as many digits as
-// its rounded value needs.
+// Lengths, angles and corners of T2, each laid out anew from the metric of T1 with as many digits
+// as its rounded value needs.
 template <typename Traits, typename Crossings>
 class Certain_measures
 {
@@ -65,15 +65,15 @@ public:
     return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, m_double)};
   }
 
-  // Returns the length of the edge of `h`, correct to `certified_length_error()`.
+  // Returns the length of the edge of `h`, correct to a relative error of `error`.
   // \throws Numerical_error if it is not positive and finite
-  double length(Halfedge_index h) const
+  double length(Halfedge_index h, double error = certified_length_error()) const
   {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
       return shared_length(h);
     double length = 0;
     try_with_more_digits([&](auto& corners) {
-      length = rounded_length(development(corners).uncrossed_strip(h), corners);
+      length = rounded_length(development(corners).uncrossed_strip(h), corners, error);
       return !std::isnan(length);
     });
     if(!m_pair.traits().is_length_object()(length))
@@ -88,8 +88,8 @@ public:
     return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
   }
 
-  // Returns the angle at the source of `h` in its face, between 0 and pi: where it is near to one of
-  // them, rounding can make the corner clockwise.
+  // Returns the angle at the source of `h` in its face, between 0 and pi: where it is near to one
+  // of them, rounding can make the corner clockwise.
   double rounded_angle(Halfedge_index h) const
   {
     const auto [corner, error] =
@@ -206,8 +206,8 @@ private:
             flipped.is_good() ? flipped.length : std::numeric_limits<double>::quiet_NaN()};
   }
 
-  // Returns a corner and its error, which is small in comparison with `size(corner)` if more digits
-  // can help.
+  // Returns a corner and its error, which is small in comparison with `size(corner)` if more
+  // digits can help.
   template <typename Size>
   std::pair<std::complex<double>, double> rounded_corner(Halfedge_index h, const Size& size) const
   {
@@ -224,15 +224,15 @@ private:
     return result;
   }
 
-  // NaN if it is not known up to `certified_length_error()`
+  // NaN if it is not known up to a relative error of `error`
   template <typename Strip, typename Corners>
-  static double rounded_length(const Strip& strip, const Corners& corners)
+  static double rounded_length(const Strip& strip, const Corners& corners,
+                               double error = certified_length_error())
   {
     const auto length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
     const double midpoint = to_double(length.x);
-    return length.radius <= midpoint * certified_length_error() / 2
-             ? midpoint
-             : std::numeric_limits<double>::quiet_NaN();
+    return length.radius <= midpoint * error / 2 ? midpoint
+                                                 : std::numeric_limits<double>::quiet_NaN();
   }
 
   mutable Rounded<double> m_double;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delaunay_certificate.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
@@ -16,11 +17,9 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,14 +37,6 @@ public:
 
 private:
   const Input_crossings* m_crossings;
-};
-
-// The edges of T2 that rounding leaves in doubt, after all lengths have been computed afresh: those
-// that may be bent or have other lengths, and those that may not be Delaunay.
-struct Doubtful_edges
-{
-  std::vector<Edge_index> bent, non_Delaunay;
-  std::optional<Input_crossings> crossings;
 };
 
 // Proves that T2 is a geodesic triangulation and Delaunay, edge by edge.
@@ -80,35 +71,25 @@ public:
     return std::move(m_certificate);
   }
 
-  // Looks only at what is in doubt.
-  Delaunay_certificate run(const Doubtful_edges& doubts)
+  // Returns the length of the edge `e`; zero if it cannot be shown that it is straight, and that
+  // the faces at inserted ends turn around once.
+  double straight_length(Edge_index e)
   {
-    Decisions decisions(m_pair, m_crossings);
-    std::vector<Edge_index> edges = doubts.non_Delaunay;
-    for(Edge_index e : doubts.bent) {
-      check_straightness(e, decisions, m_certificate);
+    try {
+      Decisions decisions(m_pair, m_crossings);
       const Halfedge_index h = m_mesh.halfedge(e);
-      edges.push_back(e);
-      for(Halfedge_index x : {h, m_mesh.opposite(h)}) {
-        check_inserted(m_mesh.source(x), decisions, m_certificate);
-        if(!m_mesh.is_border(x))
-          edges.insert(edges.end(), {m_mesh.edge(m_mesh.next(x)), m_mesh.edge(m_mesh.prev(x))});
-      }
+      check_straightness(e, decisions, m_certificate);
+      check_inserted(m_mesh.source(h), decisions, m_certificate);
+      check_inserted(m_mesh.target(h), decisions, m_certificate);
+      return !m_certificate.is_geodesic() ? 0
+             : std::isnan(m_length[e])    ? decisions.length(h)
+                                          : m_length[e];
+    } catch(const Numerical_error&) {
+      return 0;
     }
-    if(m_certificate.is_geodesic())
-      for(Edge_index e : without_repetitions(edges))
-        check_Delaunay(e, decisions, m_certificate);
-    return std::move(m_certificate);
   }
 
 private:
-  static const std::vector<Edge_index>& without_repetitions(std::vector<Edge_index>& edges)
-  {
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    return edges;
-  }
-
   // Calls a member function for all elements, with decisions and a certificate for each chunk.
   template <typename Index>
   void for_each(void (Certifier::*check)(Index, Decisions&, Delaunay_certificate&))
@@ -178,8 +159,8 @@ private:
       part.folded_vertices.push_back(v);
   }
 
-  // Returns whether the faces at an inserted vertex lie the right way round and around it once. The
-  // sum of the angles is a multiple of a full turn (of a half turn on the boundary): rounding
+  // Returns whether the faces at an inserted vertex lie the right way round and around it once.
+  // The sum of the angles is a multiple of a full turn (of a half turn on the boundary): rounding
   // does not matter.
   bool is_turned_around_once(Vertex_index v, Decisions& decisions) const
   {
@@ -202,16 +183,6 @@ private:
   Delaunay_by_lengths m_by_lengths;
   Delaunay_certificate m_certificate;
 };
-
-// Returns a certificate of what is in doubt; it is empty if nothing is.
-template <typename Traits>
-Delaunay_certificate certificate_for(const Triangulation_pair<Traits>& pair,
-                                     Doubtful_edges&& doubts)
-{
-  return doubts.bent.empty() && doubts.non_Delaunay.empty()
-           ? Delaunay_certificate()
-           : Certifier<Traits>(pair, Concurrency(), *std::move(doubts.crossings)).run(doubts);
-}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -38,10 +38,7 @@ public:
   // \throws Numerical_error if it is not positive and finite
   FT operator()(Halfedge_index h)
   {
-    const FT length = m_pair.coordinates().is_shared(m_pair.mesh().edge(h))
-                        ? m_pair.shared_length(h)
-                      : m_crossings.count(h) == 0 ? length_in_face(h)
-                                                  : length_in_strip(h);
+    const FT length = rounded_length(h);
     if(!m_pair.traits().is_length_object()(length))
       throw Numerical_error("the strip of edge " + std::to_string(m_pair.mesh().edge(h).idx()) +
                             " has no positive finite length");
@@ -49,10 +46,17 @@ public:
   }
 
   // the greatest relative error of lengths that are certain
-  static constexpr double tolerance() { return 1.0 / (1 << 30); }
+  static constexpr double tolerance() { return certified_length_error(); }
 
-  // Returns whether the edge of `h`, whose length has just been computed, is certainly straight, and
-  // the error of `length` is at most `tolerance()`, whatever rounding has done.
+  // what floating point says about the edge of `h`
+  Straight_edge straight_edge(Halfedge_index h)
+  {
+    const double length = rounded_length(h);
+    return {m_pair.traits().is_length_object()(length) && is_certain(h, length), length};
+  }
+
+  // Returns whether the edge of `h`, whose length has just been computed, is certainly straight,
+  // and the error of `length` is at most `tolerance()`, whatever rounding has done.
   bool is_certain(Halfedge_index h, double length)
   {
     const Delta_complex &mesh = m_pair.mesh(), &input = m_pair.input_mesh();
@@ -79,6 +83,13 @@ public:
   Input_crossings crossings() && { return std::move(m_crossings); }
 
 private:
+  FT rounded_length(Halfedge_index h)
+  {
+    return m_pair.coordinates().is_shared(m_pair.mesh().edge(h)) ? m_pair.shared_length(h)
+           : m_crossings.count(h) == 0                           ? length_in_face(h)
+                                                                 : length_in_strip(h);
+  }
+
   // whether the vertex `v` of T2 is not on the boundary of a triangle of T1 that it is to lie in
   bool is_inside(Vertex_index v) const
   {
@@ -89,9 +100,9 @@ private:
     return along.is_valid() || (p[0] > 0 && p[1] > 0 && p[2] > 0);
   }
 
-  // Returns a bound for the errors of the angles and sides of a triangle of T1, from its lengths and
-  // the formulas: that of an angle with opposite side a is a (a + b + c) / (2 area) times that of a
-  // length. Where rounding can change the area by more than a small part, it is infinite.
+  // Returns a bound for the errors of the angles and sides of a triangle of T1, from its lengths
+  // and the formulas: that of an angle with opposite side a is a (a + b + c) / (2 area) times that
+  // of a length. Where rounding can change the area by more than a small part, it is infinite.
   float angle_error(Face_index f)
   {
     if(m_angle_error.empty())

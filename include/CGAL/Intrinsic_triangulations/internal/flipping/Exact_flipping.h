@@ -8,19 +8,33 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Exact decisions about flips, and lengths that stay within `certified_length_error()`: that of a
-// flipped edge comes from its diamond as long as error bounds allow, otherwise from its strip.
+// Flips with decisions about the surface of T1. Each length has an error bound: that of a flipped
+// edge comes from its diamond as long as bounds allow, otherwise from its strip. Where the bounds
+// around an edge are known, it is decided exactly whether it is Delaunay: what is flipped then is
+// straight, if all edges were. Where strips get too long, a length is unknown up to an error, and
+// the stored lengths decide, until `find_lengths()` makes sure of them.
 template <typename Traits>
 class Exact_flipping
 {
@@ -28,53 +42,112 @@ class Exact_flipping
   typedef Traced_crossings<Traits> Crossings;
 
 public:
-  // \pre the stored lengths are within `certified_length_error()`
-  explicit Exact_flipping(Triangulation& tri)
-    : m_tri(tri), m_mesh(tri.mesh()), m_decisions(tri, Crossings(tri))
+  // Lengths of edges that are not in T1 are unknown at first, unless `Traits` is exact. `effort`
+  // is the number of steps that may be spent on strips; without a limit no length gets unknown,
+  // and a decision that involves too many roots throws.
+  explicit Exact_flipping(Triangulation& tri,
+                          double effort = std::numeric_limits<double>::infinity())
+    : m_tri(tri),
+      m_mesh(tri.mesh()),
+      m_decisions(tri, Crossings(tri)),
+      m_error(m_mesh.num_edges(), input_error),
+      m_effort(effort)
   {
-    // an edge of T1 has a length of a few roundings
-    m_error.reserve(m_mesh.num_edges());
-    for(Edge_index e : m_mesh.edges())
-      m_error.push_back(static_cast<float>(m_decisions.is_input_edge(m_mesh.halfedge(e))
-                                             ? input_length_error()
-                                             : certified_length_error()));
+    bool are_shared = tri.number_of_inserted_vertices() == 0;
+    for(Delta_complex::size_type i = 0; i < m_error.size(); ++i)
+      are_shared &= tri.coordinates().is_shared(Edge_index(i));
+    if(!are_shared)
+      for(Edge_index e : m_mesh.edges())
+        if(!m_decisions.is_input_edge(m_mesh.halfedge(e)))
+          set_error(e, Is_exact<Traits>::value ? certified_error : unknown_error);
   }
+
+  bool has_unknown_lengths() const { return m_has_unknown_lengths; }
 
   bool is_certainly_Delaunay(Edge_index e) const
   {
-    return m_by_lengths.is_certain(diamond(m_tri.length_map(), m_mesh.halfedge(e), m_mesh));
+    return By_lengths{tolerance}.is_certain(
+      diamond(m_tri.length_map(), m_mesh.halfedge(e), m_mesh));
   }
 
   bool is_Delaunay(Edge_index e)
   {
     const Halfedge_index h = m_mesh.halfedge(e);
-    if(!m_tri.can_be_turned(h))
+    const Diamond<double> lengths = diamond(m_tri.length_map(), h, m_mesh);
+    if(By_lengths{tolerance}.is_certain(lengths) || !m_tri.can_be_turned(h))
       return true;
-    return m_decisions.is_Delaunay(h, is_straight_in_space(greatest_error_around(h)));
+    if(m_has_unknown_lengths && greatest_error_around(h) == unknown_error)
+      return By_lengths()(lengths);
+    return By_lengths{tolerance}(lengths) && is_exactly_Delaunay(h);
   }
 
   bool can_be_turned(Halfedge_index h) const { return m_tri.can_be_turned(h); }
 
   Exact_decisions<Traits, Crossings>& decisions() { return m_decisions; }
 
-  // returns true: it is always possible
+  // returns whether that was possible, as it always is if no length is unknown
   bool flip(Halfedge_index h)
   {
-    const double error = greatest_error_around(h);
-    const Bounded_length flipped = flipped_length(diamond(m_tri.length_map(), h, m_mesh), error);
-    const Edge_index e = m_mesh.edge(h);
-    const double in_plane = is_straight_in_space(error) ? length_in_plane(h, flipped.length) : 0;
+    const float error = greatest_error_around(h);
+    Bounded_length flipped = flipped_length(diamond(m_tri.length_map(), h, m_mesh), double(error));
+    if(error == input_error && m_luck > 0)
+      if(const double in_plane = length_in_plane(h, flipped.length); in_plane > 0)
+        flipped = {in_plane, double(input_error)};
+    if(error == unknown_error && !m_tri.traits().is_length_object()(flipped.length))
+      return false;
     m_tri.turn(h, [&] {
-      return m_tri.coordinates().is_shared(e) ? m_tri.shared_length(h)
-             : in_plane > 0                   ? in_plane
-             : flipped.is_good()              ? flipped.length
-                                              : m_decisions.length(h);
+      if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
+        flipped = shared_length(h);
+      else if(!(flipped.error <= (is_limited() ? tolerance : certified_length_error())))
+        flipped = length_in_strip(h, flipped.length);
+      set_error(m_mesh.edge(h), static_cast<float>(flipped.error));
+      return flipped.length;
     });
-    m_error[e.idx()] =
-      static_cast<float>(in_plane > 0 || m_decisions.is_input_edge(h) ? input_length_error()
-                         : flipped.is_good()                          ? 2 * flipped.error
-                                                                      : certified_length_error());
     return true;
+  }
+
+  // whether edges cross more than `find_lengths()` may lay out
+  bool has_too_many_crossings() const
+  {
+    double crossings = 0;
+    if(is_limited())
+      for(Edge_index e : m_mesh.edges())
+        crossings += count(e);
+    return crossings > 1e6 + 100. * m_mesh.number_of_edges();
+  }
+
+  // Computes the lengths that are unknown, and returns whether their edges are straight. If not,
+  // nothing has changed.
+  BOOST_NOINLINE bool find_lengths()
+  {
+    std::vector<std::pair<Edge_index, double>> found;
+    for(Edge_index e : m_mesh.edges())
+      if(m_error[e.idx()] == unknown_error)
+        found.emplace_back(e, 0);
+    if(!are_straight(found))
+      return false;
+    for(const auto& [e, length] : found) {
+      m_tri.m_length[e] = length;
+      m_error[e.idx()] = certified_error;
+    }
+    m_has_unknown_lengths = false;
+    return true;
+  }
+
+  // Computes the lengths anew that make an edge seem not to be Delaunay: stored lengths do not
+  // deny what has been decided exactly. What is sharp does not change again, so that this ends.
+  void sharpen_lengths()
+  {
+    for(bool has_changed = true; has_changed;) {
+      has_changed = false;
+      for(Edge_index e : m_doubtful)
+        if(const Halfedge_index h = m_mesh.halfedge(e);
+           !By_lengths()(diamond(m_tri.length_map(), h, m_mesh))) {
+          has_changed |= has_sharpened_length(e);
+          for(Edge_index side : edges_around(h, m_mesh))
+            has_changed |= has_sharpened_length(side);
+        }
+    }
   }
 
   // Computes all lengths anew.
@@ -82,30 +155,93 @@ public:
   {
     const auto length = [this](Halfedge_index h) { return m_decisions.length(h); };
     m_tri.set_lengths(length);
-  }
-
-  // Sets all lengths of `tri`. If `length()` throws, nothing has changed.
-  template <typename Length>
-  static void set_lengths(Triangulation& tri, Length& length)
-  {
-    tri.set_lengths(length);
+    std::replace(m_error.begin(), m_error.end(), unknown_error, certified_error);
+    m_has_unknown_lengths = false;
   }
 
 private:
-  double greatest_error_around(Halfedge_index h) const
+  typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay By_lengths;
+
+  // The greatest relative error of lengths that decide. More leaves more to strips, less more
+  // edges in doubt where coordinates have been rounded to few digits.
+  static constexpr double tolerance = Is_exact<Traits>::value ? certified_length_error() : 0x1p-34;
+
+  // An edge with the least error is an edge of T1 or a straight line in space.
+  static constexpr float input_error = static_cast<float>(input_length_error()),
+                         certified_error = static_cast<float>(certified_length_error()),
+                         unknown_error = std::numeric_limits<float>::infinity();
+
+  void set_error(Edge_index e, float error)
+  {
+    m_error[e.idx()] = error;
+    m_has_unknown_lengths = m_has_unknown_lengths || error == unknown_error;
+  }
+
+  float greatest_error_around(Halfedge_index h) const
   {
     float error = m_error[m_mesh.edge(h).idx()];
     for(Edge_index e : edges_around(h, m_mesh))
       error = (std::max)(error, m_error[e.idx()]);
-    return double(error);
+    return error;
   }
 
-  // Whether edges are straight lines in space, or edges of T1, as those with the least error are.
-  static bool is_straight_in_space(double error) { return error == float(input_length_error()); }
+  bool is_limited() const { return m_effort < std::numeric_limits<double>::infinity(); }
 
-  // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are straight
-  // in space, lie in one plane, and 0 otherwise. There its ends are as far apart as on the surface.
-  // What could underflow is left out.
+  BOOST_NOINLINE bool is_exactly_Delaunay(Halfedge_index h)
+  {
+    if(!can_afford(h))
+      return By_lengths()(diamond(m_tri.length_map(), h, m_mesh));
+    m_doubtful.push_back(m_mesh.edge(h));
+    try {
+      return (greatest_error_around(h) == input_error ? m_decisions.Delaunay_sign_by_squares(h)
+                                                      : m_decisions.Delaunay_sign(h)) != NEGATIVE;
+    } catch(const Numerical_error&) { // as good as a tie
+      if(!is_limited())
+        throw;
+      return true;
+    }
+  }
+
+  BOOST_NOINLINE Bounded_length shared_length(Halfedge_index h) const
+  {
+    return {m_decisions.length(h),
+            double(m_decisions.is_input_edge(h) ? input_error : certified_error)};
+  }
+
+  double count(Edge_index e) const
+  {
+    return static_cast<double>(m_tri.coordinates().crossings(m_mesh.halfedge(e)));
+  }
+
+  // Each crossing is found by following an edge of T1 over others.
+  bool can_afford(Edge_index e)
+  {
+    m_effort -= count(e) * count(e);
+    return m_effort >= 0;
+  }
+
+  // Whether the diamond of `h` can be laid out. If not, what follows from that is not certain.
+  bool can_afford(Halfedge_index h)
+  {
+    bool result = can_afford(m_mesh.edge(h));
+    for(Edge_index e : edges_around(h, m_mesh))
+      result = can_afford(e) && result;
+    if(!result)
+      set_error(m_mesh.edge(h), unknown_error);
+    return result;
+  }
+
+  BOOST_NOINLINE Bounded_length length_in_strip(Halfedge_index h, double by_diamond)
+  {
+    if(!can_afford(m_mesh.edge(h)))
+      return {by_diamond, double(unknown_error)};
+    m_doubtful.push_back(m_mesh.edge(h));
+    return {m_decisions.length(h), double(certified_error)};
+  }
+
+  // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are
+  // straight in space, lie in one plane, and 0 otherwise. There its ends are as far apart as on the
+  // surface. What could underflow is left out. Where few edges are in planes, it is not tried again.
   double length_in_plane(Halfedge_index h, double flipped_length)
   {
     const auto& points = m_tri.input_metric().points;
@@ -117,14 +253,47 @@ private:
     const bool is_in_plane = !m_tri.coordinates().is_shared(m_mesh.edge(h)) ||
                              (std::abs(distance - flipped_length) < 1e-6 * distance &&
                               m_decisions.is_flat(m_tri.input_halfedge(h)));
+    m_luck = (std::min)(m_luck + (is_in_plane ? 16 : -1), 1024);
     return is_in_plane && distance > 1e-100 ? distance : 0;
+  }
+
+  // Sets the lengths of edges, and returns whether these are straight.
+  bool are_straight(std::vector<std::pair<Edge_index, double>>& edges)
+  {
+    Lengths_in_strips<Traits> lengths(m_tri);
+    std::vector<std::size_t> doubtful;
+    for(std::size_t i = 0; i < edges.size(); ++i)
+      if(const Straight_edge straight = lengths.straight_edge(m_mesh.halfedge(edges[i].first));
+         straight.is_certain)
+        edges[i].second = straight.length;
+      else
+        doubtful.push_back(i);
+    if(doubtful.empty())
+      return true;
+    Certifier<Traits> certifier(m_tri, Concurrency(), std::move(lengths).crossings());
+    return std::all_of(doubtful.begin(), doubtful.end(), [&](std::size_t i) {
+      edges[i].second = certifier.straight_length(edges[i].first);
+      return edges[i].second > 0;
+    });
+  }
+
+  bool has_sharpened_length(Edge_index e)
+  {
+    if(m_tri.coordinates().is_shared(e))
+      return false;
+    const double before = m_tri.length(e);
+    m_tri.m_length[e] = m_decisions.length(m_mesh.halfedge(e), rounding_unit<double>() / 2);
+    return m_tri.length(e) != before;
   }
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
   Exact_decisions<Traits, Crossings> m_decisions;
-  Delaunay_by_lengths m_by_lengths;
   std::vector<float> m_error; // relative error bounds of the lengths
+  double m_effort;
+  int m_luck = 64; // more attempts to find edges in planes are made as long as it is positive
+  bool m_has_unknown_lengths = false;
+  std::vector<Edge_index> m_doubtful; // edges that stored lengths may not decide about rightly
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

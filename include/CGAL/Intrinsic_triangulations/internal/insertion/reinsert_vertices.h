@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_REINSERT_VERTICES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_REINSERT_VERTICES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Inserts vertices into T2, which is T1 with such vertices and without flips, exactly at their
+// places: every edge of T2 lies in one triangle of T1.
+template <typename Traits>
+class Vertex_reinserter
+{
+  typedef Intrinsic_triangulation<Traits> Triangulation;
+  typedef typename Triangulation::Integer Integer;
+  typedef Inserted_vertex<double> Place;
+  typedef std::array<double, 3> Weights; // barycentric coordinates
+
+public:
+  explicit Vertex_reinserter(Triangulation& tri) : m_tri(tri), m_mesh(tri.mesh()) {}
+
+  // \throws Numerical_error if there is a vertex already
+  void insert(const Place& place)
+  {
+    const Vertex_index m = place.along.is_valid() ? insert_on_edge(place) : insert_in_face(place);
+    m_tri.measured(m, exact_decisions(m_tri));
+  }
+
+private:
+  static Sign orientation(const Weights& a, const Weights& b, const Weights& c)
+  {
+    typedef Exact_ring R;
+    const auto minor = [&](std::size_t i, std::size_t j) {
+      return R(R(b[i]) * R(c[j]) - R(b[j]) * R(c[i]));
+    };
+    return CGAL::sign(R(R(a[0]) * minor(1, 2) + R(a[1]) * minor(2, 0) + R(a[2]) * minor(0, 1)));
+  }
+
+  // on which side of a side of a face of T2 it lies
+  Sign side_of(const Weights& point, Halfedge_index h) const
+  {
+    return orientation(point, m_tri.input_location(h).second,
+                       m_tri.input_location(m_mesh.next(h)).second);
+  }
+
+  // Returns a side of the face in which the point lies, that on which it lies if it is on one. The
+  // walk begins in the face with the number `f`, which lies in that of T1; turns at random keep it
+  // from going in circles.
+  Halfedge_index locate(const Weights& point, Face_index f)
+  {
+    Halfedge_index h = m_mesh.halfedge(f);
+    for(int passed = 0; passed < 3; ++passed, h = m_mesh.next(h))
+      if(side_of(point, h) == NEGATIVE) {
+        m_turn = 1664525u * m_turn + 1013904223u;
+        h = m_turn >> 31 == 0 ? m_mesh.next(opposite(h)) : opposite(h);
+        passed = -1;
+      }
+    for(Halfedge_index side : sides(m_mesh.face(h), m_mesh))
+      if(side_of(point, side) == ZERO)
+        return side;
+    return h;
+  }
+
+  Vertex_index insert_in_face(const Place& place)
+  {
+    const Halfedge_index h = locate(place.location.second, place.location.first);
+    if(side_of(place.location.second, h) != ZERO)
+      return m_tri.split_face(m_mesh.face(h), {}, place, {});
+    if(side_of(place.location.second, m_mesh.next(h)) == ZERO ||
+       side_of(place.location.second, m_mesh.prev(h)) == ZERO)
+      throw Numerical_error("two inserted vertices are at one place");
+    return m_tri.split_edge(h, {}, {}, place, {});
+  }
+
+  // compares the ratios of two pairs of weights
+  static Comparison_result compare(const std::array<double, 2>& v, const std::array<double, 2>& w)
+  {
+    typedef Exact_ring R;
+    return CGAL::compare(R(R(v[1]) * R(w[0])), R(R(w[1]) * R(v[0])));
+  }
+
+  // the parts of an edge of T1, in the direction of its first halfedge, with the weights of their
+  // ends
+  struct Part
+  {
+    Halfedge_index halfedge;
+    std::array<double, 2> end;
+  };
+
+  Vertex_index insert_on_edge(const Place& place)
+  {
+    const Delta_complex& input = m_tri.input_mesh();
+    const Halfedge_index first = first_halfedge(Edge_index(place.along));
+    const std::size_t s = side_number(place.along, input);
+    std::array<double, 2> w{place.location.second[s], place.location.second[(s + 1) % 3]};
+    if(first != place.along)
+      std::swap(w[0], w[1]);
+    std::vector<Part>& parts = m_parts[Edge_index(first)];
+    if(parts.empty())
+      parts.push_back({first, {0, 1}});
+    const auto part = std::find_if(parts.begin(), parts.end(),
+                                   [&](const Part& p) { return compare(w, p.end) != LARGER; });
+    if(compare(w, part->end) == EQUAL)
+      throw Numerical_error("two inserted vertices are at one place");
+    const auto forward = m_tri.number_of_inserted_spoke(first), back = 1 - forward;
+    const Vertex_index m =
+      m_tri.split_edge(part->halfedge, {Integer(-1), Integer(-1), Integer(0), Integer(0)},
+                       {back, forward, back, forward}, place, {});
+    parts.insert(part, {first_part(part->halfedge, m_mesh), w});
+    return m;
+  }
+
+  Triangulation& m_tri;
+  const Delta_complex& m_mesh;
+  std::unordered_map<Edge_index, std::vector<Part>> m_parts;
+  std::uint32_t m_turn = 0;
+};
+
+// Makes T2 the triangulation T1 with the first of its inserted vertices, which keep their numbers.
+// Whatever it was, its edges are straight then.
+template <typename Traits>
+void reset_with_vertices(Intrinsic_triangulation<Traits>& tri, std::size_t number)
+{
+  const auto places = tri.inserted_vertices();
+  tri.reset_to_input();
+  Vertex_reinserter<Traits> reinserter(tri);
+  for(std::size_t i = 0; i < number; ++i)
+    reinserter.insert(places[i]);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_REINSERT_VERTICES_H
