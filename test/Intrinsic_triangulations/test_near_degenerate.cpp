@@ -134,6 +134,7 @@ void check_Delaunay(const Mesh& mesh)
   Triangulation t(mesh);
   IT::make_Delaunay(t);
   EXPECT_TRUE(IT::is_Delaunay(t));
+  IT::make_Delaunay(t, IT::parameters::exact_decisions(true));
   EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
   ASSERT_TRUE(t.is_valid(true));
   check_area(t);

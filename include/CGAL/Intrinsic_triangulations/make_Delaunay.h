@@ -156,11 +156,11 @@ bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri)
 // flip failed, it has. With lengths computed afresh a second round is enough as a rule, but
 // nothing guarantees it.
 template <typename Traits, typename Visitor>
-Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_t limit, int rounds,
                                 Visitor& visitor, Concurrency concurrency = Concurrency())
 {
   Flipping_result result{0, true};
-  for(int round = 0; round < 100 && result.is_Delaunay; ++round) {
+  for(int round = 0; round < rounds && result.is_Delaunay; ++round) {
     Flipping_by_lengths<Traits> flipping(tri);
     const std::size_t before = result.flips;
     result = flip_to_Delaunay(tri.mesh(), flipping, limit - before, visitor, concurrency);
@@ -245,37 +245,47 @@ bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
   });
 }
 
-// Decides exactly which edges are Delaunay, and starts anew from T1 where edges are bent. Unless
-// `is_strict`, stored lengths decide where strips are too long for that.
+// Decides exactly which edges are Delaunay, and starts anew from T1 where edges are bent.
+template <typename Traits, typename Visitor>
+Delaunay_flips flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                            Visitor& visitor, Concurrency concurrency)
+{
+  const double no_limit = std::numeric_limits<double>::infinity();
+  const Certain_flips first = flip_with_certainty(tri, limit, no_limit, visitor, concurrency);
+  check_flip_limit(first.end == Certain_flips::End::limit);
+  if(first.end == Certain_flips::End::Delaunay)
+    return {first.number, false};
+  if(!can_be_reset(tri))
+    throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
+  reset_with_vertices(tri, tri.number_of_inserted_vertices());
+  visitor.before_exact_flips();
+  const Certain_flips second =
+    flip_with_certainty(tri, limit - first.number, no_limit, visitor, concurrency);
+  check_flip_limit(second.end == Certain_flips::End::limit);
+  return {first.number + second.number, true};
+}
+
+// Goes on with exact decisions, and from T1, where lengths of type `double` cannot carry these: after
+// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2 may
+// be bent.
 template <typename Traits, typename Visitor>
 Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
-                             bool is_strict, Visitor& visitor,
-                             Concurrency concurrency = Concurrency())
+                             Visitor& visitor, Concurrency concurrency = Concurrency())
 {
-  std::size_t flips = 0;
-  if constexpr(has_metric<Traits>()) {
-    const double no_limit = std::numeric_limits<double>::infinity();
-    const std::size_t carried =
-      is_strict ? limit : (std::min)(limit, flips_by_lengths(tri.mesh().number_of_edges()));
-    Certain_flips certain =
-      flip_with_certainty(tri, carried, is_strict ? no_limit : 1e7, visitor, concurrency);
-    flips = certain.number;
-    if(certain.end == Certain_flips::End::Delaunay)
-      return {flips, false};
-    check_flip_limit(flips == limit);
-    if(certain.end != Certain_flips::End::too_long && can_be_reset(tri)) {
-      reset_with_vertices(tri, tri.number_of_inserted_vertices());
-      visitor.before_exact_flips();
-      certain = flip_with_certainty(tri, limit - flips, no_limit, visitor, concurrency);
-      check_flip_limit(certain.end == Certain_flips::End::limit);
-      return {flips + certain.number, true};
-    }
-  }
-  const Flipping_result result = flip_by_lengths(tri, limit - flips, visitor, concurrency);
-  flips += result.flips;
-  if(result.is_Delaunay)
+  const bool can_be_exact = has_metric<Traits>() && can_be_reset(tri);
+  const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
+  const auto [flips, is_Delaunay] =
+    flip_by_lengths(tri, can_be_exact ? (std::min)(limit, carried) : limit, can_be_exact ? 2 : 100,
+                    visitor, concurrency);
+  if(is_Delaunay)
     return {flips, false};
   check_flip_limit(flips == limit);
+  if constexpr(has_metric<Traits>())
+    if(can_be_exact) {
+      reset_with_vertices(tri, tri.number_of_inserted_vertices());
+      visitor.before_exact_flips();
+      return {flips + flip_exactly(tri, limit - flips, visitor, concurrency).number, true};
+    }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");
 }
 
@@ -284,18 +294,17 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// flips edges of `tri` until it is Delaunay (Section 2.3.3). Boundary and constrained edges stay.
 ///
-/// With `Exact_Euclidean_geometry_traits`, and with `Euclidean_geometry_traits<double>` too, it is
-/// decided exactly which edges are Delaunay: by the stored lengths and bounds for their errors,
-/// and where these leave doubts, on the surface of \f$T_1\f$. `certify_Delaunay()` confirms the
-/// result. At the beginning edges that are not in \f$T_1\f$ are laid out; if one is bent,
-/// \f$T_2\f$ becomes
-/// \f$T_1\f$ again with the inserted vertices, and flipping starts anew.
+/// With `Exact_Euclidean_geometry_traits`, or with lengths of type `double` and the parameter
+/// `exact_decisions`, it is decided exactly which edges are Delaunay: by the stored lengths and
+/// bounds for their errors, and where these leave doubts, on the surface of \f$T_1\f$.
+/// `certify_Delaunay()` confirms the result. At the beginning edges that are not in \f$T_1\f$ are
+/// laid out; if one is bent, \f$T_2\f$ becomes \f$T_1\f$ again, with the inserted vertices, and
+/// flipping starts anew.
 ///
-/// In `double`, the stored lengths decide where edges cross too many others, more than a million
-/// and a hundred for each edge in all, or where a decision involves too many square roots. With
-/// other number types that are rounded they always decide; if there were more flips than edges, or
-/// rounding has left a flipped edge non-Delaunay, lengths are recomputed from \f$T_1\f$ and
-/// flipping goes on.
+/// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips than
+/// edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from \f$T_1\f$ and
+/// flipping goes on. If that is not enough, or there were more than ten million flips and a thousand
+/// for each edge, flipping in `double` starts anew from \f$T_1\f$ with exact decisions.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -308,9 +317,8 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///     \cgalParamDefault{a thousand for each edge, and a hundred million}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`,
-///     however
-///       long that takes; lengths are then correct to a relative error of \f$2^{-40}\f$}
+///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, too;
+///       lengths are then correct to a relative error of \f$2^{-40}\f$}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -356,9 +364,11 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   Default_flip_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
-  const bool is_strict = internal::Is_exact<Traits>::value ||
-                         choose_parameter(get_parameter(np, internal_np::exact_decisions), false);
-  return internal::make_Delaunay(tri, limit, is_strict, visitor, concurrency).number;
+  if constexpr(internal::has_metric<Traits>())
+    if(internal::Is_exact<Traits>::value ||
+       choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
+      return internal::flip_exactly(tri, limit, visitor, concurrency).number;
+  return internal::make_Delaunay(tri, limit, visitor, concurrency).number;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -198,7 +198,7 @@ bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, 
     return flips.end == Certain_flips::End::Delaunay;
   } else {
     tri.recompute_lengths();
-    const Flipping_result flips = flip_by_lengths(tri, limit, visitor);
+    const Flipping_result flips = flip_by_lengths(tri, limit, 100, visitor);
     result.flips += flips.flips;
     check_flip_limit(!flips.is_Delaunay && flips.flips == limit);
     return flips.is_Delaunay;
@@ -238,7 +238,7 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
 {
   result.is_exact = true;
   result.status = Refinement_status::bounds_met;
-  result.flips += make_Delaunay(tri, limits.flips, true, visitor).number;
+  result.flips += flip_exactly(tri, limits.flips, visitor, Concurrency()).number;
   insert_vertices<true>(tri, bounds, limits, visitor, false, result);
   note_remaining(tri, bounds, result);
   return result;
@@ -252,7 +252,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 {
   [[maybe_unused]] const std::size_t given = tri.number_of_inserted_vertices();
   const bool can_be_exact = has_metric<Traits>() && can_be_reset(tri);
-  const Delaunay_flips flips = make_Delaunay(tri, limits.flips, false, visitor);
+  const Delaunay_flips flips = make_Delaunay(tri, limits.flips, visitor);
   Refinement_result result;
   result.flips = flips.number;
   if constexpr(has_metric<Traits>())
@@ -335,8 +335,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether all decisions are exact from the beginning, with lengths of
-///     type
-///       `double`, too}
+///       type `double`, too}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -362,8 +361,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// \throws Flip_limit_exceeded, Numerical_error, Overflow_error as `make_Delaunay()`
 /// After an exception `tri` is a valid triangulation of the same surface without garbage.
 /// \post `tri` is Delaunay and has no garbage; with exact traits, and with lengths of type
-/// `double`,
-///   exactly: `certify_Delaunay()` confirms it
+///   `double`, exactly: `certify_Delaunay()` confirms it
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                          const NamedParameters& np = CGAL::parameters::default_values())
