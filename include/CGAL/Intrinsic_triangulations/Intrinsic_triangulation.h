@@ -68,25 +68,12 @@ template <typename Traits_ = Euclidean_geometry_traits<double>>
 class Intrinsic_triangulation : public Triangulation_pair<Traits_>
 {
   typedef Triangulation_pair<Traits_> Base;
-  using Base::attach;
-  using Base::m_coordinates;
-  using Base::m_input;
-  using Base::m_input_metric;
-  using Base::m_inserted;
-  using Base::m_is_constrained;
-  using Base::m_length;
-  using Base::m_mesh;
-  using Base::m_spokes;
-  using Base::m_traits;
+  using Base::attach, Base::m_coordinates, Base::m_input, Base::m_input_metric, Base::m_inserted,
+    Base::m_is_constrained, Base::m_length, Base::m_mesh, Base::m_spokes, Base::m_traits;
 
 public:
-  using Base::first_inserted_spoke;
-  using Base::input;
-  using Base::inserted_vertex;
-  using Base::intrinsic;
-  using Base::is_constrained;
-  using Base::is_inserted;
-  using Base::shared_length;
+  using Base::first_inserted_spoke, Base::input, Base::inserted_vertex, Base::intrinsic,
+    Base::is_constrained, Base::is_inserted, Base::shared_length;
   using typename Base::FT;
   using typename Base::Integer;
   using typename Base::size_type;

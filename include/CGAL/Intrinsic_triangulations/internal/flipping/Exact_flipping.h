@@ -90,7 +90,7 @@ public:
   {
     const float error = greatest_error_around(h);
     Bounded_length flipped = flipped_length(diamond(m_tri.length_map(), h, m_mesh), double(error));
-    if(error == input_error && m_luck > 0)
+    if(error == input_error)
       if(const double in_plane = length_in_plane(h, flipped.length); in_plane > 0)
         flipped = {in_plane, double(input_error)};
     if(error == unknown_error && !m_tri.traits().is_length_object()(flipped.length))
@@ -253,7 +253,6 @@ private:
     const bool is_in_plane = !m_tri.coordinates().is_shared(m_mesh.edge(h)) ||
                              (std::abs(distance - flipped_length) < 1e-6 * distance &&
                               m_decisions.is_flat(m_tri.input_halfedge(h)));
-    m_luck = (std::min)(m_luck + (is_in_plane ? 16 : -1), 1024);
     return is_in_plane && distance > 1e-100 ? distance : 0;
   }
 
@@ -291,7 +290,6 @@ private:
   Exact_decisions<Traits, Crossings> m_decisions;
   std::vector<float> m_error; // relative error bounds of the lengths
   double m_effort;
-  int m_luck = 64; // more attempts to find edges in planes are made as long as it is positive
   bool m_has_unknown_lengths = false;
   std::vector<Edge_index> m_doubtful; // edges that stored lengths may not decide about rightly
 };
