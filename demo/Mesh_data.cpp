@@ -112,10 +112,10 @@ const Point_function* Mesh_data::function(const std::string& name) const
   return found == functions.end() ? nullptr : &*found;
 }
 
-std::size_t corner_dimension(const std::string& name)
+std::size_t corner_dimension(std::string_view name)
 {
-  if(name.compare(0, 6, "input_") == 0)
-    return corner_dimension(name.substr(6));
+  while(name.substr(0, 6) == "input_")
+    name.remove_prefix(6);
   if(name == "texcoord")
     return 2;
   return name == "homogeneous_texcoord" || name == "normal" ? 3 : 0;

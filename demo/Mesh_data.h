@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -47,8 +48,8 @@ struct Mesh_data
 };
 
 // How many coordinates the corners of a polygon have in a list of this name; zero if it is no name
-// of corner data.
-std::size_t corner_dimension(const std::string& name);
+// of corner data, with "input_" in front or without.
+std::size_t corner_dimension(std::string_view name);
 
 // Numbers coordinates corner by corner. Equal ones at one point get one number, so that others are
 // at seams only.

@@ -115,7 +115,11 @@ private:
     return result;
   }
 
-  std::size_t number_of_corners() const { return polygons().number_of_corners(); }
+  std::size_t number_of_corners() const
+  {
+    return std::accumulate(m_polygons.begin(), m_polygons.end(), std::size_t(0),
+                           [](std::size_t n, const auto& polygon) { return n + polygon.size(); });
+  }
 
   void clean()
   {

@@ -374,8 +374,9 @@ TEST(IO, ties_of_squared_lengths_are_kept)
   typedef IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>> Exact;
   const Delta_complex mesh = glue({{1, 2, 3}, {-1, -2, -3}});
   for(int scale : {1, 3, 7}) {
-    const auto square = boost::make_function_property_map<Edge_index>(
-      [&](Edge_index e) { return CGAL::Exact_rational(e.idx() == 2 ? 2 : 1) / scale; });
+    const auto square = boost::make_function_property_map<Edge_index>([&](Edge_index e) {
+      return CGAL::Exact_rational(CGAL::Exact_rational(e.idx() == 2 ? 2 : 1) / scale);
+    });
     const Exact exact(mesh, IT::parameters::squared_edge_length_map(square));
     EXPECT_EQ(IT::certify_Delaunay(exact).ties.size(), 1u);
     EXPECT_EQ(IT::certify_Delaunay(reloaded(exact)).ties.size(), 1u);
