@@ -322,7 +322,7 @@ TEST(Exact_refinement, bent_edges_between_inserted_vertices_are_repaired)
     bend(tri, random);
     bent += !IT::certify_Delaunay(tri).is_geodesic();
     const auto places = tri.inserted_vertices();
-    IT::make_Delaunay(tri);
+    IT::make_Delaunay(tri, IT::parameters::exact_decisions(true));
     EXPECT_TRUE(IT::certify_Delaunay(tri).is_Delaunay());
     EXPECT_TRUE(tri.is_valid(true));
     ASSERT_EQ(tri.number_of_inserted_vertices(), places.size());
