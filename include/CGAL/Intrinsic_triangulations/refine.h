@@ -244,6 +244,18 @@ Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bou
   return result;
 }
 
+// Flips to Delaunay before refinement. Around inserted vertices, faces could overlap later although
+// all edges are straight, if these are bent now.
+template <typename Traits, typename Visitor>
+Delaunay_flips flip_before_refinement(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                                      Visitor& visitor)
+{
+  if constexpr(has_metric<Traits>())
+    if(tri.number_of_inserted_vertices() > 0)
+      return flip_exactly(tri, limit, visitor, Concurrency());
+  return make_Delaunay(tri, limit, visitor);
+}
+
 // Starts anew with exact decisions where rounding leaves doubts, from T1 and the vertices that had
 // been inserted before.
 template <typename Traits, typename Bounds, typename Visitor>
@@ -252,7 +264,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 {
   [[maybe_unused]] const std::size_t given = tri.number_of_inserted_vertices();
   const bool can_be_exact = has_metric<Traits>() && can_be_reset(tri);
-  const Delaunay_flips flips = make_Delaunay(tri, limits.flips, visitor);
+  const Delaunay_flips flips = flip_before_refinement(tri, limits.flips, visitor);
   Refinement_result result;
   result.flips = flips.number;
   if constexpr(has_metric<Traits>())

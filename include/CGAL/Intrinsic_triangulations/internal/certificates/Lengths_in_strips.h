@@ -45,38 +45,36 @@ public:
     return length;
   }
 
-  // the greatest relative error of lengths that are certain
-  static constexpr double tolerance() { return certified_length_error(); }
-
-  // what floating point says about the edge of `h`
-  Straight_edge straight_edge(Halfedge_index h)
+  // what floating point says about the edge of `h`, whose length may have a relative error of
+  // `tolerance`
+  Straight_edge straight_edge(Halfedge_index h, double tolerance)
   {
     const double length = rounded_length(h);
-    return {m_pair.traits().is_length_object()(length) && is_certain(h, length), length};
+    return {m_pair.traits().is_length_object()(length) && is_certain(h, length, tolerance), length};
   }
 
   // Returns whether the edge of `h`, whose length has just been computed, is certainly straight,
-  // and the error of `length` is at most `tolerance()`, whatever rounding has done.
-  bool is_certain(Halfedge_index h, double length)
+  // and the relative error of `length` is at most `tolerance`, whatever rounding has done.
+  bool is_certain(Halfedge_index h, double length, double tolerance)
   {
     const Delta_complex &mesh = m_pair.mesh(), &input = m_pair.input_mesh();
     const bool is_shared = m_pair.coordinates().is_shared(mesh.edge(h));
     if(is_shared && !m_pair.is_inserted(mesh.source(h)) && !m_pair.is_inserted(mesh.target(h)))
       return true;
     if(is_shared)
-      return length * tolerance() >= m_pair.input_length(input.edge(m_pair.input_spoke_before(h))) *
-                                       rounding_unit<double>();
+      return length * tolerance >= m_pair.input_length(input.edge(m_pair.input_spoke_before(h))) *
+                                     rounding_unit<double>();
     if(!is_inside(mesh.source(h)) || !is_inside(mesh.target(h)))
       return false;
     const std::size_t n = m_crossings.count(h);
     if(n == 0) {
       const auto [a, b, c] = side_lengths(input.halfedge(m_face), m_pair.input());
-      return (a + b + c) * angle_error(m_face) <= tolerance() * length;
+      return (a + b + c) * angle_error(m_face) <= tolerance * length;
     }
     double error = angle_error(input.face(opposite(m_crossings(h, 0))));
     for(std::size_t m = 0; m < n; ++m)
       error += angle_error(input.face(m_crossings(h, m)));
-    return m_strip.is_certain(error, tolerance());
+    return m_strip.is_certain(error, tolerance);
   }
 
   // returns the crossings of which the lengths have been computed

@@ -66,7 +66,7 @@ public:
 
   bool is_certainly_Delaunay(Edge_index e) const
   {
-    return By_lengths{tolerance}.is_certain(
+    return By_lengths{tolerance()}.is_certain(
       diamond(m_tri.length_map(), m_mesh.halfedge(e), m_mesh));
   }
 
@@ -74,11 +74,11 @@ public:
   {
     const Halfedge_index h = m_mesh.halfedge(e);
     const Diamond<double> lengths = diamond(m_tri.length_map(), h, m_mesh);
-    if(By_lengths{tolerance}.is_certain(lengths) || !m_tri.can_be_turned(h))
+    if(By_lengths{tolerance()}.is_certain(lengths) || !m_tri.can_be_turned(h))
       return true;
     if(m_has_unknown_lengths && greatest_error_around(h) == unknown_error)
       return By_lengths()(lengths);
-    return By_lengths{tolerance}(lengths) && is_exactly_Delaunay(h);
+    return By_lengths{tolerance()}(lengths) && is_exactly_Delaunay(h);
   }
 
   bool can_be_turned(Halfedge_index h) const { return m_tri.can_be_turned(h); }
@@ -98,7 +98,7 @@ public:
     m_tri.turn(h, [&] {
       if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
         flipped = shared_length(h);
-      else if(!(flipped.error <= (is_limited() ? tolerance : certified_length_error())))
+      else if(!(flipped.error <= kept_error()))
         flipped = length_in_strip(h, flipped.length);
       set_error(m_mesh.edge(h), static_cast<float>(flipped.error));
       return flipped.length;
@@ -128,7 +128,7 @@ public:
       return false;
     for(const auto& [e, length] : found) {
       m_tri.m_length[e] = length;
-      m_error[e.idx()] = certified_error;
+      m_error[e.idx()] = static_cast<float>(kept_error());
     }
     m_has_unknown_lengths = false;
     return true;
@@ -162,9 +162,15 @@ public:
 private:
   typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay By_lengths;
 
-  // The greatest relative error of lengths that decide. More leaves more to strips, less more
-  // edges in doubt where coordinates have been rounded to few digits.
-  static constexpr double tolerance = Is_exact<Traits>::value ? certified_length_error() : 0x1p-34;
+  // The greatest relative error of lengths that decide. More leaves more edges in doubt where
+  // coordinates have been rounded to few digits, less more to strips.
+  double tolerance() const
+  {
+    return Is_exact<Traits>::value ? certified_length_error() : is_limited() ? 0x1p-30 : 0x1p-34;
+  }
+
+  // that of lengths that are kept
+  double kept_error() const { return is_limited() ? tolerance() : certified_length_error(); }
 
   // An edge with the least error is an edge of T1 or a straight line in space.
   static constexpr float input_error = static_cast<float>(input_length_error()),
@@ -262,7 +268,8 @@ private:
     Lengths_in_strips<Traits> lengths(m_tri);
     std::vector<std::size_t> doubtful;
     for(std::size_t i = 0; i < edges.size(); ++i)
-      if(const Straight_edge straight = lengths.straight_edge(m_mesh.halfedge(edges[i].first));
+      if(const Straight_edge straight =
+           lengths.straight_edge(m_mesh.halfedge(edges[i].first), kept_error());
          straight.is_certain)
         edges[i].second = straight.length;
       else
