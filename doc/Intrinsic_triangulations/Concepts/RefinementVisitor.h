@@ -23,8 +23,8 @@ public:
   /// `h` leads along the new edge.
   void after_flip(CGAL::Intrinsic_triangulations::Halfedge_index h);
 
-  /// is called if edges were bent: \f$T_2\f$ has become \f$T_1\f$ again, with the inserted
-  /// vertices, and flipping starts anew.
+  /// is called if lengths leave too much in doubt, or if edges are bent: \f$T_2\f$ has become
+  /// \f$T_1\f$ again, with the inserted vertices, and flipping starts anew with exact decisions.
   void before_exact_flips();
 
   /// is called after the vertex `v` has been inserted by `inserter`, before any edge is flipped.

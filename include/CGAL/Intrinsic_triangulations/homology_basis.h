@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -133,16 +134,10 @@ std::vector<Edge_index> edges_beside_cotree(const Edge_path_trees<Surface>& tree
   std::stable_sort(edges.begin(), edges.end(), [&](Edge_index a, Edge_index b) {
     return trees.loop_length(b) < trees.loop_length(a);
   });
-  boost::disjoint_sets_with_storage<> components(mesh.num_vertices()),
-    faces(mesh.num_faces() + mesh.num_vertices());
-  for(std::size_t v = 0; v < mesh.num_vertices(); ++v)
-    components.make_set(v);
-  for(Edge_index e : mesh.edges())
-    components.union_set(mesh.vertex(e, 0).idx(), mesh.vertex(e, 1).idx());
-  for(std::size_t f = 0; f < mesh.num_faces() + mesh.num_vertices(); ++f)
-    faces.make_set(f);
+  const Mesh_components components(mesh);
+  boost::disjoint_sets_with_storage<> faces(mesh.num_faces() + components.size());
   const auto face = [&](Halfedge_index h) {
-    return mesh.is_border(h) ? mesh.num_faces() + components.find_set(mesh.target(h).idx())
+    return mesh.is_border(h) ? mesh.num_faces() + components[mesh.target(h).idx()]
                              : std::size_t(mesh.face(h).idx());
   };
   for(Edge_index e : edges) {

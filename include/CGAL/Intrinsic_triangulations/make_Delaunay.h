@@ -245,6 +245,14 @@ bool can_be_reset(const Intrinsic_triangulation<Traits>& tri)
   });
 }
 
+// Makes T2 the triangulation T1 again, with the inserted vertices.
+template <typename Traits, typename Visitor>
+void start_anew(Intrinsic_triangulation<Traits>& tri, Visitor& visitor)
+{
+  reset_with_vertices(tri, tri.number_of_inserted_vertices());
+  visitor.before_exact_flips();
+}
+
 // Decides exactly which edges are Delaunay, and starts anew from T1 where edges are bent.
 template <typename Traits, typename Visitor>
 Delaunay_flips flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
@@ -257,8 +265,7 @@ Delaunay_flips flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t li
     return {first.number, false};
   if(!can_be_reset(tri))
     throw Numerical_error("an edge is bent, and edges are constrained that are not in the input");
-  reset_with_vertices(tri, tri.number_of_inserted_vertices());
-  visitor.before_exact_flips();
+  start_anew(tri, visitor);
   const Certain_flips second =
     flip_with_certainty(tri, limit - first.number, no_limit, visitor, concurrency);
   check_flip_limit(second.end == Certain_flips::End::limit);
@@ -282,8 +289,7 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
   check_flip_limit(flips == limit);
   if constexpr(has_metric<Traits>())
     if(can_be_exact) {
-      reset_with_vertices(tri, tri.number_of_inserted_vertices());
-      visitor.before_exact_flips();
+      start_anew(tri, visitor);
       return {flips + flip_exactly(tri, limit - flips, visitor, concurrency).number, true};
     }
   throw Numerical_error("rounding of the lengths keeps the triangulation from becoming Delaunay");

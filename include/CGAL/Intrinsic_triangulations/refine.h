@@ -230,7 +230,7 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
   return result.status != Refinement_status::no_room;
 }
 
-// goes on from `tri`, whose edges are straight
+// goes on from `tri` with exact decisions
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
                                  const Refinement_limits& limits, Visitor& visitor,

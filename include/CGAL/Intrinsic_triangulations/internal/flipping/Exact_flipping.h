@@ -247,7 +247,7 @@ private:
 
   // Returns the length of the other diagonal if the faces at the edge of `h`, whose sides are
   // straight in space, lie in one plane, and 0 otherwise. There its ends are as far apart as on the
-  // surface. What could underflow is left out. Where few edges are in planes, it is not tried again.
+  // surface. What could underflow is left out.
   double length_in_plane(Halfedge_index h, double flipped_length)
   {
     const auto& points = m_tri.input_metric().points;
