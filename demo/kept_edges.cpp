@@ -2,11 +2,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "sharp_edges.h"
+#include "kept_edges.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -27,15 +28,41 @@ double angle_in_degrees(const Vector& a, const Vector& b)
   return std::atan2(sine, a * b) * 180 / boost::math::constants::pi<double>();
 }
 
+// The numbers of the coordinates at the targets of halfedges.
+std::vector<Polygons::Index> numbers_at_targets(const Corner_data& data, const Mesh& mesh)
+{
+  std::vector<Polygons::Index> result(mesh.number_of_halfedges());
+  for(const Mesh::Face_index f : mesh.faces()) {
+    const auto* number = data.polygons[f].begin();
+    for(const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      result[h] = *number++;
+  }
+  return result;
+}
+
 } // namespace
 
-Mesh::Property_map<Mesh::Edge_index, bool> mark_sharp_edges(Mesh& mesh, double degrees)
+void mark_sharp_edges(const Mesh& mesh, double degrees, Edge_bool_map is_kept)
 {
-  auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
   for(const Mesh::Edge_index e : mesh.edges()) {
     const Mesh::Halfedge_index h = mesh.halfedge(e);
-    if(!mesh.is_border(e))
-      is_sharp[e] = angle_in_degrees(normal(h, mesh), normal(mesh.opposite(h), mesh)) >= degrees;
+    if(!mesh.is_border(e) &&
+       angle_in_degrees(normal(h, mesh), normal(mesh.opposite(h), mesh)) >= degrees)
+      is_kept[e] = true;
   }
-  return is_sharp;
+}
+
+void mark_seams(const Mesh_data& data, const Mesh& mesh, Edge_bool_map is_kept)
+{
+  for(const Corner_data& texture : data.corners) {
+    if(!is_texture(texture))
+      continue;
+    const std::vector<Polygons::Index> number = numbers_at_targets(texture, mesh);
+    for(const Mesh::Edge_index e : mesh.edges()) {
+      const Mesh::Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
+      if(!mesh.is_border(e) &&
+         (number[h] != number[mesh.prev(o)] || number[o] != number[mesh.prev(h)]))
+        is_kept[e] = true;
+    }
+  }
 }

@@ -2,13 +2,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_SHARP_EDGES_H
-#define INTRINSIC_SHARP_EDGES_H
+#ifndef INTRINSIC_KEPT_EDGES_H
+#define INTRINSIC_KEPT_EDGES_H
 
 #include "Polygon_soup.h"
 
+using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
+
 // Marks the edges at which the normals of the two faces differ by at least `degrees`.
 // A face without area has no normal and makes no edge sharp.
-Mesh::Property_map<Mesh::Edge_index, bool> mark_sharp_edges(Mesh& mesh, double degrees);
+void mark_sharp_edges(const Mesh& mesh, double degrees, Edge_bool_map is_kept);
 
-#endif // INTRINSIC_SHARP_EDGES_H
+// Marks the edges at which the texture coordinates of the two faces differ. The data are of the faces of
+// the mesh.
+void mark_seams(const Mesh_data& data, const Mesh& mesh, Edge_bool_map is_kept);
+
+#endif // INTRINSIC_KEPT_EDGES_H
