@@ -47,6 +47,7 @@ class Mesh:
     def __init__(self):
         self.points, self.faces, self.edges = [], [], []
         self.texture, self.texture_faces = [], []
+        self.groups, self.libraries = [], []
         self.vertex, self.face, self.edge = (defaultdict(list) for _ in range(3))
 
     def __eq__(self, other):
