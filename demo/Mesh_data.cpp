@@ -112,10 +112,7 @@ const Point_function* Mesh_data::function(const std::string& name) const
   return found == functions.end() ? nullptr : &*found;
 }
 
-bool is_texture(const Corner_data& data)
-{
-  return data.name.find("texcoord") != std::string::npos;
-}
+bool is_texture(const Corner_data& data) { return data.name.find("texcoord") != std::string::npos; }
 
 std::size_t corner_dimension(std::string_view name)
 {

@@ -41,8 +41,8 @@ bool is_texture(const Corner_data& data);
 // Groups of polygons, as .obj has them: objects, groups and materials.
 struct Polygon_groups
 {
-  std::vector<std::string> libraries; // lines that name files with materials
-  std::vector<std::string> lines;     // those that begin each group
+  std::vector<std::string> libraries;      // lines that name files with materials
+  std::vector<std::string> lines;          // those that begin each group
   std::vector<Polygons::Index> of_polygon; // none before the first; empty if there are no groups
 
   Polygons::Index operator[](std::int64_t polygon) const
@@ -51,7 +51,7 @@ struct Polygon_groups
     return i < of_polygon.size() ? of_polygon[i] : Polygons::none;
   }
 
-  // Takes the groups to others, of which number i is, or is a part of, polygon `parent(i)`; -1 for none.
+  // Takes the groups to other polygons: number i is a part of polygon `parent(i)`; -1 for none.
   template <class Parent>
   void carry(std::size_t size, const Parent& parent)
   {

@@ -195,20 +195,22 @@ private:
     for(const Polygons::Polygon& p : polygons)
       sizes.push_back(std::int64_t(p.size()));
     const std::vector<std::int64_t> corners(polygons.corners().begin(), polygons.corners().end());
-    const bool are_triangles = std::count(sizes.begin(), sizes.end(), 3) == std::ptrdiff_t(sizes.size());
+    const bool are_triangles =
+      std::count(sizes.begin(), sizes.end(), 3) == std::ptrdiff_t(sizes.size());
     Statistics result{{"corners", m_arrays.add_integers(corners)}};
     result["sizes"] = are_triangles ? Statistics(3) : m_arrays.add_integers(sizes);
     return result;
   }
 
-  Statistics attributes(const std::vector<Attribute>& data,
-                        bool (*is_wanted)(const Attribute&) = [](const Attribute&) { return true; })
+  Statistics attributes(
+    const std::vector<Attribute>& data,
+    bool (*is_wanted)(const Attribute&) = [](const Attribute&) { return true; })
   {
     Statistics result = Statistics::object();
     for(const Attribute& a : data)
       if(is_wanted(a))
-        result[a.name] = a.values.index() == 0 ? integers(a)
-                                             : m_arrays.add_reals(std::get<1>(a.values).kept());
+        result[a.name] =
+          a.values.index() == 0 ? integers(a) : m_arrays.add_reals(std::get<1>(a.values).kept());
     return result;
   }
 

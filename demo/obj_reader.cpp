@@ -20,11 +20,11 @@ namespace {
 
 // What says nothing about faces and vertices.
 constexpr std::string_view ignored_keywords[] = {
-  "vp",     "s",        "l",          "p",         "usemap", "bevel", "lod",      "ctech",
-  "c_interp", "stech",  "d_interp",   "shadow_obj", "trace_obj", "cstype", "deg", "step",
-  "bmat",   "con",      "curv",       "curv2",     "surf",   "parm",  "trim",     "hole",
-  "scrv",   "sp",       "end",        "surf_1",    "q0_1",   "q1_1",  "curv2d_1", "surf_2",
-  "q0_2",   "q1_2",     "curv2d_2",   "bsp",       "bzp",    "cdc",   "cdp",      "res"};
+  "vp",       "s",     "l",        "p",          "usemap",    "bevel",  "lod",      "ctech",
+  "c_interp", "stech", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg",      "step",
+  "bmat",     "con",   "curv",     "curv2",      "surf",      "parm",   "trim",     "hole",
+  "scrv",     "sp",    "end",      "surf_1",     "q0_1",      "q1_1",   "curv2d_1", "surf_2",
+  "q0_2",     "q1_2",  "curv2d_2", "bsp",        "bzp",       "cdc",    "cdp",      "res"};
 
 // The lines that begin a group of faces: each stays until the next with its keyword.
 constexpr std::array<std::string_view, 3> group_keywords = {"o", "g", "usemtl"};
@@ -161,7 +161,8 @@ private:
     else if(key == "l" && m_lines != nullptr)
       read_corners(*m_lines, false);
     else if(!m_groups.read_line(key, m_in, m_soup.polygons.size()) &&
-            std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) == std::end(ignored_keywords)) {
+            std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
+              std::end(ignored_keywords)) {
       m_in.return_to(start);
       m_in.fail("'" + std::string(key) + "' is no keyword of .obj; begin a comment with #");
     }
