@@ -23,7 +23,7 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
   const Mesh_format format = output_format(options.output, options);
   Command_run run("delaunay", common, {options.output});
   run.plan({delaunay_stages, certificate_stages(common), subdivision_stages});
-  const Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
+  const Triangulation triangulation = make_delaunay_triangulation(run, {options.constrained_angle});
   run.keep_points_only();
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);

@@ -428,9 +428,6 @@ private:
       marks.lines.add_corner(static_cast<std::size_t>(add_point({segment.face, segment.target})));
       marks.lines.close();
     }
-    for(Attribute& attribute : mesh.point_data)
-      std::visit([&](auto& values) { values.kept().resize(mesh.points.size(), 0); },
-                 attribute.values);
     show(page, m_run, triangulation, subdivision, mesh);
     page.add_marks(std::move(marks));
   }
