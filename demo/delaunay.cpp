@@ -9,7 +9,7 @@
 
 namespace {
 
-std::string summary_of(Command_run& run)
+std::string summary_of_flips(Command_run& run)
 {
   const Statistics& s = run.statistics();
   return summary_of_changes(run) + ", " + s["crossings"].dump() + " crossings, " +
@@ -37,6 +37,6 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
     run.add_output(options.output, mesh, format);
     save(run, triangulation);
   });
-  run.finish(summary_of(run));
+  run.finish(summary_of_flips(run));
   return 0;
 }

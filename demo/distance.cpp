@@ -229,7 +229,7 @@ Output_mesh with_distances(Output_mesh mesh, std::vector<double> distances)
   return mesh;
 }
 
-std::string summary_of(Command_run& run)
+std::string summary_of_distances(Command_run& run)
 {
   const Statistics& s = run.statistics();
   std::ostringstream text;
@@ -274,7 +274,7 @@ public:
     describe_distances(m_run.statistics(), m_options, m_sources, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
-    m_run.finish(summary_of(m_run));
+    m_run.finish(summary_of_distances(m_run));
   }
 
 private:

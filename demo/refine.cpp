@@ -16,7 +16,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-std::string summary_of(Command_run& run)
+std::string summary_of_refinement(Command_run& run)
 {
   const Statistics& s = run.statistics();
   std::ostringstream text;
@@ -102,6 +102,6 @@ int refine(const Common_options& common, const Refine_options& options)
     run.add_output(options.output, mesh, format);
     save(run, triangulation);
   });
-  run.finish(summary_of(run));
+  run.finish(summary_of_refinement(run));
   return 0;
 }
