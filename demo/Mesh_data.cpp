@@ -112,6 +112,8 @@ const Point_function* Mesh_data::function(const std::string& name) const
   return found == functions.end() ? nullptr : &*found;
 }
 
+bool is_texture(const Corner_data& data) { return data.name.find("texcoord") != std::string::npos; }
+
 std::size_t corner_dimension(std::string_view name)
 {
   while(name.substr(0, 6) == "input_")
@@ -191,6 +193,30 @@ void clean(Mesh_data& data, std::size_t points)
     f.is_color = is_color_name(f.name) && std::all_of(f.values.begin(), f.values.end(), is_byte);
 }
 
+Corner_data texture_on(const Polygons& polygons, const std::vector<Corner_data>& all)
+{
+  const auto found = std::find_if(all.begin(), all.end(), is_texture);
+  if(found == all.end())
+    return {};
+  Corner_data result{found->name, found->dimension, found->coordinates, {}};
+  std::map<Index, Index> missing;
+  for(std::size_t i = 0; i < polygons.size(); ++i) {
+    for(std::size_t k = 0; k < polygons[i].size(); ++k) {
+      Index number = found->polygons[i][k];
+      if(number == Polygons::none) {
+        const auto size = static_cast<Index>(result.coordinates.size());
+        const auto [place, is_new] = missing.emplace(polygons[i][k], size);
+        if(is_new)
+          result.coordinates.push_back(Corner_data_builder::missing);
+        number = place->second;
+      }
+      result.polygons.add_corner(number);
+    }
+    result.polygons.close();
+  }
+  return result;
+}
+
 Mesh_data carried(const Triangle_data& data, const Placed_mesh& mesh)
 {
   Mesh_data result;
@@ -198,5 +224,7 @@ Mesh_data carried(const Triangle_data& data, const Placed_mesh& mesh)
     result.functions.push_back(carried(f, mesh));
   for(const Corner_data& c : data.corners)
     carry(c, data.triangles, mesh, result);
+  result.groups = data.groups;
+  result.groups.carry(mesh.polygons.size(), [&](std::size_t i) { return mesh.triangle(i, 0); });
   return result;
 }

@@ -35,13 +35,41 @@ struct Corner_data
   Polygons polygons; // with coordinates in place of points; none where there are no coordinates
 };
 
+// Whether it is no list of normals.
+bool is_texture(const Corner_data& data);
+
+// Groups of polygons, as .obj has them: objects, groups and materials.
+struct Polygon_groups
+{
+  std::vector<std::string> libraries;      // lines that name files with materials
+  std::vector<std::string> lines;          // those that begin each group
+  std::vector<Polygons::Index> of_polygon; // none before the first; empty if there are no groups
+
+  Polygons::Index operator[](std::int64_t polygon) const
+  {
+    const auto i = static_cast<std::size_t>(polygon);
+    return i < of_polygon.size() ? of_polygon[i] : Polygons::none;
+  }
+
+  // Takes the groups to other polygons: number i is a part of polygon `parent(i)`; -1 for none.
+  template <class Parent>
+  void carry(std::size_t size, const Parent& parent)
+  {
+    std::vector<Polygons::Index> result(of_polygon.empty() ? 0 : size);
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i] = (*this)[parent(i)];
+    of_polygon = std::move(result);
+  }
+};
+
 // What a mesh has beside positions.
 struct Mesh_data
 {
   std::vector<Point_function> functions;
   std::vector<Corner_data> corners;
+  Polygon_groups groups;
 
-  bool empty() const { return functions.empty() && corners.empty(); }
+  bool empty() const { return functions.empty() && corners.empty() && groups.of_polygon.empty(); }
 
   // Null if there is none with this name.
   const Point_function* function(const std::string& name) const;
@@ -101,6 +129,10 @@ struct Point_weights
   std::array<std::size_t, 3> point{};
   std::array<double, 3> weight{};
 };
+
+// The first texture, for these polygons: of corners without coordinates, those of one point have one
+// that is NaN. Of dimension zero if there is none.
+Corner_data texture_on(const Polygons& polygons, const std::vector<Corner_data>& all);
 
 // Where a mesh lies on triangles.
 struct Placed_mesh

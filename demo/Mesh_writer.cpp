@@ -86,6 +86,8 @@ public:
 
   void operator()()
   {
+    for(const std::string& library : m_mesh.groups.libraries)
+      m_text << library;
     for(std::size_t i = 0; i < m_mesh.points.size(); ++i)
       add_point(i);
     add_all_coordinates("vt", m_texture);
@@ -121,8 +123,18 @@ private:
         add_line(key, coordinates, data->dimension);
   }
 
+  // Faces that come from no other stay in the last group.
+  void add_group(Polygons::Index group)
+  {
+    if(group == m_group || group == Polygons::none)
+      return;
+    m_text << m_mesh.groups.lines[group];
+    m_group = group;
+  }
+
   void add_face(std::size_t i)
   {
+    add_group(m_mesh.groups[static_cast<std::int64_t>(i)]);
     m_text << 'f';
     for(std::size_t k = 0; k < m_mesh.polygons[i].size(); ++k)
       add_corner(i, k);
@@ -152,6 +164,7 @@ private:
   std::vector<const Values<std::int64_t>*> m_colors; // none if empty
   const Corner_data *m_texture = nullptr, *m_normals = nullptr;
   std::vector<const Values<double>*> m_point_normals; // none if empty
+  Polygons::Index m_group = Polygons::none;           // of the last face
 };
 
 void add_obj_lines(Text& text, const Output_mesh& mesh)

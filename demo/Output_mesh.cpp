@@ -55,6 +55,7 @@ Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Fac
 
 void add_data(Output_mesh& mesh, Mesh_data data)
 {
+  mesh.groups = std::move(data.groups);
   std::set<std::string> taken;
   for(const Attribute& a : mesh.point_data)
     taken.insert(a.name);

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -67,6 +68,16 @@ struct Attribute
     std::visit([](auto& v) { v.kept(); }, values);
   }
 
+  // New values are zero or NaN. Precondition: the values are kept.
+  void resize(std::size_t n)
+  {
+    const auto resize = [n](auto& numbers) {
+      typedef typename std::decay_t<decltype(numbers)>::value_type Number;
+      numbers.resize(n, std::numeric_limits<Number>::quiet_NaN());
+    };
+    std::visit([&](auto& v) { resize(v.kept()); }, values);
+  }
+
   bool has_integers() const { return values.index() == 0 || size() == 0; }
 };
 
@@ -113,6 +124,7 @@ struct Output_mesh
   std::vector<Attribute> line_data;
   Corner_data texture;                  // an image of the mesh; its name follows from its dimension
   std::vector<Corner_data> corner_data; // beside that
+  Polygon_groups groups;
 };
 
 // That of a property of a file.
@@ -134,7 +146,7 @@ Output_mesh output_mesh(const Polygon_soup& soup);
 // The points and edges of a mesh, and those of its polygons.
 Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces);
 
-// Adds data of its points and corners. A name that is taken already gets "input_" in front.
+// Adds data of its points, corners and polygons. A name that is taken already gets "input_" in front.
 void add_data(Output_mesh& mesh, Mesh_data data);
 
 #endif // INTRINSIC_OUTPUT_MESH_H

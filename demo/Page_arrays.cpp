@@ -54,6 +54,7 @@ Statistics Page_arrays::add_reals(const std::vector<double>& values, std::size_t
 
 Statistics Page_arrays::add_singles(const std::vector<double>& values)
 {
+  align(sizeof(float));
   Statistics result{{"at", m_bytes.size()}, {"size", values.size()}, {"code", "single"}};
   for(const double x : values)
     add_bytes(m_bytes, static_cast<float>(x));
@@ -62,6 +63,7 @@ Statistics Page_arrays::add_singles(const std::vector<double>& values)
 
 Statistics Page_arrays::add_quantized(const std::vector<double>& values, std::size_t components)
 {
+  align(sizeof(std::uint16_t));
   Statistics result{{"at", m_bytes.size()},
                     {"size", values.size()},
                     {"components", components},

@@ -15,7 +15,7 @@
 #include <vector>
 
 // The arrays of numbers of a page, in one sequence of bytes. Where each lies there, and how it is
-// coded, is described in JSON; data.js reads them.
+// coded, is described in JSON; arrays.js reads them.
 class Page_arrays
 {
 public:
@@ -33,6 +33,9 @@ public:
   void write(Text& text) const;
 
 private:
+  // Numbers of this size begin at a multiple of it: the page reads them where they are.
+  void align(std::size_t size) { m_bytes.resize((m_bytes.size() + size - 1) / size * size); }
+
   void add_varint(std::int64_t x);
   Statistics add_quantized(const std::vector<double>& values, std::size_t components);
 

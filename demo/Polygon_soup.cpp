@@ -159,6 +159,7 @@ void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& p
     }
     corners.polygons = std::move(numbers);
   }
+  data.groups.carry(parts.size(), [&](std::size_t i) { return parents[i]; });
 }
 
 Mesh mesh_of(const Polygon_soup& soup) { return Mesh_builder(soup)(); }

@@ -30,7 +30,7 @@ struct Polygon_soup
   Mesh_data data;
 };
 
-// Takes corner data from polygons to their parts: part i is one of polygon `parents[i]`, with corners
+// Takes corner data and groups from polygons to their parts: part i is one of polygon `parents[i]`, with corners
 // of that.
 void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& parents,
                     const Polygons& parts, Mesh_data& data);

@@ -7,6 +7,7 @@
 
 #include <boost/iterator/iterator_facade.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -57,6 +58,11 @@ public:
   std::size_t size() const { return m_ends.size() - 1; }
   bool empty() const { return size() == 0; }
   std::size_t number_of_corners() const { return m_indices.size(); }
+  // The polygon of a corner, counted over all polygons. Complexity: logarithmic in their number.
+  std::int64_t polygon_of_corner(std::size_t corner) const
+  {
+    return std::upper_bound(m_ends.begin(), m_ends.end(), corner) - m_ends.begin() - 1;
+  }
   // Those of all polygons, in their order.
   const std::vector<Index>& corners() const { return m_indices; }
 

@@ -174,6 +174,13 @@ private:
       }
       data.polygons = std::move(numbers);
     }
+    m_soup.data.groups.carry(m_polygons.size(), [&](std::size_t i) { return old_polygon(i); });
+  }
+
+  // Of which polygon `i` has its first corner.
+  std::int64_t old_polygon(std::size_t i) const
+  {
+    return m_soup.polygons.polygon_of_corner(m_polygons[i][0].origin());
   }
 
   bool has_polygons() const

@@ -318,7 +318,8 @@ private:
     for(const Polygons::Index v : p)
       sum += values[v];
     const double most = (std::max)(*std::max_element(values.begin(), values.end()), 1e-300);
-    const double t = std::floor(20 * sum / double(p.size()) / most) / 20;
+    const double share = std::fmin(std::fmax(sum / double(p.size()) / most, 0), 1);
+    const double t = std::floor(20 * share) / 20;
     return {40 + 210 * t, 55 + 185 * t, 110 + 70 * t};
   }
 

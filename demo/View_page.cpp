@@ -103,14 +103,36 @@ std::vector<std::array<double, 3>> in_plane(const Corner_data& texture)
   return result;
 }
 
-// Some attributes serve to write files, or to compute others.
+bool begins_with(const std::string& name, std::string_view begin)
+{
+  return name.compare(0, begin.size(), begin) == 0;
+}
+
+bool is_mark(const Attribute& a) { return begins_with(a.name, "is_"); }
+
+// Some attributes of points serve to write files, or to compute others.
 bool is_shown(const Attribute& a)
 {
   for(const std::string_view name :
       {"input_coordinate", "intrinsic_coordinate", "input_x", "input_y", "input_z"})
     if(a.name == name)
       return false;
-  return a.name.compare(0, 12, "homogeneous_") != 0;
+  return a.has_integers() ? is_mark(a) : !begins_with(a.name, "homogeneous_");
+}
+
+// How many are not negative, and how many of these differ.
+std::array<std::size_t, 2> count_owners(const std::vector<std::int64_t>& owners)
+{
+  std::array<std::size_t, 2> result{};
+  std::vector<bool> is_known;
+  for(const std::int64_t owner : owners)
+    if(const auto i = static_cast<std::size_t>(owner); owner >= 0) {
+      is_known.resize((std::max)(is_known.size(), i + 1));
+      result[1] += is_known[i] ? 0 : 1;
+      is_known[i] = true;
+      ++result[0];
+    }
+  return result;
 }
 
 // The description of surfaces in JSON, with their numbers in arrays.
@@ -122,16 +144,16 @@ public:
   Statistics operator()(const Shown_surface& surface)
   {
     const Output_mesh& mesh = surface.developed ? surface.developed->input : surface.mesh;
+    const Corner_data texture = texture_of(mesh, surface.kind);
     Statistics result{{"name", surface.name}};
     add_points(mesh.points, surface.developed.has_value(), result);
     result["edges"] = edges(mesh);
     result["edge_data"] = attributes(mesh.edge_data);
-    result["point_data"] = attributes(mesh.point_data);
+    result["point_data"] = attributes(mesh.point_data, is_shown);
     result["polygon_data"] = attributes(mesh.polygon_data);
-    result["polygons"] =
-      polygons(mesh.texture.dimension == 0 ? mesh.polygons : mesh.texture.polygons);
-    if(mesh.texture.dimension > 0)
-      add_texture(mesh, result);
+    result["polygons"] = polygons(texture.dimension == 0 ? mesh.polygons : texture.polygons);
+    if(texture.dimension > 0)
+      add_texture(mesh.polygons, texture, result);
     if(surface.kind != Image_kind::none)
       result["picture"] = image(surface);
     result["marks"] = Statistics::array();
@@ -156,8 +178,11 @@ private:
       are_exact ? m_arrays.add_singles(coordinates) : m_arrays.add_reals(coordinates, 3);
   }
 
+  // Edges of which nothing is known are the sides of polygons.
   Statistics edges(const Output_mesh& mesh)
   {
+    if(mesh.edge_data.empty())
+      return {{"size", 2 * mesh.edges.size()}};
     std::vector<std::int64_t> ends;
     for(const auto& edge : mesh.edges)
       ends.insert(ends.end(), edge.begin(), edge.end());
@@ -166,32 +191,56 @@ private:
 
   Statistics polygons(const Polygons& polygons)
   {
-    std::vector<std::int64_t> sizes, corners;
-    for(const Polygons::Polygon& p : polygons) {
+    std::vector<std::int64_t> sizes;
+    for(const Polygons::Polygon& p : polygons)
       sizes.push_back(std::int64_t(p.size()));
-      corners.insert(corners.end(), p.begin(), p.end());
-    }
-    return {{"sizes", m_arrays.add_integers(sizes)}, {"corners", m_arrays.add_integers(corners)}};
-  }
-
-  Statistics attributes(const std::vector<Attribute>& data)
-  {
-    Statistics result = Statistics::object();
-    for(const Attribute& a : data)
-      if(is_shown(a))
-        result[a.name] = a.values.index() == 0 ? m_arrays.add_integers(std::get<0>(a.values).kept())
-                                               : m_arrays.add_reals(std::get<1>(a.values).kept());
+    const std::vector<std::int64_t> corners(polygons.corners().begin(), polygons.corners().end());
+    const bool are_triangles =
+      std::count(sizes.begin(), sizes.end(), 3) == std::ptrdiff_t(sizes.size());
+    Statistics result{{"corners", m_arrays.add_integers(corners)}};
+    result["sizes"] = are_triangles ? Statistics(3) : m_arrays.add_integers(sizes);
     return result;
   }
 
-  // Polygons have texture coordinates as their corners, and each of these has a point.
-  void add_texture(const Output_mesh& mesh, Statistics& result)
+  Statistics attributes(
+    const std::vector<Attribute>& data,
+    bool (*is_wanted)(const Attribute&) = [](const Attribute&) { return true; })
   {
-    const Corner_data& texture = mesh.texture;
+    Statistics result = Statistics::object();
+    for(const Attribute& a : data)
+      if(is_wanted(a))
+        result[a.name] =
+          a.values.index() == 0 ? integers(a) : m_arrays.add_reals(std::get<1>(a.values).kept());
+    return result;
+  }
+
+  // With the number of elements that are marked, or parts of others, and that of these.
+  Statistics integers(const Attribute& a)
+  {
+    const std::vector<std::int64_t>& values = std::get<0>(a.values).kept();
+    Statistics result = m_arrays.add_integers(values);
+    const std::size_t marked = std::size_t(std::count(values.begin(), values.end(), 1));
+    const auto counts = is_mark(a) ? std::array{marked, marked} : count_owners(values);
+    result["parts"] = counts[0];
+    result["owners"] = counts[1];
+    return result;
+  }
+
+  // Its own, or that of the input if no image has other corners.
+  static Corner_data texture_of(const Output_mesh& mesh, Image_kind kind)
+  {
+    return mesh.texture.dimension > 0 || kind != Image_kind::none
+             ? mesh.texture
+             : texture_on(mesh.polygons, mesh.corner_data);
+  }
+
+  // Polygons have texture coordinates as their corners, and each of these has a point.
+  void add_texture(const Polygons& polygons, const Corner_data& texture, Statistics& result)
+  {
     std::vector<std::int64_t> points(texture.coordinates.size(), 0);
-    for(std::size_t i = 0; i < mesh.polygons.size(); ++i)
-      for(std::size_t k = 0; k < mesh.polygons[i].size(); ++k)
-        points[texture.polygons[i][k]] = mesh.polygons[i][k];
+    for(std::size_t i = 0; i < polygons.size(); ++i)
+      for(std::size_t k = 0; k < polygons[i].size(); ++k)
+        points[texture.polygons[i][k]] = polygons[i][k];
     result["point_of_corner"] = m_arrays.add_integers(points);
     const Frame frame(in_plane(texture), 2);
     double greatest_weight = 0;
@@ -304,6 +353,8 @@ void View_page::add_surface(const std::string& name, Output_mesh mesh)
   for(auto* data : {&mesh.point_data, &mesh.edge_data, &mesh.polygon_data})
     for(Attribute& a : *data)
       a.keep(); // it outlives what the values are computed from
+  for(Attribute& a : mesh.point_data)
+    a.resize(mesh.points.size());
   m_surfaces.back().mesh = std::move(mesh);
   if(const Corner_data& texture = m_surfaces.back().mesh.texture; texture.dimension > 0)
     set_image(Image_kind::plane, in_plane(texture));

@@ -23,6 +23,7 @@ public:
   // Throws Program_error if the program was built without three.js, with which pages draw.
   static void check_available();
 
+  // Its last points may have no data.
   void add_surface(const std::string& name, Output_mesh mesh);
 
   // Of the last surface: a position for each of its texture coordinates, or of its points if it has

@@ -9,7 +9,7 @@
 
 namespace {
 
-std::string summary_of(Command_run& run)
+std::string summary_of_flips(Command_run& run)
 {
   const Statistics& s = run.statistics();
   return summary_of_changes(run) + ", " + s["crossings"].dump() + " crossings, " +
@@ -23,7 +23,7 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
   const Mesh_format format = output_format(options.output, options);
   Command_run run("delaunay", common, {options.output});
   run.plan({delaunay_stages, certificate_stages(common), subdivision_stages});
-  const Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
+  const Triangulation triangulation = make_delaunay_triangulation(run, {options.constrained_angle});
   run.keep_points_only();
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
@@ -37,6 +37,6 @@ int delaunay(const Common_options& common, const Delaunay_options& options)
     run.add_output(options.output, mesh, format);
     save(run, triangulation);
   });
-  run.finish(summary_of(run));
+  run.finish(summary_of_flips(run));
   return 0;
 }

@@ -229,7 +229,7 @@ Output_mesh with_distances(Output_mesh mesh, std::vector<double> distances)
   return mesh;
 }
 
-std::string summary_of(Command_run& run)
+std::string summary_of_distances(Command_run& run)
 {
   const Statistics& s = run.statistics();
   std::ostringstream text;
@@ -274,7 +274,7 @@ public:
     describe_distances(m_run.statistics(), m_options, m_sources, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
-    m_run.finish(summary_of(m_run));
+    m_run.finish(summary_of_distances(m_run));
   }
 
 private:
@@ -428,9 +428,6 @@ private:
       marks.lines.add_corner(static_cast<std::size_t>(add_point({segment.face, segment.target})));
       marks.lines.close();
     }
-    for(Attribute& attribute : mesh.point_data)
-      std::visit([&](auto& values) { values.kept().resize(mesh.points.size(), 0); },
-                 attribute.values);
     show(page, m_run, triangulation, subdivision, mesh);
     page.add_marks(std::move(marks));
   }

@@ -21,8 +21,9 @@ const char* const examples =
   intrinsic sphere bunny.obj -o sphere.ply
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
-Colors, normals, texture coordinates and numbers at the vertices of a mesh are carried to the meshes
-that are written, as far as their format has them.
+Colors, normals, texture coordinates and numbers at the vertices of a mesh, and the groups and
+materials of faces of .obj files, are carried to the meshes that are written, as far as their format
+has them.
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
 
@@ -32,10 +33,10 @@ meshes beside each other, turned alike, with what is wrong in red. Clicking on a
 it is. Keys are explained in the page.
 
 All other commands write such a page with --view FILE.html: the surface with the edges of its
-triangulations, colored by scale factors, distances or curvature, or by faces; its image in the
-plane, on the sphere or in the Poincare disk; with a checkerboard, drawn by projective or linear
-interpolation; histograms of angles before and after, and the statistics. Pages of large meshes draw
-intrinsic edges without the common subdivision; --direct asks for this.
+triangulations, colored by scale factors, distances or curvature, by functions of the input, or by
+faces; its image in the plane, on the sphere or in the Poincare disk; with a checkerboard, drawn by
+projective or linear interpolation; histograms of angles before and after, and the statistics. Pages
+of large meshes draw intrinsic edges without the common subdivision; --direct asks for this.
 
 Example:
   intrinsic view bunny.obj scan.stl -o meshes.html)";
@@ -61,7 +62,8 @@ Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 
 input edge with an intrinsic edge, 2 inserted vertex.
 
 With --simplicial the output is an ordinary mesh, for other programs: its vertices lie on the surface,
-its edges are straight in space, and their property "length" is that on the surface.
+its edges are straight in space, and their property "length" is that on the surface. Seams of a
+texture stay edges, unless the output is .off.
 
 Examples:
   intrinsic refine scan.ply -o mesh.ply --simplicial

@@ -94,6 +94,7 @@ void show(View_page& page, Command_run& run, const DCM::Discrete_conformal_map& 
   const Mesh& input = run.input().mesh;
   mesh.point_data.push_back({"curvature", interpolated(map, input, curvatures(run))});
   add_distortion(mesh, kind);
+  add_input_data(run.input(), map, mesh);
   page.add_surface("surface", mesh);
   show_angles(page, "input", input, edge_lengths(run));
   show_angles(page, "intrinsic", map.Delaunay().mesh(), map.Delaunay().length_map());

@@ -8,21 +8,26 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace {
 
 // What says nothing about faces and vertices.
 constexpr std::string_view ignored_keywords[] = {
-  "vp",        "o",      "g",        "s",      "l",        "p",     "usemtl",   "mtllib",
-  "usemap",    "bevel",  "lod",      "ctech",  "c_interp", "stech", "d_interp", "shadow_obj",
-  "trace_obj", "cstype", "deg",      "step",   "bmat",     "con",   "curv",     "curv2",
-  "surf",      "parm",   "trim",     "hole",   "scrv",     "sp",    "end",      "surf_1",
-  "q0_1",      "q1_1",   "curv2d_1", "surf_2", "q0_2",     "q1_2",  "curv2d_2", "bsp",
-  "bzp",       "cdc",    "cdp",      "res"};
+  "vp",       "s",     "l",        "p",          "usemap",    "bevel",  "lod",      "ctech",
+  "c_interp", "stech", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg",      "step",
+  "bmat",     "con",   "curv",     "curv2",      "surf",      "parm",   "trim",     "hole",
+  "scrv",     "sp",    "end",      "surf_1",     "q0_1",      "q1_1",   "curv2d_1", "surf_2",
+  "q0_2",     "q1_2",  "curv2d_2", "bsp",        "bzp",       "cdc",    "cdp",      "res"};
+
+// The lines that begin a group of faces: each stays until the next with its keyword.
+constexpr std::array<std::string_view, 3> group_keywords = {"o", "g", "usemtl"};
 
 // The index of texture coordinates or a normal, as an offset from the first; nothing if there is none.
 std::optional<std::int64_t> offset(std::string_view index, std::size_t number_so_far)
@@ -63,6 +68,68 @@ struct Indexed_coordinates
   }
 };
 
+// The groups of polygons while these are read.
+class Groups_reader
+{
+public:
+  // Returns false if the line says nothing about groups. The polygons so far are `polygons`.
+  bool read_line(std::string_view key, Scanner& in, std::size_t polygons)
+  {
+    const auto found = std::find(group_keywords.begin(), group_keywords.end(), key);
+    if(found != group_keywords.end()) {
+      close(polygons);
+      m_lines[std::size_t(found - group_keywords.begin())] = line(key, in);
+    } else if(key == "mtllib")
+      m_result.libraries.push_back(line(key, in));
+    else
+      return false;
+    return true;
+  }
+
+  // A keyword that has come later only is alone in the groups before.
+  Polygon_groups finish(std::size_t polygons)
+  {
+    if(m_lines == Lines())
+      return {};
+    close(polygons);
+    for(const Lines& group : m_groups) {
+      m_result.lines.emplace_back();
+      for(std::size_t k = 0; k < group.size(); ++k)
+        m_result.lines.back() += group[k].empty() && !m_lines[k].empty()
+                                   ? std::string(group_keywords[k]) + '\n'
+                                   : group[k];
+    }
+    return std::move(m_result);
+  }
+
+private:
+  typedef std::array<std::string, group_keywords.size()> Lines;
+
+  static std::string line(std::string_view key, Scanner& in)
+  {
+    std::string result(key);
+    for(std::string_view word = in.word(); !word.empty(); word = in.word())
+      result.append(" ").append(word);
+    return result + '\n';
+  }
+
+  void close(std::size_t polygons)
+  {
+    if(polygons == m_result.of_polygon.size())
+      return;
+    const auto next = static_cast<Polygons::Index>(m_groups.size());
+    const auto [number, is_new] = m_numbers.emplace(m_lines, next);
+    if(is_new)
+      m_groups.push_back(m_lines);
+    m_result.of_polygon.resize(polygons, number->second);
+  }
+
+  Lines m_lines; // in force
+  std::vector<Lines> m_groups;
+  std::map<Lines, Polygons::Index> m_numbers;
+  Polygon_groups m_result;
+};
+
 class Obj_reader
 {
 public:
@@ -93,8 +160,9 @@ private:
       m_normals.add(m_in.numbers());
     else if(key == "l" && m_lines != nullptr)
       read_corners(*m_lines, false);
-    else if(std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
-            std::end(ignored_keywords)) {
+    else if(!m_groups.read_line(key, m_in, m_soup.polygons.size()) &&
+            std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
+              std::end(ignored_keywords)) {
       m_in.return_to(start);
       m_in.fail("'" + std::string(key) + "' is no keyword of .obj; begin a comment with #");
     }
@@ -171,6 +239,7 @@ private:
     if(!m_normals.number.empty())
       add_corner_data(
         "normal", 3, polygons, points, [this](std::size_t c) { return m_normals(c); }, m_soup.data);
+    m_soup.data.groups = m_groups.finish(polygons.size());
     add_colors();
   }
 
@@ -193,6 +262,7 @@ private:
   Polygon_soup& m_soup;
   Polygons* m_lines;
   Indexed_coordinates m_texture, m_normals;
+  Groups_reader m_groups;
   std::array<std::vector<double>, 3> m_colors;
 };
 

@@ -215,6 +215,7 @@ private:
   void show(View_page& page, const Output_mesh& line)
   {
     Output_mesh surface = output_mesh(m_run.input().mesh);
+    add_data(surface, m_run.input().data);
     const auto first = static_cast<Polygons::Index>(surface.points.size());
     surface.points.insert(surface.points.end(), line.points.begin(), line.points.end());
     Surface_marks marks{"path", false, {}, {}, {}};

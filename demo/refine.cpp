@@ -16,7 +16,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-std::string summary_of(Command_run& run)
+std::string summary_of_refinement(Command_run& run)
 {
   const Statistics& s = run.statistics();
   std::ostringstream text;
@@ -36,7 +36,8 @@ faces_below_bounds(const CGAL::Intrinsic_triangulations::Refinement_result& refi
   return {"faces below the bounds", true, parts_of(faces, "intrinsic_face", mesh), {}, {}};
 }
 
-// Data of a corner are those of the input where its face begins there, counterclockwise.
+// Data of a corner are those of the input where its face begins there, counterclockwise. No face
+// crosses a seam.
 void add_input_data(const Input_mesh& input, const Triangulation& triangulation, Output_mesh& mesh)
 {
   if(input.data.empty())
@@ -80,7 +81,9 @@ int refine(const Common_options& common, const Refine_options& options)
   const Mesh_format format = output_format(options.output, options);
   Command_run run("refine", common, {options.output});
   run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
-  Triangulation triangulation = make_delaunay_triangulation(run, options.constrained_angle);
+  const bool have_seams = options.bounds.is_simplicial && has_texture(format);
+  Triangulation triangulation =
+    make_delaunay_triangulation(run, {options.constrained_angle, have_seams});
   run.keep_points_only();
   const auto refinement = refine_triangulation(run, triangulation, options.bounds);
   describe(run, triangulation);
@@ -99,6 +102,6 @@ int refine(const Common_options& common, const Refine_options& options)
     run.add_output(options.output, mesh, format);
     save(run, triangulation);
   });
-  run.finish(summary_of(run));
+  run.finish(summary_of_refinement(run));
   return 0;
 }

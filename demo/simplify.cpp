@@ -347,6 +347,7 @@ private:
     if(!m_curvature.empty())
       mesh.point_data.push_back({"curvature", m_curvature});
     mesh.polygon_data.push_back({"area_change", m_area_change});
+    add_data(mesh, m_data);
     page.add_surface("surface", mesh);
     show_angles(page, "input", m_run.input().mesh, edge_lengths(m_run));
     show_angles(page, "coarse", m_levels.back().mesh(), m_levels.back().length_map());

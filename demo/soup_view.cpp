@@ -87,6 +87,8 @@ void show(View_page& page, const std::string& name, const Polygon_soup& soup)
   mesh.points = soup.points;
   mesh.polygons = drawable(soup);
   mesh.edges = edges_of(mesh.polygons);
+  mesh.texture = texture_on(mesh.polygons, soup.data.corners);
+  add_data(mesh, {soup.data.functions, {}, {}});
   page.add_surface(name, mesh);
   const IT::Input_diagnosis diagnosis = IT::diagnose_polygon_soup(
     soup.points, soup.polygons, (std::numeric_limits<std::size_t>::max)());

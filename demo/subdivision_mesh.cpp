@@ -108,5 +108,6 @@ void add_input_data(const Input_mesh& input, const Subdivision& subdivision, Out
     return input.triangle(
       subdivision.parent_face(IT::Side::input, IT::Face_index(static_cast<Size>(i))));
   };
-  add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
+  add_data(mesh, carried(input.data, {subdivision.mesh().number_of_vertices(), mesh.polygons,
+                                      weights, triangle}));
 }

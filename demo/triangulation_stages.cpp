@@ -5,7 +5,7 @@
 #include "triangulation_stages.h"
 
 #include "develop_faces.h"
-#include "sharp_edges.h"
+#include "kept_edges.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
@@ -28,8 +28,6 @@ const auto in_parallel = IT::parameters::concurrency_tag(CGAL::Parallel_if_avail
 
 constexpr std::size_t most_polygons = 200000; // of a common subdivision in a page
 
-using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
-
 // Shows the flips while they are made.
 struct Flip_counter
 {
@@ -39,11 +37,30 @@ struct Flip_counter
   void before_exact_flips() {}
 };
 
-Edge_bool_map constrained_edges(Mesh& mesh, double angle)
+Edge_bool_map constrained_edges(Input_mesh& input, const Constraints& constraints)
 {
-  if(angle > 0)
-    return mark_sharp_edges(mesh, angle);
-  return mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
+  auto result =
+    input.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
+  if(constraints.angle > 0)
+    mark_sharp_edges(input.mesh, constraints.angle, result);
+  if(constraints.has_seams)
+    mark_seams(input.data, input.mesh, result);
+  return result;
+}
+
+// To a mesh with the vertices and faces of the input.
+void add_input_data(const Input_mesh& input, Output_mesh& mesh)
+{
+  if(input.data.empty())
+    return;
+  typedef Mesh::size_type Size;
+  const auto weights = [&](std::size_t i) {
+    return input.weights({1, {IT::Vertex_index(static_cast<Size>(i))}, {1}});
+  };
+  const auto triangle = [&](std::size_t i, std::size_t) {
+    return input.triangle(IT::Face_index(static_cast<Size>(i)));
+  };
+  add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
 }
 
 IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds,
@@ -71,20 +88,19 @@ Edge_length_map edge_lengths(Command_run& run)
   return lengths;
 }
 
-Triangulation make_triangulation(Command_run& run, double constrained_angle)
+Triangulation make_triangulation(Command_run& run, const Constraints& constraints)
 {
   Mesh& mesh = run.input().mesh;
   const auto np =
-    IT::parameters::edge_is_constrained_map(constrained_edges(mesh, constrained_angle));
+    IT::parameters::edge_is_constrained_map(constrained_edges(run.input(), constraints));
   if(run.options().mollification > 0)
     return Triangulation(mesh, np.edge_length_map(edge_lengths(run)));
   return Triangulation(mesh, np);
 }
 
-Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle)
+Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& constraints)
 {
-  Triangulation result =
-    run.timed("build", [&] { return make_triangulation(run, constrained_angle); });
+  Triangulation result = run.timed("build", [&] { return make_triangulation(run, constraints); });
   run.timed("flip", [&] {
     Flip_counter counter{run.progress()};
     run.statistics()["flips"] = IT::make_Delaunay(
@@ -195,13 +211,14 @@ void show(View_page& page, Command_run& run, const Triangulation& triangulation,
           const Subdivision& subdivision, Output_mesh mesh)
 {
   const std::vector<double> at_vertices = curvatures(run);
-  std::vector<double> values(mesh.points.size());
+  std::vector<double> values(subdivision.mesh().number_of_vertices());
   IT::interpolate(IT::Side::input, subdivision,
                   boost::make_iterator_property_map(at_vertices.begin(),
                                                     get(boost::vertex_index, run.input().mesh)),
                   boost::make_iterator_property_map(values.begin(),
                                                     get(boost::vertex_index, subdivision.mesh())));
   mesh.point_data.push_back({"curvature", std::move(values)});
+  add_input_data(run.input(), subdivision, mesh);
   page.add_surface("surface", mesh);
   show_angles(page, "input", run.input().mesh, edge_lengths(run));
   show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
@@ -215,6 +232,7 @@ void develop_if_large(View_page& page, Command_run& run, const Triangulation& tr
     return;
   if(auto faces = develop_faces(triangulation, run.input().mesh)) {
     faces->input.point_data.push_back({"curvature", curvatures(run)});
+    add_input_data(run.input(), faces->input);
     page.set_developed(std::move(*faces));
   }
 }

@@ -22,6 +22,13 @@ using Triangulation = CGAL::Intrinsic_triangulations::Intrinsic_triangulation<>;
 
 using Edge_length_map = Mesh::Property_map<Mesh::Edge_index, double>;
 
+// Edges of the input that stay.
+struct Constraints
+{
+  double angle = 0;       // those at which the normals differ by it or more, in degrees; 0 for none
+  bool has_seams = false; // those of the texture
+};
+
 // The lengths of the edges of the input, mollified if that is wanted; what was added in the
 // statistics.
 Edge_length_map edge_lengths(Command_run& run);
@@ -46,13 +53,12 @@ inline Stages view_stages(const Common_options& options)
   return options.view.empty() && options.picture.empty() ? Stages{} : subdivision_stages;
 }
 
-// The triangulation T2 = T1 of the input, mollified if that is wanted. Edges at which the normals
-// differ by `constrained_angle` degrees or more stay; zero for none.
-Triangulation make_triangulation(Command_run& run, double constrained_angle = 0);
+// The triangulation T2 = T1 of the input, mollified if that is wanted.
+Triangulation make_triangulation(Command_run& run, const Constraints& constraints = {});
 
 // The stages "build" and "flip": the intrinsic Delaunay triangulation of the input, made
 // as by `make_triangulation()`.
-Triangulation make_delaunay_triangulation(Command_run& run, double constrained_angle = 0);
+Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& constraints = {});
 
 // The stage "refine": inserts vertices until the faces obey the bounds; how it went in the
 // statistics.

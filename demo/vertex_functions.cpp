@@ -15,19 +15,17 @@
 
 namespace {
 
-typedef std::vector<double> Values;
-
 [[noreturn]] void fail(const std::string& path, const std::string& what)
 {
   throw Program_error(path + ": " + what);
 }
 
 // No component if a vertex has no color.
-std::vector<Values> colors(const Mesh_data& data)
+std::vector<std::vector<double>> colors(const Mesh_data& data)
 {
   for(const std::array<const char*, 3>& names :
       {std::array{"red", "green", "blue"}, std::array{"r", "g", "b"}}) {
-    std::vector<Values> result;
+    std::vector<std::vector<double>> result;
     for(const char* name : names)
       if(const Point_function* component = data.function(name))
         result.push_back(component->values);
@@ -37,7 +35,8 @@ std::vector<Values> colors(const Mesh_data& data)
   return {};
 }
 
-Values property(const std::string& path, const Mesh_data& data, const std::string& name)
+std::vector<double> property(const std::string& path, const Mesh_data& data,
+                             const std::string& name)
 {
   if(extension_of(path) != ".ply")
     fail(path, "vertices have no property '" + name + "' (.ply can have properties)");
@@ -71,13 +70,13 @@ std::vector<std::vector<double>> read_vertex_function(const std::string& path,
                                                       const std::string& name)
 {
   const Mesh_data data = data_with_positions(path);
-  std::vector<Values> result =
-    name == "color" ? colors(data) : std::vector<Values>{property(path, data, name)};
+  std::vector<std::vector<double>> result =
+    name == "color" ? colors(data) : std::vector<std::vector<double>>{property(path, data, name)};
   if(result.empty())
     fail(path, "vertices have no colors (.ply, .off and .obj can have them); give each one, or "
                "leave out the "
                "weight of color");
-  for(const Values& component : result)
+  for(const std::vector<double>& component : result)
     for(const double x : component)
       if(!std::isfinite(x))
         fail(path, "a value of '" + name + "' is not finite; correct it in the file");

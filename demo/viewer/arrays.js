@@ -1,7 +1,10 @@
 // The arrays of numbers that the program has put into the page; see Page_arrays.h.
 
+// Older browsers decode text only.
 function bytesOf(base64) {
-  const text = atob(base64);
+  if(Uint8Array.fromBase64)
+    return Uint8Array.fromBase64(base64);
+  const text = atob(base64.trim());
   const bytes = new Uint8Array(text.length);
   for(let i = 0; i < bytes.length; ++i)
     bytes[i] = text.charCodeAt(i);
@@ -18,26 +21,33 @@ export class Arrays {
   }
 
   single({at, size}) {
-    return new Float32Array(this.bytes.slice(at, at + 4 * size).buffer);
+    return new Float32Array(this.bytes.buffer, at, size);
   }
 
   quantized({at, size, components, ranges}) {
-    const numbers = new Uint16Array(this.bytes.slice(at, at + 2 * size).buffer);
-    const steps = ranges.map(([low, high]) => (high - low) / 65534);
-    return new Float32Array(size).map((_, i) => numbers[i] === 65535 ? NaN
-      : ranges[i % components][0] + numbers[i] * steps[i % components]);
+    const numbers = new Uint16Array(this.bytes.buffer, at, size);
+    const result = new Float32Array(size);
+    for(const [k, [low, high]] of ranges.entries()) {
+      const step = (high - low) / 65534;
+      for(let i = k; i < size; i += components)
+        result[i] = numbers[i] === 65535 ? NaN : low + numbers[i] * step;
+    }
+    return result;
   }
 
   differences({at, size}) {
+    const {bytes} = this;
     const result = new Int32Array(size);
     for(let i = 0, last = 0; i < size; ++i) {
-      let factor = 1, n = 0, byte;
-      do {
-        byte = this.bytes[at++];
-        n += byte % 128 * factor;
-        factor *= 128;
-      } while(byte >= 128);
-      last += n % 2 ? -(n - 1) / 2 - 1 : n / 2;
+      let n = bytes[at++];
+      if(n >= 128) {
+        n -= 128;
+        for(let factor = 128, byte = 128; byte >= 128; factor *= 128) {
+          byte = bytes[at++];
+          n += byte % 128 * factor;
+        }
+      }
+      last += n % 2 ? -(n + 1) / 2 : n / 2;
       result[i] = last;
     }
     return result;

@@ -15,13 +15,24 @@ const diverging = ['#2b5ea8', '#92bae0', '#f5f3ee', '#eba98c', '#b0362f'];
 
 export const rgb = color => [1, 3, 5].map(i => parseInt(color.slice(i, i + 2), 16) / 255);
 
-// The values to show, without outliers, and their colors; symmetric if there are both signs.
+const mostSorted = 65536;
+
+// The values to show, without outliers, and their colors; symmetric if there are both signs. Of very
+// many values, some determine the outliers.
 export function scaleOf(values) {
-  const sorted = Float32Array.from(values).filter(Number.isFinite).sort();
-  if(sorted.length === 0)
+  const step = Math.ceil(values.length / mostSorted), whole = [Infinity, -Infinity];
+  let sorted = new Float32Array(Math.ceil(values.length / step) || 0), n = 0;
+  for(let i = 0; i < values.length; ++i)
+    if(Number.isFinite(values[i])) {
+      whole[0] = Math.min(whole[0], values[i]);
+      whole[1] = Math.max(whole[1], values[i]);
+      if(i % step === 0)
+        sorted[n++] = values[i];
+    }
+  if(n === 0)
     return {low: 0, high: 1, stops: rising};
-  const at = part => sorted[Math.round(part * (sorted.length - 1))];
-  const whole = [sorted[0], sorted[sorted.length - 1]];
+  sorted = sorted.subarray(0, n).sort();
+  const at = part => sorted[Math.round(part * (n - 1))];
   let [low, high] = [at(.01), at(.99)];
   if(whole[1] - whole[0] < 3 * (high - low))
     [low, high] = whole;

@@ -71,53 +71,60 @@ function rotated([x, y]) {
 
 export class Developed {
   constructor(description, arrays, points, corners) {
-    this.edges = description.edges;
-    const shapes = arrays.read(description.shapes);
-    this.opposites = oppositesOf(arrays.read(description.opposites), shapes.length / 2 * 3);
-    this.makeTexture(shapes);
-    this.makePlaces(arrays.read(description.starts), arrays.read(description.first_edges),
-      points, corners);
+    Object.assign(this, {description, arrays, points, corners, edges: description.edges, marked: []});
   }
 
-  makeTexture(shapes) {
-    const height = Math.ceil(this.opposites.length / width);
-    const data = this.data = new Float32Array(4 * width * height);
-    for(let h = 0; h < this.opposites.length; h += 3) {
+  // What is read and computed when it is needed.
+  get opposites() {
+    const {opposites, shapes} = this.description;
+    return this.opposite ??= oppositesOf(this.arrays.read(opposites), shapes.size / 2 * 3);
+  }
+  get data() { return this.halfedges ??= this.halfedgeData(); }
+  get texture() { return this.dataTexture ??= textureOf(this.data); }
+  get places() { return this.developments.places; }
+  get starts() { return this.developments.starts; }
+  get developments() { return this.faces ??= this.developFaces(); }
+
+  halfedgeData() {
+    const {opposites} = this, shapes = this.arrays.read(this.description.shapes);
+    const height = Math.ceil(opposites.length / width);
+    const data = new Float32Array(4 * width * height);
+    for(let h = 0; h < opposites.length; h += 3) {
       let z = [shapes[h / 3 * 2], shapes[h / 3 * 2 + 1]];
       for(let k = h; k < h + 3; ++k, z = rotated(z)) {
-        data[4 * k] = this.opposites[k];
+        data[4 * k] = opposites[k];
         data[4 * k + 1] = z[0];
         data[4 * k + 2] = z[1];
       }
     }
-    this.texture = new DataTexture(data, width, height, RGBAFormat, FloatType);
-    this.texture.minFilter = this.texture.magFilter = NearestFilter;
-    this.texture.needsUpdate = true;
+    for(const faces of this.marked)
+      for(const f of faces)
+        for(let k = 3 * f; k < 3 * f + 3; ++k)
+          data[4 * k + 3] = 1;
+    return data;
   }
 
   // For each corner of the input its place in the development of its face, which starts at the first
   // corner, and the halfedge of that start.
-  makePlaces(starts, firstEdges, points, corners) {
-    this.places = new Float32Array(2 * corners.length);
-    this.starts = new Float32Array(corners.length);
-    for(let f = 0, i = 0; f < starts.length; ++f) {
-      const isAlong = starts[f] % 2 === 0;
+  developFaces() {
+    const {points, corners} = this;
+    const given = this.arrays.read(this.description.starts);
+    const firstEdges = this.arrays.read(this.description.first_edges);
+    const places = new Float32Array(2 * corners.length), starts = new Float32Array(corners.length);
+    for(let f = 0, i = 0; f < given.length; ++f) {
+      const isAlong = given[f] % 2 === 0;
       const x = isAlong ? 1 : firstEdges[i++], y = isAlong ? 0 : firstEdges[i++];
       const [u, v] = shapeOf(points, 3 * corners[3 * f], 3 * corners[3 * f + 1], 3 * corners[3 * f + 2]);
-      this.places[6 * f + 2] = x;
-      this.places[6 * f + 3] = y;
-      this.places[6 * f + 4] = u * x - v * y;
-      this.places[6 * f + 5] = u * y + v * x;
-      for(let k = 3 * f; k < 3 * f + 3; ++k)
-        this.starts[k] = starts[f] >> 1;
+      places[6 * f + 2] = x;
+      places[6 * f + 3] = y;
+      places[6 * f + 4] = u * x - v * y;
+      places[6 * f + 5] = u * y + v * x;
+      starts.fill(given[f] >> 1, 3 * f, 3 * f + 3);
     }
+    return {places, starts};
   }
 
-  mark(faces) {
-    for(const f of faces)
-      for(let k = 3 * f; k < 3 * f + 3; ++k)
-        this.data[4 * k + 3] = 1;
-  }
+  mark(faces) { this.marked.push(faces); }
 
   // The intrinsic face at a point of a face of the input, by the weights of its corners.
   locate(face, weights) {
@@ -144,6 +151,13 @@ export class Developed {
     const [x, y] = minus(b, a), u = this.data[4 * h + 1], v = this.data[4 * h + 2];
     return [a[0] + u * x - v * y, a[1] + u * y + v * x];
   }
+}
+
+function textureOf(data) {
+  const result = new DataTexture(data, width, data.length / 4 / width, RGBAFormat, FloatType);
+  result.minFilter = result.magFilter = NearestFilter;
+  result.needsUpdate = true;
+  return result;
 }
 
 const next = h => h % 3 === 2 ? h - 2 : h + 1;

@@ -3,7 +3,7 @@
 import { Arrays } from './arrays.js';
 import { Panel } from './panel.js';
 import { Surface } from './surface.js';
-import { Viewer } from './viewer.js';
+import { makeRenderer, Viewer } from './viewer.js';
 
 const textOf = id => document.getElementById(id).textContent;
 
@@ -23,12 +23,27 @@ function keepDrawing(viewer) {
   requestAnimationFrame(() => keepDrawing(viewer));
 }
 
-export function show() {
+// When the document has ended, and its arrays are there.
+const isRead = new Promise(resolve => {
+  if(document.readyState === 'loading')
+    addEventListener('DOMContentLoaded', resolve);
+  else
+    resolve();
+});
+
+const numberOfTriangles = ({surfaces}) =>
+  surfaces.reduce((sum, {polygons}) => sum + polygons.corners.size / 3, 0);
+
+// The graphics start while the page is still read, and draw while the panel is made.
+export async function show() {
   const page = JSON.parse(textOf('page'));
+  const renderer = makeRenderer(document.getElementById('canvas'), numberOfTriangles(page));
+  await isRead;
   const arrays = new Arrays(textOf('arrays'));
   const surfaces = page.surfaces.map(description => new Surface(description, arrays));
   const stage = document.getElementById('stage');
-  const viewer = new Viewer(stage, document.getElementById('canvas'), surfaces);
+  const viewer = new Viewer(stage, renderer, surfaces);
+  viewer.frame();
   const panel = new Panel(document.getElementById('panel'), viewer, page);
   const pick = (x, y) => {
     const place = viewer.pick(x, y);

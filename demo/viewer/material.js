@@ -1,8 +1,8 @@
 // The shader of surfaces: one color, a checkerboard, the color of a value, or those of faces that are
 // developed.
 
-import { DoubleSide, ShaderMaterial, Vector3 } from 'three';
-import { failure, faces, layers, plain, rgb } from './colors.js';
+import { BufferAttribute, DoubleSide, ShaderMaterial, Vector3 } from 'three';
+import { failure, faces, layers, missing, plain, rgb } from './colors.js';
 import { glsl as development } from './developed.js';
 
 export const modes = {plain: 0, projective: 1, linear: 2, value: 3, inputFaces: 4,
@@ -40,7 +40,7 @@ const vertexShader = `
 // The homogeneous coordinates are linear on triangles, so their quotient is projective.
 const fragmentShader = `
   uniform int mode;
-  uniform vec3 base, stops[5];
+  uniform vec3 base, missing, stops[5];
   uniform float squares, low, high, isolines, light;
   in vec3 vHomogeneous;
   in vec2 vLinear;
@@ -55,6 +55,8 @@ const fragmentShader = `
   }
 
   vec3 board(vec2 uv) {
+    if(isnan(uv.x + uv.y))
+      return missing;
     return mix(vec3(.96), vec3(.30, .47, .62), checker(uv * squares));
   }
 
@@ -147,31 +149,36 @@ const fragmentShader = `
 
 const vectorOf = color => new Vector3(...rgb(color));
 
-const developedUniforms = texture => ({
-  halfedges: {value: texture}, palette: {value: faces.map(vectorOf)}, picked: {value: -1},
+const developedUniforms = () => ({
+  halfedges: {value: null}, palette: {value: faces.map(vectorOf)}, picked: {value: -1},
   colorOfLines: {value: [layers.input, layers.intrinsic].map(vectorOf)},
   widthOfLines: {value: [0, 0]}, marks: {value: 0}, colorOfMarks: {value: vectorOf(failure)}});
 
-// With the texture of faces that are developed, if there are some.
-export function surfaceMaterial(isLit, developed) {
+export function surfaceMaterial(isLit) {
   return new ShaderMaterial({
     vertexShader, fragmentShader, side: DoubleSide,
     polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 4,
     uniforms: {
-      mode: {value: 0}, base: {value: new Vector3(...rgb(plain))}, squares: {value: 8},
+      mode: {value: 0}, base: {value: vectorOf(plain)}, missing: {value: vectorOf(missing)},
+      squares: {value: 8},
       stops: {value: Array.from({length: 5}, () => new Vector3())}, low: {value: 0},
       high: {value: 1}, isolines: {value: 0}, light: {value: isLit ? 1 : 0},
-      ...(developed ? developedUniforms(developed.texture) : {})}});
+      ...developedUniforms()}});
 }
 
 // Compiles what develops faces only while something of it is seen: it takes time at each pixel.
-export function updateDevelopment(material) {
+export function updateDevelopment({surface: {developed}, pane, material}) {
   const {mode, marks, picked, widthOfLines} = material.uniforms;
   const isSeen = mode.value >= modes.inputFaces || picked.value >= 0 || marks.value > 0 ||
     widthOfLines.value.some(width => width > 0);
   if(isSeen !== ('DEVELOPED' in material.defines)) {
     material.defines = isSeen ? {DEVELOPED: 1} : {};
     material.needsUpdate = true;
+  }
+  if(isSeen && !pane.geometry.hasAttribute('place')) {
+    material.uniforms.halfedges.value = developed.texture;
+    pane.geometry.setAttribute('place', new BufferAttribute(developed.places, 2));
+    pane.geometry.setAttribute('start', new BufferAttribute(developed.starts, 1));
   }
 }
 

@@ -1,18 +1,13 @@
 // A part of the stage with its own camera: a surface, or its picture.
 
 import { BufferAttribute, BufferGeometry, Group, Mesh, MeshBasicMaterial, OrthographicCamera,
-  PerspectiveCamera, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3,
+  PerspectiveCamera, Points, PointsMaterial, Raycaster, Scene, Sphere, Vector2, Vector3,
   CanvasTexture } from 'three';
 import { TrackballControls } from './TrackballControls.js';
 
-// The way from which the broadest side of a surface is seen, and what is up there.
-function outlook(positions) {
-  const low = [1, 1, 1], high = [-1, -1, -1];
-  positions.forEach((x, i) => {
-    low[i % 3] = Math.min(low[i % 3], x);
-    high[i % 3] = Math.max(high[i % 3], x);
-  });
-  const size = high.map((x, k) => x - low[k]);
+// The way from which the broadest side of a box is seen, and what is up there.
+function outlook({low, high}) {
+  const size = high.map((x, k) => Math.max(x - low[k], 0));
   const axis = size[2] <= size[0] && size[2] <= size[1] ? 2 : size.indexOf(Math.min(...size));
   const isFlat = size[axis] < 1e-6;
   const up = axis === 1 ? [0, 0, 1] : axis === 0 && size[2] > size[1] ? [0, 0, 1] : [0, 1, 0];
@@ -69,24 +64,26 @@ export class Pane {
 
   // Takes the triangles to be drawn, whose positions are about between -1 and 1.
   // `extent` are those that the camera shows.
-  setSurface(positions, attributes, triangles, material, extent = positions) {
+  setSurface(positions, attributes, triangles, material, extent) {
     this.positions = positions;
     this.extent = extent;
+    this.extentBox = boxOf(extent);
     this.geometry = new BufferGeometry();
     this.geometry.setAttribute('position', new BufferAttribute(positions, 3));
     for(const [name, attribute] of Object.entries(attributes))
       this.geometry.setAttribute(name, attribute);
+    this.geometry.boundingSphere = new Sphere(new Vector3(), 2); // nothing needs the exact one
     this.geometry.setIndex(triangles);
+    this.triangles = triangles;
     this.mesh = new Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh);
-    this.resetCamera();
   }
 
   resetCamera() {
     const {way, up} = this.isPlane
-      ? {way: new Vector3(0, 0, 1), up: new Vector3(0, 1, 0)} : outlook(this.extent);
-    const center = this.isPlane ? new Vector3() : middle(this.extent);
+      ? {way: new Vector3(0, 0, 1), up: new Vector3(0, 1, 0)} : outlook(this.extentBox);
+    const center = this.isPlane ? new Vector3() : middle(this.extentBox);
     this.controls.target.copy(center);
     this.camera.up.copy(up);
     this.camera.zoom = 1;
@@ -103,12 +100,15 @@ export class Pane {
     const top = new Vector3().crossVectors(way, right);
     const height = Math.tan(Math.PI / 180 * this.camera.fov / 2) / 1.1;
     const width = height * this.camera.aspect;
+    const along = ({x, y, z}, i) => x * (this.extent[i] - center.x) +
+      y * (this.extent[i + 1] - center.y) + z * (this.extent[i + 2] - center.z);
     let result = .01;
-    forEachPoint(this.extent, p => {
-      p.sub(center);
-      result = Math.max(result, p.dot(way) + Math.max(
-        Math.abs(p.dot(right)) / width, Math.abs(p.dot(top)) / height));
-    });
+    for(let i = 0; i < this.extent.length; i += 3) {
+      const most = along(way, i) + Math.max(
+        Math.abs(along(right, i)) / width, Math.abs(along(top, i)) / height);
+      if(most > result && most < Infinity)
+        result = most;
+    }
     return result;
   }
 
@@ -155,18 +155,21 @@ export class Pane {
     return hit && {triangle: hit.faceIndex, point: hit.point};
   }
 
+  // All triangles in their order, whatever is drawn.
+  get pickMesh() { return this.pickable ??= this.makePickable(); }
+
+  makePickable() {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', this.geometry.getAttribute('position'));
+    geometry.setIndex(this.triangles);
+    return new Mesh(geometry, new MeshBasicMaterial({side: 2}));
+  }
+
   // Where a point is in the pane, in pixels.
   project(point) {
     this.camera.updateMatrixWorld();
     const p = point.clone().project(this.camera);
     return [(p.x + 1) / 2 * this.box.width, (1 - p.y) / 2 * this.box.height];
-  }
-
-  makePickable(triangles) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.geometry.getAttribute('position'));
-    geometry.setIndex(new BufferAttribute(triangles, 1));
-    this.pickMesh = new Mesh(geometry, new MeshBasicMaterial({side: 2}));
   }
 }
 
@@ -180,18 +183,20 @@ export function pointCloud(positions, color, size) {
   return result;
 }
 
-function forEachPoint(positions, visit) {
-  const p = new Vector3();
+// Without points that are not finite.
+function boxOf(positions) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for(let i = 0; i < positions.length; i += 3)
-    if(Number.isFinite(p.fromArray(positions, i).x + p.y + p.z))
-      visit(p);
+    if(Number.isFinite(positions[i] + positions[i + 1] + positions[i + 2]))
+      for(let k = 0; k < 3; ++k) {
+        const x = positions[i + k];
+        if(x < low[k])
+          low[k] = x;
+        if(x > high[k])
+          high[k] = x;
+      }
+  return {low, high};
 }
 
-function middle(positions) {
-  const low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
-  forEachPoint(positions, p => {
-    low.min(p);
-    high.max(p);
-  });
-  return low.x <= high.x ? low.add(high).multiplyScalar(.5) : new Vector3();
-}
+const middle = ({low, high}) => low[0] <= high[0]
+  ? new Vector3(...low.map((x, k) => (x + high[k]) / 2)) : new Vector3();

@@ -2,6 +2,7 @@
 
 import { angleChart, curveChart } from './charts.js';
 import * as colors from './colors.js';
+import { partsOf } from './viewer.js';
 
 const names = {
   input: 'edges of the input', intrinsic: 'intrinsic edges',
@@ -22,7 +23,7 @@ export function format(x) {
     return '–';
   if(typeof x !== 'number')
     return String(x);
-  return Number.isInteger(x) ? x.toLocaleString('en').replace(/,/g, '\u202f')
+  return Number.isInteger(x) ? String(x).replace(/\B(?=(\d{3})+$)/g, '\u202f')
     : String(Number(x.toPrecision(5)));
 }
 
@@ -85,7 +86,7 @@ export class Panel {
 
   countPoints(name) {
     return this.viewer.surfaces.reduce((sum, s) =>
-      sum + (s.pointData[name]?.values ?? []).reduce((n, x) => n + x, 0), 0);
+      sum + (s.pointData[name]?.parts ?? 0), 0);
   }
 
   markSection() {
@@ -121,7 +122,7 @@ export class Panel {
   }
 
   update() {
-    const [kind, name] = this.viewer.state.color.split(' ');
+    const [kind, name] = partsOf(this.viewer.state.color);
     this.legend.replaceChildren(...(kind === 'field' ? this.fieldLegend(name)
       : kind === 'projective' || kind === 'linear' ? [this.slider()] : []));
   }

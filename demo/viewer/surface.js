@@ -3,21 +3,35 @@
 
 import { Developed } from './developed.js';
 
-// Of polygons: where the corners of each begin.
-function beginnings(sizes) {
-  const result = new Uint32Array(sizes.length + 1);
-  for(let i = 0; i < sizes.length; ++i)
-    result[i + 1] = result[i] + sizes[i];
+// Of polygons: where the corners of each begin. They have one size, or each its own.
+function beginnings(sizes, corners) {
+  const result = new Uint32Array((sizes.length ?? corners / sizes) + 1);
+  for(let i = 1; i < result.length; ++i)
+    result[i] = result[i - 1] + (sizes.length === undefined ? sizes : sizes[i - 1]);
   return result;
 }
 
 export function readPolygons(arrays, {sizes, corners}) {
-  return {begin: beginnings(arrays.read(sizes)), corners: arrays.read(corners)};
+  const read = arrays.read(corners);
+  const each = typeof sizes === 'number' ? sizes : arrays.read(sizes);
+  return {begin: beginnings(each, read.length), corners: read, areTriangles: each === 3};
+}
+
+// Numbers of elements, which are read when they are needed.
+class Data {
+  constructor(arrays, description) {
+    Object.assign(this, {arrays, description});
+  }
+
+  get isReal() { return this.description.code !== 'differences'; }
+  get values() { return this.numbers ??= this.arrays.read(this.description); }
+  // Of elements that are parts of an owner, or marked, and of owners.
+  get parts() { return this.description.parts ?? 0; }
+  get owners() { return this.description.owners ?? 0; }
 }
 
 const withData = (arrays, descriptions) =>
-  Object.fromEntries(Object.entries(descriptions).map(([name, d]) =>
-    [name, {isReal: d.code !== 'differences', values: arrays.read(d)}]));
+  Object.fromEntries(Object.entries(descriptions).map(([name, d]) => [name, new Data(arrays, d)]));
 
 const namesOfReals = data => Object.keys(data).filter(name => data[name].isReal);
 
@@ -31,7 +45,7 @@ export class Surface {
     this.description = description;
     this.name = description.name;
     this.points = arrays.read(description.points);
-    this.edges = arrays.read(description.edges);
+    this.arrays = arrays;
     this.pointData = withData(arrays, description.point_data);
     this.edgeData = withData(arrays, description.edge_data);
     this.polygonData = withData(arrays, description.polygon_data);
@@ -65,28 +79,63 @@ export class Surface {
   // Each face has corners of its own.
   develop(description, arrays) {
     const {corners} = this.polygons;
-    this.pointOfCorner = corners;
-    this.polygons.corners = new Int32Array(corners.length).map((_, i) => i);
-    this.developed = new Developed(description, arrays, this.points, corners);
+    if(this.texture)
+      this.texture = positionsOf(corners, this.texture);
+    this.pointOfCorner = this.pointOfCorner ? corners.map(c => this.pointOfCorner[c]) : corners;
+    this.polygons.corners = indices(new Int32Array(corners.length));
+    this.developed = new Developed(description, arrays, this.points, this.pointOfCorner);
   }
 
   // Into fans.
   cut() {
-    const {begin, corners} = this.polygons;
+    const {begin, corners, areTriangles} = this.polygons;
+    if(areTriangles) {
+      this.triangles = new Uint32Array(corners.buffer);
+      return;
+    }
     const n = begin.length - 1;
     let size = 0;
     for(let i = 0; i < n; ++i)
       size += Math.max(begin[i + 1] - begin[i] - 2, 0);
     this.triangles = new Uint32Array(3 * size);
-    this.polygonOfTriangle = new Uint32Array(size);
+    this.parents = new Uint32Array(size);
     let t = 0;
     for(let i = 0; i < n; ++i)
       for(let k = begin[i] + 2; k < begin[i + 1]; ++k, ++t) {
         this.triangles[3 * t] = corners[begin[i]];
         this.triangles[3 * t + 1] = corners[k - 1];
         this.triangles[3 * t + 2] = corners[k];
-        this.polygonOfTriangle[t] = i;
+        this.parents[t] = i;
       }
+  }
+
+  get polygonOfTriangle() {
+    return this.parents ??= indices(new Uint32Array(this.triangles.length / 3));
+  }
+
+  // The ends of edges: those that are sides of polygons if nothing is known about them.
+  get edges() {
+    const {edges} = this.description;
+    return this.ends ??= edges.code ? this.arrays.read(edges) : this.sides();
+  }
+
+  sides() {
+    const n = this.numberOfPoints, keys = new Float64Array(this.polygons.corners.length);
+    let i = 0;
+    this.forEachSide((c, d) => {
+      const p = this.point(c), q = this.point(d);
+      keys[i++] = Math.min(p, q) * n + Math.max(p, q);
+    });
+    keys.sort();
+    const result = new Int32Array(this.description.edges.size);
+    i = 0;
+    keys.forEach((key, k) => {
+      if(key === keys[k - 1])
+        return;
+      result[i++] = Math.floor(key / n);
+      result[i++] = key % n;
+    });
+    return result;
   }
 
   point(corner) { return this.pointOfCorner ? this.pointOfCorner[corner] : corner; }
@@ -100,10 +149,9 @@ export class Surface {
     if(!this.pointOfCorner)
       return values;
     const result = new Float32Array(this.pointOfCorner.length * components);
-    this.pointOfCorner.forEach((p, c) => {
+    for(let c = 0; c < this.pointOfCorner.length; ++c)
       for(let k = 0; k < components; ++k)
-        result[components * c + k] = values[components * p + k];
-    });
+        result[components * c + k] = values[components * this.pointOfCorner[c] + k];
     return result;
   }
 
@@ -120,7 +168,7 @@ export class Surface {
   }
   field(name) { return (this.pointData[name] ?? this.polygonData[name]).values; }
   get markedPoints() {
-    return Object.keys(this.pointData).filter(name => name.startsWith('is_'));
+    return Object.keys(this.pointData).filter(name => this.pointData[name].parts > 0);
   }
   get markedEdges() { return Object.keys(this.edgeData).filter(name => name.startsWith('is_')); }
 
@@ -137,22 +185,13 @@ export class Surface {
   countEdges(layer) {
     if(this.developed)
       return this.developed.edges[layer] ?? 0;
-    const owner = this.edgeData[`${layer}_edge`];
-    return owner ? countDistinct(owner.values) : this.countParts(layer);
+    const data = this.edgeData[layer] ?? this.edgeData[`${layer}_edge`];
+    return data ? data.owners : this.description.edges.size / 2;
   }
 
   countParts(layer) {
-    if(this.developed)
-      return this.countEdges(layer);
-    this.parts ??= new Map();
-    if(!this.parts.has(layer)) {
-      const isIn = this.isInLayer(layer);
-      let result = 0;
-      for(let e = 0; 2 * e < this.edges.length; ++e)
-        result += isIn(e);
-      this.parts.set(layer, result);
-    }
-    return this.parts.get(layer);
+    const data = this.edgeData[layer] ?? this.edgeData[`${layer}_edge`];
+    return data ? data.parts : this.countEdges(layer);
   }
 
   // Positions of both ends of the edges of a layer.
@@ -217,15 +256,9 @@ export class Surface {
   }
 }
 
-// Negative numbers do not count.
-function countDistinct(values) {
-  const isSeen = new Uint8Array(values.reduce((a, b) => Math.max(a, b), -1) + 1);
-  let result = 0;
-  for(const x of values)
-    if(x >= 0 && isSeen[x] === 0) {
-      isSeen[x] = 1;
-      ++result;
-    }
+function indices(result) {
+  for(let i = 0; i < result.length; ++i)
+    result[i] = i;
   return result;
 }
 

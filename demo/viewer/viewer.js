@@ -11,16 +11,31 @@ import { positionsOf } from './surface.js';
 
 const captions = {plane: 'in the plane', disk: 'in the Poincaré disk', sphere: 'on the sphere'};
 const mostShown = 60000; // more edges hide the surface
+const mostSmooth = 200000; // triangles
+
+function drawsInSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const names = gl?.getExtension('WEBGL_debug_renderer_info');
+  return names && /swiftshader|llvmpipe|softpipe|basic render/i
+    .test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
+}
+
+// Without a graphics processor, multisampling more than doubles the time of a picture of many triangles.
+export function makeRenderer(canvas, triangles) {
+  const antialias = triangles <= mostSmooth || !drawsInSoftware();
+  const renderer = new WebGLRenderer({canvas, antialias});
+  renderer.setPixelRatio(window.devicePixelRatio);
+  renderer.setClearColor(new Color(colors.paper));
+  renderer.setScissorTest(true);
+  renderer.autoClear = false;
+  return renderer;
+}
 
 export class Viewer {
-  constructor(stage, canvas, surfaces) {
+  constructor(stage, renderer, surfaces) {
     this.stage = stage;
     this.surfaces = surfaces;
-    this.renderer = new WebGLRenderer({canvas, antialias: true});
-    this.renderer.setPixelRatio(window.devicePixelRatio);
-    this.renderer.setClearColor(new Color(colors.paper));
-    this.renderer.setScissorTest(true);
-    this.renderer.autoClear = false;
+    this.renderer = renderer;
     this.views = [];
     this.views = surfaces.flatMap(surface => this.viewsOf(surface));
     this.state = this.initialState();
@@ -43,16 +58,12 @@ export class Viewer {
     const pane = new Pane(this.stage, caption, {isPlane, onChange});
     const positions = isPicture ? surface.picture.positions : surface.atCorners(surface.points, 3);
     const texture = isPicture && surface.picture.kind === 'plane'
-      ? positions.map((x, i) => i % 3 === 2 ? 1 : x)
-      : surface.texture ?? new Float32Array(positions.length).fill(1);
-    surface.triangleIndex ??= new BufferAttribute(surface.triangles, 1);
+      ? positions.map((x, i) => i % 3 === 2 ? 1 : x) : surface.texture;
     const {developed} = surface;
-    const material = surfaceMaterial(!isPlane, developed);
-    pane.setSurface(positions, {uvw: new BufferAttribute(texture, 3),
-      ...(developed && {place: new BufferAttribute(developed.places, 2),
-        start: new BufferAttribute(developed.starts, 1)})}, surface.triangleIndex, material,
-      developed && surface.points);
-    pane.makePickable(surface.triangles);
+    surface.triangleIndex ??= developed ? null : new BufferAttribute(surface.triangles, 1);
+    const material = surfaceMaterial(!isPlane);
+    pane.setSurface(positions, texture ? {uvw: new BufferAttribute(texture, 3)} : {},
+      surface.triangleIndex, material, developed ? surface.points : positions);
     return {surface, pane, material, isPicture};
   }
 
@@ -69,11 +80,11 @@ export class Viewer {
   get fields() { return [...new Set(this.surfaces.flatMap(s => s.fields))]; }
   get triangulations() { return [...new Set(this.surfaces.flatMap(s => s.triangulations))]; }
   get markedPoints() {
-    return [...new Set(this.surfaces.flatMap(s => s.markedPoints))]
-      .filter(name => this.surfaces.some(s => s.pointData[name]?.values.includes(1)));
+    return [...new Set(this.surfaces.flatMap(s => s.markedPoints))];
   }
   get marks() { return this.surfaces.flatMap(s => s.marks); }
   get hasSphere() { return this.surfaces.some(s => s.picture?.kind === 'sphere'); }
+  get isFlattened() { return this.surfaces.some(s => s.texture && s.picture); }
   get hasTexture() { return this.surfaces.some(s => s.texture); }
 
   countEdges(layer) {
@@ -86,7 +97,7 @@ export class Viewer {
 
   initialState() {
     const shown = {};
-    const isCalm = this.hasTexture || this.hasSphere || this.fields.includes('distance');
+    const isCalm = this.isFlattened || this.hasSphere || this.fields.includes('distance');
     for(const layer of this.layers)
       shown[layer] = this.countParts(layer) <= mostShown &&
         (layer === 'is_seam' || layer === 'coarse' || !isCalm && !this.layers.includes('coarse'));
@@ -96,7 +107,7 @@ export class Viewer {
   }
 
   initialColor() {
-    if(this.hasTexture)
+    if(this.isFlattened)
       return 'projective';
     if(this.fields.includes('distance'))
       return 'field distance';
@@ -116,14 +127,14 @@ export class Viewer {
       this.updateLayers(view);
       this.updateMarks(view);
       if(view.surface.developed)
-        updateDevelopment(view.material);
+        updateDevelopment(view);
     }
     this.invalidate();
   }
 
   updateColor(view) {
     const {surface, pane, material} = view;
-    const [kind, name] = this.state.color.split(' ');
+    const [kind, name] = partsOf(this.state.color);
     material.uniforms.squares.value = this.state.squares / 2;
     material.uniforms.isolines.value = this.state.isolines ? 1 : 0;
     material.uniforms.mode.value = kind === 'field' && surface.pointData[name] ? modes.value
@@ -250,7 +261,7 @@ export class Viewer {
   showPlace({surface, pane, isPicture, material}, place) {
     if(surface.developed) {
       material.uniforms.picked.value = place?.description.faces.intrinsic ?? -1;
-      updateDevelopment(material);
+      updateDevelopment({surface, pane, material});
     }
     for(const name of [...pane.layers.keys()].filter(n => n.startsWith('picked')))
       pane.remove(name);
@@ -346,6 +357,12 @@ export class Viewer {
     const [x, y] = pane.project(p);
     return [x + pane.box.left, y + pane.box.top];
   }
+}
+
+// What colors surfaces and, after a blank, its name.
+export function partsOf(color) {
+  const [kind] = color.split(' ', 1);
+  return [kind, color.slice(kind.length + 1)];
 }
 
 function widthOf(layer, parts) {

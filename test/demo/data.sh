@@ -95,6 +95,32 @@ for command in delaunay 'refine --min-angle 25' 'simplify --vertices 40' 'simpli
   expect 0 $command broken.mesh.ply -o a.ply --repair --quiet
   claim "m = ply('a.ply')" "has_data(m, m.points, 'texcoord', m.face['input_face'])"
 done
+# No face of a simplicial mesh crosses a seam: neither one of all edges nor one that flips would cross.
+by_chart="charts = [round((t[0] - texture_of(m.points[f[0]])[0]) / 10) for t, f in zip(m.face['texcoord'], m.faces)]"
+expect 0 refine charts.mesh.ply -o a.ply --repair --simplicial --min-angle 20 --quiet
+claim "m = ply('a.ply')" "$by_chart" "has_data(m, m.points, 'texcoord', charts)" "len(set(charts)) == 2 * 12 ** 2"
+PYTHONPATH=$tests python3 - >halves.mesh.obj <<'PYTHON'
+from files import off, texture_of
+mesh = off("sheared.mesh.off")
+corners = []
+for i, f in enumerate(mesh.faces): # 24 in a row
+    for v in f:
+        t = texture_of(mesh.points[v], int(i % 24 >= 12))
+        corners.append(f"{v + 1}/{len(corners) + 1}")
+        print("vt", *map(repr, t))
+for p in mesh.points:
+    print("v", *map(repr, p))
+for i in range(len(mesh.faces)):
+    print("f", *corners[3 * i:3 * i + 3])
+PYTHON
+expect 0 refine halves.mesh.obj -o a.ply --simplicial
+claim "m = ply('a.ply')" "$by_chart" "set(charts) == {0, 1}" \
+  "all(near(t, [x for v in f for x in texture_of(m.points[v], c)], 1e-9) for t, f, c in zip(m.face['texcoord'], m.faces, charts))" \
+  "all((sum(m.points[v][0] - 2.3 * m.points[v][1] for v in f) / 3 > 1 / 2) == c for f, c in zip(m.faces, charts))"
+expect 0 refine halves.mesh.obj -o a.off --simplicial
+expect 0 refine sheared.mesh.off -o b.off --simplicial
+cmp a.off b.off # has no texture, and so no seams
+
 # A point has as many texture coordinates as there are charts around it, in VTP as many copies.
 expect 0 delaunay charts.mesh.obj -o a.obj --repair --quiet
 for format in ply vtp; do
@@ -167,3 +193,43 @@ expect 0 distance a.mesh.ply -o a.ply --source 0 --subdivision b.ply
 claim "m = ply('b.ply')" "all(near(h, sum(p), 1e-12) for h, p in zip(m.vertex['h'], m.points))" \
   "all(near(t, [x for v in f for x in (m.points[v][0] + [0, 5, 9][i], m.points[v][1])], 1e-12) for t, f, i in zip(m.face['texcoord'], m.faces, m.face['input_face']))"
 claim "ply('a.ply').face['texcoord'][1] == [5, 0, 6, 0, 5, -1]"
+
+# ---- Groups of .obj files ----
+
+# Faces have the group of the face of the input that they are part of; one lies in none yet.
+{
+  printf 'mtllib a.mtl b.mtl\n'
+  awk 'NR > 2 && NF == 3 { print "v", $0 }
+    NR > 2 && NF == 4 {
+      n++
+      if(n == 20) print "o  grid"
+      if(n % 30 == 7) print "usemtl", (n % 60 > 30 ? "red paint # of the" : "blue")
+      if(n % 50 == 9) print "g left", n
+      print "f", $2 + 1, $3 + 1, $4 + 1
+    }' sheared.mesh.off
+} >groups.mesh.obj
+same_groups="all(g.get(k, []) == i.groups[f].get(k, []) for g, f in zip(o.groups, parents, strict=True) for k in ('o', 'g', 'usemtl'))"
+for command in 'delaunay --exact' 'refine --min-angle 25' 'simplify --vertices 40' \
+  'simplify --vertices 40 --min-angle 25' 'flatten --boundary disk' 'delaunay --repair'; do
+  for format in obj ply; do
+    expect 0 ${command%% *} groups.mesh.obj -o a.$format --quiet ${command#* }
+  done
+  claim "i, o, parents = obj('groups.mesh.obj'), obj('a.obj'), ply('a.ply').face['input_face']" "$same_groups" \
+    "o.libraries == [['a.mtl', 'b.mtl']]" "len({tuple(g.get('usemtl', [])) for g in o.groups}) == 3"
+done
+# Of the polygons of an output, too.
+expect 0 delaunay groups.mesh.obj -o a.obj
+for format in obj ply; do
+  expect 0 delaunay a.obj -o b.$format --quiet
+done
+claim "i, o, parents = obj('a.obj'), obj('b.obj'), ply('b.ply').face['input_polygon']" "$same_groups"
+expect 0 refine groups.mesh.obj -o a.obj --simplicial
+claim "o = obj('a.obj')" "len({tuple(g.get('usemtl', [])) for g in o.groups}) == 3"
+
+# Repair removes a face and splits a polygon; so does the program without it.
+printf 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 3 0 0\nusemtl none\nf 1 1 2\nusemtl quad\nf 1 2 3 4\nusemtl triangle\nf 2 5 3\n' >a.mesh.obj
+expect 0 delaunay a.mesh.obj -o a.obj --repair
+claim "sorted(g['usemtl'][0] for g in obj('a.obj').groups) == ['quad', 'quad', 'triangle']"
+sed '/f 1 1 2/d' a.mesh.obj >b.mesh.obj
+expect 0 delaunay b.mesh.obj -o a.obj
+claim "sorted(g['usemtl'][0] for g in obj('a.obj').groups) == ['quad', 'quad', 'triangle']"

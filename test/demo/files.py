@@ -47,6 +47,7 @@ class Mesh:
     def __init__(self):
         self.points, self.faces, self.edges = [], [], []
         self.texture, self.texture_faces = [], []
+        self.groups, self.libraries = [], []
         self.vertex, self.face, self.edge = (defaultdict(list) for _ in range(3))
 
     def __eq__(self, other):
@@ -94,13 +95,18 @@ def ply(path):
 
 
 def obj(path):
-    mesh = Mesh()
-    for words in map(str.split, lines_of(path)):
+    mesh, group = Mesh(), {}
+    for words in filter(None, map(str.split, lines_of(path))):
         if words[:1] == ["v"]:
             mesh.points.append(tuple(map(float, words[1:4])))
         elif words[:1] == ["vt"]:
             mesh.texture.append(tuple(map(float, words[1:])))
+        elif words[:1] == ["mtllib"]:
+            mesh.libraries.append(words[1:])
+        elif words[0] in ("o", "g", "usemtl"):
+            group = {**group, words[0]: words[1:]}
         elif words[:1] == ["f"]:
+            mesh.groups.append(group)
             corners = [[int(i) - 1 for i in w.split("/") if i] for w in words[1:]]
             mesh.faces.append([c[0] for c in corners])
             mesh.texture_faces.append([c[1] for c in corners if len(c) > 1])

@@ -16,6 +16,15 @@ expect_files page.html
 page_shows page.html 'view.viewer.views.length === 1' 'view.viewer.surfaces[0].numberOfPoints === 4' \
   'share(0, isPaper) > .2' 'share(0, isPaper) < .9' 'view.page.statistics["good.mesh.off"].polygons === 4'
 
+# Edges that no numbers belong to are the sides of polygons.
+off mixed '0 0 0,1 0 0,1 1 0,0 1 0,2 0 0,2 1 0' '0 1 2 3,4 2 1,4 5 2'
+expect 0 view mixed.mesh.off -o page.html
+page_shows page.html 'view.viewer.countEdges("edges") === 8' \
+  'Array.from({length: 8}, (_, e) => view.viewer.surfaces[0].edges.slice(2 * e, 2 * e + 2).join("")).join() ===
+    "01,03,12,14,23,24,25,45"' 'view.viewer.surfaces[0].triangles.length === 12'
+rm page.html mixed.mesh.off
+expect 0 view good.mesh.off -o page.html
+
 # Bytes are the same, in each run and on standard output; nothing is loaded.
 expect 0 view good.mesh.off -o again.html
 cmp page.html again.html
@@ -162,6 +171,38 @@ page_shows page.html 'view.viewer.views.length === 2' 'view.viewer.hasTexture' \
     const at = pane.project(new pane.scene.position.constructor(x, y, 0));
     const back = view.pick(at[0] + pane.box.left, at[1] + pane.box.top);
     return closePoints(back.point, [.3, .6, 0]) })()'
+
+# Functions of the input are colors with a legend, by the common subdivision and without it; new values come first.
+awk 'BEGIN { print "ply\nformat ascii 1.0\nelement vertex 25\nproperty float x\nproperty float y\nproperty float z\nproperty double my-height\nproperty double curvature\nproperty float distance\nelement face 32\nproperty list uchar int vertex_indices\nend_header" }
+  NR > 2 && NF == 3 { print $0, 2 * $1 - 3 * $2, 5, 7 } NR > 2 && NF == 4' sheared.mesh.off >functions.mesh.ply
+for call in 'delaunay -o a.ply' 'delaunay -o a.ply --direct' 'distance -o a.ply --source 0' 'flatten -o a.obj' \
+  'simplify -o a.ply --vertices 20'; do
+  expect 0 ${call%% *} functions.mesh.ply ${call#* } --view page.html
+  page_shows page.html 'view.viewer.fields.includes("my-height") && view.viewer.fields.includes("input_curvature")' \
+    'close(clickAt([1.7, .4, 0]).values["my-height"], 2.2, 1e-4)' 'close(clickAt([1.7, .4, 0]).values.input_curvature, 5)' \
+    "view.viewer.fields.includes('input_distance') === $([[ $call = distance* ]] && echo true || echo false)" \
+    'view.setColor("field my-height") === undefined' \
+    'document.querySelector(".legend-ticks").innerText.split(/\s+/).map(Number).every((x, i) => close(x, 2.5 * i))' \
+    'view.set({shown: {input: false, intrinsic: false, is_seam: false, coarse: false}, isolines: false}) === undefined' \
+    '(([r, g, b]) => b > r + 20)(colorAt([.3, .05, 0]))' '(([r, g, b]) => r > b + 20)(colorAt([3.83, .98, 0]))'
+done
+
+# A texture of the input is a checkerboard: in the page of the mesh beside its image, in others without.
+# Corners without coordinates are grey.
+awk 'NR > 2 && NF == 3 { print "v", $0 "\nvt", $1, $2 }
+  NR > 2 && NF == 4 && ++n { for(k = 2; k < 5; ++k) c[k] = $k + 1 (n > 40 && n < 50 ? "" : "/" $k + 1)
+    print "f", c[2], c[3], c[4] }' flat.mesh.off >texture.mesh.obj
+board='view.setColor("projective") === undefined'
+is_board='share(0, ([r, g, b]) => b > r + 20) > .2'
+is_grey='(([r, g, b]) => Math.max(r, g, b) - Math.min(r, g, b) < 3 && r < 190)(colorAt([.45, .55, 0]))'
+expect 0 view texture.mesh.obj -o page.html
+page_shows page.html 'view.viewer.views.length === 2' 'view.viewer.state.color === "projective"' "$is_board" "$is_grey" \
+  'closePoints(clickAt([.25, .3, 0]).picture, [.25, .3], 1e-5)' 'share(1, isPaper) > .1'
+for call in 'delaunay -o a.ply' 'delaunay -o a.ply --direct' 'distance -o a.ply --source 0'; do
+  expect 0 ${call%% *} texture.mesh.obj ${call#* } --view page.html
+  page_shows page.html 'view.viewer.views.length === 1' 'view.viewer.state.color !== "projective"' \
+    'view.set({shown: {input: false, intrinsic: false}}) === undefined' "$board" "$is_board" "$is_grey"
+done
 
 # On a curved surface, projective and linear interpolation differ.
 expect 0 flatten good.mesh.off -o a.obj --view page.html
