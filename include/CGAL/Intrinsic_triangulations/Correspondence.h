@@ -35,7 +35,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// between them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
 ///
 /// The object refers to the triangulation and is valid until that changes.
-/// Memory: about 40 bytes for each edge and 40 for each crossing (with `double`), 48 in a geometry
+/// Memory: about 36 bytes for each edge and 40 for each crossing (with `double`), 48 in a geometry
 /// where crossings have scales, and up to twice as many where vertices have been inserted.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
