@@ -49,6 +49,14 @@ double smallest_area(const std::vector<Complex>& points)
   return result;
 }
 
+DCM::internal::Hull_points chart_of(const std::vector<Complex>& points)
+{
+  DCM::internal::Hull_points result;
+  for(const Complex& p : points)
+    result.add(p);
+  return result;
+}
+
 TEST(Chart_packing, lays_a_chart_on_the_longer_side_of_its_smallest_rectangle)
 {
   CGAL::Random random(1);
@@ -62,7 +70,7 @@ TEST(Chart_packing, lays_a_chart_on_the_longer_side_of_its_smallest_rectangle)
       else
         points.emplace_back(random.get_double(-1, 1),
                             random.get_double(-1, 1) * (trial % 3 == 1 ? 1 : 1e-6));
-    const DCM::internal::Chart_packing packing({points});
+    const DCM::internal::Chart_packing packing({chart_of(points)});
     const auto [low, high] = box(points, packing.motion(0));
     EXPECT_NEAR(std::abs(packing.motion(0).turn), 1, 1e-15);
     EXPECT_NEAR(std::abs(low), 0, 1e-14);
@@ -71,6 +79,39 @@ TEST(Chart_packing, lays_a_chart_on_the_longer_side_of_its_smallest_rectangle)
       EXPECT_NEAR(high.real() * high.imag() / area, 1, 1e-9);
     }
   }
+}
+
+// Most points are dropped, but no corner of the hull: no direction has a point farther out.
+TEST(Chart_packing, keeps_the_hull_of_many_points)
+{
+  CGAL::Random random(2);
+  for(int trial = 0; trial < 12; ++trial) {
+    std::vector<Complex> points;
+    for(int i = 0; i < 20000; ++i) // in a disk, in a square, on a segment, or all in one place
+      points.push_back(trial % 4 == 0 ? std::polar(random.get_double(0, 1), random.get_double(0, 7))
+                       : trial % 4 == 1
+                         ? Complex(random.get_double(-1, 1), random.get_double(-1, 1))
+                       : trial % 4 == 2 ? Complex(random.get_double(-1, 1), 0)
+                                        : Complex(1, 2));
+    const std::vector<Complex> kept = chart_of(points).points();
+    EXPECT_LT(kept.size(), points.size() / 4);
+    for(int k = 0; k < 100; ++k) {
+      const Complex turn = std::polar(1., random.get_double(0, 7));
+      const auto motion = [&](const Complex& z) { return turn * z; };
+      const auto [low, high] = box(points, motion);
+      EXPECT_NEAR(std::abs(box(kept, motion).first - low), 0, 1e-15);
+      EXPECT_NEAR(std::abs(box(kept, motion).second - high), 0, 1e-15);
+    }
+  }
+}
+
+// All on the hull: nothing may be lost.
+TEST(Chart_packing, keeps_all_points_in_convex_position)
+{
+  std::vector<Complex> points;
+  for(int i = 0; i < 5000; ++i)
+    points.emplace_back(i, double(i) * i);
+  EXPECT_EQ(chart_of(points).points().size(), points.size());
 }
 
 } // namespace Test_chart_packing

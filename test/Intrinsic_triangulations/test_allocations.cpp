@@ -103,7 +103,7 @@ TEST(Allocations, bytes_on_a_closed_surface)
   EXPECT_NEAR(bytes_per_edge(edges, [&] { return IT::Intrinsic_triangulation<>(mesh); }), 124, 1);
   IT::Intrinsic_triangulation<> tri(mesh);
   EXPECT_NEAR(bytes_per_edge(edges, [&] { return IT::Vertex_inserter<>(tri); }), 40, 1);
-  EXPECT_NEAR(bytes_per_edge(edges, [&] { return IT::Correspondence<>(tri); }), 40, 1);
+  EXPECT_NEAR(bytes_per_edge(edges, [&] { return IT::Correspondence<>(tri); }), 36, 1);
   EXPECT_GT(IT::make_Delaunay(tri), edges / 10);
   IT::Correspondence<> with_crossings(tri);
   const double crossings = static_cast<double>(with_crossings.number_of_crossings());

@@ -205,8 +205,10 @@ private:
     const Cut_graph cut(mesh(), length, m_is_wall, m_map.m_is_laid_out, terminals());
     const std::vector<FT> exact = m_builder.scaled_lengths(u);
     const Flat_layout<FT> layout(mesh(), exact, cut, *m_problem.expanded_order(), m_layout);
+    m_map.m_position.reserve(mesh().num_halfedges());
     for(Halfedge_index h : mesh().halfedges())
       m_map.m_position.push_back(layout.position(h));
+    m_map.m_is_seam.reserve(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       m_map.m_is_seam.push_back(cut.is_seam(e));
   }
@@ -215,14 +217,13 @@ private:
   void arrange_charts()
   {
     const auto& subdivision = m_map.subdivision();
-    std::vector<std::vector<std::complex<double>>> points(m_problem.components().size());
+    std::vector<Hull_points> points(m_problem.components().size());
     for(Halfedge_index h : subdivision.mesh().halfedges()) {
       if(!m_map.is_front(h))
         continue;
       const Face_index f = subdivision.mesh().face(h);
       const auto z = m_map.homogeneous_coordinates(subdivision.location(Layer::C, h));
-      points[component(subdivision.parent_face(Layer::C, f))].emplace_back(z[0] / z[2],
-                                                                           z[1] / z[2]);
+      points[component(subdivision.parent_face(Layer::C, f))].add({z[0] / z[2], z[1] / z[2]});
     }
     const Chart_packing packing(points);
     for(Halfedge_index h : mesh().halfedges())

@@ -114,13 +114,17 @@ public:
                       m_intrinsic.number_of_vertices() + m_correspondence.number_of_crossings(),
                     edges = m_correspondence.number_of_input_pieces() + m_marks.number_of_pieces();
     const size_type faces = number_regions();
+    m_result.reserve_parents(edges, faces);
+    m_result.m_place.reserve(vertices);
     internal::run_together(
-      m_concurrency, [&] { m_result.resize_mesh(vertices, edges, faces); },
+      m_concurrency,
       [&] {
         m_result.resize_parents(edges, faces);
+        m_result.m_place.resize(vertices);
         set_parents();
         set_places();
-      });
+      },
+      [&] { m_result.resize_mesh(vertices, edges, faces); });
     for_each<Face_index>(m_intrinsic, [this](Face_index f) { add_regions(f); });
     for_each<Halfedge_index>(m_intrinsic, [this](Halfedge_index h) { link_border(h); });
     internal::set_halfedges_of_vertices(m_mesh, m_concurrency);
@@ -192,8 +196,6 @@ private:
   void set_places()
   {
     const auto& tri = m_correspondence.triangulation();
-    m_result.m_place.resize(m_intrinsic.number_of_vertices() +
-                            m_correspondence.number_of_crossings());
     for_each<Vertex_index>(m_intrinsic, [&](Vertex_index v) {
       if(m_intrinsic.is_isolated(v))
         return;

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -36,7 +35,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// between them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
 ///
 /// The object refers to the triangulation and is valid until that changes.
-/// Memory: about 40 bytes for each edge and 40 for each crossing (with `double`), 48 in a geometry
+/// Memory: about 36 bytes for each edge and 40 for each crossing (with `double`), 48 in a geometry
 /// where crossings have scales, and up to twice as many where vertices have been inserted.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
@@ -210,23 +209,30 @@ private:
   Correspondence(const Triangulation& tri, Concurrency concurrency) : m_tri(tri)
   {
     CGAL_precondition(!tri.mesh().has_garbage());
-    std::optional<internal::Part_starts<Traits>> starts;
+    internal::Part_starts<Traits> starts(tri, m_part_numbers);
+    m_on_intrinsic = internal::number_crossings(tri.coordinates(), tri.mesh(), concurrency);
+    resize(starts, concurrency);
+    starts.find(m_spoke_before, concurrency);
+    trace_all(starts, concurrency);
+    note_inserted();
+  }
+
+  void resize(internal::Part_starts<Traits>& starts, Concurrency concurrency)
+  {
+    const size_type crossings = m_on_intrinsic.size();
+    m_spoke_before.reserve(m_tri.input_mesh().num_halfedges());
     internal::run_together(
       concurrency,
       [&] {
-        starts.emplace(tri);
-        m_parts.resize(starts->numbers().size());
+        starts.resize();
+        m_spoke_before.resize(m_tri.input_mesh().num_halfedges());
       },
       [&] {
-        m_on_intrinsic = internal::number_crossings(tri.coordinates(), tri.mesh(), concurrency);
-        m_spoke_before.resize(tri.input_mesh().num_halfedges());
-        m_records.resize(m_on_intrinsic.size());
-        m_order_on_input.resize(m_records.size());
-        m_scale.resize(internal::Has_scale<Traits>::value ? m_records.size() : 0);
+        m_parts.resize(m_part_numbers.size());
+        m_records.resize(crossings);
+        m_order_on_input.resize(crossings);
+        m_scale.resize(internal::Has_scale<Traits>::value ? crossings : 0);
       });
-    starts->find(m_spoke_before, concurrency);
-    trace_all(*starts, concurrency);
-    note_inserted();
   }
 
   struct Record
@@ -271,13 +277,11 @@ private:
     const Delta_complex& input = m_tri.input_mesh();
     if(m_tri.number_of_inserted_vertices() > 0)
       m_contains_inserted.assign(input.num_faces(), false);
-    for(Vertex_index v : m_tri.mesh().vertices())
-      if(m_tri.is_inserted(v)) {
-        const auto& m = m_tri.inserted_vertex(v);
-        m_contains_inserted[m.location.first.idx()] = true;
-        if(m.along.is_valid() && !input.is_border(input.opposite(m.along)))
-          m_contains_inserted[input.face(input.opposite(m.along)).idx()] = true;
-      }
+    for(const auto& v : m_tri.inserted_vertices()) {
+      m_contains_inserted[v.location.first.idx()] = true;
+      if(v.along.is_valid() && !input.is_border(input.opposite(v.along)))
+        m_contains_inserted[input.face(input.opposite(v.along)).idx()] = true;
+    }
   }
 
   static size_type end_of_pieces(const Part& part)
@@ -295,7 +299,6 @@ private:
   // Every curve is met at both its ends; it is traced along the first halfedge of its edge.
   void trace_all(const internal::Part_starts<Traits>& starts, Concurrency concurrency)
   {
-    m_part_numbers = starts.numbers();
     const std::size_t edges = m_tri.input_mesh().num_edges();
     std::vector<Chunk> chunks(internal::number_of_chunks(edges));
     internal::for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {

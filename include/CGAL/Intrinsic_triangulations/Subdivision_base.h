@@ -181,6 +181,14 @@ protected:
     m_mesh.resize(vertices, edges, faces);
   }
 
+  void reserve_parents(size_type edges, size_type faces)
+  {
+    for(auto& parents : m_parent_halfedge)
+      parents.reserve(edges);
+    for(auto& parents : m_parent_face)
+      parents.reserve(faces);
+  }
+
   void resize_parents(size_type edges, size_type faces)
   {
     for(auto& parents : m_parent_halfedge)

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -131,7 +132,8 @@ std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits
                                             const Bounds& bounds, const Refinement_result& result)
 {
   const Narrow_vertices<Traits> narrow(tri, bounds.narrow_angle(), result.is_exact);
-  const Crossing_lists<Traits> lists(tri);
+  std::optional<Crossing_lists<Traits>> made;
+  const auto lists = [&]() -> const auto& { return made ? *made : made.emplace(tri); };
   std::vector<Remaining_face> remaining;
   const auto unexcused = [&](Face_index f) {
     return Remaining_face{f, reason_left(tri, f, result), tri.mesh().null_vertex()};

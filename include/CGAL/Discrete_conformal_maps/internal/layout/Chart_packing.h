@@ -17,9 +17,61 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
+
+// Andrew's: by turns, beginning with the lowest of the leftmost points
+inline std::vector<std::complex<double>> convex_hull(std::vector<std::complex<double>> points)
+{
+  typedef std::complex<double> Complex;
+  const auto turns_left = [](const Complex& p, const Complex& q, const Complex& r) {
+    return Plane_predicates<double>().orientation({p.real(), p.imag()}, {q.real(), q.imag()},
+                                                  {r.real(), r.imag()}) > 0;
+  };
+  std::sort(points.begin(), points.end(), [](const Complex& p, const Complex& q) {
+    return p.real() < q.real() || (p.real() == q.real() && p.imag() < q.imag());
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if(points.size() < 3)
+    return points;
+  std::vector<Complex> hull;
+  for(int half = 0; half < 2; ++half) {
+    const std::size_t first = hull.size();
+    for(const Complex& p : points) {
+      while(hull.size() >= first + 2 && !turns_left(*(hull.end() - 2), hull.back(), p))
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+// The points of a chart that have come one after the other, without most of those inside their convex
+// hull. Memory: linear in the corners of the hull.
+class Hull_points
+{
+  typedef std::complex<double> Complex;
+
+public:
+  void add(const Complex& p)
+  {
+    m_points.push_back(p);
+    if(m_points.size() < m_limit)
+      return;
+    m_points = convex_hull(std::move(m_points));
+    m_limit = 2 * m_points.size() + 1024;
+  }
+
+  const std::vector<Complex>& points() const { return m_points; }
+
+private:
+  std::vector<Complex> m_points;
+  std::size_t m_limit = 1024;
+};
 
 // Motions of the plane that put charts beside each other: each lies in the smallest rectangle that
 // holds it, the longer side below, and these stand on shelves, the highest first, with gaps of a
@@ -37,12 +89,12 @@ public:
   };
 
   // the points of each chart; there may be none
-  explicit Chart_packing(const std::vector<std::vector<Complex>>& chart)
+  explicit Chart_packing(const std::vector<Hull_points>& chart)
     : m_motion(chart.size()), m_size(chart.size(), 0)
   {
     for(std::size_t c = 0; c < chart.size(); ++c)
-      if(!chart[c].empty())
-        lay_down(c, chart[c]);
+      if(!chart[c].points().empty())
+        lay_down(c, chart[c].points());
     stack();
   }
 
@@ -71,31 +123,6 @@ private:
     }
     m_motion[c].shift = -low;
     m_size[c] = high - low;
-  }
-
-  // Andrew's: by turns, beginning with the lowest of the leftmost points
-  static std::vector<Complex> convex_hull(std::vector<Complex> points)
-  {
-    const auto turns_left = [](const Complex& p, const Complex& q, const Complex& r) {
-      return Plane_predicates<double>().orientation({p.real(), p.imag()}, {q.real(), q.imag()},
-                                                    {r.real(), r.imag()}) > 0;
-    };
-    std::sort(points.begin(), points.end(), [](const Complex& p, const Complex& q) {
-      return p.real() < q.real() || (p.real() == q.real() && p.imag() < q.imag());
-    });
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    std::vector<Complex> hull;
-    for(int half = 0; half < 2; ++half) {
-      const std::size_t first = hull.size();
-      for(const Complex& p : points) {
-        while(hull.size() >= first + 2 && !turns_left(*(hull.end() - 2), hull.back(), p))
-          hull.pop_back();
-        hull.push_back(p);
-      }
-      hull.pop_back();
-      std::reverse(points.begin(), points.end());
-    }
-    return hull;
   }
 
   // of one side of the smallest rectangle that holds the points, the first among equals: the one in

@@ -101,14 +101,19 @@ private:
     const auto vertices = static_cast<size_type>(size.vertices),
                edges = static_cast<size_type>(size.edges),
                faces = static_cast<size_type>(size.faces);
+    m_result.reserve_parents(edges, faces);
+    for(auto& places : m_result.m_place)
+      places.reserve(vertices);
+    m_result.m_on_C.reserve(2 * edges);
     Intrinsic_triangulations::internal::run_together(
-      m_concurrency, [&] { m_result.resize_mesh(vertices, edges, faces); },
+      m_concurrency,
       [&] {
         m_result.resize_parents(edges, faces);
         for(auto& places : m_result.m_place)
           places.resize(vertices);
         m_result.m_on_C.resize(2 * edges);
-      });
+      },
+      [&] { m_result.resize_mesh(vertices, edges, faces); });
   }
 
   // Places at vertices that several faces have are those in the last of them.

@@ -14,7 +14,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 #include <exception>
@@ -122,14 +122,18 @@ void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
     run(chunk);
 }
 
-// Calls `f()` and `g()`, at the same time if `concurrency` is parallel.
+// Calls `f()` and `g()`, at the same time if `concurrency` is parallel; `g()` on the thread of the
+// caller. Large vectors should be allocated by that one: other threads get new pages from the system.
 template <typename F, typename G>
 void run_together(Concurrency concurrency, const F& f, const G& g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(concurrency.is_parallel()) {
     First_exception exception(2);
-    tbb::parallel_invoke([&] { exception.run(0, f); }, [&] { exception.run(1, g); });
+    tbb::task_group group;
+    group.run([&] { exception.run(0, f); });
+    exception.run(1, g);
+    group.wait();
     exception.rethrow();
     return;
   }

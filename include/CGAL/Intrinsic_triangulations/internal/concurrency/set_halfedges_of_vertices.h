@@ -30,6 +30,7 @@ void set_halfedges_of_vertices(Surface_mesh<P>& mesh, Concurrency concurrency)
         x = h;
   };
   std::vector<Halfedge_index> first, last;
+  first.reserve(mesh.num_vertices());
   run_together(
     concurrency, [&] { note(0, half, first); }, [&] { note(half, all, last); });
   for_each_in_chunks<Vertex_index>(concurrency, mesh, [&](Vertex_index v) {

@@ -129,8 +129,8 @@ private:
 
   bool has_bad_shape(Face_index f) const
   {
-    return m_bounds.is_too_large(f) ||
-           (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, m_inserter.crossing_lists()));
+    const auto lists = [this]() -> const auto& { return m_inserter.crossing_lists(); };
+    return m_bounds.is_too_large(f) || (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, lists));
   }
 
   void push_if_bad(Face_index f)

@@ -36,26 +36,19 @@ class Narrow_vertices
 
 public:
   Narrow_vertices(const Triangulation& tri, const FT& least_sum, bool has_exact_angles)
-    : m_tri(tri), m_is_narrow(tri.mesh().num_vertices(), false)
+    : m_tri(tri), m_least_sum(least_sum), m_answer(tri.mesh().num_vertices(), Answer::unknown)
   {
     if constexpr(has_metric<Traits>())
-      if(has_exact_angles) {
-        set_by_input(least_sum);
-        return;
-      }
-    const Delta_complex& mesh = tri.mesh();
-    const auto is_fixed = [&](Halfedge_index h) {
-      return tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
-    };
-    const auto angle = [&](Halfedge_index h) { return angle_at_source(h, tri); };
-    for(Vertex_index v : mesh.vertices())
-      m_is_narrow[v.idx()] = has_narrow_sector(v, mesh, least_sum, is_fixed, angle);
+      if(has_exact_angles)
+        set_by_input();
   }
 
   // Returns why a face that violates the bound on angles is excused, and by which narrow vertex: if
   // exactly one of its corners is narrow, or else if it lies in faces of T1 at a narrow vertex and
-  // is crossed by no other edges than those at this vertex. `lists` has the crossings on all edges.
-  std::optional<Remaining_face> excuse(Face_index f, const Crossing_lists<Traits>& lists) const
+  // is crossed by no other edges than those at this vertex. `lists()` has the crossings on all edges
+  // and is called only if they are needed.
+  template <typename Lists>
+  std::optional<Remaining_face> excuse(Face_index f, const Lists& lists) const
   {
     Vertex_index narrow;
     int count = 0;
@@ -66,13 +59,37 @@ public:
       }
     if(count == 1)
       return Remaining_face{f, Remaining_reason::at_narrow_vertex, narrow};
-    return excuse_by_input_faces(f, lists);
+    return excuse_by_input_faces(f, lists());
   }
 
 private:
+  enum class Answer : char
+  {
+    unknown,
+    yes,
+    no
+  };
+
+  static Answer answer(bool is_narrow) { return is_narrow ? Answer::yes : Answer::no; }
+
+  // Few vertices have thin faces, and few are asked about.
   bool is_narrow(Vertex_index v) const
   {
-    return v.idx() < m_is_narrow.size() && m_is_narrow[v.idx()];
+    if(v.idx() >= m_answer.size())
+      return false;
+    if(m_answer[v] == Answer::unknown)
+      m_answer[v] = answer(has_narrow_sector(v));
+    return m_answer[v] == Answer::yes;
+  }
+
+  bool has_narrow_sector(Vertex_index v) const
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    const auto is_fixed = [&](Halfedge_index h) {
+      return m_tri.is_constrained(mesh.edge(h)) || mesh.is_border(mesh.edge(h));
+    };
+    return has_narrow_sector(v, mesh, is_fixed,
+                             [&](Halfedge_index h) { return angle_at_source(h, m_tri); });
   }
 
   // A face that is crossed only by edges at one vertex lies in faces at this vertex. If it had to
@@ -114,7 +131,7 @@ private:
 
   // Angles around a vertex are those of T1, whose corners need no strips, however often edges cross.
   // Inserted vertices are not narrow.
-  BOOST_NOINLINE void set_by_input(const FT& least_sum)
+  BOOST_NOINLINE void set_by_input()
   {
     const Delta_complex &mesh = m_tri.mesh(), &input = m_tri.input_mesh();
     std::vector<char> is_constrained(input.num_halfedges(), false);
@@ -124,16 +141,17 @@ private:
     const auto is_fixed = [&](Halfedge_index h) {
       return is_constrained[h] || input.is_border(input.edge(h));
     };
+    m_answer.assign(m_answer.size(), Answer::no);
     const auto decisions = exact_decisions(m_tri);
     const auto angle = [&](Halfedge_index h) { return decisions.input_angle(h); };
     for(Vertex_index v : input.vertices())
-      m_is_narrow[v.idx()] = has_narrow_sector(v, input, least_sum, is_fixed, angle);
+      m_answer[v] = answer(has_narrow_sector(v, input, is_fixed, angle));
   }
 
   // whether the vertex `v` of T1 or T2 is narrow
   template <typename Is_fixed, typename Angle>
-  static bool has_narrow_sector(Vertex_index v, const Delta_complex& mesh, const FT& least_sum,
-                                const Is_fixed& is_fixed, const Angle& angle)
+  bool has_narrow_sector(Vertex_index v, const Delta_complex& mesh, const Is_fixed& is_fixed,
+                         const Angle& angle) const
   {
     if(mesh.is_isolated(v))
       return false;
@@ -155,11 +173,12 @@ private:
     if(mesh.is_border(v))
       return least < limit;
     const FT closing = sector + before_first_fixed;
-    return least < 0 ? closing < least_sum : (std::min)(least, closing) < limit;
+    return least < 0 ? closing < m_least_sum : (std::min)(least, closing) < limit;
   }
 
   const Triangulation& m_tri;
-  std::vector<char> m_is_narrow;
+  FT m_least_sum;
+  mutable std::vector<Answer> m_answer;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -27,12 +27,16 @@ class Part_starts
   typedef Delta_complex::size_type size_type;
 
 public:
-  explicit Part_starts(const Triangulation& tri)
-    : m_tri(tri),
-      m_rank(tri.number_of_inserted_vertices()),
-      m_numbers(count_parts()),
-      m_starts(m_numbers.size())
-  {}
+  // Numbers the parts, as marks on the edges of T1, and allocates memory for their starts.
+  Part_starts(const Triangulation& tri, Edge_marks& numbers)
+    : m_tri(tri), m_rank(tri.number_of_inserted_vertices()), m_numbers(numbers)
+  {
+    numbers = count_parts();
+    m_starts.reserve(numbers.size());
+  }
+
+  // to be called before find()
+  void resize() { m_starts.resize(m_numbers.size()); }
 
   // Notes the last spoke at or clockwise from each halfedge of T1 in `spoke_before`, too.
   void find(std::vector<Halfedge_index>& spoke_before, Concurrency concurrency)
@@ -50,9 +54,6 @@ public:
       m_tri.coordinates().for_each_curve_end(h, m_tri.mesh(), m_tri.spokes(), note);
     });
   }
-
-  // the numbers of the parts, as marks on the edges of T1
-  const Edge_marks& numbers() const { return m_numbers; }
 
   // the part of the edge `e` of T1 that starts at the vertex `v` of T2
   const Curve_start<Integer>& operator()(Edge_index e, Vertex_index v) const
@@ -81,7 +82,7 @@ private:
 
   const Triangulation& m_tri;
   std::vector<size_type> m_rank; // of each inserted vertex on its edge
-  Edge_marks m_numbers;
+  const Edge_marks& m_numbers;
   std::vector<Curve_start<Integer>> m_starts;
 };
 
