@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
 
@@ -101,13 +102,28 @@ private:
   FT m_share;
 };
 
+namespace internal {
+
+// The share of a matrix that is the sum of those of the umbrellas.
+template <typename FT>
+Eigen::SparseMatrix<FT> share_of(Eigen::SparseMatrix<FT> sum, const Tufted_surface<FT>& surface)
+{
+  sum *= surface.share();
+  return sum;
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes `surface.share()` times the sum of the cotan Laplacians of the umbrellas, see
 /// `cotan_laplacian()`.
 template <typename FT>
 Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 {
-  return surface.share() * cotan_laplacian(internal::view_of(surface));
+  const Delta_complex& mesh = surface.mesh();
+  internal::Symmetric_assembly<FT> assembly(mesh.num_vertices(), mesh.number_of_edges());
+  internal::add_cotan_laplacian(surface, assembly);
+  return internal::share_of(assembly.matrix(), surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -116,7 +132,10 @@ Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 template <typename FT>
 Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 {
-  return surface.share() * mass_matrix(internal::view_of(surface));
+  const Delta_complex& mesh = surface.mesh();
+  internal::Symmetric_assembly<FT> assembly(mesh.num_vertices(), 3 * mesh.number_of_faces());
+  internal::add_mass_matrix(surface, assembly);
+  return internal::share_of(assembly.matrix(), surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -125,7 +144,7 @@ Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 template <typename FT>
 Eigen::SparseMatrix<FT> lumped_mass_matrix(const Tufted_surface<FT>& surface)
 {
-  return surface.share() * lumped_mass_matrix(internal::view_of(surface));
+  return internal::share_of(lumped_mass_matrix(internal::view_of(surface)), surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -134,7 +153,7 @@ Eigen::SparseMatrix<FT> lumped_mass_matrix(const Tufted_surface<FT>& surface)
 template <typename FT>
 Eigen::SparseMatrix<FT> divergence_matrix(const Tufted_surface<FT>& surface)
 {
-  return surface.share() * divergence_matrix(internal::view_of(surface));
+  return internal::share_of(divergence_matrix(internal::view_of(surface)), surface);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -127,15 +127,8 @@ public:
   // `order` sorts the sides of an edge that has more than two.
   template <typename Order>
   Cover_builder(const Soup_sides& sides, const Order& order)
-    : m_sides(sides), m_before(sides.number_of_sides())
-  {
-    sides.for_each_edge([&](Soup_sides::Bundle& bundle) {
-      if(bundle.size() > 2)
-        order(bundle);
-      for(std::size_t i = 0; i < bundle.size(); ++i)
-        m_before[bundle[i]] = bundle[(i == 0 ? bundle.size() : i) - 1];
-    });
-  }
+    : m_sides(sides), m_before(sides.sides_before(order))
+  {}
 
   // `point(v)` is the point of vertex `v` of the soup.
   template <typename Vertex_point>
