@@ -8,8 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
@@ -22,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -121,9 +124,18 @@ template <typename FT>
 Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 {
   const Delta_complex& mesh = surface.mesh();
-  internal::Symmetric_assembly<FT> assembly(mesh.num_vertices(), mesh.number_of_edges());
-  internal::add_cotan_laplacian(surface, assembly);
-  return internal::share_of(assembly.matrix(), surface);
+  std::vector<FT> diagonal(mesh.num_vertices(), FT(0)), weights = internal::cotan_weights(surface);
+  for(Edge_index e : mesh.edges()) {
+    FT& w = weights[e.idx()];
+    const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
+    if(i == j)
+      w = 0;
+    diagonal[i.idx()] += w;
+    diagonal[j.idx()] += w;
+    w = -w;
+  }
+  return internal::share_of(internal::symmetric_matrix(mesh, std::move(diagonal), weights),
+                            surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -133,9 +145,17 @@ template <typename FT>
 Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 {
   const Delta_complex& mesh = surface.mesh();
-  internal::Symmetric_assembly<FT> assembly(mesh.num_vertices(), 3 * mesh.number_of_faces());
-  internal::add_mass_matrix(surface, assembly);
-  return internal::share_of(assembly.matrix(), surface);
+  std::vector<FT> diagonal(mesh.num_vertices(), FT(0)), on_edge(mesh.num_edges(), FT(0));
+  for(Face_index f : mesh.faces()) {
+    const internal::Face_metric<FT> metric(f, surface);
+    const auto h = sides(f, mesh);
+    for(std::size_t s = 0; s < 3; ++s) {
+      diagonal[metric.corner(s).idx()] += metric.hat_product(s, s);
+      on_edge[mesh.edge(h[s]).idx()] += metric.hat_product(s, (s + 1) % 3);
+    }
+  }
+  return internal::share_of(internal::symmetric_matrix(mesh, std::move(diagonal), on_edge),
+                            surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers

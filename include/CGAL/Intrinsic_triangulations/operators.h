@@ -40,34 +40,6 @@ auto cotan_weights(const Surface& surface)
   return result;
 }
 
-template <typename Surface, typename Assembly>
-void add_cotan_laplacian(const Surface& surface, Assembly& assembly)
-{
-  const Delta_complex& mesh = surface.mesh();
-  const auto weights = cotan_weights(surface);
-  for(Edge_index e : mesh.edges()) {
-    const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
-    if(i == j)
-      continue;
-    const auto& w = weights[e.idx()];
-    assembly.add(i, i, w);
-    assembly.add(j, j, w);
-    assembly.add(i, j, -w);
-    assembly.add(j, i, -w);
-  }
-}
-
-template <typename Surface, typename Assembly>
-void add_mass_matrix(const Surface& surface, Assembly& assembly)
-{
-  for(Face_index f : surface.mesh().faces()) {
-    const Face_metric<Length_of<Surface>> metric(f, surface);
-    for(std::size_t a = 0; a < 3; ++a)
-      for(std::size_t b = 0; b < 3; ++b)
-        assembly.add(metric.corner(a), metric.corner(b), metric.area() / (a == b ? 6 : 12));
-  }
-}
-
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -84,9 +56,20 @@ void add_mass_matrix(const Surface& surface, Assembly& assembly)
 template <typename Surface>
 auto cotan_laplacian(const Surface& surface)
 {
+  typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
-  internal::Sparse_assembly<Length_of<Surface>> assembly(4 * mesh.number_of_edges());
-  internal::add_cotan_laplacian(surface, assembly);
+  const auto weights = internal::cotan_weights(surface);
+  internal::Sparse_assembly<FT> assembly(4 * mesh.number_of_edges());
+  for(Edge_index e : mesh.edges()) {
+    const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
+    if(i == j)
+      continue;
+    const FT& w = weights[e.idx()];
+    assembly.add(i, i, w);
+    assembly.add(j, j, w);
+    assembly.add(i, j, -w);
+    assembly.add(j, i, -w);
+  }
   return assembly.matrix(mesh.num_vertices(), mesh.num_vertices());
 }
 
@@ -98,9 +81,15 @@ auto cotan_laplacian(const Surface& surface)
 template <typename Surface>
 auto mass_matrix(const Surface& surface)
 {
+  typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
-  internal::Sparse_assembly<Length_of<Surface>> assembly(9 * mesh.number_of_faces());
-  internal::add_mass_matrix(surface, assembly);
+  internal::Sparse_assembly<FT> assembly(9 * mesh.number_of_faces());
+  for(Face_index f : mesh.faces()) {
+    const internal::Face_metric<FT> metric(f, surface);
+    for(std::size_t a = 0; a < 3; ++a)
+      for(std::size_t b = 0; b < 3; ++b)
+        assembly.add(metric.corner(a), metric.corner(b), metric.hat_product(a, b));
+  }
   return assembly.matrix(mesh.num_vertices(), mesh.num_vertices());
 }
 
