@@ -280,8 +280,8 @@ void check_finite(const Points& points)
 /// computes the tufted cover of triangles with positions. Around an edge, triangles follow each
 /// other by their angles, which are compared exactly. Triangles with one angle are stacked by their
 /// indices, in the direction of the normal of their plane whose first component that is not zero is
-/// positive; triangles without a plane come last. Complexity: linear, but for sorting the edges at
-/// each vertex and the triangles at each edge.
+/// positive; triangles without a plane come last. Complexity: linear, but for sorting the triangles at
+/// each edge that has more than two.
 /// \param points a random access range of points of a kernel; predicates are exact for coordinates
 ///   in floating point, others are those of the kernel
 /// \param triangles a range of ranges of three integers, the indices of points
@@ -306,8 +306,7 @@ auto tufted_cover(const PointRange& points, const TriangleRange& triangles)
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes the tufted cover of triangles without positions; lengths are taken to it by
 /// `Tufted_cover::edge_length_map()`. Around an edge, triangles follow each other by their indices.
-/// Where there are more than two, another order gives another surface. Complexity: linear, but for
-/// sorting the edges at each vertex.
+/// Where there are more than two, another order gives another surface. Complexity: linear.
 /// \param number_of_vertices the number of vertices, isolated ones included
 /// \param triangles a range of ranges of three integers, the indices of vertices
 /// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does
