@@ -172,8 +172,8 @@ private:
   // The next one in its face.
   static Index next(Index c)
   {
-    constexpr std::array<int, 6> step{2, 4, 2, -2, -4, -2};
-    return static_cast<Index>(static_cast<int>(c) + step[c % 6]);
+    constexpr std::array<Index, 6> step{2, 4, 2, Index(-2), Index(-4), Index(-2)};
+    return c + step[c % 6]; // modulo the range of the type
   }
 
   // Branch-free, as orientations of soups cannot be predicted.

@@ -37,7 +37,7 @@ public:
   {
     check_number(number_of_vertices);
     m_triangles.reserve(
-      static_cast<std::size_t>(std::distance(triangles.begin(), triangles.end())));
+      static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles))));
     for(const auto& corners : triangles)
       add(three_of(corners));
   }
