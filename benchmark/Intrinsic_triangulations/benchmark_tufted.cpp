@@ -30,7 +30,7 @@
 using namespace Test_surfaces;
 typedef Eigen::SparseMatrix<double> Matrix;
 
-constexpr int repetitions = 21;
+constexpr int repetitions = 7;
 
 Soup with_fins(const Mesh& mesh)
 {
