@@ -6,7 +6,12 @@
 // to the result, on meshes named as arguments or on CGAL's own. The cover is that of the triangles
 // of the mesh without their orientation, and with a fin at every hundredth edge; the ordinary way
 // has a mesh first, with or without the time to make it.
+//
+// Without arguments the same follows for 300 soups with as many faces as the meshes that they were
+// made from: an eighth of the faces are fins at edges with three to seven faces, lie on other faces,
+// touch a vertex only, or form Moebius bands; faces have random orientations.
 
+#include "../../test/Intrinsic_triangulations/soups.h"
 #include "measure.h"
 
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
@@ -14,46 +19,36 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Random.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace IT = CGAL::Intrinsic_triangulations;
-
-typedef CGAL::Simple_cartesian<double>::Point_3 Point;
-typedef CGAL::Surface_mesh<Point> Mesh;
+using namespace Test_surfaces;
 typedef Eigen::SparseMatrix<double> Matrix;
-typedef std::array<std::uint32_t, 3> Triangle;
 
 constexpr int repetitions = 7;
 
-struct Soup
+Soup with_fins(const Mesh& mesh)
 {
-  explicit Soup(const Mesh& mesh) : points(mesh.points().begin(), mesh.points().end())
-  {
-    CGAL::Random random(1);
-    for(const Mesh::Face_index f : mesh.faces()) {
-      const Mesh::Halfedge_index h = mesh.halfedge(f);
-      Triangle t{mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
-      if(random.get_bool())
-        std::swap(t[1], t[2]);
-      triangles.push_back(t);
-      if(f.idx() % 150 == 0) {
-        points.push_back(CGAL::midpoint(points[t[0]], points[t[1]]) +
-                         CGAL::normal(points[t[0]], points[t[1]], points[t[2]]) / 10);
-        triangles.push_back({t[0], t[1], static_cast<std::uint32_t>(points.size() - 1)});
-      }
-    }
+  CGAL::Random random(1);
+  Soup result{soup_of(mesh).points, {}};
+  const Triangles triangles = soup_of(mesh).triangles;
+  for(std::size_t f = 0; f < triangles.size(); ++f) {
+    const auto [a, b, c] = triangles[f];
+    result.triangles.push_back({a, b, c});
+    if(f % 150 != 0)
+      continue;
+    const auto& p = result.points;
+    result.points.push_back(CGAL::midpoint(p[a], p[b]) + CGAL::normal(p[a], p[b], p[c]) / 10);
+    result.triangles.push_back({a, b, result.points.size() - 1});
   }
-
-  std::vector<Point> points;
-  std::vector<Triangle> triangles;
-};
+  flip_orientations(result, random);
+  return result;
+}
 
 // The times of the ways to operators, and from there to a distance.
 struct Times
@@ -68,10 +63,10 @@ struct Times
       const Matrix laplacian = IT::cotan_laplacian(result), mass = IT::mass_matrix(result);
       return result;
     });
-    distance.time([&] { return IT::heat_distance(surface, std::array{IT::Vertex_index(0)}); });
+    distance.time([&] { return IT::heat_distance(surface, std::array{Vertex_index(0)}); });
   }
 
-  double all() const { return operators.median() + distance.median(); }
+  double all() const { return operators.least() + distance.least(); }
 };
 
 // A triangulation and a view of it.
@@ -82,48 +77,118 @@ struct Ordinary_surface
   auto length_map() const { return tri.length_map(); }
 };
 
-void benchmark(const std::string& file)
+struct Comparison
 {
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(file, mesh)) {
-    std::printf("%s: cannot be read\n", file.c_str());
-    return;
-  }
-  const Soup soup(mesh);
-  std::vector<Triangle> oriented;
-  for(const Mesh::Face_index f : mesh.faces()) {
-    const Mesh::Halfedge_index h = mesh.halfedge(f);
-    oriented.push_back({mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))});
-  }
   Times ordinary, tufted;
-  Samples cover_alone, mesh_alone;
-  for(int i = 0; i < repetitions; ++i) {
-    mesh_alone.time([&] {
-      Mesh result;
-      CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, oriented, result);
-      return result;
-    });
+  Samples cover;
+
+  void take(const Mesh& mesh, const Soup& soup)
+  {
     ordinary.take([&] {
       Ordinary_surface result{IT::Intrinsic_triangulation<>(mesh)};
       IT::make_Delaunay(result.tri);
       return result;
     });
     tufted.take([&] {
-      const auto cover =
-        cover_alone.time([&] { return IT::tufted_cover(soup.points, soup.triangles); });
-      IT::Intrinsic_triangulation<> tri(cover.mesh());
+      const auto made = cover.time([&] { return IT::tufted_cover(soup.points, soup.triangles); });
+      IT::Intrinsic_triangulation<> tri(made.mesh());
       IT::make_Delaunay(tri);
-      return IT::Tufted_surface<>(cover, tri.intrinsic());
+      return IT::Tufted_surface<>(made, tri.intrinsic());
     });
   }
-  const double made = mesh_alone.median();
-  const double operators = tufted.operators.median(), distance = tufted.all();
+};
+
+Mesh mesh_of(const std::string& file)
+{
+  Mesh result;
+  if(!CGAL::IO::read_polygon_mesh(file, result))
+    std::printf("%s: cannot be read\n", file.c_str());
+  return result;
+}
+
+std::string data_file(const std::string& name)
+{
+  return CGAL::data_file_path("meshes/" + name + ".off");
+}
+
+void benchmark_mesh(const std::string& file)
+{
+  const Mesh mesh = mesh_of(file);
+  const Soup soup = with_fins(mesh), oriented = soup_of(mesh);
+  Comparison times;
+  Samples mesh_alone;
+  for(int i = 0; i < repetitions; ++i) {
+    mesh_alone.time([&] {
+      Mesh result;
+      CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(oriented.points,
+                                                                  oriented.triangles, result);
+      return result;
+    });
+    times.take(mesh, soup);
+  }
+  const auto& [ordinary, tufted, cover] = times;
+  const double made = mesh_alone.least();
+  const double operators = tufted.operators.least(), distance = tufted.all();
   const std::string name = file.substr(file.find_last_of('/') + 1);
   std::printf("%-22s%8zu%7.1f%7.1f%10.1f%8.1f%6.2f%6.2f%10.1f%8.1f%6.2f%6.2f\n", name.c_str(),
-              soup.triangles.size(), made, cover_alone.median(), ordinary.operators.median(),
-              operators, operators / ordinary.operators.median(),
-              operators / (ordinary.operators.median() + made), ordinary.all(), distance,
+              soup.triangles.size(), made, cover.least(), ordinary.operators.least(), operators,
+              operators / ordinary.operators.least(),
+              operators / (ordinary.operators.least() + made), ordinary.all(), distance,
               distance / ordinary.all(), distance / (ordinary.all() + made));
+}
+
+// Ratios of the times of soups to those of their meshes.
+struct Ratios
+{
+  std::vector<double> operators, distance;
+
+  void add(const Ratios& other)
+  {
+    operators.insert(operators.end(), other.operators.begin(), other.operators.end());
+    distance.insert(distance.end(), other.distance.begin(), other.distance.end());
+  }
+
+  void print()
+  {
+    for(auto* ratios : {&operators, &distance}) {
+      std::sort(ratios->begin(), ratios->end());
+      std::printf("%12.2f%10.2f", (*ratios)[ratios->size() / 2], ratios->back());
+    }
+    std::printf("\n");
+  }
+};
+
+Ratios benchmark_soups(const std::string& name)
+{
+  const Mesh mesh = mesh_of(data_file(name));
+  Ratios result;
+  for(unsigned int seed = 0; seed < 15; ++seed) {
+    const Soup soup = spoiled(mesh, seed);
+    Comparison times;
+    for(int i = 0; i < repetitions; ++i)
+      times.take(mesh, soup);
+    const auto& [ordinary, tufted, cover] = times;
+    result.operators.push_back(tufted.operators.least() / ordinary.operators.least());
+    result.distance.push_back(tufted.all() / ordinary.all());
+  }
+  std::printf("%-22s%8u", name.c_str(), unsigned(mesh.number_of_faces()));
+  result.print();
+  return result;
+}
+
+void benchmark_all_soups()
+{
+  std::printf("\nmedian and greatest ratios, 15 soups of each mesh\n%-22s%8s%12s%10s%12s%10s\n",
+              "mesh", "faces", "operators", "greatest", "distance", "greatest");
+  Ratios all;
+  for(const char* name : {"anchor_dense", "blobby",   "bones",       "cow",
+                          "dino",         "elephant", "elk",         "femur",
+                          "hand",         "head",     "holes",       "homer",
+                          "knot1",        "mushroom", "retinal",     "elephant-with-holes",
+                          "rotor_small",  "spool",    "three_peaks", "triceratops"})
+    all.add(benchmark_soups(name));
+  std::printf("%-22s%8zu", "all", all.operators.size());
+  all.print();
 }
 
 int main(int argc, char** argv)
@@ -132,11 +197,13 @@ int main(int argc, char** argv)
   std::vector<std::string> files(argv + 1, argv + argc);
   if(files.empty())
     for(const char* name : {"armadillo", "camel", "refined_elephant"})
-      files.push_back(CGAL::data_file_path(std::string("meshes/") + name + ".off"));
-  std::printf("milliseconds, medians of %d; ratios without and with the time to make the mesh\n",
+      files.push_back(data_file(name));
+  std::printf("milliseconds, least of %d; ratios without and with the time to make the mesh\n",
               repetitions);
   std::printf("%-22s%8s%7s%7s%10s%8s%12s%10s%8s%12s\n", "mesh", "faces", "mesh", "cover",
               "operators", "tufted", "ratios", "distance", "tufted", "ratios");
   for(const std::string& file : files)
-    benchmark(file);
+    benchmark_mesh(file);
+  if(argc == 1)
+    benchmark_all_soups();
 }

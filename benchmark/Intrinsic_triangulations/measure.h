@@ -33,6 +33,9 @@ public:
     return sorted[sorted.size() / 2];
   }
 
+  // What other programs do to the caches is least in this one.
+  double least() const { return *std::min_element(m_samples.begin(), m_samples.end()); }
+
 private:
   std::vector<double> m_samples;
 };

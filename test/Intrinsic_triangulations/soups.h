@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -161,6 +162,103 @@ inline Soup random_soup(unsigned int seed)
   flip_orientations(result, random);
   return result;
 }
+
+// Takes faces away from a manifold mesh and puts as many elsewhere, so that it is no surface any more.
+class Mesh_spoiler
+{
+public:
+  Mesh_spoiler(const Mesh& mesh, unsigned int seed) : m_random(seed), m_soup(soup_of(mesh))
+  {
+    m_kept.resize(m_soup.triangles.size());
+    std::iota(m_kept.begin(), m_kept.end(), std::size_t(0));
+    CGAL::cpp98::random_shuffle(m_kept.begin(), m_kept.end(), m_random);
+  }
+
+  // Of every `share` faces one gets another place.
+  Soup operator()(std::size_t share)
+  {
+    const std::size_t stay = m_kept.size() - m_kept.size() / share;
+    m_taken.assign(m_kept.begin() + static_cast<std::ptrdiff_t>(stay), m_kept.end());
+    m_kept.resize(stay);
+    while(!m_taken.empty())
+      switch(m_random.get_int(0, 4)) {
+        case 0: add_fins(); break;
+        case 1: put(random_face()); break; // twice
+        case 2: add_band(); break;
+        default: add_at_vertex();
+      }
+    flip_orientations(m_soup, m_random);
+    return std::move(m_soup);
+  }
+
+private:
+  void put(const Triangles::value_type& t)
+  {
+    if(m_taken.empty())
+      return;
+    m_soup.triangles[m_taken.back()] = t;
+    m_taken.pop_back();
+  }
+
+  Triangles::value_type random_face()
+  {
+    return m_soup
+      .triangles[m_kept[std::size_t(m_random.get_int(0, static_cast<int>(m_kept.size())))]];
+  }
+
+  double length(std::size_t a, std::size_t b) const
+  {
+    return std::sqrt(CGAL::squared_distance(m_soup.points[a], m_soup.points[b]));
+  }
+
+  std::size_t add_point_near(std::size_t v, double distance)
+  {
+    const auto coordinate = [&] { return m_random.get_double(-distance, distance); };
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    m_soup.points.push_back(m_soup.points[v] + Kernel::Vector_3(x, y, z));
+    return m_soup.points.size() - 1;
+  }
+
+  // three to seven faces at an edge
+  void add_fins()
+  {
+    const auto [a, b, c] = random_face();
+    for(int fins = m_random.get_int(1, 6); fins > 0; --fins)
+      put({b, a, add_point_near(a, length(a, b))});
+  }
+
+  // that touches a vertex only
+  void add_at_vertex()
+  {
+    const auto [a, b, c] = random_face();
+    const std::size_t d = add_point_near(a, length(a, b)), e = add_point_near(a, length(a, b));
+    put({a, d, e});
+  }
+
+  // a Moebius band at a vertex
+  void add_band()
+  {
+    const auto [a, b, c] = random_face();
+    const Soup band = moebius_band(std::size_t(m_random.get_int(5, 9)));
+    if(m_taken.size() < band.triangles.size())
+      return add_fins();
+    const std::size_t shift = m_soup.points.size() - 1;
+    for(std::size_t v = 1; v < band.points.size(); ++v)
+      m_soup.points.push_back(m_soup.points[a] + length(a, b) * (band.points[v] - band.points[0]));
+    for(const auto& t : band.triangles) {
+      const auto number = [&, a = a](std::size_t v) { return v == 0 ? a : shift + v; };
+      put({number(t[0]), number(t[1]), number(t[2])});
+    }
+  }
+
+  CGAL::Random m_random;
+  Soup m_soup;
+  std::vector<std::size_t> m_kept, m_taken; // faces
+};
+
+// A manifold mesh of which every eighth face is elsewhere: at edges that have up to seven faces then,
+// on top of other faces, at vertices only, or in Moebius bands; without orientation.
+inline Soup spoiled(const Mesh& mesh, unsigned int seed) { return Mesh_spoiler(mesh, seed)(8); }
 
 } // namespace Test_surfaces
 

@@ -268,6 +268,29 @@ TEST(Tufted_cover, without_positions_follows_indices)
     }
 }
 
+TEST(Tufted_cover, without_positions_follows_indices_in_any_soup)
+{
+  for(unsigned int seed = 0; seed < 50; ++seed) {
+    SCOPED_TRACE(seed);
+    const Soup soup = random_soup(seed);
+    const auto cover = IT::tufted_cover(soup.points.size(), soup.triangles);
+    expect_maps(cover, soup.triangles);
+    const auto at_edge = faces_at_edges(soup.triangles);
+    for(Halfedge_index h : cover.mesh().halfedges()) {
+      const std::size_t from = cover.input_vertex(cover.mesh().source(h));
+      const std::size_t to = cover.input_vertex(cover.mesh().target(h));
+      if(from > to)
+        continue;
+      const std::vector<std::size_t>& faces = at_edge.at({from, to});
+      const auto face =
+        std::find(faces.begin(), faces.end(), Cover::input_face(cover.mesh().face(h)));
+      ASSERT_NE(face, faces.end());
+      const std::size_t next = face + 1 == faces.end() ? faces.front() : *(face + 1);
+      EXPECT_EQ(Cover::input_face(cover.mesh().face(IT::opposite(h))), next);
+    }
+  }
+}
+
 TEST(Tufted_cover, takes_lengths_of_sides)
 {
   const Triangles triangles{{0, 1, 2}, {1, 0, 3}, {4, 0, 1}};

@@ -8,8 +8,11 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
 
@@ -21,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -101,13 +105,37 @@ private:
   FT m_share;
 };
 
+namespace internal {
+
+// The share of a matrix that is the sum of those of the umbrellas.
+template <typename FT>
+Eigen::SparseMatrix<FT> share_of(Eigen::SparseMatrix<FT> sum, const Tufted_surface<FT>& surface)
+{
+  sum *= surface.share();
+  return sum;
+}
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes `surface.share()` times the sum of the cotan Laplacians of the umbrellas, see
 /// `cotan_laplacian()`.
 template <typename FT>
 Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 {
-  return surface.share() * cotan_laplacian(internal::view_of(surface));
+  const Delta_complex& mesh = surface.mesh();
+  std::vector<FT> diagonal(mesh.num_vertices(), FT(0)), weights = internal::cotan_weights(surface);
+  for(Edge_index e : mesh.edges()) {
+    FT& w = weights[e.idx()];
+    const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
+    if(i == j)
+      w = 0;
+    diagonal[i.idx()] += w;
+    diagonal[j.idx()] += w;
+    w = -w;
+  }
+  return internal::share_of(internal::symmetric_matrix(mesh, std::move(diagonal), weights),
+                            surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -116,7 +144,18 @@ Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 template <typename FT>
 Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 {
-  return surface.share() * mass_matrix(internal::view_of(surface));
+  const Delta_complex& mesh = surface.mesh();
+  std::vector<FT> diagonal(mesh.num_vertices(), FT(0)), on_edge(mesh.num_edges(), FT(0));
+  for(Face_index f : mesh.faces()) {
+    const internal::Face_metric<FT> metric(f, surface);
+    const auto h = sides(f, mesh);
+    for(std::size_t s = 0; s < 3; ++s) {
+      diagonal[metric.corner(s).idx()] += metric.hat_product(s, s);
+      on_edge[mesh.edge(h[s]).idx()] += metric.hat_product(s, (s + 1) % 3);
+    }
+  }
+  return internal::share_of(internal::symmetric_matrix(mesh, std::move(diagonal), on_edge),
+                            surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -125,7 +164,7 @@ Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 template <typename FT>
 Eigen::SparseMatrix<FT> lumped_mass_matrix(const Tufted_surface<FT>& surface)
 {
-  return surface.share() * lumped_mass_matrix(internal::view_of(surface));
+  return internal::share_of(lumped_mass_matrix(internal::view_of(surface)), surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -134,7 +173,7 @@ Eigen::SparseMatrix<FT> lumped_mass_matrix(const Tufted_surface<FT>& surface)
 template <typename FT>
 Eigen::SparseMatrix<FT> divergence_matrix(const Tufted_surface<FT>& surface)
 {
-  return surface.share() * divergence_matrix(internal::view_of(surface));
+  return internal::share_of(divergence_matrix(internal::view_of(surface)), surface);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

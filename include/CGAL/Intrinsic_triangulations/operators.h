@@ -88,7 +88,7 @@ auto mass_matrix(const Surface& surface)
     const internal::Face_metric<FT> metric(f, surface);
     for(std::size_t a = 0; a < 3; ++a)
       for(std::size_t b = 0; b < 3; ++b)
-        assembly.add(metric.corner(a), metric.corner(b), metric.area() / (a == b ? 6 : 12));
+        assembly.add(metric.corner(a), metric.corner(b), metric.hat_product(a, b));
   }
   return assembly.matrix(mesh.num_vertices(), mesh.num_vertices());
 }

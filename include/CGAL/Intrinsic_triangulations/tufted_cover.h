@@ -17,7 +17,9 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -117,7 +119,8 @@ private:
 
 namespace internal {
 
-// Links the copies of triangles.
+// Links the copies of triangles. Side s has the copies 2 s in the front of its triangle and 2 s + 1 in
+// the back.
 template <typename P>
 class Cover_builder
 {
@@ -127,14 +130,11 @@ public:
   // `order` sorts the sides of an edge that has more than two.
   template <typename Order>
   Cover_builder(const Soup_sides& sides, const Order& order)
-    : m_sides(sides), m_before(sides.number_of_sides())
+    : m_sides(sides),
+      m_before(sides.sides_before(order)),
+      m_copies(2 * sides.number_of_sides(), Copy{0, no_vertex})
   {
-    sides.for_each_edge([&](Soup_sides::Bundle& bundle) {
-      if(bundle.size() > 2)
-        order(bundle);
-      for(std::size_t i = 0; i < bundle.size(); ++i)
-        m_before[bundle[i]] = bundle[(i == 0 ? bundle.size() : i) - 1];
-    });
+    glue();
   }
 
   // `point(v)` is the point of vertex `v` of the soup.
@@ -142,51 +142,99 @@ public:
   Tufted_cover<P> operator()(std::size_t number_of_vertices, const Vertex_point& point)
   {
     m_cover.m_number_of_input_vertices = number_of_vertices;
-    m_cover.m_input_vertex.reserve(2 * number_of_vertices);
+    const std::vector<Index> incoming = find_vertices(number_of_vertices);
     Surface_mesh<P>& mesh = m_cover.m_mesh;
-    mesh.resize(0, static_cast<Index>(m_sides.number_of_sides()),
+    mesh.resize(static_cast<Index>(incoming.size()), static_cast<Index>(m_before.size()),
                 static_cast<Index>(2 * m_sides.number_of_triangles()));
-    for(Index t = 0; t < m_sides.number_of_triangles(); ++t) {
-      set_triangle(copy(t, 0, false), copy(t, 1, false), copy(t, 2, false), Face_index(2 * t),
-                   mesh);
-      set_triangle(copy(t, 0, true), copy(t, 2, true), copy(t, 1, true), Face_index(2 * t + 1),
-                   mesh);
+    for(Index c = 0; c < m_copies.size(); c += 6) {
+      add_face(Face_index(c / 3), {c, c + 2, c + 4});
+      add_face(Face_index(c / 3 + 1), {c + 1, c + 5, c + 3});
     }
-    for(Index t = 0; t < m_sides.number_of_triangles(); ++t)
-      for(std::size_t i = 0; i < 3; ++i)
-        for(const bool is_back : {false, true})
-          add_vertex(copy(t, is_back ? i : (i + 2) % 3, is_back), m_sides.corner(t, i), point);
+    for(Index v = 0; v < incoming.size(); ++v) {
+      mesh.set_halfedge(Vertex_index(v), halfedge(incoming[v]));
+      mesh.point(Vertex_index(v)) = point(m_cover.m_input_vertex[v]);
+    }
     return std::move(m_cover);
   }
 
 private:
-  // The halfedge of a copy of side i of triangle t. The copy of a side that leads to the greater
-  // vertex is glued to the other copy of the next side.
-  Halfedge_index copy(Index t, std::size_t i, bool is_back) const
+  static constexpr Index no_vertex = (std::numeric_limits<Index>::max)();
+
+  struct Copy
   {
-    const Index side = 3 * t + static_cast<Index>(i);
-    return Halfedge_index(m_sides.ascends(side) != is_back ? 2 * side : 2 * m_before[side] + 1);
+    Index opposite; // the copy to which it is glued
+    Index target;
+  };
+
+  // Whether a copy leads to the greater vertex.
+  bool ascends(Index c) const { return m_sides.ascends(c / 2) != (c % 2 == 1); }
+
+  // The next one in its face.
+  static Index next(Index c)
+  {
+    constexpr std::array<Index, 6> step{2, 4, 2, Index(-2), Index(-4), Index(-2)};
+    return c + step[c % 6]; // modulo the range of the type
   }
 
-  // Adds the target of `h`, unless it has one.
-  template <typename Vertex_point>
-  void add_vertex(Halfedge_index h, Index input_vertex, const Vertex_point& point)
+  // Branch-free, as orientations of soups cannot be predicted.
+  Halfedge_index halfedge(Index c) const
+  {
+    return Halfedge_index(std::array{2 * m_before[c / 2] + 1, c - c % 2}[ascends(c)]);
+  }
+
+  // The copy of a side that leads to the smaller vertex is glued to the other copy of the side
+  // before.
+  void glue()
+  {
+    for(Index side = 0; side < m_before.size(); ++side) {
+      const Index down = 2 * side + (m_sides.ascends(side) ? 1 : 0);
+      const Index up = 2 * m_before[side] + (m_sides.ascends(m_before[side]) ? 0 : 1);
+      m_copies[down].opposite = up;
+      m_copies[up].opposite = down;
+    }
+  }
+
+  // Returns for each vertex of the cover a copy that leads to it.
+  std::vector<Index> find_vertices(std::size_t number_of_input_vertices)
+  {
+    std::vector<Index> incoming;
+    incoming.reserve(2 * number_of_input_vertices);
+    m_cover.m_input_vertex.reserve(2 * number_of_input_vertices);
+    for(std::size_t t = 0; t < m_sides.number_of_triangles(); ++t)
+      for(std::size_t i = 0; i < 3; ++i) {
+        const auto c = static_cast<Index>(6 * t + 2 * i);
+        for(const Index x : {i == 0 ? c + 4 : c - 2, c + 1})
+          if(m_copies[x].target == no_vertex) {
+            set_target_of_umbrella(x, static_cast<Index>(incoming.size()));
+            incoming.push_back(x);
+            m_cover.m_input_vertex.push_back(m_sides.corner(t, i));
+          }
+      }
+    return incoming;
+  }
+
+  void set_target_of_umbrella(Index first, Index v)
+  {
+    Index c = first;
+    do {
+      m_copies[c].target = v;
+      c = m_copies[next(c)].opposite;
+    } while(c != first);
+  }
+
+  void add_face(Face_index f, const std::array<Index, 3>& copies)
   {
     Surface_mesh<P>& mesh = m_cover.m_mesh;
-    if(mesh.target(h).is_valid())
-      return;
-    const Vertex_index v = mesh.add_vertex(point(input_vertex));
-    m_cover.m_input_vertex.push_back(input_vertex);
-    mesh.set_halfedge(v, h);
-    Halfedge_index x = h;
-    do {
-      mesh.set_target(x, v);
-      x = opposite(mesh.next(x));
-    } while(x != h);
+    const std::array<Halfedge_index, 3> h{halfedge(copies[0]), halfedge(copies[1]),
+                                          halfedge(copies[2])};
+    set_triangle(h[0], h[1], h[2], f, mesh);
+    for(std::size_t i = 0; i < 3; ++i)
+      mesh.set_target(h[i], Vertex_index(m_copies[copies[i]].target));
   }
 
   const Soup_sides& m_sides;
   std::vector<Index> m_before; // of each side, the one before it around its edge
+  std::vector<Copy> m_copies;
   Tufted_cover<P> m_cover;
 };
 
@@ -232,8 +280,8 @@ void check_finite(const Points& points)
 /// computes the tufted cover of triangles with positions. Around an edge, triangles follow each
 /// other by their angles, which are compared exactly. Triangles with one angle are stacked by their
 /// indices, in the direction of the normal of their plane whose first component that is not zero is
-/// positive; triangles without a plane come last. Complexity: linear, but for sorting the edges at
-/// each vertex and the triangles at each edge.
+/// positive; triangles without a plane come last. Complexity: linear, but for sorting the triangles at
+/// each edge that has more than two.
 /// \param points a random access range of points of a kernel; predicates are exact for coordinates
 ///   in floating point, others are those of the kernel
 /// \param triangles a range of ranges of three integers, the indices of points
@@ -258,8 +306,7 @@ auto tufted_cover(const PointRange& points, const TriangleRange& triangles)
 /// \ingroup PkgIntrinsicTriangulationsCovers
 /// computes the tufted cover of triangles without positions; lengths are taken to it by
 /// `Tufted_cover::edge_length_map()`. Around an edge, triangles follow each other by their indices.
-/// Where there are more than two, another order gives another surface. Complexity: linear, but for
-/// sorting the edges at each vertex.
+/// Where there are more than two, another order gives another surface. Complexity: linear.
 /// \param number_of_vertices the number of vertices, isolated ones included
 /// \param triangles a range of ranges of three integers, the indices of vertices
 /// \throws Invalid_input if a face is not a triangle, names a vertex twice, or names one that does

@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,10 +33,13 @@ public:
 
   template <typename Triangles>
   Soup_sides(std::size_t number_of_vertices, const Triangles& triangles)
+    : m_number_of_vertices(number_of_vertices)
   {
+    check_number(number_of_vertices);
+    m_triangles.reserve(
+      static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles))));
     for(const auto& corners : triangles)
-      add(three_of(corners), number_of_vertices);
-    sort(number_of_vertices);
+      add(three_of(corners));
   }
 
   std::size_t number_of_triangles() const { return m_triangles.size(); }
@@ -46,22 +51,38 @@ public:
   Index apex(std::size_t side) const { return corner(side / 3, (side + 2) % 3); }
   bool ascends(std::size_t side) const { return source(side) < target(side); }
 
-  // Calls visit(bundle) for the sides of each edge, in the order of their numbers.
-  template <typename Visit>
-  void for_each_edge(const Visit& visit) const
+  // Returns for each side the one before it around its edge: the sides of an edge are in the order of
+  // their numbers, and where there are more than two in that of `order(bundle)`. Complexity: linear
+  // beside `order`.
+  template <typename Order>
+  std::vector<Index> sides_before(const Order& order) const
   {
+    std::vector<Index> before(number_of_sides());
     Bundle bundle;
-    for(std::size_t i = 0; i < m_sorted.size(); ++i) {
-      bundle.push_back(m_sorted[i].second);
-      if(i + 1 < m_sorted.size() && ends(m_sorted[i]) == ends(m_sorted[i + 1]))
-        continue;
-      visit(bundle);
-      bundle.clear();
+    for(const Index first : link_in_rings(before)) {
+      bundle.assign(1, first);
+      for(Index s = before[first]; s != first; s = before[s])
+        bundle.push_back(s);
+      std::reverse(bundle.begin() + 1, bundle.end());
+      order(bundle);
+      for(std::size_t i = 0; i < bundle.size(); ++i)
+        before[bundle[i]] = bundle[(i == 0 ? bundle.size() : i) - 1];
     }
+    return before;
   }
 
 private:
-  typedef std::pair<Index, Index> Numbered_end; // the greater vertex and the side
+  // A side and the greater of its vertices.
+  struct Numbered_end
+  {
+    Index greater, side;
+  };
+
+  static void check_number(std::size_t number)
+  {
+    if(number >= (std::numeric_limits<Index>::max)())
+      throw std::length_error("too many faces for the numbers of halfedges");
+  }
 
   static std::string name(std::size_t t) { return "face " + std::to_string(t); }
 
@@ -77,14 +98,12 @@ private:
     return result;
   }
 
-  void add(const std::array<std::size_t, 3>& corners, std::size_t number_of_vertices)
+  void add(const std::array<std::size_t, 3>& corners)
   {
     const std::size_t t = m_triangles.size();
-    if(6 * (t + 1) >= (std::numeric_limits<Index>::max)() ||
-       number_of_vertices >= (std::numeric_limits<Index>::max)())
-      throw std::length_error("too many faces for the numbers of halfedges");
+    check_number(6 * (t + 1));
     for(std::size_t i = 0; i < 3; ++i) {
-      if(corners[i] >= number_of_vertices)
+      if(corners[i] >= m_number_of_vertices)
         throw Invalid_input(name(t) + " names a vertex that does not exist");
       if(corners[i] == corners[(i + 1) % 3])
         throw Invalid_input(name(t) + " names the same vertex twice");
@@ -93,29 +112,65 @@ private:
                            static_cast<Index>(corners[2])});
   }
 
-  std::pair<Index, Index> ends(const Numbered_end& side) const
+  // Calls visit(smaller, greater, side) for all sides and their vertices.
+  template <typename Visit>
+  void for_each_side(const Visit& visit) const
   {
-    return {(std::min)(source(side.second), target(side.second)), side.first};
+    Index side = 0;
+    for(const auto& [a, b, c] : m_triangles)
+      for(const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        visit((std::min)(from, to), (std::max)(from, to), side++);
   }
 
-  // By the smaller vertex in linear time, then by the greater one.
-  void sort(std::size_t number_of_vertices)
+  // Returns the sides in the order of their smaller vertices; those of vertex v begin at first[v].
+  std::vector<Numbered_end> sorted_by_smaller_vertex(std::vector<Index>& first) const
   {
-    std::vector<Index> first(number_of_vertices + 2, 0);
-    for(std::size_t s = 0; s < number_of_sides(); ++s)
-      ++first[(std::min)(source(s), target(s)) + 2];
-    for(std::size_t v = 2; v < first.size(); ++v)
-      first[v] += first[v - 1];
-    m_sorted.resize(number_of_sides());
-    for(Index s = 0; s < number_of_sides(); ++s)
-      m_sorted[first[(std::min)(source(s), target(s)) + 1]++] = {(std::max)(source(s), target(s)),
-                                                                 s};
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
-      std::sort(m_sorted.begin() + first[v], m_sorted.begin() + first[v + 1]);
+    first.assign(m_number_of_vertices + 2, 0);
+    for_each_side([&](Index smaller, Index, Index) { ++first[smaller + 2]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Numbered_end> result(number_of_sides());
+    for_each_side([&](Index smaller, Index greater, Index side) {
+      result[first[smaller + 1]++] = {greater, side};
+    });
+    return result;
   }
 
+  // Makes a ring of the sides of each edge, in the order of their numbers. Returns the first side of
+  // each edge that has more than two.
+  Bundle link_in_rings(std::vector<Index>& before) const
+  {
+    struct Latest_edge // to a greater vertex
+    {
+      Index smaller, first_side;
+    };
+    std::vector<Index> begin;
+    const std::vector<Numbered_end> sorted = sorted_by_smaller_vertex(begin);
+    std::vector<Latest_edge> latest(m_number_of_vertices,
+                                    {static_cast<Index>(m_number_of_vertices), 0});
+    Bundle crowded;
+    for(Index v = 0; v < m_number_of_vertices; ++v)
+      for(Index i = begin[v]; i < begin[v + 1]; ++i) {
+        const auto [greater, side] = sorted[i];
+        Latest_edge& edge = latest[greater];
+        if(edge.smaller != v) {
+          edge = {v, side};
+          before[side] = side;
+        } else if(insert_last(side, edge.first_side, before) == 3)
+          crowded.push_back(edge.first_side);
+      }
+    return crowded;
+  }
+
+  // Adds a side to the end of a ring. Returns the size of the ring, if it is less than four.
+  static int insert_last(Index side, Index first, std::vector<Index>& before)
+  {
+    const Index last = std::exchange(before[first], side);
+    before[side] = last;
+    return last == first ? 2 : before[last] == first ? 3 : 4;
+  }
+
+  std::size_t m_number_of_vertices;
   std::vector<Triangle> m_triangles;
-  std::vector<Numbered_end> m_sorted;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

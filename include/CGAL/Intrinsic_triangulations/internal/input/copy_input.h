@@ -95,7 +95,8 @@ void copy_halfedges(const Graph& g, const Numbering& numbering, Delta_complex& m
 {
   for(auto h_in : halfedges(g)) {
     const Halfedge_index h = numbering.halfedge_of(h_in);
-    mesh.set_next(h, numbering.halfedge_of(next(h_in, g)));
+    mesh.set_next_only(h, numbering.halfedge_of(next(h_in, g)));
+    mesh.set_prev_only(h, numbering.halfedge_of(prev(h_in, g)));
     mesh.set_face(h, numbering.face(face(h_in, g)));
     mesh.set_target(h, numbering.vertex(target(h_in, g)));
   }

@@ -44,6 +44,9 @@ public:
   FT area() const { return m_quadrupled_area / 4; }
   FT doubled_area() const { return m_quadrupled_area / 2; }
 
+  // the integral of the product of the hat functions of corners a and b
+  FT hat_product(std::size_t a, std::size_t b) const { return area() / (a == b ? 6 : 12); }
+
   // of the corner opposite to side s
   FT cotangent(std::size_t s) const { return corner_product(s) / m_quadrupled_area; }
 

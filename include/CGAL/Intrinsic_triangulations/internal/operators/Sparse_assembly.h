@@ -12,6 +12,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -52,6 +53,29 @@ public:
 private:
   std::vector<Eigen::Triplet<Scalar>> m_entries;
 };
+
+// Returns the symmetric matrix with `diagonal[v]` on the diagonal and `on_edge[e]` at the two places
+// of the vertices of edge e. Entries at one place add up. Rows of isolated vertices are empty.
+//
+// Where many edges are parallel this is much faster than all entries in a `Sparse_assembly`.
+template <typename Scalar>
+Eigen::SparseMatrix<Scalar> symmetric_matrix(const Delta_complex& mesh,
+                                             std::vector<Scalar> diagonal,
+                                             const std::vector<Scalar>& on_edge)
+{
+  Sparse_assembly<Scalar> upper(mesh.number_of_edges() + mesh.number_of_vertices());
+  for(Edge_index e : mesh.edges()) {
+    const auto [i, j] = std::minmax({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+    if(i == j)
+      diagonal[i.idx()] += 2 * on_edge[e.idx()];
+    else
+      upper.add(i, j, on_edge[e.idx()]);
+  }
+  for(Vertex_index v : mesh.vertices())
+    if(!mesh.is_isolated(v))
+      upper.add(v, v, diagonal[v.idx()]);
+  return upper.matrix(diagonal.size(), diagonal.size()).template selfadjointView<Eigen::Upper>();
+}
 
 // Returns what `add(f, assembly)` adds for the faces f of `mesh`, in their order.
 template <typename Scalar, typename Add>
