@@ -10,6 +10,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/Exact_Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Sqrt_extension.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -405,12 +406,14 @@ TEST(Exact_Delaunay, double_is_certified_whatever_it_starts_from)
 
 typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>> Long_real;
 
-// A random diamond that is convex; thin by up to `digits` decimals.
+// A random diamond that is convex; thin by up to `digits` decimals. The apices need not lie above the
+// base.
 std::array<std::array<double, 2>, 4> convex_diamond(Portable_random& random, double digits)
 {
   const auto thin = [&] { return std::pow(10, -digits * random.get_double(0, 1)); };
-  const double base = thin(), k = random.get_double(0, 1), l = random.get_double(0, 1);
-  return {{{0, 0}, {base, 0}, {k * base, thin()}, {l * base, -thin()}}};
+  const double base = thin(), above = thin(), below = thin(), cut = random.get_double(0, 1) * base,
+               slope = random.get_double(-1, 1) / thin();
+  return {{{0, 0}, {base, 0}, {cut + slope * above, above}, {cut - slope * below, -below}}};
 }
 
 // The lengths are off by up to `error`, all in the worst direction or at random.
@@ -448,6 +451,28 @@ TEST(Exact_Delaunay, certified_on_data_meshes)
     EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
     EXPECT_TRUE(t.is_valid(true));
   });
+}
+
+// Filters and multiprecision decide alike, also where edges are not Delaunay or bent.
+TEST(Exact_Delaunay, certificate_agrees_with_the_signs_of_all_edges)
+{
+  for(std::uint64_t seed : {5, 23, 112, 155, 167, 187, 196, 199}) {
+    SCOPED_TRACE(seed);
+    Triangulation t(hard_mesh(seed).mesh);
+    IT::make_Delaunay(t);
+    auto decisions = IT::internal::exact_decisions(t);
+    std::vector<Edge_index> ties, non_Delaunay;
+    for(Edge_index e : t.mesh().edges())
+      if(!t.mesh().is_border(e))
+        switch(decisions.Delaunay_sign(t.mesh().halfedge(e))) {
+          case CGAL::POSITIVE: break;
+          case CGAL::ZERO: ties.push_back(e); break;
+          case CGAL::NEGATIVE: non_Delaunay.push_back(e); break;
+        }
+    const Delaunay_certificate certificate = IT::certify_Delaunay(t);
+    EXPECT_EQ(certificate.ties, ties);
+    EXPECT_EQ(certificate.non_Delaunay_edges, non_Delaunay);
+  }
 }
 
 // ---- Certificates that fail ----

@@ -9,9 +9,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -26,13 +26,6 @@
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// What floating point says about an edge of T2 that has been laid out.
-struct Straight_edge
-{
-  bool is_certain; // that it is straight
-  double length;   // NaN if it is not known up to `certified_length_error()`
-};
 
 // Lengths, angles and corners of T2, each laid out anew from the metric of T1 with as many digits
 // as its rounded value needs.
@@ -58,9 +51,9 @@ public:
   Straight_edge straight_edge(Halfedge_index h) const
   {
     if(is_input_edge(h))
-      return {true, m_pair.input_length(m_pair.input_mesh().edge(m_pair.input_halfedge(h)))};
-    if(m_crossings.count(h) == 1 && !has_inserted_end(h))
-      return other_diagonal(m_crossings(h, 0));
+      return {true, m_pair.input_length(m_pair.input_mesh().edge(input_edge_as_long(h)))};
+    if(has_certain_strip(h))
+      return m_strip(h, m_crossings, certified_length_error());
     const auto strip = development(m_double).strip(h);
     return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, m_double)};
   }
@@ -71,11 +64,13 @@ public:
   {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
       return shared_length(h);
-    double length = 0;
-    try_with_more_digits([&](auto& corners) {
-      length = rounded_length(development(corners).uncrossed_strip(h), corners, error);
-      return !std::isnan(length);
-    });
+    double length = has_certain_strip(h) ? m_strip(h, m_crossings, error).length
+                                         : std::numeric_limits<double>::quiet_NaN();
+    if(std::isnan(length))
+      try_with_more_digits([&](auto& corners) {
+        length = rounded_length(development(corners).uncrossed_strip(h), corners, error);
+        return !std::isnan(length);
+      });
     if(!m_pair.traits().is_length_object()(length))
       throw Numerical_error("edge " + std::to_string(m_mesh.edge(h).idx()) +
                             " has no positive finite length");
@@ -147,6 +142,7 @@ protected:
       m_mesh(pair.mesh()),
       m_metric(pair.input_metric()),
       m_crossings(crossings),
+      m_strip(pair),
       m_double(m_metric, pair.input()),
       m_extended(m_metric, pair.input()),
       m_long(m_metric, pair.input())
@@ -197,13 +193,22 @@ protected:
   Crossings m_crossings;
 
 private:
-  // what lengths say about the other diagonal of two faces of T1; `rounding_unit()` covers them
-  Straight_edge other_diagonal(Halfedge_index input) const
+  // Returns a halfedge of T1 as long as the edge of `h`, which is an edge of T1. With positions, all
+  // that join the same vertices are, and most edges keep their indices: spokes, which memory would
+  // have to find, need not be asked.
+  Halfedge_index input_edge_as_long(Halfedge_index h) const
   {
-    const auto length = diamond(m_pair.input_length_map(), input, m_pair.input_mesh());
-    const Bounded_length flipped = flipped_length(length, input_length_error());
-    return {Euclidean_geometry_traits<double>::Is_convex()(length),
-            flipped.is_good() ? flipped.length : std::numeric_limits<double>::quiet_NaN()};
+    const Delta_complex& input = m_pair.input_mesh();
+    const bool joins_the_same = !m_metric.points.empty() && h.idx() < input.num_halfedges() &&
+                                input.source(h) == m_mesh.source(h) &&
+                                input.target(h) == m_mesh.target(h);
+    return joins_the_same ? h : m_pair.input_halfedge(h);
+  }
+
+  // whether an edge without inserted ends crosses triangles whose sides are known in `double`
+  bool has_certain_strip(Halfedge_index h) const
+  {
+    return m_crossings.count(h) > 0 && !has_inserted_end(h) && m_metric.squared_lengths.empty();
   }
 
   // Returns a corner and its error, which is small in comparison with `size(corner)` if more
@@ -235,6 +240,7 @@ private:
                                                  : std::numeric_limits<double>::quiet_NaN();
   }
 
+  mutable Certain_strip<Traits> m_strip;
   mutable Rounded<double> m_double;
   mutable Rounded<Double_double> m_extended;
   mutable Rounded<Long_float> m_long;

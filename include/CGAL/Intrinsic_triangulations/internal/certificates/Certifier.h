@@ -64,10 +64,13 @@ public:
   {
     if(m_pair.input_metric().points.empty())
       Decisions(m_pair, m_crossings).check_triangles();
-    for_each<Edge_index>(&Certifier::check_straightness);
-    for_each<Edge_index>(&Certifier::check_Delaunay);
+    for_each<Edge_index>(
+      [this](auto e, auto& decisions, auto& part) { check_straightness(e, decisions, part); });
+    for_each<Edge_index>(
+      [this](auto e, auto& decisions, auto& part) { check_Delaunay(e, decisions, part); });
     if(m_pair.number_of_inserted_vertices() > 0)
-      for_each<Vertex_index>(&Certifier::check_inserted);
+      for_each<Vertex_index>(
+        [this](auto v, auto& decisions, auto& part) { check_inserted(v, decisions, part); });
     return std::move(m_certificate);
   }
 
@@ -90,18 +93,21 @@ public:
   }
 
 private:
-  // Calls a member function for all elements, with decisions and a certificate for each chunk.
-  template <typename Index>
-  void for_each(void (Certifier::*check)(Index, Decisions&, Delaunay_certificate&))
+  // Calls `check(x, decisions, part)` for all elements, with decisions and a certificate for each
+  // chunk.
+  template <typename Index, typename Check>
+  void for_each(const Check& check)
   {
     const std::size_t n = number_of_indices<Index>(m_mesh);
+    const bool has_garbage = m_mesh.has_garbage();
     std::vector<Delaunay_certificate> parts(number_of_chunks(n));
     for_each_chunk(m_concurrency, n, [&](std::size_t begin, std::size_t end) {
       Decisions decisions(m_pair, m_crossings);
       Delaunay_certificate& part = parts[begin / chunk_size];
       for(std::size_t i = begin; i < end; ++i)
-        if(const Index x(static_cast<Delta_complex::size_type>(i)); !m_mesh.is_removed(x))
-          (this->*check)(x, decisions, part);
+        if(const Index x(static_cast<Delta_complex::size_type>(i));
+           !has_garbage || !m_mesh.is_removed(x))
+          check(x, decisions, part);
       part.decided_in_floating_point = decisions.count().floating_point;
       part.decided_in_multiprecision = decisions.count().multiprecision;
       part.decided_exactly = decisions.count().exact;

@@ -152,9 +152,10 @@ public:
   }
 
   // the triangle on the other side of `side`
-  Placed_side beyond(const Placed_side& side) const
+  Placed_side beyond(Placed_side side) const
   {
-    return {m_input.opposite(side.halfedge), side.target, side.source, -side.vector};
+    return {m_input.opposite(side.halfedge), std::move(side.target), std::move(side.source),
+            -std::move(side.vector)};
   }
 
   // returns barycentric coordinates divided by their sum, up to a common positive factor
@@ -176,7 +177,7 @@ private:
     for(std::size_t m = 0; m < n; ++m) {
       side = other_side(side, m_input.opposite(m_crossings(h, m)));
       pass(side);
-      side = beyond(side);
+      side = beyond(std::move(side));
     }
     return place(mesh.opposite(h), side);
   }

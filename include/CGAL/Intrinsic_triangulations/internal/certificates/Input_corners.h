@@ -73,6 +73,57 @@ constexpr double least_square()
   return std::is_floating_point_v<N> || std::is_same_v<N, Double_double> ? 1e-100 : 0;
 }
 
+// The third corner r of a triangle pqr on the left of pq: from p and from q along pq, and across it,
+// divided by the length of pq.
+template <typename N>
+struct Apex_ratios
+{
+  N from_source, from_target, across;
+};
+
+// Returns those of the triangle of the halfedge pq, from positions; NaN if products may underflow.
+// Vectors to r that they make are correct to a relative error of 20 u, for the rounding unit u, however
+// thin the triangle is: components of vectors have one of u, so that compared with the product of
+// both lengths a scalar product has 5 u, and the vector product with the shorter side at r has 9 u;
+// the quotients add 7 u.
+template <typename N>
+Apex_ratios<N> apex_ratios(const Position& p, const Position& q, const Position& r)
+{
+  const auto pq = vector_between<N>(p, q), pr = vector_between<N>(p, r),
+             qr = vector_between<N>(q, r);
+  const N square_pq = dot(pq, pq), square_pr = dot(pr, pr), square_qr = dot(qr, qr);
+  const auto normal = cross(pq, square_pr < square_qr ? pr : qr);
+  const bool is_good = (std::min)({square_pq, square_pr, square_qr}) > N(least_square<N>());
+  const N inverse = is_good ? N(N(1) / square_pq) : N(std::numeric_limits<double>::quiet_NaN());
+  return {N(dot(pq, pr) * inverse), N(dot(pq, qr) * inverse),
+          N(sqrt(dot(normal, normal)) * inverse)};
+}
+
+// Returns those from lengths: no formula loses digits.
+template <typename N>
+Apex_ratios<N> apex_ratios(const N& pq, const N& qr, const N& rp)
+{
+  const N least = (std::min)({pq, qr, rp});
+  const bool is_good = least * least > N(least_square<N>());
+  const N inverse =
+    is_good ? N(N(1) / (N(2) * pq * pq)) : N(std::numeric_limits<double>::quiet_NaN());
+  return {N(doubled_corner_product(qr, pq, rp) * inverse),
+          N(-(doubled_corner_product(rp, pq, qr) * inverse)),
+          N(sqrt(squared_quadrupled_area(pq, qr, rp)) * inverse)};
+}
+
+// Returns those of the triangle on the left of `h`. \pre `metric` has no squared lengths
+template <typename N, typename Metric, typename Surface>
+Apex_ratios<N> apex_ratios(Halfedge_index h, const Metric& metric, const Surface& input)
+{
+  const Delta_complex& mesh = input.mesh();
+  if(!metric.points.empty())
+    return apex_ratios<N>(metric.points[mesh.source(h)], metric.points[mesh.target(h)],
+                          metric.points[mesh.target(mesh.next(h))]);
+  const auto length = [&](Halfedge_index x) { return N(input.length_map()[mesh.edge(x)]); };
+  return apex_ratios<N>(length(h), length(mesh.next(h)), length(mesh.prev(h)));
+}
+
 // Corners up to an error that is a few units of roundoff of their absolute value, however thin the
 // triangle is.
 template <typename N, typename Metric, typename Surface>
@@ -114,13 +165,21 @@ public:
   // the corners at the ends of the side `h` of a triangle
   Complex at_source(Halfedge_index h)
   {
-    return m_corner(2 * std::size_t(h.idx()),
-                    [&] { return corner(corner_at_source(h, m_input.mesh())); });
+    return m_corner(2 * std::size_t(h.idx()), [&] {
+      if(!m_metric.squared_lengths.empty())
+        return from_squared_lengths(corner_at_source(h, m_input.mesh()));
+      const auto ratios = apex_ratios<N>(h, m_metric, m_input);
+      return corner(ratios.from_source, ratios.across);
+    });
   }
   Complex at_target(Halfedge_index h)
   {
-    return m_corner(2 * std::size_t(h.idx()) + 1,
-                    [&] { return corner(corner_at_target(h, m_input.mesh())); });
+    return m_corner(2 * std::size_t(h.idx()) + 1, [&] {
+      if(!m_metric.squared_lengths.empty())
+        return from_squared_lengths(corner_at_target(h, m_input.mesh()));
+      const auto ratios = apex_ratios<N>(h, m_metric, m_input);
+      return corner(-ratios.from_target, ratios.across);
+    });
   }
 
   Complex length(Halfedge_index h) const
@@ -136,47 +195,16 @@ public:
   }
 
 private:
-  Complex corner(const Input_corner& c) const
+  static Complex corner(const N& along, const N& across)
   {
-    return !m_metric.points.empty()           ? from_points(c)
-           : m_metric.squared_lengths.empty() ? from_lengths(c)
-                                              : from_squared_lengths(c);
+    if(!(across >= N(0)))
+      return {N(0), N(0), std::numeric_limits<double>::infinity()};
+    return Complex{along, across, 0}.with_error(20);
   }
-
-  static Complex unknown() { return {N(0), N(0), std::numeric_limits<double>::infinity()}; }
 
   std::array<N, 3> vector(Vertex_index v, Vertex_index w) const
   {
     return vector_between<N>(m_metric.points[v], m_metric.points[w]);
-  }
-
-  // Components of vectors have a relative error of u. So the scalar product has one of 5 u, and the
-  // vector product of the two shortest sides one of 9 u, relative to the product of any two lengths;
-  // the square has 5 u.
-  Complex from_points(const Input_corner& c) const
-  {
-    const auto pq = vector(c.p, c.q), pr = vector(c.p, c.r), qr = vector(c.q, c.r);
-    const N square_pq = dot(pq, pq), square_pr = dot(pr, pr), square_qr = dot(qr, qr);
-    if(!((std::min)({square_pq, square_pr, square_qr}) > N(least_square<N>())))
-      return unknown();
-    const auto normal = square_pq > square_pr && square_pq > square_qr ? cross(pr, qr)
-                        : square_pr > square_qr                        ? cross(pq, qr)
-                                                                       : cross(pq, pr);
-    return Complex{N(dot(pq, pr) / square_pq), N(sqrt(dot(normal, normal)) / square_pq), 0}
-      .with_error(20);
-  }
-
-  // both formulas lose no digits
-  Complex from_lengths(const Input_corner& c) const
-  {
-    const auto& length = m_input.length_map();
-    const N pq(length[c.pq]), pr(length[c.pr]), qr(length[c.qr]);
-    const N least = (std::min)({pq, pr, qr}), doubled_square = N(2) * pq * pq;
-    if(!(least * least > N(least_square<N>())))
-      return unknown();
-    return Complex{N(doubled_corner_product(qr, pq, pr) / doubled_square),
-                   N(sqrt(squared_quadrupled_area(pq, pr, qr)) / doubled_square), 0}
-      .with_error(20);
   }
 
   Complex from_squared_lengths(const Input_corner& c) const
@@ -248,7 +276,9 @@ public:
   bool has_too_many_roots() const { return m_has_too_many_roots; }
 
 private:
-  Complex real(const K& x) const { return {&m_tower, {x}, {K(0)}}; }
+  typedef typename Complex::Element Element;
+
+  Complex real(const K& x) const { return {&m_tower, Element{x}, Element{K(0)}}; }
 
   typedef std::array<K, 3> Squares;
 
@@ -256,8 +286,8 @@ private:
   {
     Squares square;
     K squared_quadrupled_area;
-    typename Complex::Element root; // of that, which all corners have in common
-    std::size_t decision;           // for which it is
+    Element root;         // of that, which all corners have in common
+    std::size_t decision; // for which it is
   };
 
   // Returns the squared lengths of the sides, beginning with `h`, up to a common factor: coordinates
@@ -297,7 +327,7 @@ private:
     if(triangle.decision != m_decisions) {
       const auto root = m_tower.root(triangle.squared_quadrupled_area);
       m_has_too_many_roots = m_has_too_many_roots || !root;
-      triangle.root = root.value_or(typename Complex::Element{K(0)});
+      triangle.root = root.value_or(Element{K(0)});
       triangle.decision = m_decisions;
     }
     return triangle;
@@ -310,7 +340,7 @@ private:
     const Triangle& t = triangle(h);
     const std::size_t first = side_number(h, m_input.mesh());
     const auto square = [&](std::size_t s) -> const K& { return t.square[(first + s) % 3]; };
-    return {&m_tower, {K(square(a) + square(b) - square(opposite))}, t.root};
+    return {&m_tower, Element{K(square(a) + square(b) - square(opposite))}, t.root};
   }
 
   const Metric& m_metric;

@@ -12,6 +12,8 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -47,7 +49,7 @@ template <typename K>
 class Root_tower
 {
 public:
-  typedef std::vector<K> Element;
+  typedef boost::container::small_vector<K, 2> Element;
 
   explicit Root_tower(std::size_t maximum = 0) : m_maximum(maximum) {}
 
@@ -111,7 +113,7 @@ public:
   {
     if(e.size() == 1)
       return CGAL::sign(e[0]);
-    const auto middle = e.begin() + static_cast<std::ptrdiff_t>(e.size() / 2);
+    const auto middle = e.begin() + (e.end() - e.begin()) / 2;
     const Element a(e.begin(), middle), b(middle, e.end());
     const Sign sign_a = sign(a), sign_b = sign(b);
     if(sign_a == sign_b || sign_b == ZERO)
@@ -142,28 +144,34 @@ struct Root_complex
   const Root_tower<K>* tower;
   Element x, y;
 
-  friend Root_complex operator-(const Root_complex& a)
+  friend Root_complex operator-(Root_complex a)
   {
-    return {a.tower, Root_tower<K>::negative(a.x), Root_tower<K>::negative(a.y)};
+    return {a.tower, Root_tower<K>::negative(std::move(a.x)),
+            Root_tower<K>::negative(std::move(a.y))};
   }
-  friend Root_complex operator+(const Root_complex& a, const Root_complex& b)
+  friend Root_complex operator+(Root_complex a, const Root_complex& b)
   {
-    return {a.tower, Root_tower<K>::sum(a.x, b.x), Root_tower<K>::sum(a.y, b.y)};
+    return {a.tower, Root_tower<K>::sum(std::move(a.x), b.x),
+            Root_tower<K>::sum(std::move(a.y), b.y)};
   }
-  friend Root_complex operator-(const Root_complex& a, const Root_complex& b) { return a + -b; }
+  friend Root_complex operator-(Root_complex a, Root_complex b)
+  {
+    return std::move(a) + -std::move(b);
+  }
   friend Root_complex operator*(const Root_complex& a, const Root_complex& b)
   {
     const auto times = [&](const Element& p, const Element& q) { return a.tower->product(p, q); };
     return {a.tower, Root_tower<K>::sum(times(a.x, b.x), Root_tower<K>::negative(times(a.y, b.y))),
             Root_tower<K>::sum(times(a.x, b.y), times(a.y, b.x))};
   }
-  friend Root_complex operator*(const Root_complex& a, const K& factor)
+  friend Root_complex operator*(Root_complex a, const K& factor)
   {
-    return {a.tower, Root_tower<K>::multiple(a.x, factor), Root_tower<K>::multiple(a.y, factor)};
+    return {a.tower, Root_tower<K>::multiple(std::move(a.x), factor),
+            Root_tower<K>::multiple(std::move(a.y), factor)};
   }
-  friend Root_complex conj(const Root_complex& a)
+  friend Root_complex conj(Root_complex a)
   {
-    return {a.tower, a.x, Root_tower<K>::negative(a.y)};
+    return {a.tower, std::move(a.x), Root_tower<K>::negative(std::move(a.y))};
   }
 };
 

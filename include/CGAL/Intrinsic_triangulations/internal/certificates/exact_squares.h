@@ -133,6 +133,15 @@ Sign sign_of_sum(std::array<double, n> x)
   return last == x.rend() ? ZERO : CGAL::sign(*last);
 }
 
+// Returns the sign of a sum of three products and their rounding errors, which come first. Where
+// coordinates have few digits, only the last sum is rounded, and its sign is right.
+inline Sign sign_of_products(const std::array<double, 6>& x)
+{
+  const Double_double sum = Double_double::exact_sum(x[3], x[4]);
+  return x[0] == 0 && x[1] == 0 && x[2] == 0 && sum.low() == 0 ? CGAL::sign(sum.high() + x[5])
+                                                               : sign_of_sum(x);
+}
+
 // Returns the sign of the scalar product of k - i and k - j, if the differences are numbers of type
 // `double` or the product is clearly not zero. Products near the ends of the range are not looked at.
 inline Uncertain<Sign> sign_of_cosine(const Position& i, const Position& k, const Position& j)
@@ -154,7 +163,7 @@ inline Uncertain<Sign> sign_of_cosine(const Position& i, const Position& k, cons
   }
   if(CGAL::abs(sum) > 8 * std::numeric_limits<double>::epsilon() * size + 1e-250)
     return CGAL::sign(sum);
-  return is_exact ? Uncertain<Sign>(sign_of_sum(terms)) : Uncertain<Sign>::indeterminate();
+  return is_exact ? Uncertain<Sign>(sign_of_products(terms)) : Uncertain<Sign>::indeterminate();
 }
 
 // Returns the sign of pi minus the sum of the angles at k and l opposite to ij. Most ties are right

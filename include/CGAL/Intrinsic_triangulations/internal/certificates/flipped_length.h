@@ -37,9 +37,11 @@ struct Bounded_length
 // hence l_kl has at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here
 // a_k and a_l are the areas of the two triangles; a_i and a_j are the parts of their sum on either
 // side of kl. The squared area of a triangle changes by at most three errors of its perimeter over
-// its least slack in the triangle inequality, here a hundredth; the place where kl cuts ij changes
-// by the error of the feet, here at most a sixteenth of l_ij, which is added. What is rounded in
-// the formula itself is small changes of the distance of the feet and of both heights.
+// its least slack in the triangle inequality, here a hundredth. The place where kl cuts ij divides
+// the distance of the feet in the ratio of the heights: it changes by the error of the feet and by
+// that of this ratio times their distance. If this can bring it outside of ij, one of a_i and a_j
+// becomes negative, and its products with a_k and a_l count twice. What is rounded in the formula
+// itself is small changes of the distance of the feet and of both heights.
 inline Bounded_length flipped_length(const Diamond<double>& length, double error)
 {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -64,11 +66,16 @@ inline Bounded_length flipped_length(const Diamond<double>& length, double error
   const double rounding =
     8 + ((height_k + root) * (thin_k + 4) + (height_l + root) * (thin_l + 4) + sides * sides) *
           (root * inverse);
-  const double cut = (scaled_foot(jk, ki) * root + scaled_foot(lj, il) * height_k) /
-                     (2 * (height_k + root)); // from the midpoint of ij, times its length
-  const double parts = (ij * ij / 2 - cut) * (ij * ij / 2 + cut) + 4 * change * squares * (ij * ij);
-  const double factor = 1 + 8 * heights * (std::max)(parts, 0.) * inverse;
-  return {flipped, 1.25 * error * factor + rounding * epsilon};
+  const double foot_k = scaled_foot(jk, ki), foot_l = scaled_foot(lj, il);
+  // from the midpoint of ij, times its length
+  const double cut = std::abs(foot_k * root + foot_l * height_k) / (2 * (height_k + root));
+  const double shift =
+    4 * change * (squares + (thin_k + thin_l) * std::abs(foot_k - foot_l) * root / heights);
+  const double end = ij * ij / 2, outside = (std::max)(cut + shift - end, 0.);
+  const double parts = (end + shift - cut) * (end + shift + cut) + outside * squares;
+  const double factor = 1 + 8 * heights * parts * inverse;
+  return {flipped, cut > end ? std::numeric_limits<double>::infinity()
+                             : 1.25 * error * factor + rounding * epsilon};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

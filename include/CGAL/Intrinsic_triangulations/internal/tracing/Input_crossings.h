@@ -52,11 +52,10 @@ public:
                   const Vertex_spokes& spokes, Concurrency concurrency = Concurrency())
     : m_marks(number_crossings(coordinates, mesh, concurrency)), m_crossing(m_marks.size())
   {
-    for_each_in_chunks<Halfedge_index>(concurrency, mesh, [&](Halfedge_index h) {
-      coordinates.for_each_curve_end(h, mesh, spokes, [&](const Integer& k, Halfedge_index start) {
-        if(is_first_halfedge(start))
-          record(start, coordinates, coordinates.first_crossing(h, k, mesh), mesh);
-      });
+    for_each_in_chunks<Edge_index>(concurrency, mesh, [&](Edge_index e) {
+      if(count(e) > 0)
+        for(Halfedge_index h : {first_halfedge(e), opposite(first_halfedge(e))})
+          record_curves(mesh.prev(h), coordinates, mesh, spokes);
     });
   }
 
@@ -72,6 +71,18 @@ public:
   }
 
 private:
+  // those that start inside the corner at the source of `spoke`
+  template <typename Integer>
+  void record_curves(Halfedge_index spoke, const Integer_coordinates<Integer>& coordinates,
+                     const Delta_complex& mesh, const Vertex_spokes& spokes)
+  {
+    coordinates.for_each_curve_end(
+      spoke, mesh, spokes, [&](const Integer& k, Halfedge_index start) {
+        if(is_first_halfedge(start))
+          record(start, coordinates, coordinates.first_crossing(spoke, k, mesh), mesh);
+      });
+  }
+
   template <typename Integer>
   void record(Halfedge_index input, const Integer_coordinates<Integer>& coordinates,
               typename Integer_coordinates<Integer>::Crossing c, const Delta_complex& mesh)

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_CERTAIN_STRIP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_CERTAIN_STRIP_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// What floating point says about an edge of T2 that has been laid out.
+struct Straight_edge
+{
+  bool is_certain; // that it is straight
+  double length;   // NaN if it is not known up to the error that is allowed
+};
+
+// The strip of triangles of T1 that an edge of T2 crosses, laid out in `double` from its source.
+//
+// A side comes from the side before by a factor with a relative error of at most 20 u, and the
+// product adds less than 3 u, for the rounding unit u: so a side has at most 24 u for each triangle.
+// A corner is placed by adding up sides on the shorter way from the source; each sum adds a u of
+// that way. Hence no corner is displaced by more than 32 u times the number of triangles times the
+// longest of these ways.
+template <typename Traits>
+class Certain_strip
+{
+  typedef Triangulation_pair<Traits> Pair;
+
+  struct Vector
+  {
+    double x, y;
+
+    friend Vector operator+(const Vector& v, const Vector& w) { return {v.x + w.x, v.y + w.y}; }
+    friend Vector operator-(const Vector& v) { return {-v.x, -v.y}; }
+    // product of complex numbers
+    friend Vector operator*(const Vector& v, const Vector& w)
+    {
+      return {v.x * w.x - v.y * w.y, v.x * w.y + v.y * w.x};
+    }
+    friend double cross(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
+  };
+
+  struct Corner
+  {
+    Vector position;
+    double way; // from the source of the strip, along sides
+
+    Corner moved(const Vector& v, double length) const { return {position + v, way + length}; }
+  };
+
+  // a side of a triangle that lies on its left
+  struct Side
+  {
+    Halfedge_index halfedge;
+    Vector vector;
+    Corner source, target;
+  };
+
+  // the third corner of this triangle
+  struct Apex
+  {
+    Vector from_source, from_target;
+    Corner corner;
+  };
+
+public:
+  explicit Certain_strip(const Pair& pair) : m_pair(pair), m_input(pair.input_mesh()) {}
+
+  // Returns the length of the edge of `h`, unless it may have a relative error of more than `error`,
+  // and whether it certainly passes between the ends of the edges of T1 that it crosses.
+  // \pre the edge of `h` crosses some and has no inserted ends, and T1 has positions or lengths
+  template <typename Crossings>
+  Straight_edge operator()(Halfedge_index h, const Crossings& crossings, double error)
+  {
+    lay_out(h, crossings);
+    const double triangles = static_cast<double>(m_left.size() + m_right.size());
+    const double displacement = 32 * Rounding<double>::unit() * triangles * m_longest_way;
+    const double length = std::sqrt(m_end.x * m_end.x + m_end.y * m_end.y);
+    return {is_straight(4 * displacement * m_longest_way),
+            displacement <= error / 2 * length ? length : std::numeric_limits<double>::quiet_NaN()};
+  }
+
+private:
+  template <typename Crossings>
+  void lay_out(Halfedge_index h, const Crossings& crossings)
+  {
+    const std::size_t n = crossings.count(h);
+    const Halfedge_index exit = opposite(crossings(h, 0)), first = m_input.prev(exit);
+    const double length = side_length(first);
+    m_left.clear();
+    m_right.assign(1, {length, 0});
+    m_longest_way = length;
+    Side side = passed({first, {length, 0}, {{0, 0}, 0}, {{length, 0}, length}}, exit);
+    for(std::size_t m = 1; m < n; ++m)
+      side = passed(side, opposite(crossings(h, m)));
+    m_end = apex(side).corner.position;
+  }
+
+  // returns the side by which the strip enters the next triangle through `exit`
+  Side passed(const Side& side, Halfedge_index exit)
+  {
+    const Apex a = apex(side);
+    if(exit == m_input.next(side.halfedge)) {
+      m_left.push_back(a.corner.position);
+      return {opposite(exit), -a.from_target, a.corner, side.target};
+    }
+    m_right.push_back(a.corner.position);
+    return {opposite(exit), a.from_source, side.source, a.corner};
+  }
+
+  Apex apex(const Side& side)
+  {
+    const Halfedge_index h = side.halfedge;
+    const auto ratios = apex_ratios<double>(h, m_pair.input_metric(), m_pair.input());
+    const Vector from_source = side.vector * Vector{ratios.from_source, ratios.across},
+                 from_target = side.vector * Vector{ratios.from_target, ratios.across};
+    const Corner by_source = side.source.moved(from_source, side_length(m_input.prev(h))),
+                 by_target = side.target.moved(from_target, side_length(m_input.next(h)));
+    const Corner& corner = by_source.way <= by_target.way ? by_source : by_target;
+    m_longest_way = (std::max)(m_longest_way, corner.way);
+    return {from_source, from_target, corner};
+  }
+
+  double side_length(Halfedge_index h) const { return m_pair.input_length(m_input.edge(h)); }
+
+  bool is_straight(double margin) const
+  {
+    const auto is_on_left = [&](const Vector& v) { return cross(m_end, v) > margin; };
+    const auto is_on_right = [&](const Vector& v) { return cross(m_end, v) < -margin; };
+    return std::all_of(m_left.begin(), m_left.end(), is_on_left) &&
+           std::all_of(m_right.begin(), m_right.end(), is_on_right);
+  }
+
+  const Pair& m_pair;
+  const Delta_complex& m_input;
+  std::vector<Vector> m_left, m_right; // corners of the strip
+  Vector m_end{};
+  double m_longest_way = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_CERTAIN_STRIP_H
