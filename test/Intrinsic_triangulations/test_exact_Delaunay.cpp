@@ -456,7 +456,7 @@ TEST(Exact_Delaunay, certified_on_data_meshes)
 // Filters and multiprecision decide alike, also where edges are not Delaunay or bent.
 TEST(Exact_Delaunay, certificate_agrees_with_the_signs_of_all_edges)
 {
-  for(std::uint64_t seed : {5, 23, 112, 155, 167, 187, 196, 199}) {
+  for(std::uint64_t seed : {5u, 23u, 112u, 155u, 167u, 187u, 196u, 199u}) {
     SCOPED_TRACE(seed);
     Triangulation t(hard_mesh(seed).mesh);
     IT::make_Delaunay(t);
