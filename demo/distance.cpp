@@ -201,7 +201,7 @@ std::vector<double> interpolated(const std::vector<double>& values, const Subdiv
   return result;
 }
 
-// A vertex by its number.
+// A vertex by its index.
 Statistics description(const Sources& sources)
 {
   Statistics result = Statistics::array();

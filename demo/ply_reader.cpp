@@ -208,7 +208,7 @@ private:
     }
   }
 
-  // None if the number is no index.
+  // None if the number is not an index.
   std::size_t read_index(Number_type type)
   {
     const double x = read_number(type);
@@ -314,7 +314,8 @@ private:
       list.numbers.push_back(read_number(property.type));
   }
 
-  // Those that have a number for each polygon. Numbers for other corners than there are do not count.
+  // Those that have a number for each polygon. Numbers for other corners than there are do not
+  // count.
   void add_corner_lists()
   {
     for(auto& [name, list] : m_corner_lists)

@@ -78,8 +78,8 @@ public:
   /// returns the number of variables, one for each vertex.
   std::size_t size() const;
 
-  /// sets whether several threads are used: `CGAL::Sequential_tag`, as at first, `CGAL::Parallel_tag`
-  /// or `CGAL::Parallel_if_available_tag`. All values stay bitwise the same.
+  /// sets whether several threads are used: `CGAL::Sequential_tag`, as at first,
+  /// `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`. All values stay bitwise the same.
   template <typename ConcurrencyTag>
   void set_concurrency(const ConcurrencyTag& tag);
 

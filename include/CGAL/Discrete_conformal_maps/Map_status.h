@@ -24,8 +24,8 @@ enum class Map_status
               ///< between them
   layout_collapsed, ///< the scale factors are as prescribed, but in the plane some faces are turned
                     ///< over or have no area: they are smaller than rounding there
-  not_convex,    ///< the image on the sphere is no convex polyhedron, or breaks a bound of Section
-                 ///< 4.4.3
+  not_convex, ///< the image on the sphere is not a convex polyhedron, or breaks a bound of Section
+              ///< 4.4.3
   not_conformal, ///< a length cross ratio on the sphere is not that of the input, by more than
                  ///< \f$10^{-8}\f$: numbers have too few digits
   not_glued ///< in the hyperbolic plane, faces do not close up around a vertex: a product of gluing

@@ -43,7 +43,7 @@ class Sphere_mapping;
 /// boundary has the position (-1, 0, 0).
 ///
 /// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
-/// logarithmic scale factor zero, which mean nothing.
+/// logarithmic scale factor zero, which are unspecified otherwise.
 ///
 /// Where limbs of the input are long, their images are small, and `double` may have too few digits
 /// for the differences of positions: `lost_in_output()` says how many triangles suffer. The map
@@ -84,7 +84,8 @@ public:
     return m_in_plane[v.idx()];
   }
 
-  /// what exact predicates say about the polyhedron, with positions in the plane as above.
+  /// returns the certificate of exact predicates about the polyhedron with the stored positions in
+  /// the plane.
   const Convexity_certificate& certificate() const { return m_certificate; }
 
   /// returns the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped

@@ -351,8 +351,8 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 ///     \cgalParamDefault{`Flipping::to_Delaunay`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether the flips to \f$T^B\f$, the intrinsic Delaunay triangulation, are
-///                           decided exactly on the surface of the edge lengths}
+///     \cgalParamDescription{whether the flips to \f$T^B\f$, the intrinsic Delaunay triangulation,
+///                           are decided exactly on the surface of the edge lengths}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -378,8 +378,8 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 ///
 /// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
 /// that \f$O(n \log n)\f$ in the vertices and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or what is prescribed
-///         cannot be: the error says where, and for curvatures the excess
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or what is
+///         prescribed cannot be: the error says where, and for curvatures the excess
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on

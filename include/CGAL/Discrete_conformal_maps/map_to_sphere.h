@@ -55,7 +55,7 @@ public:
 private:
   static constexpr std::size_t maximum_number_of_trials = 4;
 
-  // \throws Invalid_input if the surface is no sphere
+  // \throws Invalid_input if the surface is not a sphere
   void check() const
   {
     const Delta_complex& mesh = m_problem.surface();
@@ -215,7 +215,7 @@ private:
 ///
 /// Complexity: for each step of the minimization, that of a few sparse Cholesky factorizations;
 /// beyond that \f$O(n \log n)\f$ in the vertices, flips and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or neither a sphere
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or neither a sphere
 ///   nor a disk
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits

@@ -307,8 +307,8 @@ private:
 ///
 /// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
 /// that \f$O(n \log n)\f$ in the vertices and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or a component cannot
-///         be hyperbolic with what is prescribed
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a component
+///         cannot be hyperbolic with what is prescribed
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on

@@ -200,10 +200,10 @@ private:
 /// both sides by disks, see `Surface_surgery`. No curve separates the surface: each cut lowers the
 /// genus by one, and components and boundary loops stay.
 ///
-/// Curves are found among edges: from one vertex after the other, the shortest one that is closed by
-/// an edge between two shortest paths from there and does not separate. The length up to which they
-/// are looked for doubles, from some edges up to the bound. Curves that have no vertex in common are
-/// shortened together by flips, to geodesics in their class (see
+/// Curves are found among edges: from one vertex after the other, the shortest one that is closed
+/// by an edge between two shortest paths from there and does not separate. The length up to which
+/// they are looked for doubles, from some edges up to the bound. Curves that have no vertex in
+/// common are shortened together by flips, to geodesics in their class (see
 /// `Intrinsic_triangulations::Edge_paths`), and cut; then others are looked for, disks included. A
 /// curve that touches itself, another one or the boundary waits for the next round. If all that are
 /// so long do so, those edge loops are cut that are short enough as they are.

@@ -134,10 +134,10 @@ public:
   /// returns the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
 
-  /// returns whether the line certainly passes between the ends of all inner edges and its length has
-  /// a relative error of at most `tolerance`, if the errors of all corner angles, which cover those of
-  /// the sides, add up to at most `error`. A corner is displaced by no more than that times the way
-  /// along edges on which it was placed. \pre `finish()` has been called
+  /// returns whether the line certainly passes between the ends of all inner edges and its length
+  /// has a relative error of at most `tolerance`, if the errors of all corner angles, which cover
+  /// those of the sides, add up to at most `error`. A corner is displaced by no more than that
+  /// times the way along edges on which it was placed. \pre `finish()` has been called
   bool is_certain(const FT& error, const FT& tolerance) const
   {
     const FT displacement = m_longest_way * error, margin = 4 * displacement * m_longest_way;

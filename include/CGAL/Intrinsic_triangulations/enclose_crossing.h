@@ -97,7 +97,7 @@ inline bool is_narrow(const Interval_nt<>& place, double width)
 /// are narrow enough.
 ///
 /// \param correspondence the crossings
-/// \param id the number of the crossing
+/// \param id the index of the crossing
 /// \param width the greatest width of an interval; if it is less than the spacing of numbers of
 ///        type `double`, at most one of them lies inside the interval
 /// \returns the places on the first halfedges of both edges, as `Correspondence::crossing()`

@@ -101,7 +101,7 @@ std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
 /// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
-/// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the numbers of edges
+/// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the indices of edges
 /// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the
 /// three triangulations with each other.
 ///

@@ -37,9 +37,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// one set of sources after the other; the two matrices are factorized once.
 ///
 /// Sources are vertices, or with `Distance_sources` points anywhere and curves. The distance is
-/// zero at every vertex that is a source: it is the function with this property whose gradient comes
-/// closest to the direction away from the sources. Without the condition, the function with that
-/// gradient takes different values at different sources, by many edge lengths if these fill a
+/// zero at every vertex that is a source: it is the function with this property whose gradient
+/// comes closest to the direction away from the sources. Without the condition, the function with
+/// that gradient takes different values at different sources, by many edge lengths if these fill a
 /// region, so that no constant subtracted from it is right; one source needs no more than a
 /// constant.
 ///
@@ -110,7 +110,8 @@ public:
 
   /// computes the distance of every vertex to the nearest of some vertices, points and curves on
   /// the surface. At the ends of an edge and the corners of a face in which there are sources, it
-  /// is the distance within the edge or face; otherwise as above. A curve counts as many sources.
+  /// is the distance within the edge or face. Complexity: for one point, linear in the size of the
+  /// factorizations; otherwise one factorization more. A curve counts as many sources.
   template <typename Surface>
   Vector distances(const Distance_sources<Surface>& sources) const
   {

@@ -59,7 +59,7 @@ class Flipping_by_lengths
 public:
   explicit Flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
 
-  // Whether the lengths around `e` leave no doubt; those beyond the boundary mean nothing.
+  // Whether the lengths around `e` leave no doubt; those beyond the boundary are unspecified.
   bool is_certainly_Delaunay(Edge_index e) const
   {
     return m_tri.traits().is_locally_Delaunay_object().is_certain(
@@ -272,9 +272,9 @@ Delaunay_flips flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t li
   return {first.number + second.number, true};
 }
 
-// Goes on with exact decisions, and from T1, where lengths of type `double` cannot carry these: after
-// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2 may
-// be bent.
+// Goes on with exact decisions, and from T1, where lengths of type `double` cannot carry these:
+// after `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of
+// T2 may be bent.
 template <typename Traits, typename Visitor>
 Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                              Visitor& visitor, Concurrency concurrency = Concurrency())
@@ -307,10 +307,10 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// laid out; if one is bent, \f$T_2\f$ becomes \f$T_1\f$ again, with the inserted vertices, and
 /// flipping starts anew.
 ///
-/// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips than
-/// edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from \f$T_1\f$ and
-/// flipping goes on. If that is not enough, or there were more than ten million flips and a thousand
-/// for each edge, flipping in `double` starts anew from \f$T_1\f$ with exact decisions.
+/// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips
+/// than edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from \f$T_1\f$
+/// and flipping goes on. If that is not enough, or there were more than ten million flips and a
+/// thousand for each edge, flipping in `double` starts anew from \f$T_1\f$ with exact decisions.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -329,9 +329,8 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{concurrency_tag}
-///     \cgalParamDescription{whether several threads find the edges to start from; flips are made
-///     one
-///                           after the other. See \ref it_parallel.}
+///     \cgalParamDescription{whether several threads find the edges to start from; flips are
+///                           sequential. See \ref it_parallel.}
 ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 ///                    `CGAL::Parallel_if_available_tag`}
 ///     \cgalParamDefault{`CGAL::Sequential_tag`}

@@ -104,7 +104,7 @@ public:
     return longest * spread(vectors, is_source);
   }
 
-  /// transports the vector `vector` at `source` to all vertices; otherwise as above.
+  /// transports the vector `vector` at `source` to all vertices, as the function for ranges does.
   Vector_field transport(Vertex_index source, const std::complex<FT>& vector) const
   {
     return transport(std::array{Source(source, vector)});

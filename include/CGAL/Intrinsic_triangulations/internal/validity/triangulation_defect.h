@@ -54,8 +54,8 @@ void check_inserted(const Triangulation_pair<Traits>& pair)
     throw Invalid_input("the numbers of vertices and of places do not fit");
 }
 
-// Whether the shared edge `e` has its length in T1: a whole edge to the bit, a part of one up to the
-// rounding of the places of its ends.
+// Whether the shared edge `e` has its length in T1: a whole edge to the bit, a part of one up to
+// the rounding of the places of its ends.
 template <typename Traits>
 bool has_shared_length(const Triangulation_pair<Traits>& pair, Edge_index e)
 {
