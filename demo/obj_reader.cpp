@@ -165,7 +165,7 @@ private:
             std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
               std::end(ignored_keywords)) {
       m_in.return_to(start);
-      m_in.fail("'" + std::string(key) + "' is no keyword of .obj; begin a comment with #");
+      m_in.fail("'" + std::string(key) + "' is not a keyword of .obj; begin a comment with #");
     }
     m_in.skip_line();
   }

@@ -182,8 +182,9 @@ private:
     for(std::size_t t = 0; t < types.size(); ++t)
       if(m_in.accept(types[t].name) || m_in.accept(types[t].other_name))
         return static_cast<Number_type>(t);
-    m_in.fail("there is no such type of numbers; there are char, short, int, float and double, and "
-              "uchar, ushort and uint");
+    m_in.fail(
+      "this type of numbers does not exist; there are char, short, int, float and double, and "
+      "uchar, ushort and uint");
   }
 
   // ---- Numbers ----

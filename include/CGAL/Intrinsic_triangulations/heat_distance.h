@@ -110,8 +110,9 @@ public:
 
   /// computes the distance of every vertex to the nearest of some vertices, points and curves on
   /// the surface. At the ends of an edge and the corners of a face in which there are sources, it
-  /// is the distance within the edge or face. Complexity: for one point, linear in the size of the
-  /// factorizations; otherwise one factorization more. A curve counts as many sources.
+  /// is the distance within the edge or face. A curve counts as many sources. Complexity: linear
+  /// in the size of the factorizations; if a component has more than one source, another sparse
+  /// Cholesky factorization.
   template <typename Surface>
   Vector distances(const Distance_sources<Surface>& sources) const
   {
