@@ -154,7 +154,7 @@ private:
   static void check_number_of_edges(std::uint64_t number)
   {
     if(number >= (std::numeric_limits<size_type>::max)() / 2)
-      throw Intrinsic_triangulations::Overflow_error("more edges than a mesh can number");
+      throw Intrinsic_triangulations::Overflow_error("more edges than a mesh can index");
   }
 
   static bool is_between(size_type first, size_type end, Vertex_index v)

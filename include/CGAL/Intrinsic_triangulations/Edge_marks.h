@@ -56,7 +56,7 @@ public:
       const size_type first = static_cast<size_type>(total);
       total += n;
       if(total > limit)
-        throw Overflow_error("more crossings than a mesh can number");
+        throw Overflow_error("more crossings than a mesh can index");
       n = first;
     }
   }

@@ -24,7 +24,7 @@ Delta_complex::size_type countable(const Integer& crossings)
 {
   const auto count = static_cast<Delta_complex::size_type>(crossings);
   if(static_cast<Integer>(count) != crossings)
-    throw Overflow_error("more crossings than a mesh can number");
+    throw Overflow_error("more crossings than a mesh can index");
   return count;
 }
 
