@@ -16,7 +16,7 @@ namespace CGAL::Discrete_conformal_maps {
 enum class Map_status
 {
   success,             ///< the map has what is prescribed
-  not_converged,       ///< the minimization has not converged: its own status says why
+  not_converged,       ///< the minimization has not converged: see its own status
   triangle_inequality, ///< in some faces the scaled lengths do not obey the triangle inequality, so
                        ///< nothing is laid out
   no_minimum, ///< no scale factors give this triangulation the prescribed angles: some vertices

@@ -309,7 +309,7 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 /// There are none on a torus without conditions; elsewhere there must be some, which are prescribed
 /// or placed greedily.
 ///
-/// The result says how that has ended (`Planar_conformal_map::status()`); without convergence, it
+/// `Planar_conformal_map::status()` states how this has ended; without convergence, the map
 /// has the best scale factors that have been found.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -379,10 +379,11 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 /// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
 /// that \f$O(n \log n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or what is
-///         prescribed cannot be: the error says where, and for curvatures the excess
+///         prescribed is impossible: the error names the place, and for curvatures the excess
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
-/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
+///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map flatten(const Graph& g,
                              const NamedParameters& np = CGAL::parameters::default_values())

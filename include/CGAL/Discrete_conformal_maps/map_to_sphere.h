@@ -187,7 +187,7 @@ private:
 ///
 /// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result
 /// is a convex polyhedron is decided exactly. If it is none, or length cross ratios are not what
-/// they should be, the work goes on with 106 binary digits, and if that is not enough with other
+/// they should be, it is computed with 106 binary digits, and if that does not suffice with other
 /// vertices at infinity. The best result is returned: `Spherical_conformal_map::status()` is
 /// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
 /// \f$10^{-8}\f$.
@@ -219,7 +219,8 @@ private:
 ///   nor a disk
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
-/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
+///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Spherical_conformal_map
 map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())

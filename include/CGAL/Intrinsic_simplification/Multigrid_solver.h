@@ -25,7 +25,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// says how an iteration has ended.
+/// states how an iteration has ended.
 enum class Multigrid_status
 {
   converged,       ///< the error is below the tolerance

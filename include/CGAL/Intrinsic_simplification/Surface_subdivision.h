@@ -129,7 +129,7 @@ inline Surface_map::Location moved_into(Face_index f, const Surface_map::Locatio
 ///
 /// The vertices are those of the fine level, with their indices; then those that only the coarse
 /// level has, in their order; then the points where edges of the coarse level cross those of the
-/// fine level or bend on its surface; then, if they are wanted, those where edges of the fine level
+/// fine level or bend on its surface; then, on request, those where edges of the fine level
 /// bend on the coarse surface. So the polygons have straight sides on the fine surface, and with
 /// the last on the coarse surface too. They need not be convex.
 ///
@@ -161,7 +161,7 @@ public:
   /// the type of numbers of elements.
   typedef typename Base::size_type size_type;
 
-  /// says at which bends there are vertices.
+  /// states at which bends there are vertices.
   enum class Bends
   {
     of_coarse_edges, ///< those of edges of the coarse level on the fine surface

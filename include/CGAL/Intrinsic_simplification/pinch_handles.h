@@ -21,7 +21,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// says along which curves handles are cut.
+/// determines along which curves handles are cut.
 enum class Cutting_curves
 {
   geodesics, ///< closed geodesics, which flips of edges make edges

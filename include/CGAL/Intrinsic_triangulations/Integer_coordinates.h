@@ -70,7 +70,7 @@ public:
     Integer number;          ///< the index of the crossing on it
   };
 
-  /// how a curve goes on in the face beyond a crossing \f$\overrightarrow{ij}\f$ (Figure 3.6).
+  /// how a curve continues in the face beyond a crossing \f$\overrightarrow{ij}\f$ (Figure 3.6).
   enum class Turn
   {
     around_source, ///< it cuts off the corner at \f$i\f$

@@ -34,7 +34,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// passed.
 ///
 /// Add the sources, then call `run()`; distances and paths to any point follow without further
-/// search. Sources can be added later, and `run()` called again: it goes on from what is known.
+/// search. Sources can be added later, and `run()` called again, which continues the search.
 ///
 /// No face, flat or without area, and no tie between paths is an error: of several shortest paths
 /// that are equal up to rounding any one is taken.

@@ -58,7 +58,8 @@ double smallest_angle_in_degrees(const Graph& g, LengthMap length)
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsRef computes the curvature of the vertices of a
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// computes the curvature of the vertices of a
 /// triangulation: at an interior vertex \f$2\pi\f$ less the sum of the angles there, on the
 /// boundary \f$\pi\f$ less that sum, and zero at a vertex without faces. By the theorem of Gauss
 /// and Bonnet, all together are \f$2\pi\f$ times the Euler characteristic, that of the vertices

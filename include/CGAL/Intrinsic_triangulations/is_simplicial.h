@@ -38,7 +38,8 @@ inline bool is_simplicial(Face_index f, const Delta_complex& mesh)
          !(beyond.is_valid() && std::all_of(side.begin(), side.end(), leads_there));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsDeltaComplex returns whether `mesh` is a simplicial complex:
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns whether `mesh` is a simplicial complex:
 /// its faces have three corners each, and vertices determine edges and faces. Such a mesh is one
 /// for everybody. Complexity: linear in the sum of the squared degrees.
 inline bool is_simplicial(const Delta_complex& mesh)

@@ -139,7 +139,8 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsCovers triangulates the neighborhood of each point of a
+/// \ingroup PkgIntrinsicTriangulationsCovers
+/// triangulates the neighborhood of each point of a
 /// cloud: the nearest points are projected to the plane in which they vary most and triangulated
 /// there (Delaunay); the triangles around the point itself are kept. Where neighborhoods agree,
 /// each triangle comes three times, once for each of its corners, so that the share of a

@@ -24,7 +24,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// says what a shortest path is like.
+/// describes a shortest path.
 enum class Logarithm_status
 {
   straight,   ///< it is a straight line: the exponential map leads to its end

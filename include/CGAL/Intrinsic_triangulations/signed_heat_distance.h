@@ -47,10 +47,10 @@ namespace CGAL::Intrinsic_triangulations {
 /// distance exists, and the result is only smooth there.
 ///
 /// Distances are approximate. Heat that flows for a longer time rounds off the level sets of curves
-/// whose curvature varies, by an error of the first order in the edge lengths; a shorter time makes
-/// the directions of edges felt, by an error that does not vanish with the edge lengths, but is
-/// small: hence a greater default than that of `Heat_distance`. Distances are zero on the curve
-/// only up to these errors. Errors are smaller on Delaunay triangulations.
+/// whose curvature varies, by an error of the first order in the edge lengths; for a shorter time
+/// the result depends on the directions of edges, by a small error that does not vanish with the
+/// edge lengths: hence the default is greater than that of `Heat_distance`. Distances are zero on
+/// the curve only up to these errors. Errors are smaller on Delaunay triangulations.
 ///
 /// The object refers to the surface, which must not change as long as it is used.
 ///

@@ -66,7 +66,7 @@ Intrinsic_triangulation<Traits> flipped_over(const Intrinsic_triangulation<Trait
 /// ends and the edges of \f$T_1\f$ that they cross; ties are allowed. Lengths are computed afresh
 /// on \f$T_2\f$. Complexity: that of `make_Delaunay()` for both and of `Correspondence`, times the
 /// greatest number of times that a face is split, and \f$O(n \log n)\f$ in the edges.
-/// \throws Invalid_input if the two have not the same input, or the lengths of the two are too
+/// \throws Invalid_input if the two do not have the same input, or the lengths of the two are too
 ///   different to be rounded ones of one surface
 /// \throws Numerical_error if rounding puts a vertex that one of the two has on another element of
 ///   \f$T_1\f$ in the other one, or the two Delaunay triangulations differ by more than ties
