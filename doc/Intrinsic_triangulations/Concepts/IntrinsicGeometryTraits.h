@@ -5,8 +5,8 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// is what an intrinsic triangulation needs to know of its geometry: numbers, how the length of an
-/// edge comes out of a flip, when an edge is Delaunay, and how a strip of triangles is laid out.
+/// determines the geometry of an intrinsic triangulation: number types, the length of a flipped
+/// edge, the local Delaunay condition, and the layout of a strip of triangles.
 ///
 /// A model is default constructible, copy constructible and assignable. The function objects are
 /// obtained from a constant object and called through a constant reference. `Diamond<FT>` holds the

@@ -32,7 +32,7 @@ inline std::array<double, 3> weights_from_lengths(const std::array<double, 3>& s
     area[c] = Intrinsic_triangulations::quadrupled_area(spoke[(c + 1) % 3], side[(c + 1) % 3],
                                                         spoke[(c + 2) % 3]);
   const double sum = area[0] + area[1] + area[2];
-  if(!(sum > 0)) // all points on a line: any place will do
+  if(!(sum > 0)) // all points on a line: any place is correct
     return {1. / 3, 1. / 3, 1. / 3};
   return {area[0] / sum, area[1] / sum, area[2] / sum};
 }
