@@ -58,10 +58,10 @@ struct Fuchsian_group
 /// disk except at seams, and motions glue the seams. A component with boundary is doubled, and its
 /// boundary is a geodesic.
 ///
-/// All components have the middle of their domain at the origin.
+/// The domain of each component is centered at the origin.
 ///
 /// Points far from the origin are close to the boundary of the disk: at a distance \f$d\f$,
-/// coordinates of type `double` are good for a distance of \f$10^{-16} e^d\f$.
+/// coordinates of type `double` have errors of about \f$10^{-16} e^d\f$.
 class Hyperbolic_conformal_map : public Discrete_conformal_map
 {
 public:

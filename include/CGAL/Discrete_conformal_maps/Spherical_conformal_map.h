@@ -48,7 +48,7 @@ class Sphere_mapping;
 /// Where limbs of the input are long, their images are small, and `double` may have too few digits
 /// for the differences of positions: `lost_in_output()` counts the triangles concerned. The map
 /// itself has positions of 32 digits, relative to the image of infinity even those of
-/// differences. Logarithmic scale factors do not lose anything.
+/// differences. Logarithmic scale factors keep their accuracy.
 class Spherical_conformal_map : public Discrete_conformal_map
 {
 public:

@@ -326,7 +326,7 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
 ///     \cgalParamDescription{cones without scaling are placed until all logarithmic scale factors
-///                           are at most so great; infinity for none}
+///                           are at most this in absolute value; infinity for no cones}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{5 if there is no `vertex_condition_map`, otherwise infinity}
 ///   \cgalParamNEnd

@@ -214,13 +214,13 @@ private:
 /// around it is shorter than twice `maximum_length`: edges that are long beside the handle hide
 /// it, and refinement shows it. By the length alone it is not known whether a handle or a tunnel
 /// is cut, and a thin torus is a handle as well.
-/// \returns the number of handles that have been taken away
+/// \returns the number of handles that have been cut
 /// \throws what `Intrinsic_triangulations::Edge_paths` and `make_Delaunay()` throw
 ///
-/// Complexity: \f$O(n \log n)\f$ for each round, and shortening. There are some rounds for each
-/// length, since all curves that have no vertex in common are cut at once, and where a search finds
-/// nothing, none begins near by; so searches reach each vertex some times in a round, unless curves
-/// are as long as the bound or a little longer at many places.
+/// Complexity: \f$O(n \log n)\f$ for each round, and shortening. There are few rounds for each
+/// length, since disjoint curves are cut in one round. A search is not repeated near vertices where
+/// one has found nothing; so searches reach each vertex a few times in a round, unless there are many
+/// curves of about the length of the bound.
 inline std::size_t pinch_handles(Surface_surgery& surface, double maximum_length,
                                  Cutting_curves curves = Cutting_curves::geodesics)
 {

@@ -172,9 +172,8 @@ public:
             {first_halfedge(record.intrinsic), record.t}};
   }
 
-  /// returns the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$
-  /// that its place there stands for is so many times that of \f$T_2\f$. It is 1 in Euclidean
-  /// geometry.
+  /// returns the scale of crossing `id` (see the concept `GeodesicStrip`), the ratio of its vector
+  /// on \f$T_1\f$ to that on \f$T_2\f$: 1 in Euclidean geometry.
   FT scale([[maybe_unused]] size_type id) const
   {
     if constexpr(internal::Has_scale<Traits>::value)
