@@ -11,8 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
 
@@ -123,19 +121,7 @@ Eigen::SparseMatrix<FT> share_of(Eigen::SparseMatrix<FT> sum, const Tufted_surfa
 template <typename FT>
 Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 {
-  const Delta_complex& mesh = surface.mesh();
-  std::vector<FT> diagonal(mesh.num_vertices(), FT(0)), weights = internal::cotan_weights(surface);
-  for(Edge_index e : mesh.edges()) {
-    FT& w = weights[e.idx()];
-    const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
-    if(i == j)
-      w = 0;
-    diagonal[i.idx()] += w;
-    diagonal[j.idx()] += w;
-    w = -w;
-  }
-  return internal::share_of(internal::symmetric_matrix(mesh, std::move(diagonal), weights),
-                            surface);
+  return internal::share_of(cotan_laplacian(internal::view_of(surface)), surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers
@@ -144,18 +130,7 @@ Eigen::SparseMatrix<FT> cotan_laplacian(const Tufted_surface<FT>& surface)
 template <typename FT>
 Eigen::SparseMatrix<FT> mass_matrix(const Tufted_surface<FT>& surface)
 {
-  const Delta_complex& mesh = surface.mesh();
-  std::vector<FT> diagonal(mesh.num_vertices(), FT(0)), on_edge(mesh.num_edges(), FT(0));
-  for(Face_index f : mesh.faces()) {
-    const internal::Face_metric<FT> metric(f, surface);
-    const auto h = sides(f, mesh);
-    for(std::size_t s = 0; s < 3; ++s) {
-      diagonal[metric.corner(s).idx()] += metric.hat_product(s, s);
-      on_edge[mesh.edge(h[s]).idx()] += metric.hat_product(s, (s + 1) % 3);
-    }
-  }
-  return internal::share_of(internal::symmetric_matrix(mesh, std::move(diagonal), on_edge),
-                            surface);
+  return internal::share_of(mass_matrix(internal::view_of(surface)), surface);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCovers

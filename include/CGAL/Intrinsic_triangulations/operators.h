@@ -17,6 +17,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -58,19 +59,18 @@ auto cotan_laplacian(const Surface& surface)
 {
   typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
-  const auto weights = internal::cotan_weights(surface);
-  internal::Sparse_assembly<FT> assembly(4 * mesh.number_of_edges());
+  std::vector<FT> diagonal(mesh.num_vertices(), FT(0));
+  auto on_edge = internal::cotan_weights(surface);
   for(Edge_index e : mesh.edges()) {
+    FT& w = on_edge[e.idx()];
     const Vertex_index i = mesh.vertex(e, 0), j = mesh.vertex(e, 1);
     if(i == j)
-      continue;
-    const FT& w = weights[e.idx()];
-    assembly.add(i, i, w);
-    assembly.add(j, j, w);
-    assembly.add(i, j, -w);
-    assembly.add(j, i, -w);
+      w = 0;
+    diagonal[i.idx()] += w;
+    diagonal[j.idx()] += w;
+    w = -w;
   }
-  return assembly.matrix(mesh.num_vertices(), mesh.num_vertices());
+  return internal::symmetric_matrix(mesh, std::move(diagonal), on_edge);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -83,14 +83,16 @@ auto mass_matrix(const Surface& surface)
 {
   typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
-  internal::Sparse_assembly<FT> assembly(9 * mesh.number_of_faces());
+  std::vector<FT> diagonal(mesh.num_vertices(), FT(0)), on_edge(mesh.num_edges(), FT(0));
   for(Face_index f : mesh.faces()) {
     const internal::Face_metric<FT> metric(f, surface);
-    for(std::size_t a = 0; a < 3; ++a)
-      for(std::size_t b = 0; b < 3; ++b)
-        assembly.add(metric.corner(a), metric.corner(b), metric.hat_product(a, b));
+    const auto h = sides(f, mesh);
+    for(std::size_t s = 0; s < 3; ++s) {
+      diagonal[metric.corner(s).idx()] += metric.hat_product(s, s);
+      on_edge[mesh.edge(h[s]).idx()] += metric.hat_product(s, (s + 1) % 3);
+    }
   }
-  return assembly.matrix(mesh.num_vertices(), mesh.num_vertices());
+  return internal::symmetric_matrix(mesh, std::move(diagonal), on_edge);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
