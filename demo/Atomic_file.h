@@ -32,7 +32,7 @@ public:
 
 private:
   std::filesystem::path m_path;
-  std::filesystem::path m_temporary; // is m_path if that is no regular file
+  std::filesystem::path m_temporary; // is m_path if that is not a regular file
   std::ofstream m_stream;
   bool m_is_committed = false;
 };

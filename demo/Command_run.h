@@ -32,7 +32,7 @@ public:
   Command_run(const std::string& command, const Common_options& options,
               std::vector<std::string> outputs, bool are_soups_allowed = false);
 
-  // Sets the stages after the input has been read, but for the last, "write".
+  // Sets the stages after the input has been read, except the last, "write".
   void plan(const std::vector<Stages>& parts);
 
   const Common_options& options() const { return m_options; }

@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <vector>
 
-// An intrinsic triangulation from which a page develops the intrinsic faces over each face of the input
-// while it draws, without the common subdivision. Halfedges 3 f, 3 f + 1 and 3 f + 2 are those of face
-// f, the first its longest. Plane vectors are complex numbers.
+// An intrinsic triangulation from which a page develops the intrinsic faces over each face of the
+// input while it draws, without the common subdivision. Halfedges 3 f, 3 f + 1 and 3 f + 2 are
+// those of face f, the first its longest. Plane vectors are complex numbers.
 struct Developed_faces
 {
   // Empty edges and attributes; the first corner of each face is where its development starts.
@@ -24,9 +24,9 @@ struct Developed_faces
   std::vector<std::int64_t> opposites;
   // For each intrinsic face its third corner, if its first halfedge goes from 0 to 1.
   std::vector<double> shapes;
-  // For each face of the input, at its first corner: the intrinsic halfedge from which its first edge
-  // starts in counterclockwise direction, as 2 h + 1, or 2 h if this edge starts along that halfedge
-  // with the length that it has.
+  // For each face of the input, at its first corner: the intrinsic halfedge from which its first
+  // edge starts in counterclockwise direction, as 2 h + 1, or 2 h if this edge starts along that
+  // halfedge with the length that it has.
   std::vector<std::int64_t> starts;
   // For each odd start the first edge, if that halfedge goes from 0 to 1.
   std::vector<double> first_edges;

@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-// Triangles that are no surface, with their cover. Those of a cloud of points are around one point
-// each.
+// Triangles that are not a surface, with their cover. Those of a cloud of points are around one
+// point each.
 struct Covered_soup
 {
   Polygon_soup soup;

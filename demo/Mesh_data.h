@@ -35,7 +35,7 @@ struct Corner_data
   Polygons polygons; // with coordinates in place of points; none where there are no coordinates
 };
 
-// Whether it is no list of normals.
+// Whether it is not a list of normals.
 bool is_texture(const Corner_data& data);
 
 // Groups of polygons, as .obj has them: objects, groups and materials.
@@ -75,8 +75,8 @@ struct Mesh_data
   const Point_function* function(const std::string& name) const;
 };
 
-// How many coordinates the corners of a polygon have in a list of this name; zero if it is no name
-// of corner data, with "input_" in front or without.
+// How many coordinates the corners of a polygon have in a list of this name; zero if it is not a
+// name of corner data, with "input_" in front or without.
 std::size_t corner_dimension(std::string_view name);
 
 // Numbers coordinates corner by corner. Equal ones at one point get one number, so that others are
@@ -130,8 +130,8 @@ struct Point_weights
   std::array<double, 3> weight{};
 };
 
-// The first texture, for these polygons: of corners without coordinates, those of one point have one
-// that is NaN. Of dimension zero if there is none.
+// The first texture, for these polygons: of corners without coordinates, those of one point have
+// one that is NaN. Of dimension zero if there is none.
 Corner_data texture_on(const Polygons& polygons, const std::vector<Corner_data>& all);
 
 // Where a mesh lies on triangles.

@@ -11,9 +11,10 @@
 
 #include <string>
 
-// All but one are text. PLY and VTP carry the attributes, all but OFF the texture and the corner data.
-// PLY has the edges, VTP the lines; in VTP, lines come before polygons, and what only one kind has
-// is -1 for the other. OBJ has colors and normals of points. The texture and the corner data:
+// All but one are text. PLY and VTP carry the attributes, all but OFF the texture and the corner
+// data. PLY has the edges, VTP the lines; in VTP, lines come before polygons, and what only one
+// kind has is -1 for the other. OBJ has colors and normals of points. The texture and the corner
+// data:
 // - OBJ as vt, one texture, and vn, at the corners of faces;
 // - PLY as a property of faces, a list "texcoord" with two numbers for each corner, or
 //   "homogeneous_texcoord" or "normal" with three; zeros where there are none;

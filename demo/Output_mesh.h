@@ -146,7 +146,8 @@ Output_mesh output_mesh(const Polygon_soup& soup);
 // The points and edges of a mesh, and those of its polygons.
 Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces);
 
-// Adds data of its points, corners and polygons. A name that is taken already gets "input_" in front.
+// Adds data of its points, corners and polygons. A name that is taken already gets "input_" in
+// front.
 void add_data(Output_mesh& mesh, Mesh_data data);
 
 #endif // INTRINSIC_OUTPUT_MESH_H

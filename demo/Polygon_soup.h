@@ -30,15 +30,15 @@ struct Polygon_soup
   Mesh_data data;
 };
 
-// Takes corner data and groups from polygons to their parts: part i is one of polygon `parents[i]`, with corners
-// of that.
+// Takes corner data and groups from polygons to their parts: part i is one of polygon `parents[i]`,
+// with corners of that.
 void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& parents,
                     const Polygons& parts, Mesh_data& data);
 
 // Vertices and faces keep their indices, isolated vertices too. Edges are numbered in the order of
 // faces: first those that a face runs along from the smaller to the larger index, then the others.
 // The first halfedge of an edge leads to the larger index.
-// Precondition: the diagnosis of the soup is valid, but for faces that are no triangles.
+// Precondition: the diagnosis of the soup is valid, except for faces that are not triangles.
 Mesh mesh_of(const Polygon_soup& soup);
 
 // The corners of a face in the order of its halfedges, from the target of the first one.

@@ -33,7 +33,7 @@ std::string quoted(std::string_view word)
   return "'" + result + (word.size() > 32 ? "...'" : "'");
 }
 
-// Also of what is no regular file and has no size.
+// Also of what is not a regular file and has no size.
 std::string content(const fs::path& path)
 {
   std::ifstream file(path, std::ios::binary);

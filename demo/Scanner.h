@@ -85,7 +85,7 @@ public:
     m_position += n;
   }
 
-  // Lines mean nothing from here on.
+  // Lines are not counted from here on.
   void set_binary() { m_is_binary = true; }
 
   // ---- Places ----

@@ -84,8 +84,8 @@ public:
   }
 
 private:
-  // Keeps the corners, whose points CGAL wants as plain numbers here. Works elsewhere, for visitors are
-  // copied.
+  // Keeps the corners, whose points CGAL wants as plain numbers here. Works elsewhere, for visitors
+  // are copied.
   struct Reversal_follower : PMP::Default_orientation_visitor
   {
     Soup_repairer* repairer;

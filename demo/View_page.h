@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-// What a command shows: surfaces, charts and numbers. It is written as a page of HTML, which a browser
-// opens without a network; or the surfaces alone as a picture.
+// What a command shows: surfaces, charts and numbers. It is written as a page of HTML, which a
+// browser opens without a network; or the surfaces alone as a picture.
 class View_page
 {
 public:

@@ -30,7 +30,7 @@ struct Fine_origin
 // - of an edge: the edges of the input and of the coarse level of which it is a part;
 // - of a face: the faces of both of which it is a part, and a color by which adjacent coarse faces
 // differ. Faces with two sides, which have no area, are left out. The lines are the coarse edges,
-// with their numbers, in black.
+// with their indices, in black.
 Output_mesh coarse_mesh(const Coarse_subdivision& subdivision, const Fine_origin& origin);
 
 // The data of that mesh, from those of the fine level.

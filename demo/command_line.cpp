@@ -60,7 +60,7 @@ void add_common_options(CLI::App& command, Common_options& options)
              "relative to the mean edge length",
              CLI::Range(1e-16, 1.));
   command.add_flag("--repair", options.is_repair_wanted,
-                   "Mend what can be mended in the mesh and report it; indices may change");
+                   "Repair defects of the mesh where possible and report it; indices may change");
   command.add_flag("--strict", options.is_strict,
                    "Refuse faces that are not triangles; otherwise they are split");
 }
@@ -88,15 +88,15 @@ void add_neighbors(CLI::App& command, Common_options& options)
 {
   command
     .add_option("--neighbors", options.number_of_neighbors,
-                "Take files without faces, .xyz too, and triangulate each point with so many "
+                "Accept files without faces, .xyz too, and triangulate each point with this many "
                 "neighbors; 30 is usual")
     ->check(CLI::Range(std::size_t(3), std::size_t(10000)));
 }
 
 void add_info(CLI::App& app, Options& options)
 {
-  CLI::App& command =
-    add_command(app, "info", "Say what a mesh is and what is wrong with it", options.info.input);
+  CLI::App& command = add_command(
+    app, "info", "Print the size, the topology and the defects of a mesh", options.info.input);
   command.add_flag("--json", options.info.is_json, "Print JSON");
   command.add_option("--view", options.info.view,
                      "HTML file that shows the mesh, and its defects in red");
@@ -152,21 +152,23 @@ void add_delaunay(CLI::App& app, Options& options)
 void add_bounds(CLI::App& command, Refinement_bounds& bounds)
 {
   add_number(command, "--min-angle", bounds.minimum_angle,
-             "Least angle of the faces in degrees, 0 for any", CLI::Range(0., 60.))
+             "Least angle of the faces in degrees, 0 for no bound", CLI::Range(0., 60.))
     ->capture_default_str();
   add_number(command, "--max-circumradius", bounds.maximum_circumradius,
-             "Greatest circumradius of the faces; any if not given", CLI::PositiveNumber);
+             "Greatest circumradius of the faces; no bound if not given", CLI::PositiveNumber);
   command
-    .add_option("--max-insertions", bounds.maximum_number_of_insertions,
-                "How many vertices may be inserted; 10,000,000 if not given, or 100,000 and 20 for "
-                "each face with angles of more than 30 degrees and no circumradius")
+    .add_option(
+      "--max-insertions", bounds.maximum_number_of_insertions,
+      "Maximum number of insertions; 10,000,000 if not given, or 100,000 plus 20 for each "
+      "face with angles of more than 30 degrees and no circumradius")
     ->check(CLI::NonNegativeNumber);
 }
 
 void add_refine(CLI::App& app, Options& options)
 {
-  CLI::App& command = add_command(
-    app, "refine", "Insert vertices until all faces have a good shape", options.common.input);
+  CLI::App& command =
+    add_command(app, "refine", "Insert vertices until all faces obey bounds on angles and sizes",
+                options.common.input);
   add_subdivision_options(command, options.refine, options.common);
   add_bounds(command, options.refine.bounds);
   command.add_flag(
@@ -189,7 +191,7 @@ void add_distance_outputs(CLI::App& command, Distance_options& options)
                      "Curves of equal distance (.obj, .ply or .vtp)");
   command
     .add_option("--level", options.levels,
-                "A distance for --level-sets; ten of them if none is given")
+                "A value of the distance for --level-sets; ten values if none is given")
     ->allow_extra_args(false)
     ->check(CLI::Number);
 }
@@ -220,7 +222,7 @@ void add_distance(CLI::App& app, Options& options)
     CLI::PositiveNumber);
   add_angle(command, own.minimum_angle);
   command.add_flag("--exact-distance", own.is_shortest,
-                   "Compute the lengths of shortest paths instead, to rounding");
+                   "Compute the lengths of shortest paths instead, up to rounding");
   add_neighbors(command, options.common);
   command.footer(Help::distance);
 }
@@ -306,8 +308,8 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
                      "greedy, none, or a file of angle defects; greedy by default, but none for a "
                      "rectangle or a disk");
   add_number(command, "--max-log-scale", options.maximum_log_scale,
-             "Place greedy cones until the logarithms of all scale factors are at most so great; "
-             "5 by default",
+             "Place greedy cones until the absolute values of all logarithmic scale factors are at "
+             "most this; 5 by default",
              CLI::PositiveNumber);
   command
     .add_option("--boundary", options.boundary,
@@ -342,7 +344,9 @@ void add_flatten(CLI::App& app, Options& options)
 void add_tiling(CLI::App& command, Hyperbolic_options& options)
 {
   command.add_option("--svg", options.picture, "Picture of the domain and its images in the disk");
-  command.add_option("--tiles", options.depth, "Across how many sides images in the picture are")
+  command
+    .add_option("--tiles", options.depth,
+                "Maximum number of sides between the domain and an image in the picture")
     ->check(CLI::Range(0, 100))
     ->capture_default_str();
 }
@@ -350,7 +354,8 @@ void add_tiling(CLI::App& command, Hyperbolic_options& options)
 void add_hyperbolic(CLI::App& app, Options& options)
 {
   CLI::App& command = add_command(
-    app, "hyperbolic", "Give a mesh a conformal metric of curvature -1", options.common.input);
+    app, "hyperbolic", "Compute the conformal metric of curvature -1, in the Poincare disk",
+    options.common.input);
   Hyperbolic_options& own = options.hyperbolic;
   add_texture_output(command, own);
   command.add_option("--cones", own.cones, "File of angle defects; zero everywhere if not given");
@@ -361,9 +366,9 @@ void add_hyperbolic(CLI::App& app, Options& options)
 
 void add_uniformize(CLI::App& app, Options& options)
 {
-  CLI::App& command =
-    add_command(app, "uniformize", "Give a mesh the conformal metric that suits its topology",
-                options.common.input);
+  CLI::App& command = add_command(
+    app, "uniformize", "Compute the conformal metric of constant curvature that suits the topology",
+    options.common.input);
   Hyperbolic_options& own = options.hyperbolic;
   add_texture_output(command, own);
   add_tiling(command, own);
@@ -380,7 +385,7 @@ void add_sphere(CLI::App& app, Options& options)
              "off, obj, ply or vtp");
   command.add_option(
     "--precise", own.precise,
-    "Text file for the positions of the input vertices in all digits: index x y z");
+    "Text file for the positions of the input vertices with 36 digits: index x y z");
   add_common_options(command, options.common);
   command.footer(Help::sphere);
 }
@@ -390,7 +395,7 @@ void add_target(CLI::App& command, Simplify_options& options)
   CLI::App& target = *command.add_option_group("Target", "Where to stop");
   target.add_option("--vertices", options.number_of_vertices, "Number of vertices to be left")
     ->check(CLI::PositiveNumber);
-  add_number(target, "--ratio", options.ratio, "The same as a part of the vertices of the mesh",
+  add_number(target, "--ratio", options.ratio, "Part of the vertices to be left",
              CLI::Range(1e-9, 1.));
   add_number(target, "--error", options.maximum_cost, "Greatest cost of a removal, a length",
              CLI::NonNegativeNumber);
@@ -412,9 +417,9 @@ void add_simplify_outputs(CLI::App& command, Options& options)
 void add_topology(CLI::App& command, Simplify_options& own)
 {
   add_number(command, "--close-loops", own.closed_length,
-             "Close boundary loops up to this length by disks before", CLI::NonNegativeNumber);
+             "First close boundary loops up to this length by disks", CLI::NonNegativeNumber);
   add_number(command, "--pinch-handles", own.pinched_length,
-             "Cut handles along closed curves of edges up to this length before, and close both "
+             "First cut handles along closed curves of edges up to this length, and close both "
              "sides by disks",
              CLI::NonNegativeNumber);
 }
@@ -438,7 +443,7 @@ void add_simplify(CLI::App& app, Options& options)
     ->check(CLI::Range(std::size_t(1), std::size_t(100)))
     ->capture_default_str();
   add_number(command, "--refine", own.minimum_angle,
-             "Refine to this angle in degrees before, so that there are vertices to choose from",
+             "Refine to this angle in degrees first, so that there are vertices to choose from",
              CLI::Range(0., 30.));
   add_number(command, "--min-angle", own.coarse_minimum_angle,
              "Insert vertices into the coarse triangulation until all its angles have this many "
@@ -460,7 +465,7 @@ void define_command_line(CLI::App& app, Options& options)
   app.set_version_flag("--version", version);
   app.add_flag("-q,--quiet", options.common.is_quiet, "Print errors and repairs only");
   add_number(app, "--threads", options.common.threads,
-             "Use so many threads, not all there are; the output is the same", CLI::Range(1, 1024));
+             "Maximum number of threads; the output does not depend on it", CLI::Range(1, 1024));
   app.footer(Help::examples);
   app.require_subcommand(1);
   app.fallthrough();

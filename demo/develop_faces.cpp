@@ -82,8 +82,8 @@ private:
     return {.5 + IT::scaled_foot(a, b) / l / l / 2, IT::quadrupled_area(l, a, b) / l / l / 2};
   }
 
-  // Development starts at a corner whose first edge is intrinsic too, if there is one, and whose edges
-  // are crossed least.
+  // Development starts at a corner whose first edge is intrinsic too, if there is one, and whose
+  // edges are crossed least.
   void add_input_face(IT::Face_index f)
   {
     const IT::Delta_complex& input = m_tri.input_mesh();

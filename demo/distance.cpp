@@ -72,7 +72,7 @@ std::int64_t checked_vertex(const std::string& text, const std::string& path,
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
   if(error == std::errc::invalid_argument || end != text.data() + text.size())
     throw Program_error("'" + text +
-                        "' is no point of the mesh: give a vertex, face:a,b,c or x,y,z");
+                        "' is not a point of the mesh: give a vertex, face:a,b,c or x,y,z");
   if(error != std::errc() || n < 0 || n > last)
     throw Program_error(path + ": there is no vertex " + text +
                         " to be a source; the vertices are 0 to " + std::to_string(last));
@@ -89,7 +89,7 @@ Sources parsed_sources(const Distance_options& options, const std::string& path,
       result.vertices.push_back(checked_vertex(text, path, input));
     else if(input.covered && text.find(':') != std::string::npos)
       throw Program_error("'" + text +
-                          "' is no point of the mesh: on triangles that are no surface, "
+                          "' is not a point of the mesh: on triangles that are not a surface, "
                           "give a vertex or x,y,z");
     else
       result.points.push_back(surface_point_nearby(text, input.mesh));
@@ -201,7 +201,7 @@ std::vector<double> interpolated(const std::vector<double>& values, const Subdiv
   return result;
 }
 
-// A vertex by its number.
+// A vertex by its index.
 Statistics description(const Sources& sources)
 {
   Statistics result = Statistics::array();

@@ -169,8 +169,8 @@ bool has_area(const Point& p, const Point& q, const Point& r)
   return 2 * std::sqrt(CGAL::squared_area(p, q, r)) > rounding * longest;
 }
 
-// Calls `visit` with each polygon and the orientation in the plane of each triangle into which it is
-// cut, unless rounding may have taken all its area in space.
+// Calls `visit` with each polygon and the orientation in the plane of each triangle into which it
+// is cut, unless rounding may have taken all its area in space.
 template <class Visit>
 void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
 {

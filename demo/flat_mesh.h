@@ -24,7 +24,7 @@
 // - of an edge: the edges of the three triangulations of which it is a part, and whether its two
 //   faces are apart in the plane;
 // - of a face: the faces of the three of which it is a part.
-// In the edges and faces of the input, these have their numbers; those of the other two are of the
+// In the edges and faces of the input, these have their indices; those of the other two are of the
 // double, if there is a boundary.
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
                       const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,

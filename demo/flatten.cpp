@@ -49,11 +49,11 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
 #endif
   if(is_exact && options.solver == "cetm")
     throw Program_error(
-      "--exact: --solver cetm makes no triangulation Delaunay; leave out one of both");
+      "--exact: --solver cetm makes no triangulation Delaunay; leave out one of them");
   if(options.cones.empty())
     options.cones = is_shape(options.boundary[0]) ? "none" : "greedy";
   if(options.maximum_log_scale && options.cones != "greedy")
-    throw Program_error("--max-log-scale is for --cones greedy; leave out one of both");
+    throw Program_error("--max-log-scale is for --cones greedy; leave out one of them");
   return options;
 }
 

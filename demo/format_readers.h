@@ -8,8 +8,9 @@
 #include "Mesh_reader.h"
 #include "Scanner.h"
 
-// The readers of the formats add what the scanner has to the soup. They throw Program_error if the file does not follow the format. Memory is taken
-// for what was read, not for what a file announces.
+// The readers of the formats add what the scanner has to the soup. They throw Program_error if the
+// file does not follow the format. Memory is taken for what was read, not for what a file
+// announces.
 
 // With polylines, of .ply the edges, unless `lines` is null.
 void read_obj(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);

@@ -21,67 +21,67 @@ const char* const examples =
   intrinsic sphere bunny.obj -o sphere.ply
   intrinsic simplify bunny.obj -o coarse.ply --ratio 0.02
 
-Colors, normals, texture coordinates and numbers at the vertices of a mesh, and the groups and
-materials of faces of .obj files, are carried to the meshes that are written, as far as their format
-has them.
+Colors, normals, texture coordinates and functions at the vertices of a mesh, and the groups and
+materials of faces of .obj files, are carried to the meshes that are written, if their format
+supports them.
 
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
 
 const char* const view =
   R"(The page is one file that opens in any browser with WebGL 2, without a network. It shows the
-meshes beside each other, turned alike, with what is wrong in red. Clicking on a point shows where
-it is. Keys are explained in the page.
+meshes side by side, turned together, with their defects in red. Clicking on a point shows its
+place. The page explains the keys.
 
 All other commands write such a page with --view FILE.html: the surface with the edges of its
-triangulations, colored by scale factors, distances or curvature, by functions of the input, or by
-faces; its image in the plane, on the sphere or in the Poincare disk; with a checkerboard, drawn by
-projective or linear interpolation; histograms of angles before and after, and the statistics. Pages
-of large meshes draw intrinsic edges without the common subdivision; --direct asks for this.
+triangulations, colored by scale factors, distances or curvature, by functions of the input, or
+by faces; its image in the plane, on the sphere or in the Poincare disk; with a checkerboard, by
+projective or linear interpolation; histograms of angles, and the statistics. Pages of large
+meshes draw intrinsic edges without the common subdivision, as with --direct.
 
 Example:
   intrinsic view bunny.obj scan.stl -o meshes.html)";
 
 const char* const refine =
-  R"(The result is Delaunay and is written with exit code 0 however refinement has ended. The
-status, in the statistics and in the last line on standard error, says how:
+  R"(The result is Delaunay and is written with exit code 0 whatever the status, which is in the
+statistics and in the last line on standard error:
   bounds_met              every face obeys the bounds
-  bounds_met_but_excused  those that do not are at vertices too narrow for the angle
-  insertion_limit         --max-insertions was too little; some faces are left. Lower --min-angle,
-                          or allow more if the surface is worth it
-  no_room                 floating point numbers are too coarse for the faces that are left
-On closed meshes without narrow vertices and sharp edges to keep, refinement to at most 30
-degrees is proven to end, in exact arithmetic; with boundary this is an open question, and 25
-degrees have worked on all ordinary meshes tried. Greater angles can make it insert vertices without
-end: hence the smaller default of --max-insertions. Where rounding leaves doubts, refinement goes on
-or starts again with exact decisions; the last line and "exact_decisions" in the statistics say so.
-With --exact the decisions are exact from the beginning, and the result is certified: "certified" in
-the statistics says whether it is geodesic and exactly Delaunay, "ties" how many edges could be
-flipped as well, "decisions" how the certificate was reached.
+  bounds_met_but_excused  faces that violate the bound on angles are excused by narrow vertices
+  insertion_limit         --max-insertions was reached; some faces violate the bounds. Lower
+                          --min-angle, or raise --max-insertions
+  no_room                 floating point coordinates are too coarse for the faces that are left
+On closed meshes without narrow vertices and constrained edges, refinement to at most 30 degrees
+is proven to terminate, in exact arithmetic; with boundary this is an open question, but 25
+degrees were reached on all meshes of CGAL. With greater angles it need not terminate: hence the
+smaller default of --max-insertions. If rounded lengths do not suffice, refinement starts anew
+with exact decisions; the last line and "exact_decisions" in the statistics report this. With
+--exact the decisions are exact from the beginning, and the result is certified: the statistics
+have "certified", whether it is geodesic and exactly Delaunay, "ties", the number of edges whose
+flip is Delaunay too, and "decisions", the number of decisions at each stage.
 
 Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an
 input edge with an intrinsic edge, 2 inserted vertex.
 
-With --simplicial the output is an ordinary mesh, for other programs: its vertices lie on the surface,
-its edges are straight in space, and their property "length" is that on the surface. Seams of a
-texture stay edges, unless the output is .off.
+With --simplicial the output is an ordinary mesh, for other programs: its vertices lie on the
+surface, its edges are straight in space, and their property "length" is the length on the
+surface. Seams of a texture stay edges, unless the output is .off.
 
 Examples:
   intrinsic refine scan.ply -o mesh.ply --simplicial
   intrinsic refine scan.ply -o refined.vtp --min-angle 25 --stats refined.json)";
 
 const char* const distance =
-  R"(Distances are approximate: on evenly spread vertices by some two percent on average, on
-coarse or uneven ones by more. With --exact-distance they are the lengths of shortest paths. The
-distance of a vertex that no source can reach is -1.
+  R"(Distances are approximate, with an error of about two percent on average on evenly
+distributed vertices, and more on coarse or uneven ones. With --exact-distance they are the
+lengths of shortest paths. The distance of a vertex that no source can reach is -1.
 
-A curve is what path writes, or polylines of another program: elements l of .obj, edges of .ply,
-Lines of .vtp with ascii numbers, the points of .xyz. Its points are moved to the surface and joined
-by shortest paths. With --signed,
-distances are negative on its left, as inside a loop that runs counterclockwise; gaps and single
-pieces of the wrong direction are bridged.
+A file of --curve is written by path, or has polylines of another program: elements l of .obj,
+edges of .ply, Lines of .vtp with ascii numbers, the points of .xyz. Its points are moved to the
+surface and joined by shortest paths. With --signed, distances are negative on the left of the
+curve, as inside a loop that runs counterclockwise; gaps and single segments of the wrong
+direction are bridged.
 
-Triangles need not be a surface: edges of three and more faces, vertices of several fans and any
-orientation are worked on through their tufted cover. With --neighbors points without faces are
+The triangles need not form a surface: a soup with edges of three or more faces, vertices of
+several fans and any orientation has a tufted cover. With --neighbors, points without faces are
 triangulated with their neighbors.
 
 Example:
@@ -89,16 +89,16 @@ Example:
   intrinsic distance bunny.obj --curve loop.obj --signed -o distance.vtp)";
 
 const char* const path =
-  R"(The path is the shortest of all, to rounding. With --flips it is a geodesic instead: the shortest
-path along edges from vertex to vertex, through all --via, is pulled tight where it is, and so is a
-loop with --loop. The status, in the statistics and in the last line on standard error:
+  R"(The path is shortest, up to rounding. With --flips it is a geodesic: the shortest path along
+edges from vertex to vertex, through all --via, is shortened in its homotopy class, and with
+--loop a loop. The status, in the statistics and in the last line on standard error:
   shortest             no path is shorter
-  geodesic             nowhere can it be shortened by small changes
+  geodesic             no small change shortens it
   blocked              it crosses itself, and is geodesic elsewhere
-  straightest          it has the length that was asked for
-  stopped_at_boundary  it met the boundary before
-The statistics have all its places on the mesh, and the edges of the intrinsic triangulation after
-flips, which --save writes.
+  straightest          it has the requested length
+  stopped_at_boundary  it ends at the boundary
+The statistics have all its places on the mesh and, after flips, its edges in the intrinsic
+triangulation that --save writes.
 
 Examples:
   intrinsic path bunny.obj --from 17 --to 1000:0.2,0.3,0.5 -o path.vtp
@@ -106,11 +106,12 @@ Examples:
   intrinsic path bunny.obj --from 0.1,0.2,0 --straightest 30 0.25 -o ray.ply)";
 
 const char* const transfer =
-  R"(Of --points each line of the output has two places, face:a,b,c on the mesh and on the intrinsic
-triangulation; with --back such lines are read. Of --data the output has a value for each vertex of
-the other triangulation, in lines "index value": of the linear function that is closest in the mean
-square, with the same integral. Faces and vertices of the intrinsic triangulation are those that
---save writes. Statistics say how far points or values are off after going there and back.
+  R"(With --points each line of the output has two places, face:a,b,c on the mesh and on the
+intrinsic triangulation; with --back such lines are read. With --data the output has a value for
+each vertex of the other triangulation, in lines "index value": those of the piecewise linear
+function that is closest in the L2 norm, which has the same integral. Faces and vertices of the
+intrinsic triangulation are those that --save writes. The statistics have the greatest error of
+points or values after the way there and back.
 
 Examples:
   intrinsic transfer bunny.obj --points points.txt -o places.txt
@@ -128,8 +129,8 @@ Rows and columns of vertices are in the order of the input, inserted vertices af
 faces, two for each, and the frames of tangent vectors are those of the triangulation that --save
 writes.
 
-Triangles need not be a surface, and with --neighbors there may be points alone. Then f counts faces
-of the tufted cover, which has two for each triangle, and there is one file more:
+The triangles need not form a surface, and with --neighbors there may be points alone. Then f
+counts faces of the tufted cover, which has two for each triangle, and there is a further file:
   PREFIX_cover_vertices.mtx        values at vertices to those at vertices of the cover (c x v)
 The connection Laplacian is c x c.
 
@@ -137,32 +138,32 @@ Example:
   intrinsic operators bunny.obj --prefix bunny --save bunny.txt)";
 
 const char* const flatten =
-  R"(The map is discretely conformal: angles are kept as well as a triangle mesh can. Without
---boundary, areas on the boundary are kept too. A surface that has no boundary is cut through its
-cones.
+  R"(The map is discretely conformal. Without --boundary the boundary is not scaled. A surface
+without boundary is cut through its cones.
 
-Boundaries, after --boundary; write MESH before it:
+Values of --boundary, which must follow MESH:
   free            vertices on the boundary are not scaled (the default)
   straight        all exterior angles are zero
   scale FILE      logarithms of their scale factors are prescribed
   curvature FILE  their exterior angles are prescribed
-  rectangle       of each component: four corners; those are as far apart along the boundary as
-                  they can be while being about as sharp as its four sharpest vertices
-  disk            of each component: a circle
-Rectangles and disks are for components with one boundary; they have no cones unless they are
-asked for.
+  rectangle       each component is mapped to a rectangle; its corners are as far apart along the
+                  boundary as possible with a sum of angles of at least nine tenths of that of the
+                  four sharpest vertices
+  disk            the boundary of each component is mapped to a circle
+Rectangles and disks are for components with one boundary; they have no cones unless --cones is
+given.
 
-A FILE has lines "index value": an index of a vertex, from 0, and radians or a logarithm. What
-follows a # is a comment. Vertices that are not listed have curvature zero: inside they are flat,
-on the boundary straight. In the file of --cones the values are angle defects, 2 pi less the sum
-of angles; an empty one makes a torus flat. All curvatures must add up to 2 pi times the Euler
-characteristic, unless scale factors are prescribed somewhere.
+A FILE has lines "index value": the index of a vertex, from 0, and radians or a logarithm. What
+follows a # is a comment. Vertices that are not listed have curvature zero: they are flat inside,
+and straight on the boundary. In the file of --cones the values are angle defects, 2 pi less the
+sum of angles; an empty one makes a torus flat. All curvatures must add up to 2 pi times the
+Euler characteristic, unless scale factors are prescribed somewhere.
 
 The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
-flat triangulation. At the corners of its faces stand u and v, which are lengths in the plane, not
-limited to one. Charts of components stand beside each other. With --linear (the default, which
-every program reads) they are taken as linear on each face; the map itself is projective there,
-and exact with --homogeneous: three numbers u w, v w, w, linear on faces, to be divided after
+flat triangulation. The texture coordinates u, v at the corners of its faces are lengths in the
+plane, not limited to one. Charts of components are side by side. With --linear (the default,
+which every program reads) they are interpolated linearly; the map itself is projective on each
+face, and exact with --homogeneous: three numbers u w, v w, w, to be divided after linear
 interpolation.
   .obj  "vt u v", or "vt uw vw w"
   .ply  a list "texcoord" (or "homogeneous_texcoord") of each face, with all numbers of its
@@ -172,23 +173,23 @@ interpolation.
 its logarithmic scale factor; of faces (and in .ply of edges) of which input, intrinsic and flat
 face or edge they are a part. Edges with is_seam 1 are cut open.
 
-With --exact, the flips to the intrinsic Delaunay triangulation are decided exactly, on the surface
-of the edge lengths, and the map is certified: "certified" in the statistics says whether this
-triangulation is Delaunay, the flat one is ideal Delaunay with the scale factors as they are, and
-all crossings are in order, without a tolerance. "greatest_excess", "exchanged_crossings" and
-"undecided_crossings" say what stands against it: ties of the surface are decided by rounding.
+With --exact, the flips to the intrinsic Delaunay triangulation are decided exactly, on the
+surface of the edge lengths, and the map is certified: "certified" in the statistics says whether
+this triangulation is Delaunay, the flat one is ideal Delaunay with the scale factors as they
+are, and all crossings are in order, without a tolerance. "greatest_excess",
+"exchanged_crossings" and "undecided_crossings" are what fails: rounding decides ties.
 
 Solvers:
-  newton  Newton's method, to the last digits
-  ceres   L-BFGS of the Ceres Solver, as precise: fewer factorizations, more evaluations
-  cetm    Newton's method in the triangulation of the mesh, without any flip, for comparison.
-          There the scale factors depend on the triangulation and often do not exist; the error
-          says which condition is violated: triangle_inequality or no_minimum.
+  newton  Newton's method
+  ceres   L-BFGS of the Ceres Solver: as accurate, with fewer factorizations and more evaluations
+  cetm    Newton's method in the triangulation of the mesh, without flips, for comparison.
+          The scale factors depend on the triangulation and often do not exist; the error names the
+          violated condition, triangle_inequality or no_minimum.
 
 The file of --matrix has a sparse matrix with one row for each vertex of the output, in the order
 of .obj and .ply (.vtp repeats vertices along seams), and one column for each vertex of the mesh.
-Its product with values at the vertices of the mesh (positions, colours, logarithmic scale
-factors) is the values at the vertices of the output, linear on the faces of the mesh. Each row
+Its product with values at the vertices of the mesh (positions, colors, logarithmic scale
+factors) has the values at the vertices of the output, linear on the faces of the mesh. Each row
 has one to three weights, sum one. Rows of vertices of the mesh come first, in their order, so the
 matrix starts with the identity.
 
@@ -199,18 +200,19 @@ Examples:
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
 
 const char* const hyperbolic =
-  R"(Every component must have genus two or more, or boundaries, or cones enough; boundaries become
-geodesics, and what is laid out is the double of the surface, as far as it belongs to the mesh.
+  R"(Every component must have genus two or more, or sufficiently many boundaries or cones;
+boundaries become geodesics. The double of the surface is laid out; the output is the part of the
+mesh.
 
-The output is as that of `intrinsic flatten`, with positions in the Poincare disk. With
+The output has the format of `intrinsic flatten`, with positions in the Poincare disk. With
 --homogeneous they are x t, y t, t, in Klein's disk, where the map is exact.
 
-Statistics: the area, which is 4 pi (genus - 1); for each component its genus and the motions z ->
-(a z + b) / (conj(b) z + conj(a)) that glue the sides of its domain, as real and imaginary parts
-of a and b; a relation, the order in which their product is the identity (from 1, negative for
-inverse ones), and its error. max_gluing_error is that of the corners of the domain, radius
-how far from its middle it reaches: in double precision, positions at a distance d are good for
-1e-16 exp(d).
+Statistics: the area, which is 4 pi (genus - 1); for each component its genus and the motions z
+-> (a z + b) / (conj(b) z + conj(a)) that glue the sides of its domain, as real and imaginary
+parts of a and b; a relation, the order in which their product is the identity (from 1, negative
+for inverse ones), and its error. max_gluing_error is that of the corners of the domain; radius
+is the greatest distance from its center: in double precision, positions at a distance d have
+errors of about 1e-16 exp(d).
 
 Example:
   intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg --tiles 4 --stats pretzel.json)";
@@ -243,46 +245,46 @@ homogeneous coordinates on the polyhedron (homogeneous_x, _y, _z, _w), which are
 of faces (and in .ply of edges) of which input, intrinsic and sphere face or edge they are a part.
 A disk has its image in the unit disk as texture coordinates.
 
-Long limbs have small images. Where the digits of the output are too few for them, triangles lose
-their convexity or are flipped: lost_in_output in the statistics says how many. --precise writes
-the positions of the input vertices with 36 digits.
+Long limbs have small images. By rounding of the output, triangles can lose their convexity or be
+flipped: lost_in_output in the statistics counts them. --precise writes the positions of the input
+vertices with 36 digits.
 
-Vertices without faces stay, at (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
+Vertices without faces are (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
 zero. If the image is not convex, nothing is written.
 
 Example:
   intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";
 
 const char* const simplify =
-  R"(Vertices are removed one after the other, the one of least cost first. Nothing moves in space:
-what is left is an intrinsic triangulation, Delaunay, of a surface close to the mesh in its
-distances. The cost of a vertex is a length: how far its curvature, area, or both times their
-weights, will have been moved, times the part of the whole that this is. With a weight of color
-(in .ply, .off and .obj) or any other numbers at the vertices (properties in .ply, by their names) their
-Laplacian is moved too, so that more vertices stay where their gradients change. --error ends with
-the last vertex whose cost is not above. Where vertices cannot be removed any more, simplification
-ends early, with exit code 0 and the status "nothing_removable" in the statistics. Vertices
-without faces stay; --vertices and --ratio do not count them.
+  R"(Vertices are removed one by one, the one of least cost first. The result is an intrinsic
+Delaunay triangulation of a surface whose distances are close to those of the mesh; vertices keep
+their positions. The cost of a removal is a length: the distance by which curvature and area,
+with their weights, have been moved, times their part of the whole. With a weight of color (in
+.ply, .off and .obj) or of any function at the vertices (properties in .ply, by their names), its
+Laplacian is moved too, so that more vertices stay where its gradient changes. --error is the
+greatest cost of a removal. If no vertex can be removed, simplification ends early, with exit
+code 0 and the status "nothing_removable" in the statistics. Vertices without faces stay;
+--vertices and --ratio do not count them.
 
-With --min-angle, vertices are inserted into the coarse triangulation in the end until its angles
-obey the bound, or faces are at vertices too narrow for that, as by `intrinsic refine`. All output
-is about the refined coarse triangulation.
+With --min-angle, vertices are finally inserted into the coarse triangulation until its angles
+obey the bound, except at narrow vertices, as by `intrinsic refine`. All output is about the
+refined coarse triangulation.
 
-With --close-loops and --pinch-handles the topology of the mesh becomes simpler before: boundary
-loops up to a length are closed, and handles are cut along closed curves of edges up to a length,
-the shortest first, and closed on both sides. What closes a loop is a disk of triangles around a
-new vertex. The rest of the mesh stays as it is. Faces of the disks have -1 as "input_face"; in the
-output their vertex is in the middle of the others, to be seen, but lengths are those of the disk.
-The lengths are in the units of the mesh.
+With --close-loops and --pinch-handles the topology is simplified first: boundary loops up to a
+length are closed, and handles are cut along closed curves of edges up to a length, the shortest
+first, and closed on both sides, each by a disk of triangles around a new vertex. The rest of the
+mesh does not change. Faces of the disks have -1 as "input_face"; in the output their vertex is
+in the middle of the others, but lengths are those of the disk. Lengths are in the units of the
+mesh.
 
-With --exact, refinement before and the intrinsic Delaunay triangulation from which vertices are
-removed are decided exactly and certified, as by `intrinsic delaunay --exact`; removals change the surface,
-by rounded numbers, and are not.
+With --exact, the refinement before and the intrinsic Delaunay triangulation from which vertices
+are removed are decided exactly and certified, as by `intrinsic delaunay --exact`. Removals
+change the surface by rounded numbers, and are decided in floating point.
 
 The output is the common subdivision of the mesh and the coarse triangulation. In .ply and .vtp
 faces have the properties "coarse_face" and "input_face", and a color by which adjacent coarse
 faces differ; in .ply edges have "coarse_edge" and "input_edge", or -1, and .vtp has the coarse
-edges as poly-lines. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input
+edges as polylines. Vertices have the properties "coarse_vertex", or -1, and "kind": 0 input
 vertex, 1 crossing of a coarse edge with an edge, 2 inserted vertex, 3 bend of a coarse edge
 inside a face. With --refine more edges lead to the inserted vertices, within the
 faces of the mesh.
@@ -294,8 +296,8 @@ the mesh that are left, in their order. Vertices inserted by --refine follow tho
 they can be coarse vertices, but have no rows in the first matrix. Those of --min-angle are the
 last of the coarse vertices.
 
---save writes all levels and the operations between them; with --refine, the mesh with the
-inserted vertices before.
+--save writes all levels and the operations between them, with --refine after the mesh with the
+inserted vertices.
 
 Example:
   intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --weight area=0.5)"

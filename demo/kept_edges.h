@@ -13,8 +13,8 @@ using Edge_bool_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 // A face without area has no normal and makes no edge sharp.
 void mark_sharp_edges(const Mesh& mesh, double degrees, Edge_bool_map is_kept);
 
-// Marks the edges at which the texture coordinates of the two faces differ. The data are of the faces of
-// the mesh.
+// Marks the edges at which the texture coordinates of the two faces differ. The data are of the
+// faces of the mesh.
 void mark_seams(const Mesh_data& data, const Mesh& mesh, Edge_bool_map is_kept);
 
 #endif // INTRINSIC_KEPT_EDGES_H

@@ -45,7 +45,7 @@ Stages map_stages(bool has_cones);
 // Throws Program_error if the format has no texture coordinates.
 Mesh_format format_with_texture(const Output_options& options);
 
-// Throws std::runtime_error, with the errors that are left, if a map is no success.
+// Throws std::runtime_error, with the errors that are left, if a map is not a success.
 void check_status(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
 
 // Adds the range of the logarithmic scale factors, which vertices without faces have not, the
@@ -54,9 +54,9 @@ void describe_sizes(Statistics& statistics,
                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
                     const Mesh& input, const Output_mesh& result);
 
-// Shows the common subdivision of a map on a page, with scale factors, the curvature of the input and
-// the distortion of the map, and histograms of the angles of the input and its intrinsic Delaunay
-// triangulation.
+// Shows the common subdivision of a map on a page, with scale factors, the curvature of the input
+// and the distortion of the map, and histograms of the angles of the input and its intrinsic
+// Delaunay triangulation.
 void show(View_page& page, Command_run& run,
           const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, Output_mesh mesh,
           Image_kind kind);

@@ -29,7 +29,8 @@ constexpr std::string_view ignored_keywords[] = {
 // The lines that begin a group of faces: each stays until the next with its keyword.
 constexpr std::array<std::string_view, 3> group_keywords = {"o", "g", "usemtl"};
 
-// The index of texture coordinates or a normal, as an offset from the first; nothing if there is none.
+// The index of texture coordinates or a normal, as an offset from the first; nothing if there is
+// none.
 std::optional<std::int64_t> offset(std::string_view index, std::size_t number_so_far)
 {
   std::int64_t i = 0;
@@ -164,7 +165,7 @@ private:
             std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
               std::end(ignored_keywords)) {
       m_in.return_to(start);
-      m_in.fail("'" + std::string(key) + "' is no keyword of .obj; begin a comment with #");
+      m_in.fail("'" + std::string(key) + "' is not a keyword of .obj; begin a comment with #");
     }
     m_in.skip_line();
   }
@@ -192,8 +193,8 @@ private:
     polygons.close();
   }
 
-  // A negative index counts back from the last vertex so far; a positive one may be of a vertex that
-  // follows.
+  // A negative index counts back from the last vertex so far; a positive one may be of a vertex
+  // that follows.
   std::size_t read_index()
   {
     const Scanner::Place start = m_in.place();

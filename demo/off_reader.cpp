@@ -225,7 +225,7 @@ private:
     }
   }
 
-  // Some files have no number of color components after each face, as they should.
+  // Some files lack the number of color components after each face.
   bool are_without_colors()
   {
     const Scanner::Place start = m_in.place();

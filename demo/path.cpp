@@ -109,7 +109,7 @@ private:
     }
     if(m_options.is_loop == !m_options.to.empty())
       throw Program_error(m_options.is_loop
-                            ? "a loop goes back to --from and has no --to; leave out one of both"
+                            ? "a loop goes back to --from and has no --to; leave out one of them"
                             : "--to or --loop is missing; say where the path ends");
     if(!m_options.via.empty() && !uses_flips())
       throw Program_error("--via is for --flips and --loop; add one of them");

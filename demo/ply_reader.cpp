@@ -182,8 +182,9 @@ private:
     for(std::size_t t = 0; t < types.size(); ++t)
       if(m_in.accept(types[t].name) || m_in.accept(types[t].other_name))
         return static_cast<Number_type>(t);
-    m_in.fail("there is no such type of numbers; there are char, short, int, float and double, and "
-              "uchar, ushort and uint");
+    m_in.fail(
+      "this type of numbers does not exist; there are char, short, int, float and double, and "
+      "uchar, ushort and uint");
   }
 
   // ---- Numbers ----
@@ -208,7 +209,7 @@ private:
     }
   }
 
-  // None if the number is no index.
+  // None if the number is not an index.
   std::size_t read_index(Number_type type)
   {
     const double x = read_number(type);
@@ -314,7 +315,8 @@ private:
       list.numbers.push_back(read_number(property.type));
   }
 
-  // Those that have a number for each polygon. Numbers for other corners than there are do not count.
+  // Those that have a number for each polygon. Numbers for other corners than there are do not
+  // count.
   void add_corner_lists()
   {
     for(auto& [name, list] : m_corner_lists)

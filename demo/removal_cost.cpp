@@ -50,7 +50,7 @@ Cost_weights::Cost_weights(const std::vector<std::string>& texts)
   }
   if(m_weights["curvature"] == 0 && m_weights["area"] == 0 && !has_functions())
     throw Program_error(
-      "--weight: area_change alone is no cost; give another weight that is positive");
+      "--weight: area_change alone is not a cost; give another weight that is positive");
 }
 
 void Cost_weights::read_functions(const std::string& path)

@@ -188,7 +188,7 @@ private:
     return make_triangulation(m_run);
   }
 
-  // Its faces and edges come first after that, with their numbers.
+  // Its faces and edges come first after that, with their indices.
   Triangulation mended(Triangulation start)
   {
     m_fine_edges = start.mesh().number_of_edges();

@@ -10,8 +10,8 @@
 
 #include <string>
 
-// Shows polygons as a file gives them, with all their defects in red. Those that name points that do
-// not exist are left out.
+// Shows polygons as a file gives them, with all their defects in red. Those that name points that
+// do not exist are left out.
 void show(View_page& page, const std::string& name, const Polygon_soup& soup);
 
 #endif // INTRINSIC_SOUP_VIEW_H

@@ -21,7 +21,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why)
 {
-  throw Program_error("'" + text + "' is no point of the mesh: " + why);
+  throw Program_error("'" + text + "' is not a point of the mesh: " + why);
 }
 
 std::optional<double> number(const std::string& word)
@@ -40,7 +40,7 @@ std::vector<double> numbers(const std::string& list, const std::string& text)
   for(std::string word; std::getline(words, word, ',');) {
     const auto n = number(word);
     if(!n)
-      refuse(text, "'" + word + "' is no number; give a vertex, face:a,b,c or x,y,z");
+      refuse(text, "'" + word + "' is not a number; give a vertex, face:a,b,c or x,y,z");
     result.push_back(*n);
   }
   return result;
@@ -211,5 +211,6 @@ IT::Vertex_index vertex_at(const Surface_location& p, const std::string& text, c
   for(std::size_t k = 0; k < 3; ++k)
     if(p.second[(k + 1) % 3] == 0 && p.second[(k + 2) % 3] == 0)
       return corner[k];
-  throw Program_error("'" + text + "' is no vertex: --flips and --loop go from vertex to vertex");
+  throw Program_error("'" + text +
+                      "' is not a vertex: --flips and --loop go from vertex to vertex");
 }

@@ -16,12 +16,13 @@
 
 using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 
-// The point of the mesh that `text` stands for: a vertex by its number, "face:a,b,c" with
+// The point of the mesh that `text` stands for: a vertex by its index, "face:a,b,c" with
 // barycentric coordinates in the order of the corners of the face, or "x,y,z", the nearest point of
 // the mesh. Throws Program_error if it stands for none.
 Surface_location surface_point(const std::string& text, const Mesh& mesh);
 
-// The point "face:a,b,c" of a triangulation with so many faces. Throws Program_error if there is none.
+// The point "face:a,b,c" of a triangulation with so many faces. Throws Program_error if there is
+// none.
 Surface_location face_point(const std::string& text, std::size_t number_of_faces);
 
 // The barycentric coordinates of the point of a triangle that is nearest to `p`.
@@ -51,7 +52,8 @@ private:
   double m_tolerance;
 };
 
-// As surface_point(), but a point "x,y,z" further away than the tolerance of a Point_finder is none.
+// As surface_point(), but a point "x,y,z" further away than the tolerance of a Point_finder is
+// none.
 Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh);
 
 // The vertex at `p`. Throws Program_error, which names the point `text`, if there is none.

@@ -56,7 +56,7 @@ std::vector<std::string> read_words(const std::string& path, bool is_last)
   if(file.bad())
     throw Program_error(path + ": cannot be read");
   if(result.empty())
-    throw Program_error(path + ": has no points; write one to a line");
+    throw Program_error(path + ": has no points; write one in each line");
   return result;
 }
 

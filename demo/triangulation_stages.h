@@ -84,8 +84,9 @@ Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
 void show(View_page& page, Command_run& run, const Triangulation& triangulation,
           const Subdivision& subdivision, Output_mesh mesh);
 
-// Lets the page draw the surface that was shown last without the subdivision, if that is large or it is
-// wanted; not if lengths were mollified, as the page takes those of the input from its points.
+// Lets the page draw the surface that was shown last without the subdivision, if that is large or
+// it is wanted; not if lengths were mollified, as the page takes those of the input from its
+// points.
 void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
                       const Subdivision& subdivision);
 

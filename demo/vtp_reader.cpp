@@ -69,7 +69,7 @@ private:
     Scanner::Place place;
   };
 
-  // Goes on to the next tag that is no comment.
+  // Goes on to the next tag that is not a comment.
   Tag next_tag()
   {
     for(;;) {

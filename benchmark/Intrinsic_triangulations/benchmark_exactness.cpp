@@ -4,8 +4,8 @@
 
 // What exactness costs: construction and flips in `double` and with exact decisions, which take
 // turns, and the certificate of the former; with the decisions of the certificate by stage. On
-// meshes named as arguments, or on CGAL's own and a grid of 100,000 squares in a rotated plane, each
-// of which is a tie.
+// meshes named as arguments, or on CGAL's own and a grid of 100,000 squares in a rotated plane,
+// each of which is a tie.
 
 #include "measure.h"
 

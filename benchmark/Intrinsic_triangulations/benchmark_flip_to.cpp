@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Flips that follow integer coordinates alone against crossings (Figure 3.8): from a random
-// triangulation T2 to the input T1, and from T2 to another one T3; then from T2 refined to angles of
-// 25 degrees to T3 refined to 28. On meshes named as arguments, or on CGAL's own. The last columns
-// tell how the flips grow with the crossings from line to line, as an exponent.
+// triangulation T2 to the input T1, and from T2 to another one T3; then from T2 refined to angles
+// of 25 degrees to T3 refined to 28. On meshes named as arguments, or on CGAL's own. The last
+// columns have the exponents of the growth of flips with crossings from line to line.
 
 #include "measure.h"
 

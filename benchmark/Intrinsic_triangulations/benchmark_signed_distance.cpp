@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances by heat to circles on a square, signed and not, and to a point inside a face: mean errors
-// in edge lengths, and CPU times beside those of the distance to a vertex.
-// Usage: benchmark_signed_distance [greatest number of cells along a side]
+// Distances by heat to circles on a square, signed and not, and to a point inside a face: mean
+// errors in edge lengths, and CPU times beside those of the distance to a vertex. Usage:
+// benchmark_signed_distance [greatest number of cells along a side]
 
 #include "measure.h"
 

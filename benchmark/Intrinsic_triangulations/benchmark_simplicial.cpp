@@ -2,10 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Refines until triangulations are simplicial, writes them as ordinary meshes, and reads these back:
-// are they valid for CGAL, without loops and double edges, what was written, Delaunay, and of the
-// angles asked for?
-// Usage: benchmark_simplicial [--min-angle DEGREES] [mesh...]
+// Refines until triangulations are simplicial, writes them as ordinary meshes, and reads these
+// back: are they valid for CGAL, without loops and double edges, what was written, Delaunay, and of
+// the angles asked for? Usage: benchmark_simplicial [--min-angle DEGREES] [mesh...]
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/angles.h>

@@ -2,14 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Laplacian, mass and distances by the tufted cover beside those of the ordinary way, from triangles
-// to the result, on meshes named as arguments or on CGAL's own. The cover is that of the triangles
-// of the mesh without their orientation, and with a fin at every hundredth edge; the ordinary way
-// has a mesh first, with or without the time to make it.
+// Laplacian, mass and distances by the tufted cover beside those of the ordinary way, from
+// triangles to the result, on meshes named as arguments or on CGAL's own. The cover is that of the
+// triangles of the mesh without their orientation, and with a fin at every hundredth edge; the
+// ordinary way has a mesh first, with or without the time to make it.
 //
 // Without arguments the same follows for 300 soups with as many faces as the meshes that they were
-// made from: an eighth of the faces are fins at edges with three to seven faces, lie on other faces,
-// touch a vertex only, or form Moebius bands; faces have random orientations.
+// made from: an eighth of the faces are fins at edges with three to seven faces, lie on other
+// faces, touch a vertex only, or form Moebius bands; faces have random orientations.
 
 #include "../../test/Intrinsic_triangulations/soups.h"
 #include "measure.h"

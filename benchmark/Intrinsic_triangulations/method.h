@@ -25,7 +25,7 @@ using IT::Face_index;
 using IT::Halfedge_index;
 using IT::Vertex_index;
 
-// A method has come to a result that is no triangulation or no subdivision of the surface.
+// A method has come to a result that is not a triangulation or no subdivision of the surface.
 class Failure : public IT::Error
 {
 public:

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplifies a surface to a twentieth of its vertices, takes a point there and back, and compares the
-// solution of a Poisson equation on the coarse surface with the fine solution.
+// Simplifies a surface to a twentieth of its vertices, takes a point there and back, and compares
+// the solution of a Poisson equation on the coarse surface with the fine solution.
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_level.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Computes distances on the intrinsic Delaunay triangulation of an OpenMesh, and keeps them in a property
-// of its vertices.
+// Computes distances on the intrinsic Delaunay triangulation of an OpenMesh, and keeps them in a
+// property of its vertices.
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -19,7 +19,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Simple_cartesian<double>::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
 
-// `mesh` has no removed elements, so its halfedges have the same numbers in T1.
+// `mesh` has no removed elements, so its halfedges have the same indices in T1.
 Point position(const IT::Edge_point<double>& p, const Mesh& mesh)
 {
   const Point &source = mesh.point(mesh.source(p.halfedge)),

@@ -25,7 +25,7 @@ namespace CGAL {
 
 namespace Intrinsic_triangulations::internal {
 
-// Faces of T2 have colors; its edges are red, those of T1 grey.
+// Faces of T2 have colors; its edges are red, those of T1 gray.
 template <typename Subdivision>
 class Subdivision_viewer_qt : public Basic_viewer_qt
 {
@@ -63,9 +63,9 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
 /// opens a new window and draws \f$T_2\f$ on the surface of \f$T_1\f$: the faces of the common
 /// subdivision with a color for each face of \f$T_2\f$, the edges of \f$T_2\f$ in red over those of
-/// \f$T_1\f$ in grey. It returns when the user closes the window. As other functions `draw()` of CGAL
-/// it requires `CGAL_Qt5`, and is only available if the macro `CGAL_USE_BASIC_VIEWER` is defined, which
-/// the CMake target `CGAL::CGAL_Basic_viewer` does; so far with CGAL 5.
+/// \f$T_1\f$ in gray. It returns when the user closes the window. As other functions `draw()` of
+/// CGAL it requires `CGAL_Qt5`, and is only available if the macro `CGAL_USE_BASIC_VIEWER` is
+/// defined, which the CMake target `CGAL::CGAL_Basic_viewer` does; so far with CGAL 5.
 ///
 /// \param tri the triangulation
 /// \param positions a readable property map from the vertices of \f$T_1\f$ to points of a kernel

@@ -18,7 +18,7 @@
 
 namespace Test_surfaces {
 
-// CGAL's data files that are no triangulated surface as they stand, with the defect by which a
+// CGAL's data files that are not triangulated surfaces as they are, with the defect by which a
 // diagnosis begins. All others are surfaces.
 inline const std::map<std::string, std::string>& refused_data_meshes()
 {

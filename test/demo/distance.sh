@@ -136,7 +136,7 @@ expect 0 distance square.mesh.off --source 3 --source 7:0.2,0.3,0.5 --source 0.9
   --stats a.json --view a.html --picture a.svg
 claim "s = json('a.json').sources" 's[0] == 3' "s[1] == {'face': 7, 'barycentric': [0.2, 0.3, 0.5]}"
 expect 2 distance square.mesh.off --source 0,0,3 -o a.ply
-says "'0,0,3' is no point of the mesh: it is 3.000000 away from it, more than 0.070711"
+says "'0,0,3' is not a point of the mesh: it is 3.000000 away from it, more than 0.070711"
 expect 2 distance square.mesh.off --source 0:1,1,1 -o a.ply
 expect 2 distance square.mesh.off --source 99999:1,0,0 -o a.ply
 rm a.* b.*

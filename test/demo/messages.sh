@@ -98,14 +98,14 @@ done <<'TABLE'
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off
 2 | there is no vertex 0 | info index.mesh.obj
-2 | 'what' is no keyword of .obj; begin a comment with # | info word.mesh.obj
+2 | 'what' is not a keyword of .obj; begin a comment with # | info word.mesh.obj
 2 | 'ply' expected | info a.mesh.ply
 2 | 'format' expected | info b.mesh.ply
 2 | the format is none of ascii, binary_little_endian and binary_big_endian | info c.mesh.ply
 2 | 'element', 'property', 'comment' or 'end_header' expected | info d.mesh.ply
 2 | a property comes before any element | info e.mesh.ply
 2 | the size of a list is an integer | info f.mesh.ply
-2 | there is no such type of numbers | info g.mesh.ply
+2 | this type of numbers does not exist | info g.mesh.ply
 2 | a number of elements is negative | info h.mesh.ply
 2 | a number of elements is negative | info negative.mesh.off
 2 | a number of elements is negative; the first line counts vertices, faces and edges | info binary.mesh.off
@@ -130,11 +130,11 @@ done <<'TABLE'
 2 | is the input, which is never overwritten | delaunay flat.mesh.off -o flat.mesh.off
 2 | is named for two outputs | delaunay flat.mesh.off -o a.ply --stats a.ply
 2 | this format cannot carry distances (.ply and .vtp can) | distance flat.mesh.off --source 0 -o a.off
-2 | ' is no point of the mesh: on triangles that are no surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
+2 | ' is not a point of the mesh: on triangles that are not a surface, give a vertex or x,y,z | distance edge_of_three.mesh.off --source 0:1,0,0 -o a.ply
 2 | has no signed distance: no part of the curve is on its component (draw one there; --repair removes isolated vertices) | distance two_triangles.mesh.off --curve line.obj --signed -o a.ply
 2 | --section is for --picture; add one | delaunay flat.mesh.off -o a.ply --section 0 1
 2 | --section: the radius is a finite number above zero | delaunay flat.mesh.off -o a.ply --picture a.svg --section 0 0
-2 | --section: on triangles that are no surface, the point is x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
+2 | --section: on triangles that are not a surface, the point is x,y,z | operators edge_of_three.mesh.off --prefix a --picture a.svg --section 0 1
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
@@ -170,17 +170,17 @@ done <<'TABLE'
 2 | there is no path from 0 to 4 | path two_triangles.mesh.off --from 0 --to 4 -o a.obj
 2 | there is no path from 0 to 4 | path two_triangles.mesh.off --from 0 --to 4 --flips -o a.obj
 2 | the path contracts to a point | path pillow.mesh.off --from 0 --loop --via 1 --via 2 -o a.obj
-2 | 'x' is no point of the mesh | path flat.mesh.off --from x --to 1 -o a.obj
+2 | 'x' is not a point of the mesh | path flat.mesh.off --from x --to 1 -o a.obj
 2 | vertex 3 has no face | path apart.mesh.off --from 3 --to 1 -o a.obj
 2 | barycentric coordinates are not negative and sum up to 1 | path flat.mesh.off --from 0:1,1,1 --to 1 -o a.obj
 2 | the faces are 0 to 31 | path flat.mesh.off --from 99:1,0,0 --to 1 -o a.obj
 2 | give a vertex, face:a,b,c or x,y,z | path flat.mesh.off --from 0,1 --to 1 -o a.obj
-2 | is no vertex: --flips and --loop go from vertex to vertex | path flat.mesh.off --from .3,.1,0 --to 1 --flips -o a.obj
+2 | is not a vertex: --flips and --loop go from vertex to vertex | path flat.mesh.off --from .3,.1,0 --to 1 --flips -o a.obj
 2 | has no faces | path lonely.mesh.off --from 0 --to 1 -o a.obj
 2 | cannot be read | flatten flat.mesh.off -o a.obj --cones folder.off
 2 | a weight is a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=-1
 2 | is not NAME=W | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area
-2 | area_change alone is no cost | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0 --weight curvature=0
+2 | area_change alone is not a cost | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0 --weight curvature=0
 2 | --levels needs --vertices or --ratio | simplify flat.mesh.off -o a.ply --error 0.1 --levels 3
 2 | the mesh had to be repaired, and its vertices are not those of the file | simplify repeated.mesh.off --repair -o a.ply --ratio 0.5 --weight color=1
 2 | vertices have no property 'heat' (.ply can have properties) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight heat=1

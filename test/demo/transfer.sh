@@ -57,7 +57,7 @@ expect 2 transfer sheared.mesh.off --points empty.mesh.txt -o a.txt
 says 'has no points'
 printf '99999\n' >wrong.mesh.txt
 expect 2 transfer sheared.mesh.off --points wrong.mesh.txt -o a.txt
-says "'99999' is no point of the mesh"
+says "'99999' is not a point of the mesh"
 printf '0,0,99\n' >wrong.mesh.txt
 expect 2 transfer sheared.mesh.off --points wrong.mesh.txt -o a.txt
 expect 2 transfer sheared.mesh.off --points wrong.mesh.txt --back -o a.txt

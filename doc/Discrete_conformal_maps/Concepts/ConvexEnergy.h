@@ -6,8 +6,8 @@
 /// \cgalConcept
 ///
 /// is a convex function of many variables, twice continuously differentiable. It is moved to a
-/// point and then asked for what is needed there, so that it can change a state that belongs to the
-/// point (a triangulation, for example) and need not compute what nobody wants.
+/// point and then queried there, so that it can change a state that belongs to the
+/// point (a triangulation, for example), and computes only what is requested.
 ///
 /// It may become linear far away. Along some directions it may be constant: see
 /// `CGAL::Discrete_conformal_maps::Minimization_domain`.

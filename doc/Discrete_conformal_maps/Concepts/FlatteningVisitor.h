@@ -19,8 +19,8 @@ public:
   /// in `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only; where the minimization is
   /// repeated (after a further cone, or in extended precision), iterations are counted from one
   /// again. On a surface without boundary, `flatten()` has the layout before the subdivision, which
-  /// takes less memory. In `CGAL::Discrete_conformal_maps::map_to_sphere()` the stages of optimization and
-  /// layout come first, and more than once if the first result is not good. An exception leaves
-  /// `flatten()`.
+  /// takes less memory. In `CGAL::Discrete_conformal_maps::map_to_sphere()` the stages of
+  /// optimization and layout come first, and more than once if the first result is not good. An
+  /// exception leaves `flatten()`.
   void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
 };

@@ -8,8 +8,8 @@
 /// says how bad it is to remove a vertex. `CGAL::Intrinsic_simplification::simplify()` removes the
 /// vertex of least cost first.
 ///
-/// A cost is computed anew when the star of the vertex has changed, by the removal of a neighbor or a
-/// flip after it (Algorithm 6). So if it is a function of the star alone, the cheapest vertex is
+/// A cost is computed anew when the star of the vertex has changed, by the removal of a neighbor or
+/// a flip after it (Algorithm 6). So if it is a function of the star alone, the cheapest vertex is
 /// removed each time. If it also depends on what `after_removal()` changes at the neighbors, it is
 /// computed anew only when the vertex comes first; if it has become smaller by such a change, the
 /// vertex may be removed later than it should.

@@ -5,9 +5,9 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// is a Euclidean geometry with lengths of type `double` in which decisions are exact: where lengths
-/// leave a doubt, they are derived from the exact metric of the input. Stored lengths have a relative
-/// error of at most \f$2^{-40}\f$, and the predicates on lengths take this into account.
+/// is a Euclidean geometry with lengths of type `double` in which decisions are exact: where
+/// lengths leave a doubt, they are derived from the exact metric of the input. Stored lengths have
+/// a relative error of at most \f$2^{-40}\f$, and the predicates on lengths take this into account.
 ///
 /// \cgalRefines{IntrinsicGeometryTraitsWithDistance}
 ///
@@ -17,13 +17,14 @@
 class ExactIntrinsicGeometryTraits
 {
 public:
-  /// the type of exact squared lengths: a model of `Field` and `RealEmbeddable` with exact signs. It
-  /// is constructible from `double`, exactly.
+  /// the type of exact squared lengths: a model of `Field` and `RealEmbeddable` with exact signs.
+  /// It is constructible from `double`, exactly.
   typedef unspecified_type Exact_number;
 
-  /// provides `Uncertain<bool> operator()(const Diamond<double>& length) const`, which returns whether
-  /// the edge \f$ij\f$ satisfies the local Delaunay condition, if lengths determine that, and `bool
-  /// is_certain(const Diamond<double>& length) const`, which returns whether it certainly does.
+  /// provides `Uncertain<bool> operator()(const Diamond<double>& length) const`, which returns
+  /// whether the edge \f$ij\f$ satisfies the local Delaunay condition, if lengths determine that,
+  /// and `bool is_certain(const Diamond<double>& length) const`, which returns whether it certainly
+  /// does.
   typedef unspecified_type Is_locally_Delaunay;
 
   /// returns the function object.

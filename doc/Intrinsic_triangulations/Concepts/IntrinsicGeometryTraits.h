@@ -5,8 +5,8 @@
 /// \ingroup PkgIntrinsicTriangulationsConcepts
 /// \cgalConcept
 ///
-/// is what an intrinsic triangulation needs to know of its geometry: numbers, how the length of an
-/// edge comes out of a flip, when an edge is Delaunay, and how a strip of triangles is laid out.
+/// determines the geometry of an intrinsic triangulation: number types, the length of a flipped
+/// edge, the local Delaunay condition, and the layout of a strip of triangles.
 ///
 /// A model is default constructible, copy constructible and assignable. The function objects are
 /// obtained from a constant object and called through a constant reference. `Diamond<FT>` holds the
@@ -39,7 +39,7 @@ public:
   typedef unspecified_type Geodesic_strip;
 
   /// provides `FT operator()(const Diamond<FT>& length) const`, which returns the length of the
-  /// edge \f$kl\f$ that replaces \f$ij\f$. A result that is no length is allowed; it is refused
+  /// edge \f$kl\f$ that replaces \f$ij\f$. A result that is not a length is allowed; it is refused
   /// later.
   typedef unspecified_type Compute_flipped_length;
 
@@ -47,8 +47,8 @@ public:
   /// \f$ij\f$ satisfies the local Delaunay condition. It must hold of ties, and of an edge that has
   /// just been made by flipping one for which it does not hold; otherwise `make_Delaunay()` may use
   /// up its flips. Further `bool is_certain(const Diamond<FT>& length) const`, which returns `true`
-  /// only if the first does, and `false` if it would take long to decide; lengths of edges on the
-  /// boundary come with two that mean nothing.
+  /// only if the first does, and `false` if it would take long to decide; for a border
+  /// edge, two of the five lengths are unspecified.
   typedef unspecified_type Is_locally_Delaunay;
 
   /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the union

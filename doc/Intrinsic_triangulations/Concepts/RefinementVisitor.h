@@ -36,7 +36,7 @@ public:
   void after_removal(CGAL::Intrinsic_triangulations::Vertex_index v,
                      CGAL::Intrinsic_triangulations::Face_index f);
 
-  /// is called after the elements of the triangulation have got other numbers (see
+  /// is called after the elements of the triangulation have got other indices (see
   /// `CGAL::Intrinsic_triangulations::Intrinsic_triangulation::collect_garbage()`).
   void after_renumbering();
 

@@ -24,9 +24,9 @@ using Ceres_steps = Ceres_iteration<Energy, Visitor>;
 /// minimizes a convex energy by the L-BFGS method of the Ceres Solver, in coordinates in which the
 /// Hessian is the identity where it starts.
 ///
-/// It takes some twenty steps with two or three factorizations, where `Newton_minimizer` takes seven
-/// of each. Its line search compares values of the energy. Where these have no digits left, the
-/// gradients on both sides give their difference, so that the gradient gets as small as with
+/// It takes some twenty steps with two or three factorizations, where `Newton_minimizer` takes
+/// seven of each. Its line search compares values of the energy. Where these have no digits left,
+/// the gradients on both sides give their difference, so that the gradient gets as small as with
 /// Newton's method.
 ///
 /// The header needs the Ceres Solver: the component and target `Ceres` of the package.

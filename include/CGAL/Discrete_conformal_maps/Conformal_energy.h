@@ -39,7 +39,7 @@ namespace CGAL::Discrete_conformal_maps {
 ///
 /// Scale factors are \f$u = u^0 + x\f$, with an origin \f$u^0\f$ in the precision of `FT` and
 /// a variable \f$x\f$ in that of `double`. So a minimum can be approached to any precision by a
-/// minimizer that knows only `double`, which moves the origin from time to time.
+/// minimizer in `double`, which moves the origin from time to time.
 ///
 /// \tparam FT_ the floating point type in which gradients are computed
 /// \tparam Triangle the geometry of faces
@@ -78,8 +78,8 @@ public:
   /// returns the number of variables, one for each vertex.
   std::size_t size() const;
 
-  /// sets whether several threads are used: `CGAL::Sequential_tag`, as at first, `CGAL::Parallel_tag`
-  /// or `CGAL::Parallel_if_available_tag`. All values stay bitwise the same.
+  /// sets whether several threads are used: `CGAL::Sequential_tag`, as at first,
+  /// `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`. All values stay bitwise the same.
   template <typename ConcurrencyTag>
   void set_concurrency(const ConcurrencyTag& tag);
 

@@ -32,10 +32,10 @@ class Map_builder;
 /// the next, and scale factors (Section 4.2).
 ///
 /// \f$T^A\f$ is the input. A component with boundary is doubled, as far as edges of \f$T^B\f$ and
-/// \f$T^C\f$ across the boundary reach: the faces of this part of its second copy follow those of the
-/// input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is
-/// the intrinsic Delaunay triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay
-/// triangulation of \f$T^B\f$ with the scale factors.
+/// \f$T^C\f$ across the boundary reach: the faces of this part of its second copy follow those of
+/// the input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic
+/// Delaunay triangulation of \f$T^A\f$, and \f$T^C\f$ is the ideal Delaunay triangulation of
+/// \f$T^B\f$ with the scale factors.
 class Discrete_conformal_map
 {
 public:
@@ -73,8 +73,8 @@ public:
            : layer == Layer::B ? m_data->ab.intrinsic()
                                : m_data->bc.intrinsic();
   }
-  /// returns the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface as
-  /// far as it is there.
+  /// returns the common subdivision of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$, of the doubled surface
+  /// as far as it is there.
   const Subdivision& subdivision() const { return *m_data->subdivision; }
 
   /// returns whether the face `f` of \f$T^A\f$ is one of the input, not of its second copy.

@@ -76,7 +76,7 @@ private:
 /// lets `Surface_mesh_parameterization::parameterize()` map a disk to the plane, discretely
 /// conformally, as `flatten()` does it, with vertices on the boundary that are not scaled.
 ///
-/// One position for each vertex says what the map is only if no edge is flipped. By default
+/// One position for each vertex determines the map only if no edge is flipped. By default
 /// (`Flipping::to_Delaunay`), the map is that of the surface and does not depend on its
 /// triangulation; then `mesh` must be its intrinsic Delaunay triangulation and stay Delaunay with
 /// the scale factors, and no angle opposite to the boundary may be obtuse. Otherwise the error
@@ -126,7 +126,7 @@ public:
   /// \param uvmap a writable property map from vertices to points of the plane; nothing is written
   ///        in case of an error
   ///
-  /// The property maps of indices and of parameterized vertices, which the concept asks for, are
+  /// The property maps of indices and of parameterized vertices, which the concept requires, are
   /// not used.
   /// \return
   ///   - `OK`;

@@ -33,7 +33,7 @@ struct Fuchsian_group
   /// a generator or its inverse.
   struct Letter
   {
-    std::size_t generator; ///< its number
+    std::size_t generator; ///< its index
     bool is_inverse;       ///< whether it is the inverse
   };
 
@@ -58,10 +58,10 @@ struct Fuchsian_group
 /// disk except at seams, and motions glue the seams. A component with boundary is doubled, and its
 /// boundary is a geodesic.
 ///
-/// All components have the middle of their domain at the origin.
+/// The domain of each component is centered at the origin.
 ///
 /// Points far from the origin are close to the boundary of the disk: at a distance \f$d\f$,
-/// coordinates of type `double` are good for a distance of \f$10^{-16} e^d\f$.
+/// coordinates of type `double` have errors of about \f$10^{-16} e^d\f$.
 class Hyperbolic_conformal_map : public Discrete_conformal_map
 {
 public:
@@ -170,7 +170,7 @@ private:
   std::vector<std::size_t> m_component; // of the faces of T^C
   std::vector<Fuchsian_group> m_groups;
   std::vector<std::array<double, 3>> m_position; // of the sources of halfedges of T^C
-  std::vector<std::size_t> m_seam;               // for each edge of T^C, its number among the seams
+  std::vector<std::size_t> m_seam;               // for each edge of T^C, its index among the seams
   std::vector<Disk_motion<>> m_gluing;           // of the first halfedge of each seam
   double m_max_gluing_error = 0;
 };

@@ -16,7 +16,7 @@ namespace CGAL::Discrete_conformal_maps {
 enum class Map_status
 {
   success,             ///< the map has what is prescribed
-  not_converged,       ///< the minimization has not converged: its own status says why
+  not_converged,       ///< the minimization has not converged: see its own status
   triangle_inequality, ///< in some faces the scaled lengths do not obey the triangle inequality, so
                        ///< nothing is laid out
   no_minimum, ///< no scale factors give this triangulation the prescribed angles: some vertices
@@ -24,8 +24,8 @@ enum class Map_status
               ///< between them
   layout_collapsed, ///< the scale factors are as prescribed, but in the plane some faces are turned
                     ///< over or have no area: they are smaller than rounding there
-  not_convex,    ///< the image on the sphere is no convex polyhedron, or breaks a bound of Section
-                 ///< 4.4.3
+  not_convex, ///< the image on the sphere is not a convex polyhedron, or breaks a bound of Section
+              ///< 4.4.3
   not_conformal, ///< a length cross ratio on the sphere is not that of the input, by more than
                  ///< \f$10^{-8}\f$: numbers have too few digits
   not_glued ///< in the hyperbolic plane, faces do not close up around a vertex: a product of gluing

@@ -67,7 +67,8 @@ struct Minimization_result : Factorization_counts
 };
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
-/// says which variables of an energy move, and along which directions the energy is constant.
+/// describes which variables of an energy are free, and
+/// along which directions the energy is constant.
 struct Minimization_domain
 {
   /// for each variable, whether it stays as it is; empty if all move
@@ -79,7 +80,7 @@ struct Minimization_domain
 };
 
 /// \ingroup PkgDiscreteConformalMapsMinimizers
-/// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
+/// a visitor that does nothing. A class derived from it redefines only the functions that it needs.
 ///
 /// \cgalModels `MinimizationVisitor`
 struct Default_minimization_visitor

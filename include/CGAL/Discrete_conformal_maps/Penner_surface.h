@@ -83,7 +83,7 @@ public:
   /// takes other scale factors and, unless the triangulation is fixed, flips to the one that is
   /// Delaunay with them. Complexity: linear in the vertices, edges and flips.
   /// \param u the logarithmic scale factors, by the indices of vertices
-  /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
+  /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is not a length
   /// \throws Intrinsic_triangulations::Flip_limit_exceeded if more than a thousand flips for each
   ///         edge and a hundred million are needed
   /// \post unless the triangulation is fixed, the scaled lengths obey Equation 4.5 up to rounding,
@@ -102,7 +102,7 @@ public:
 
   /// takes other scale factors, and leaves the triangulation.
   /// \param u the logarithmic scale factors, by the indices of vertices
-  /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is no length
+  /// \throws Intrinsic_triangulations::Numerical_error if a scaled length is not a length
   void set_scale_factors(const std::vector<FT>& u)
   {
     for(Vertex_index v : mesh().vertices())

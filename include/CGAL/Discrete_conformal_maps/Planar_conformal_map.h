@@ -50,7 +50,7 @@ public:
   std::complex<double> position(Halfedge_index h) const { return m_position[h.idx()]; }
 
   /// returns whether the two faces of the edge `e` of \f$T^C\f$ are not beside each other in the
-  /// plane; also where a face is not laid out, since it is no part of the input.
+  /// plane; also where a face is not laid out, since it is not a part of the input.
   bool is_seam(Edge_index e) const { return m_is_seam[e.idx()] != 0; }
 
   /// returns the homogeneous coordinates of a point, as a vector `(x w, y w, w)`. They are linear

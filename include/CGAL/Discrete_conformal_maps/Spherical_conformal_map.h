@@ -43,12 +43,12 @@ class Sphere_mapping;
 /// boundary has the position (-1, 0, 0).
 ///
 /// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
-/// logarithmic scale factor zero, which mean nothing.
+/// logarithmic scale factor zero, which are unspecified otherwise.
 ///
 /// Where limbs of the input are long, their images are small, and `double` may have too few digits
-/// for the differences of positions: `lost_in_output()` says how many triangles suffer. The map
-/// itself knows positions in 32 digits, relative to the image of infinity even those of
-/// differences. Logarithmic scale factors do not lose anything.
+/// for the differences of positions: `lost_in_output()` counts the triangles concerned. The map
+/// itself has positions of 32 digits, relative to the image of infinity even those of
+/// differences. Logarithmic scale factors keep their accuracy.
 class Spherical_conformal_map : public Discrete_conformal_map
 {
 public:
@@ -84,12 +84,13 @@ public:
     return m_in_plane[v.idx()];
   }
 
-  /// what exact predicates say about the polyhedron, with positions in the plane as above.
+  /// returns the certificate of exact predicates about the polyhedron with the stored positions in
+  /// the plane.
   const Convexity_certificate& certificate() const { return m_certificate; }
 
   /// returns the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped
-  /// as seen from the center, if they have their vertices at `position()`: exact for these numbers,
-  /// whose rounding is to blame. Edges between faces that are parts of one flat face can have any
+  /// as seen from the center, if they have their vertices at `position()`: exact for these rounded
+  /// numbers. Edges between faces that are parts of one flat face can have any
   /// side, and count.
   std::size_t lost_in_output() const { return m_lost_in_output; }
 

@@ -46,7 +46,7 @@ enum class Layer
 /// the polygon mesh into which the edges of \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$ together cut the
 /// surface (Section 4.2.2). Every face of it is part of one face of each.
 ///
-/// All three have the same vertices; these come first, with their numbers. They are followed by the
+/// All three have the same vertices; these come first, with their indices. They are followed by the
 /// crossings of edges of \f$T^A\f$ and \f$T^B\f$ and of \f$T^B\f$ and \f$T^C\f$, with the numbers
 /// of the two correspondences, and then by those of \f$T^A\f$ and \f$T^C\f$ inside faces of
 /// \f$T^B\f$.
@@ -55,8 +55,8 @@ enum class Layer
 /// order of their ends around the face alone decides which of them cross, and in which order. Hence
 /// the connectivity is always valid. It is exact unless rounding has exchanged an end of an edge of
 /// \f$T^A\f$ and an end of an edge of \f$T^C\f$ on an edge of \f$T^B\f$, which
-/// `certify_order_of_ends()` finds out. Where the two are at one place, they remain two vertices. Places of crossings are rounded; along every edge they do not
-/// decrease.
+/// `certify_order_of_ends()` finds out. Where the two are at one place, they remain two vertices.
+/// Places of crossings are rounded; along every edge they do not decrease.
 ///
 /// The object refers to the three triangulations and is valid until they change.
 ///
@@ -137,7 +137,7 @@ public:
   /// of the subdivision, seen in \f$T^B\f$, and continuous across its edges: the weights in two
   /// faces around a vertex belong to the same vertices of \f$T^C\f$ or are zero. They do not sum up
   /// to one, except in Euclidean geometry.
-  /// \pre `h` is no border halfedge
+  /// \pre `h` is not a border halfedge
   std::array<FT, 3> coordinates(Layer layer, Halfedge_index h) const
   {
     return layer == Layer::C ? m_on_C[h.idx()].second : Base::coordinates(layer, h);
@@ -154,7 +154,7 @@ private:
   static void check_number_of_edges(std::uint64_t number)
   {
     if(number >= (std::numeric_limits<size_type>::max)() / 2)
-      throw Intrinsic_triangulations::Overflow_error("more edges than a mesh can number");
+      throw Intrinsic_triangulations::Overflow_error("more edges than a mesh can index");
   }
 
   static bool is_between(size_type first, size_type end, Vertex_index v)

@@ -42,8 +42,8 @@ struct Map_certificate
 /// `Intrinsic_triangulations::certify_ideal_Delaunay()`, and multiplied by \f$s_i s_j\f$. The order
 /// of ends is that of `certify_order_of_ends()`.
 ///
-/// Where the second copy of a surface with boundary ends, its edges are the mirror images of edges of
-/// the surface, which are decided.
+/// Where the second copy of a surface with boundary ends, its edges are the mirror images of edges
+/// of the surface, which are decided.
 ///
 /// Whether \f$T^B\f$ is the intrinsic Delaunay triangulation of \f$T^A\f$ is what
 /// `Intrinsic_triangulations::certify_Delaunay()` finds out about

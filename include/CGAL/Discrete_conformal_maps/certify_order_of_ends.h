@@ -91,7 +91,7 @@ private:
   struct Neighbors
   {
     Pair_of_ends ends;
-    size_type p, q;  // the numbers of the crossings with A and with C along the edge
+    size_type p, q;  // the indices of the crossings with A and with C along the edge
     bool A_is_first; // in the subdivision
   };
 

@@ -309,7 +309,7 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 /// There are none on a torus without conditions; elsewhere there must be some, which are prescribed
 /// or placed greedily.
 ///
-/// The result says how that has ended (`Planar_conformal_map::status()`); without convergence, it
+/// `Planar_conformal_map::status()` states how this has ended; without convergence, the map
 /// has the best scale factors that have been found.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -326,7 +326,7 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
 ///     \cgalParamDescription{cones without scaling are placed until all logarithmic scale factors
-///                           are at most so great; infinity for none}
+///                           are at most this in absolute value; infinity for no cones}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{5 if there is no `vertex_condition_map`, otherwise infinity}
 ///   \cgalParamNEnd
@@ -351,8 +351,8 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 ///     \cgalParamDefault{`Flipping::to_Delaunay`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
-///     \cgalParamDescription{whether the flips to \f$T^B\f$, the intrinsic Delaunay triangulation, are
-///                           decided exactly on the surface of the edge lengths}
+///     \cgalParamDescription{whether the flips to \f$T^B\f$, the intrinsic Delaunay triangulation,
+///                           are decided exactly on the surface of the edge lengths}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -378,11 +378,12 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 ///
 /// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
 /// that \f$O(n \log n)\f$ in the vertices and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or what is prescribed
-///         cannot be: the error says where, and for curvatures the excess
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or what is
+///         prescribed is impossible: the error names the place, and for curvatures the excess
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
-/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
+///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map flatten(const Graph& g,
                              const NamedParameters& np = CGAL::parameters::default_values())

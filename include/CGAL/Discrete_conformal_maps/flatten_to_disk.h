@@ -117,7 +117,7 @@ private:
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
 ///     \cgalParamDescription{as for `flatten()`; cones are also placed on the boundary, which has
-///       corners there, or is no circle}
+///       corners there, or is not a circle}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd

@@ -55,7 +55,7 @@ public:
 private:
   static constexpr std::size_t maximum_number_of_trials = 4;
 
-  // \throws Invalid_input if the surface is no sphere
+  // \throws Invalid_input if the surface is not a sphere
   void check() const
   {
     const Delta_complex& mesh = m_problem.surface();
@@ -187,7 +187,7 @@ private:
 ///
 /// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result
 /// is a convex polyhedron is decided exactly. If it is none, or length cross ratios are not what
-/// they should be, the work goes on with 106 binary digits, and if that is not enough with other
+/// they should be, it is computed with 106 binary digits, and if that does not suffice with other
 /// vertices at infinity. The best result is returned: `Spherical_conformal_map::status()` is
 /// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
 /// \f$10^{-8}\f$.
@@ -215,11 +215,12 @@ private:
 ///
 /// Complexity: for each step of the minimization, that of a few sparse Cholesky factorizations;
 /// beyond that \f$O(n \log n)\f$ in the vertices, flips and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or neither a sphere
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or neither a sphere
 ///   nor a disk
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
-/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
+///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Spherical_conformal_map
 map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::default_values())

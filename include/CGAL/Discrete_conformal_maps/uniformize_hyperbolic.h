@@ -270,7 +270,7 @@ private:
 /// two or more. A component with boundary is doubled; its boundary is a geodesic, unless exterior
 /// angles are prescribed.
 ///
-/// The result says how that has ended (`Hyperbolic_conformal_map::status()`); without convergence,
+/// `Hyperbolic_conformal_map::status()` states how this has ended; without convergence,
 /// it has the best scale factors that have been found.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -307,11 +307,12 @@ private:
 ///
 /// Complexity: for each step of the minimization, that of a sparse Cholesky factorization; beyond
 /// that \f$O(n \log n)\f$ in the vertices and crossings.
-/// \throws Intrinsic_triangulations::Invalid_input if `g` is no valid input, or a component cannot
-///         be hyperbolic with what is prescribed
+/// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a component
+///         cannot be hyperbolic with what is prescribed
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///         where numbers have not enough digits
-/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding makes flips go on
+/// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
+///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Hyperbolic_conformal_map
 uniformize_hyperbolic(const Graph& g,

@@ -109,8 +109,8 @@ public:
   /// flips edges until all are Delaunay by exact decisions about the metric of `tri`, the
   /// triangulation that the surface was made from: makes both of them Delaunay by the same flips,
   /// and takes the lengths of `tri`. Complexity: linear in the edges and flips.
-  /// \throws what `Intrinsic_triangulations::make_Delaunay()` throws. After an exception the surface
-  ///   is valid.
+  /// \throws what `Intrinsic_triangulations::make_Delaunay()` throws. After an exception the
+  ///   surface is valid.
   /// \pre the triangulation \f$T_2\f$ of `tri` is that of the surface, with the same indices
   void make_exactly_Delaunay(Triangulation& tri)
   {

@@ -197,7 +197,7 @@ public:
     direct_spokes(m_mesh.source(h));
   }
 
-  /// says whether `e` must stay.
+  /// sets whether `e` must stay.
   void constrain(Edge_index e, bool is_constrained)
   {
     if(is_constrained)

@@ -25,7 +25,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// says how an iteration has ended.
+/// states how an iteration has ended.
 enum class Multigrid_status
 {
   converged,       ///< the error is below the tolerance
@@ -103,7 +103,7 @@ public:
   /// solves for one right-hand side. Complexity: linear for each iteration.
   /// \param b the right-hand side
   /// \param tolerance the error at which to stop
-  /// \param maximum_number_of_iterations so many V-cycles may be done
+  /// \param maximum_number_of_iterations the greatest number of V-cycles
   Multigrid_result solve(Vector b, double tolerance = 1e-10,
                          std::size_t maximum_number_of_iterations = 200) const
   {

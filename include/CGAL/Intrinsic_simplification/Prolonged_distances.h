@@ -58,8 +58,8 @@ prolonged_distances_from(Vertex_index source, const Surface_map& map,
 /// \ingroup PkgIntrinsicSimplificationRef
 /// approximates the geodesic distances between all pairs of vertices of a fine level by
 /// \f$P D P^T\f$ with the distances \f$D\f$ between those of a coarse level, which are exact. The
-/// value for a vertex and itself is not zero if it is no vertex of the coarse level, and distances
-/// that are short compared to coarse edges come out too large.
+/// value for a vertex and itself is not zero if it is not a vertex of the coarse level, and
+/// distances that are short compared to coarse edges are too large.
 ///
 /// Memory: \f$8 n_c^2\f$ bytes for \f$n_c\f$ coarse vertices, plus those of the prolongation.
 class Prolonged_distances

@@ -58,7 +58,7 @@ public:
   /// \param has_corners whether the scaling has an effect: with `false`, it gets no corners
   /// \param mesh the mesh
   /// \throws Intrinsic_triangulations::Overflow_error if there are more corners than can be
-  ///   numbered
+  ///   indexed
   void add_scaling(Vertex_index v, double factor, bool has_corners, const Delta_complex& mesh)
   {
     const std::size_t first = m_corners.size();

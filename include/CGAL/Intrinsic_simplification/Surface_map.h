@@ -45,7 +45,7 @@ public:
 
   /// prepares the map. Complexity: linear in the faces of the fine level and the operations.
   /// \throws Intrinsic_triangulations::Overflow_error if there are more operations than can be
-  ///   numbered
+  ///   indexed
   /// \pre both levels are of the surface with this history, and `coarse` is not earlier than `fine`
   Surface_map(const Surface_history& history, const Surface_level& fine,
               const Surface_level& coarse)

@@ -127,9 +127,9 @@ inline Surface_map::Location moved_into(Face_index f, const Surface_map::Locatio
 /// the polygon mesh into which the edges of the fine and the coarse level together cut the surface.
 /// Each face is part of one face of both levels.
 ///
-/// The vertices are those of the fine level, with their numbers; then those that only the coarse
+/// The vertices are those of the fine level, with their indices; then those that only the coarse
 /// level has, in their order; then the points where edges of the coarse level cross those of the
-/// fine level or bend on its surface; then, if they are wanted, those where edges of the fine level
+/// fine level or bend on its surface; then, on request, those where edges of the fine level
 /// bend on the coarse surface. So the polygons have straight sides on the fine surface, and with
 /// the last on the coarse surface too. They need not be convex.
 ///
@@ -161,7 +161,7 @@ public:
   /// the type of numbers of elements.
   typedef typename Base::size_type size_type;
 
-  /// says at which bends there are vertices.
+  /// states at which bends there are vertices.
   enum class Bends
   {
     of_coarse_edges, ///< those of edges of the coarse level on the fine surface
@@ -184,7 +184,7 @@ public:
   /// returns one of the levels.
   const Surface_level& level(Level side) const { return *m_levels[Base::index(side)]; }
 
-  /// returns the vertex of `side` that `v` is; null if it is no vertex there. Complexity:
+  /// returns the vertex of `side` that `v` is; null if it is not a vertex there. Complexity:
   /// logarithmic for the coarse level.
   Vertex_index parent_vertex(Level side, Vertex_index v) const
   {

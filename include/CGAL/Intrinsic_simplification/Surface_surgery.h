@@ -39,7 +39,7 @@ namespace CGAL::Intrinsic_simplification {
 /// numbers, lengths and angles, and new ones come after them. Along a cut, the surface on its left
 /// gets new vertices and that on its right new edges.
 ///
-/// The surface may be triangulated anew in between. Then faces and edges get other numbers, but
+/// The surface may be triangulated anew in between. Then faces and edges get other indices, but
 /// the map leads through that.
 /// \cgalModels `IntrinsicSurface`
 class Surface_surgery

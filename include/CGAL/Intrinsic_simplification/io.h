@@ -101,7 +101,8 @@ public:
       m_mesh.add_property_map<Edge_index, double>("e:length", 0.).first; // exists already
     m_mesh.set_recycle_garbage(false);
     if(!Intrinsic_triangulations::is_valid_Delta_complex(m_mesh))
-      throw Intrinsic_triangulations::Invalid_input("the first level is no triangulated surface");
+      throw Intrinsic_triangulations::Invalid_input(
+        "the first level is not a triangulated surface");
     for(Edge_index e : m_mesh.edges())
       check(is_length(length[e]), "a length is not positive and finite");
     m_result.levels.emplace_back(Intrinsic_triangulations::Surface_view(m_mesh, length), 0);
@@ -286,7 +287,7 @@ inline bool write_surface_hierarchy(std::ostream& os, const Surface_history& his
 /// more. Complexity: linear in the operations, and in the first level for each level.
 /// \throws Intrinsic_triangulations::File_format_error if the text does not follow the format, or
 ///         an operation is not possible; the line is named
-/// \throws Intrinsic_triangulations::Invalid_input if the first level is no triangulation of a
+/// \throws Intrinsic_triangulations::Invalid_input if the first level is not a triangulation of a
 ///   surface
 inline Surface_hierarchy read_surface_hierarchy(std::istream& is)
 {

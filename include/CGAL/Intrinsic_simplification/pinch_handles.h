@@ -21,7 +21,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// says along which curves handles are cut.
+/// determines along which curves handles are cut.
 enum class Cutting_curves
 {
   geodesics, ///< closed geodesics, which flips of edges make edges
@@ -200,10 +200,10 @@ private:
 /// both sides by disks, see `Surface_surgery`. No curve separates the surface: each cut lowers the
 /// genus by one, and components and boundary loops stay.
 ///
-/// Curves are found among edges: from one vertex after the other, the shortest one that is closed by
-/// an edge between two shortest paths from there and does not separate. The length up to which they
-/// are looked for doubles, from some edges up to the bound. Curves that have no vertex in common are
-/// shortened together by flips, to geodesics in their class (see
+/// Curves are found among edges: from one vertex after the other, the shortest one that is closed
+/// by an edge between two shortest paths from there and does not separate. The length up to which
+/// they are looked for doubles, from some edges up to the bound. Curves that have no vertex in
+/// common are shortened together by flips, to geodesics in their class (see
 /// `Intrinsic_triangulations::Edge_paths`), and cut; then others are looked for, disks included. A
 /// curve that touches itself, another one or the boundary waits for the next round. If all that are
 /// so long do so, those edge loops are cut that are short enough as they are.
@@ -214,13 +214,13 @@ private:
 /// around it is shorter than twice `maximum_length`: edges that are long beside the handle hide
 /// it, and refinement shows it. By the length alone it is not known whether a handle or a tunnel
 /// is cut, and a thin torus is a handle as well.
-/// \returns the number of handles that have been taken away
+/// \returns the number of handles that have been cut
 /// \throws what `Intrinsic_triangulations::Edge_paths` and `make_Delaunay()` throw
 ///
-/// Complexity: \f$O(n \log n)\f$ for each round, and shortening. There are some rounds for each
-/// length, since all curves that have no vertex in common are cut at once, and where a search finds
-/// nothing, none begins near by; so searches reach each vertex some times in a round, unless curves
-/// are as long as the bound or a little longer at many places.
+/// Complexity: \f$O(n \log n)\f$ for each round, and shortening. There are few rounds for each
+/// length, since disjoint curves are cut in one round. A search is not repeated near vertices where
+/// one has found nothing; so searches reach each vertex a few times in a round, unless there are many
+/// curves of about the length of the bound.
 inline std::size_t pinch_handles(Surface_surgery& surface, double maximum_length,
                                  Cutting_curves curves = Cutting_curves::geodesics)
 {

@@ -159,9 +159,9 @@ OutputIterator projective_pieces(Face_index f, const Surface_map& map, OutputIte
 /// \param map the map
 /// \param out an output iterator to which `Projective_piece` can be assigned
 /// \returns the end of the output
-/// \throws Intrinsic_triangulations::Numerical_error if the pieces do not have the area of each face
-///   of the coarse level together: rounding has taken a part to another place. This needs vertices
-///   about as near to each other as rounding.
+/// \throws Intrinsic_triangulations::Numerical_error if the pieces do not have the area of each
+///   face of the coarse level together: rounding has taken a part to another place. This needs
+///   vertices about as near to each other as rounding.
 template <typename OutputIterator>
 OutputIterator projective_pieces(const Surface_map& map, OutputIterator out)
 {

@@ -30,7 +30,7 @@ namespace CGAL::Intrinsic_simplification {
 /// Complexity: as `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides
 /// the result.
 /// \param surface the surface, which is as coarse as the last level afterwards
-/// \param number_of_vertices the levels end at so many vertices or less, or when no vertex can be
+/// \param number_of_vertices the hierarchy ends at a level with at most this number of vertices, or when no vertex can be
 ///   removed any more
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded,
 ///         Intrinsic_triangulations::Numerical_error and

@@ -27,7 +27,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
+/// a visitor that does nothing. A class derived from it redefines only the functions that it needs.
 ///
 /// \cgalModels `SimplificationVisitor`
 struct Default_simplification_visitor
@@ -45,7 +45,7 @@ struct Simplification_result
 {
   std::size_t removed = 0;  ///< the number of vertices that have been removed
   double greatest_cost = 0; ///< the greatest cost of a removal
-  /// how many vertices could not be removed in the end, for each reason. Vertices that have not
+  /// how many vertices could finally not be removed, for each reason. Vertices that have not
   /// been looked at since their star changed, because the simplification stopped before, are not
   /// counted.
   std::array<std::size_t, number_of_removal_statuses> skipped{};
@@ -137,7 +137,7 @@ private:
 /// \ingroup PkgIntrinsicSimplificationRef
 /// makes a surface Delaunay and removes vertices from it, the cheapest first (Algorithm 6).
 ///
-/// It can be called again, to go on with the same cost or another.
+/// It can be called again, with the same cost or another.
 ///
 /// \tparam Cost a model of `RemovalCost`
 /// \tparam NamedParameters a sequence of named parameters
@@ -148,7 +148,7 @@ private:
 ///   \cgalParamNBegin{number_of_vertices}
 ///     \cgalParamDescription{the number of vertices at which to stop}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{0: goes on while there is a vertex that can be removed}
+///     \cgalParamDefault{0: until no vertex can be removed}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_cost}
 ///     \cgalParamDescription{the greatest cost of a removal that is allowed}
@@ -190,7 +190,7 @@ Simplification_result simplify(Evolving_surface& surface, Cost& cost,
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the weight of area in the default cost, where curvature has weight one. Solutions of Poisson
-/// problems on coarse surfaces come out best with it, all in all.
+/// problems on coarse surfaces are best with it on average.
 constexpr double default_area_weight = 2;
 
 /// \ingroup PkgIntrinsicSimplificationRef

@@ -18,7 +18,7 @@
 namespace CGAL::Intrinsic_simplification {
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// says where a point of a traced edge is on the other surface.
+/// describes where a point of a traced edge is on the other surface.
 enum class Trace_place
 {
   vertex, ///< at a vertex: one coordinate is one, the others are exactly zero

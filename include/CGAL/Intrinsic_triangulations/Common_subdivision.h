@@ -25,7 +25,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// (Section 3.3). Its faces are convex polygons with three to six corners, each part of one face of
 /// \f$T_1\f$ and one face of \f$T_2\f$.
 ///
-/// Vertices 0 to \f$|V| - 1\f$ are those of \f$T_2\f$, with their numbers, among them those of
+/// Vertices 0 to \f$|V| - 1\f$ are those of \f$T_2\f$, with their indices, among them those of
 /// \f$T_1\f$; vertex \f$|V| + c\f$ is crossing \f$c\f$ of the correspondence. The connectivity is
 /// exact; the places of crossings are rounded, and in order along every edge.
 ///

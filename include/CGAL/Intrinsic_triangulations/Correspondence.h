@@ -57,7 +57,7 @@ public:
   /// a crossing as seen from a halfedge of one side.
   struct Crossing
   {
-    size_type id;          ///< its number among all crossings
+    size_type id;          ///< its index among all crossings
     Edge_point<FT> here;   ///< its place on the halfedge from which it is seen
     Edge_point<FT> across; ///< its place on the halfedge of the other side that leaves the face of
                            ///< the first one there
@@ -164,7 +164,7 @@ public:
     return seen_from_input(h, m_order_on_input[part(e, 0).first + along_first_halfedge(h, p, n)]);
   }
 
-  /// returns the crossing with number `id`: its places on the first halfedges of its two edges.
+  /// returns the crossing with index `id`: its places on the first halfedges of its two edges.
   Trace_point<FT> crossing(size_type id) const
   {
     const Record& record = m_records[id];
@@ -172,9 +172,8 @@ public:
             {first_halfedge(record.intrinsic), record.t}};
   }
 
-  /// returns the scale of crossing `id` (see the concept `GeodesicStrip`): the vector of \f$T_1\f$
-  /// that its place there stands for is so many times that of \f$T_2\f$. It is 1 in Euclidean
-  /// geometry.
+  /// returns the scale of crossing `id` (see the concept `GeodesicStrip`), the ratio of its vector
+  /// on \f$T_1\f$ to that on \f$T_2\f$: 1 in Euclidean geometry.
   FT scale([[maybe_unused]] size_type id) const
   {
     if constexpr(internal::Has_scale<Traits>::value)
@@ -183,7 +182,7 @@ public:
       return FT(1);
   }
 
-  /// returns the numbers of the crossings on the edges of \f$T_2\f$.
+  /// returns the indices of the crossings on the edges of \f$T_2\f$.
   const Edge_marks& crossings_on_intrinsic() const { return m_on_intrinsic; }
 
   /// returns whether the face `f` of \f$T_1\f$ contains inserted vertices, inside it or inside its
@@ -249,7 +248,7 @@ private:
     return {id, edge_point(h, r.t), edge_point(directed_as(h, r.input), r.s)};
   }
 
-  // the number of the piece that ends at crossing `id` in the direction of the first halfedge of
+  // the index of the piece that ends at crossing `id` in the direction of the first halfedge of
   // its edge of T1; the next one starts there
   size_type piece_before(size_type id) const
   {
@@ -423,7 +422,7 @@ private:
   std::vector<size_type> m_order_on_input; // crossings along each edge of T1
   std::vector<Halfedge_index> m_spoke_before;
   std::vector<char> m_contains_inserted; // for each face of T1; empty if there are none
-  Edge_marks m_on_intrinsic; // the numbers of crossings: they are ordered along the edges of T2
+  Edge_marks m_on_intrinsic; // the indices of crossings: they are ordered along the edges of T2
   std::vector<Record> m_records;
   std::vector<FT> m_scale; // of the crossings; empty where all are 1
 };

@@ -18,15 +18,15 @@ namespace CGAL::Intrinsic_triangulations {
 /// what `certify_Delaunay()` has found out.
 struct Delaunay_certificate
 {
-  /// the edges of four cocircular points: either diagonal is Delaunay, and the faces at such an edge
-  /// belong to one cell of the Delaunay tessellation.
+  /// the edges of four cocircular points: either diagonal is Delaunay, and the faces at such an
+  /// edge belong to one cell of the Delaunay tessellation.
   std::vector<Edge_index> ties;
   /// the edges that violate the local Delaunay condition.
   std::vector<Edge_index> non_Delaunay_edges;
-  /// the edges that are no straight segments in the strips that their integer coordinates name.
+  /// the edges that are not straight segments in the strips that their integer coordinates name.
   std::vector<Edge_index> bent_edges;
-  /// the inserted vertices around which the faces do not lie once, each with positive area unless it
-  /// lies in faces of \f$T_1\f$ without area.
+  /// the inserted vertices around which the faces do not lie once, each with positive area unless
+  /// it lies in faces of \f$T_1\f$ without area.
   std::vector<Vertex_index> folded_vertices;
 
   /// the number of edges that are Delaunay whatever the rounding of lengths.

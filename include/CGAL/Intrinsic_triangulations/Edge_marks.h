@@ -18,7 +18,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// returns the number of a mark on the first halfedge of the edge of `h`, if it is mark `p` of `n`
+/// returns the index of a mark on the first halfedge of the edge of `h`, if it is mark `p` of `n`
 /// on `h`. Marks are counted from the source. This is its own inverse.
 inline Delta_complex::size_type along_first_halfedge(Halfedge_index h, Delta_complex::size_type p,
                                                      Delta_complex::size_type n)
@@ -27,25 +27,25 @@ inline Delta_complex::size_type along_first_halfedge(Halfedge_index h, Delta_com
 }
 
 /// \ingroup PkgIntrinsicTriangulationsDeltaComplex
-/// the numbers of marks on the edges of a Delta-complex.
+/// the indices of marks on the edges of a Delta-complex.
 ///
-/// A mark is a point inside an edge. The marks of an edge have consecutive numbers, in the
+/// A mark is a point inside an edge. The marks of an edge have consecutive indices, in the
 /// direction of its first halfedge, and edge follows edge. On a halfedge they are counted from its
 /// source.
 ///
-/// An edge with \f$n\f$ marks consists of \f$n+1\f$ pieces. These are numbered in the same way, as
+/// An edge with \f$n\f$ marks consists of \f$n+1\f$ pieces. These are indexed in the same way, as
 /// edges of a mesh in which they come first.
 class Edge_marks
 {
 public:
-  /// the type of numbers of elements.
+  /// the type of indices.
   typedef Delta_complex::size_type size_type;
 
-  /// makes numbers for an empty complex.
+  /// creates the indices for an empty complex.
   Edge_marks() : m_first(1, 0) {}
 
-  /// makes numbers for `count[e]` marks on each edge `e`. Complexity: linear in the edges.
-  /// \throws Overflow_error if there are more marks than a `Surface_mesh` can number
+  /// creates the indices for `count[e]` marks on each edge `e`. Complexity: linear in the edges.
+  /// \throws Overflow_error if there are more marks than a `Surface_mesh` can index
   explicit Edge_marks(std::vector<size_type> count) : m_first(std::move(count))
   {
     const std::uint64_t limit = (std::numeric_limits<size_type>::max)() / 8;
@@ -56,7 +56,7 @@ public:
       const size_type first = static_cast<size_type>(total);
       total += n;
       if(total > limit)
-        throw Overflow_error("more crossings than a mesh can number");
+        throw Overflow_error("more crossings than a mesh can index");
       n = first;
     }
   }
@@ -68,14 +68,14 @@ public:
   /// returns the number of marks on all edges before `e`.
   size_type before(Edge_index e) const { return m_first[e.idx()]; }
 
-  /// returns the number of mark `p` on the halfedge `h`.
+  /// returns the index of mark `p` on the halfedge `h`.
   size_type operator()(Halfedge_index h, size_type p) const
   {
     const Edge_index e(h);
     return is_first_halfedge(h) ? m_first[e.idx()] + p : m_first[e.idx() + 1] - 1 - p;
   }
 
-  /// returns which mark on the halfedge `h` is number `mark` of all.
+  /// returns which mark on the halfedge `h` has the index `mark`.
   size_type position(Halfedge_index h, size_type mark) const
   {
     const Edge_index e(h);

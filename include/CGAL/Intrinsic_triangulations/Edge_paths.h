@@ -27,7 +27,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// says what shortening has led to.
+/// states how shortening has ended.
 enum class Shortening_status
 {
   geodesic, ///< all paths are geodesics
@@ -50,12 +50,12 @@ inline const char* to_string(Shortening_status status)
 /// paths and loops along edges of \f$T_2\f$, which are shortened to geodesics by flipping edges
 /// (Sharp and Crane 2020).
 ///
-/// Where a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are flipped
-/// as long as they can be, and the path moves to the arc on the other side of their triangles, which
-/// is shorter. In the end both angles at every vertex between the ends are at least \f$\pi\f$, on
-/// the boundary that on the side of the surface: the paths are geodesics, each isotopic to what it
-/// was, and edges of \f$T_2\f$. \f$T_1\f$ never changes, and the integer coordinates say how the
-/// edges of the paths run over it, see `path_on_input()`.
+/// Where a path has an angle of less than \f$\pi\f$ on one side, the edges in this angle are
+/// flipped as long as they can be, and the path moves to the arc on the other side of their
+/// triangles, which is shorter. Finally both angles at every vertex between the ends are at least
+/// \f$\pi\f$, on the boundary the one angle of the surface: the paths are geodesics along edges of
+/// \f$T_2\f$, each isotopic to its start. \f$T_1\f$ never changes, and the integer
+/// coordinates determine how the edges of the paths run over it, see `path_on_input()`.
 ///
 /// Paths may share vertices and edges, also with themselves. Segments on one edge lie side by side
 /// in an order, and only those next to an angle move into it; so paths do not cross while they
@@ -64,13 +64,14 @@ inline const char* to_string(Shortening_status status)
 /// ends of paths are fixed: paths that end at one vertex are a network. A loop has no end; a loop
 /// that contracts to a point becomes empty.
 ///
-/// Decisions: with exact traits it is decided exactly which angles are less than \f$\pi\f$ and which
-/// edges can be flipped. With `double` it is decided on the surface of \f$T_1\f$ too, where an angle
-/// that is \f$\pi\f$ to 24 digits counts as \f$\pi\f$. In both cases lengths stay within a relative
-/// error of \f$2^{-40}\f$ of those of the surface, however many flips led to them; with `double`, the
-/// edges of \f$T_2\f$ must be straight at the start, see `certify_Delaunay()`. With other numbers an
-/// angle is less than \f$\pi\f$ if it is so by more than rounding of lengths, and a vertex counts as
-/// straight where the path would gain no length but rounding.
+/// Decisions: with exact traits it is decided exactly which angles are less than \f$\pi\f$ and
+/// which edges can be flipped. With `double` it is decided on the surface of \f$T_1\f$ too, where
+/// an angle that differs from \f$\pi\f$ by less than \f$10^{-24}\f$ counts as \f$\pi\f$. In both
+/// cases lengths stay within a relative error of \f$2^{-40}\f$ of those of the surface, however
+/// many flips led to them; with `double`, the edges of \f$T_2\f$ must be straight at the start, see
+/// `certify_Delaunay()`. With other number types an angle is less than \f$\pi\f$ if it is so by
+/// more than the rounding of lengths, and a vertex counts as straight if the path would get shorter
+/// by rounding errors only.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`, Euclidean
 template <typename Traits>

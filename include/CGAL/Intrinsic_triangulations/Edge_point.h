@@ -84,7 +84,7 @@ struct Surface_place
 typedef std::variant<Vertex_index, Edge_index, Face_index> Surface_element;
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// where a vertex of \f$T_2\f$ that is no vertex of \f$T_1\f$ lies on \f$T_1\f$.
+/// where a vertex of \f$T_2\f$ that is not a vertex of \f$T_1\f$ lies on \f$T_1\f$.
 template <typename FT>
 using Inserted_vertex = Surface_place<FT>;
 

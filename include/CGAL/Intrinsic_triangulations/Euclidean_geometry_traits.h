@@ -183,8 +183,9 @@ public:
     }
   };
 
-  /// decides whether a number can be the length of an edge: it is positive, and the formulas above,
-  /// which go up to its eighth power, stay in the range of the type. For `double` it is between
+  /// decides whether a number can be the length of an edge: it is positive, and its eighth power,
+  /// which occurs in the formulas of this class, is in the range of the type. For `double` it is
+  /// between
   /// \f$2^{-127}\f$ and \f$2^{127}\f$.
   struct Is_length
   {

@@ -134,10 +134,10 @@ public:
   /// returns the length of the line. \pre `finish()` has been called
   FT length() const { return CGAL::sqrt(m_squared_length); }
 
-  /// returns whether the line certainly passes between the ends of all inner edges and its length has
-  /// a relative error of at most `tolerance`, if the errors of all corner angles, which cover those of
-  /// the sides, add up to at most `error`. A corner is displaced by no more than that times the way
-  /// along edges on which it was placed. \pre `finish()` has been called
+  /// returns whether the line certainly passes between the ends of all inner edges and its length
+  /// has a relative error of at most `tolerance`, if the errors of all corner angles, which cover
+  /// those of the sides, add up to at most `error`. A corner is displaced by no more than that
+  /// times the way along edges on which it was placed. \pre `finish()` has been called
   bool is_certain(const FT& error, const FT& tolerance) const
   {
     const FT displacement = m_longest_way * error, margin = 4 * displacement * m_longest_way;
@@ -156,7 +156,7 @@ public:
   }
 
   /// returns the crossing of the line with inner edge `m`, not before `least` on the line. Where
-  /// both run along each other, any point that they share will do, but not a point that only one of
+  /// both run along each other, any point that they share is correct, but not a point that only one of
   /// them has.
   /// \pre `finish()` has been called
   Crossing crossing(std::size_t m, const FT& least = FT(0)) const

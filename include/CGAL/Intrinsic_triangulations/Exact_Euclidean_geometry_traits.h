@@ -25,7 +25,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// are those of this surface with a relative error of at most \f$2^{-40}\f$, however many flips led
 /// to them. A decision is made by them if they leave no doubt; otherwise the triangles of
 /// \f$T_1\f$ that it depends on, which the integer coordinates determine, are laid out in numbers
-/// with error bounds, with more and more digits, and in the end exactly. There is no tolerance: an
+/// with error bounds, with increasing precision, and finally exactly. There is no tolerance: an
 /// edge is Delaunay if it is so on the exact surface, and ties are kept.
 ///
 /// \tparam ExactNumber_ a model of `Field` and `RealEmbeddable` with exact signs, which has the

@@ -14,15 +14,15 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// says what a geodesic does where it meets the boundary.
+/// determines what a geodesic does at the boundary.
 enum class At_boundary
 {
   stop, ///< it ends there
-  slide ///< it goes on along the boundary, to the side to which it is inclined, left if to neither
+  slide ///< it follows the boundary, to the side of the smaller angle, left at a right angle
 };
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// says how a geodesic ended.
+/// states how a geodesic has ended.
 enum class Geodesic_status
 {
   reached,             ///< it has its full length

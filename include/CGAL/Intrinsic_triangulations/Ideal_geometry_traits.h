@@ -103,8 +103,8 @@ public:
     bool is_certain(const Diamond<FT>& length) const { return (*this)(length); }
   };
 
-  /// says that every edge can be flipped: the union of two ideal triangles is always strictly
-  /// convex.
+  /// returns `true`, since every edge can be flipped: the union of two ideal triangles is always
+  /// strictly convex.
   struct Is_convex
   {
     /// returns `true`.
@@ -127,7 +127,7 @@ public:
     }
   };
 
-  /// says that there is no triangle inequality.
+  /// returns `true`, since there is no triangle inequality.
   struct Is_triangle
   {
     /// returns `true`.

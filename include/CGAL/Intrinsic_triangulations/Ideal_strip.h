@@ -32,7 +32,7 @@ class Ideal_strip
   {
     FT from_a_to_source, from_a_to_target, length;
     FT from_b_to_source, from_b_to_target;
-    FT side;             // of the triangle beyond that is no inner edge
+    FT side;             // of the triangle beyond that is not an inner edge
     bool is_left_around; // whether the strip goes on around the source
   };
 

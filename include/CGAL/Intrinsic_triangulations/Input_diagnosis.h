@@ -119,7 +119,7 @@ public:
   /// stands for the face of an edge or vertex that has none, and the vertex of a face.
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// the number of occurrences of a kind that are kept unless another is asked for; all are
+  /// the number of occurrences of a kind that are kept by default; all are
   /// counted.
   static constexpr std::size_t maximal_number_of_occurrences = 5;
 

@@ -46,7 +46,7 @@ struct Face_split
 /// edges and halfedges of a triangulation \f$T_2\f$, which encode how the edges of a triangulation
 /// \f$T_1\f$ of the same surface run over it. They are independent of lengths and exact.
 ///
-/// The curves of \f$T_1\f$ that cross a halfedge are numbered from its source, starting with 0.
+/// The curves of \f$T_1\f$ that cross a halfedge are counted from its source, starting with 0.
 ///
 /// \tparam Integer_ a signed integer type; a bounded one is checked for overflow.
 template <typename Integer_>
@@ -67,10 +67,10 @@ public:
   struct Crossing
   {
     Halfedge_index halfedge; ///< the halfedge that is crossed
-    Integer number;          ///< the number of the crossing on it
+    Integer number;          ///< the index of the crossing on it
   };
 
-  /// how a curve goes on in the face beyond a crossing \f$\overrightarrow{ij}\f$ (Figure 3.6).
+  /// how a curve continues in the face beyond a crossing \f$\overrightarrow{ij}\f$ (Figure 3.6).
   enum class Turn
   {
     around_source, ///< it cuts off the corner at \f$i\f$
@@ -83,7 +83,7 @@ public:
 
   /// attaches the maps "e:normal_coordinate" and "h:roundabout" to `mesh`. When the mesh has none
   /// they are created, with every edge shared; if `mesh` is \f$T_1\f$, its roundabouts are the
-  /// numbers of its own spokes.
+  /// indices of its own spokes.
   explicit Integer_coordinates(Delta_complex& mesh)
     : m_n(mesh.template add_property_map<Edge_index, Integer>("e:normal_coordinate", -1).first),
       m_r(mesh.template add_property_map<Halfedge_index, size_type>("h:roundabout", 0).first)
@@ -96,7 +96,7 @@ public:
   /// the number of its crossings with edges of \f$T_1\f$.
   const Integer& normal_coordinate(Edge_index e) const { return m_n[e]; }
 
-  /// returns the roundabout \f$r\f$ of `h`: the number of the first spoke of \f$T_1\f$ at or
+  /// returns the roundabout \f$r\f$ of `h`: the index of the first spoke of \f$T_1\f$ at or
   /// counterclockwise from `h` around its source.
   size_type roundabout(Halfedge_index h) const { return m_r[h]; }
 
@@ -204,9 +204,9 @@ public:
                            wrap(m_r[spoke] + along + static_cast<size_type>(k), spokes.degree(v)));
   }
 
-  /// calls `visit(k, start)` for every curve that starts inside the corner at the source of `spoke`:
-  /// it is number `k` there and runs along the spoke `start` of \f$T_1\f$. Complexity: linear in
-  /// their number.
+  /// calls `visit(k, start)` for every curve that starts inside the corner at the source of
+  /// `spoke`: it has index `k` there and runs along the spoke `start` of \f$T_1\f$. Complexity:
+  /// linear in their number.
   template <typename Visit>
   void for_each_curve_end(Halfedge_index spoke, const Delta_complex& mesh,
                           const Vertex_spokes& spokes, const Visit& visit) const
@@ -248,7 +248,7 @@ public:
 
   /// inserts a vertex into the face of `h` as `split_face()` does (Section 3.5.1).
   /// Complexity: constant.
-  /// \param h a halfedge that is no border halfedge
+  /// \param h a halfedge that is not a border halfedge
   /// \param at the coordinates of the edges from the new vertex to the source of `h`, its target,
   ///        and the target of the next halfedge; at most one of them is shared
   /// \param spoke the first spoke of the new vertex if it is on an edge of \f$T_1\f$, otherwise
@@ -309,7 +309,7 @@ public:
   }
 
   /// makes the edge of `h` shared: its ends are joined by an edge of \f$T_1\f$ that starts along
-  /// the spoke with number `r_source` of one and `r_target` of the other.
+  /// the spoke with index `r_source` of one and `r_target` of the other.
   void set_shared(Halfedge_index h, size_type r_source, size_type r_target)
   {
     m_n[edge_of(h)] = Integer(-1);

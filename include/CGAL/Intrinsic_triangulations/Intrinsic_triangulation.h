@@ -54,7 +54,7 @@ class Vertex_reinserter;
 /// that change \f$T_2\f$ to `Triangulation_pair`, and keeps the integer coordinates consistent.
 /// \f$T_1\f$ never changes, and the mesh that it was made from is only read.
 ///
-/// Vertices of both triangulations, and edges and faces of \f$T_1\f$, are numbered in the order of
+/// Vertices of both triangulations, and edges and faces of \f$T_1\f$, are indexed in the order of
 /// the ranges `vertices(g)`, `edges(g)`, `faces(g)` of the input; `halfedge(e, g)` becomes halfedge
 /// \f$2e\f$. Isolated vertices are kept. \f$T_2\f$ can have more vertices (Section 3.5), whose
 /// places on \f$T_1\f$ are kept too; they come after those of the input.
@@ -104,7 +104,7 @@ public:
   ///     \cgalParamDefault{unused}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{squared_edge_length_map}
-  ///     \cgalParamDescription{the squared lengths of the edges; exact traits take them as they are}
+  ///     \cgalParamDescription{the squared lengths of the edges, exact for exact traits}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with value type convertible to
   ///       `Traits::Exact_number` or, without exact traits, to `FT`}
   ///     \cgalParamDefault{unused}
@@ -150,8 +150,8 @@ public:
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the
   /// property map "e:length", `mesh` has this map and "e:normal_coordinate", "h:roundabout",
   /// "e:is_constrained", and `inserted` has the places of the vertices that only `mesh` has, in
-  /// their order. Lengths of `input` are exact unless `metric` is. Complexity: linear in the elements
-  /// and crossings.
+  /// their order. Lengths of `input` are exact unless `metric` is. Complexity: linear in the
+  /// elements and crossings.
   /// \throws Invalid_input if they do not fit together.
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
                           std::vector<Inserted_vertex<FT>> inserted = {},
@@ -348,7 +348,7 @@ public:
     number_inserted_spokes();
   }
 
-  /// adds a property of the elements of \f$T_2\f$, which follows them when they get other numbers.
+  /// adds a property of the elements of \f$T_2\f$, which follows them when they get other indices.
   /// It is lost when \f$T_2\f$ becomes another triangulation, by assignment or
   /// `reset_to_input()`. Complexity: linear.
   /// \param name the name

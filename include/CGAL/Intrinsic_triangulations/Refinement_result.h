@@ -40,10 +40,10 @@ inline const char* to_string(Refinement_status status)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// returns how many vertices `refine()` may insert unless it is given another number: 10,000,000; but
-/// 100,000 and 20 for each of the faces of \f$T_1\f$ where that need not end, with angles of more than
-/// 30 degrees and circumradii of any size. Refinements of ordinary meshes to 32 degrees that end
-/// insert fewer than 8 for each face.
+/// returns how many vertices `refine()` may insert
+/// unless it is given another number: 10,000,000; but 100,000 and 20 for each of the faces of
+/// \f$T_1\f$ where that need not end, with angles of more than 30 degrees and circumradii of any
+/// size. Refinements of ordinary meshes to 32 degrees that end insert fewer than 8 for each face.
 /// \param faces the number of faces of \f$T_1\f$
 /// \param minimum_angle the least angle, in degrees
 /// \param maximum_circumradius the greatest circumradius

@@ -27,14 +27,14 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// computes exact shortest paths and distances from some points of a surface to all its points.
 ///
-/// Faces are unfolded along the views from the sources, from edge lengths alone; the windows of Chen
-/// and Han, with the pruning of Xin and Wang. Views start again behind vertices at which paths can
-/// bend: with an angle sum of more than \f$2\pi\f$, or on the boundary more than \f$\pi\f$. All
+/// Faces are unfolded along the views from the sources, from edge lengths alone; the windows of
+/// Chen and Han, with the pruning of Xin and Wang. Views start again behind vertices at which paths
+/// can bend: with an angle sum of more than \f$2\pi\f$, or on the boundary more than \f$\pi\f$. All
 /// distances come from the lengths of straight lines, and are accurate to rounding for every face
 /// passed.
 ///
 /// Add the sources, then call `run()`; distances and paths to any point follow without further
-/// search. Sources can be added later, and `run()` called again: it goes on from what is known.
+/// search. Sources can be added later, and `run()` called again, which continues the search.
 ///
 /// No face, flat or without area, and no tie between paths is an error: of several shortest paths
 /// that are equal up to rounding any one is taken.
@@ -66,13 +66,14 @@ public:
   /// adds a point on an edge as a source and returns the index of this source.
   std::size_t add_source(const Edge_point<FT>& p) { return add_source(location(p)); }
 
-  /// adds a point of a face, also on its boundary, as a source and returns the index of this source.
+  /// adds a point of a face, also on its boundary, as a source and returns the index of this
+  /// source.
   /// \pre the coordinates of `p` are not negative and sum up to one
   std::size_t add_source(const Face_location<FT>& p) { return add(p, p); }
 
   /// computes what distances and paths need. Complexity: \f$O(k)\f$ for \f$k\f$ views, of which
-  /// there are at most \f$O(n^2)\f$ between saddle vertices on embedded surfaces with \f$n\f$ faces,
-  /// and some dozens for each face in practice.
+  /// there are at most \f$O(n^2)\f$ between saddle vertices on embedded surfaces with \f$n\f$
+  /// faces, and some dozens for each face in practice.
   void run()
   {
     m_search.run();

@@ -77,7 +77,7 @@ public:
   /// returns the connectivity of `side`.
   const Delta_complex& mesh(Side side) const { return *m_side[index(side)]; }
 
-  /// returns the vertex of `side` that `v` is; null if it is no vertex there.
+  /// returns the vertex of `side` that `v` is; null if it is not a vertex there.
   Vertex_index parent_vertex(Side side, Vertex_index v) const
   {
     return v.idx() < mesh(side).number_of_vertices() ? v : Vertex_index();
@@ -111,7 +111,7 @@ public:
 
   /// returns the barycentric coordinates of the target of `h` in the parent of its face.
   /// Complexity: constant, or linear in the degree of the target.
-  /// \pre `h` is no border halfedge
+  /// \pre `h` is not a border halfedge
   std::array<FT, 3> coordinates(Side side, Halfedge_index h) const
   {
     const Vertex_index v = m_mesh.target(h);

@@ -217,7 +217,7 @@ public:
   }
 
   /// returns the place of the source of the halfedge `h` of \f$T_2\f$ in the face of \f$T_1\f$ into
-  /// which `h` leads, or which lies on its left if its edge is shared. \pre `h` is no border
+  /// which `h` leads, or which lies on its left if its edge is shared. \pre `h` is not a border
   /// halfedge
   Face_location<FT> input_location(Halfedge_index h) const
   {

@@ -38,11 +38,11 @@ namespace CGAL::Intrinsic_triangulations {
 /// boundary a Delaunay triangulation has no negative weights. `gradient_matrix()` has two rows for
 /// each face of the cover. `Poisson_solver` and `Heat_distance` take this surface as any other.
 ///
-/// Around a vertex faces need not form one umbrella, so there are no tangent spaces: vectors live on
-/// the cover itself.
+/// Around a vertex faces need not form one umbrella, so there are no tangent spaces: vectors live
+/// on the cover itself.
 ///
 /// \tparam FT_ a floating point type
-/// \cgalModels `IntrinsicSurface`, but for the umbrellas
+/// \cgalModels `IntrinsicSurface`, except that vertices may have several umbrellas
 template <typename FT_ = double>
 class Tufted_surface
 {

@@ -83,8 +83,8 @@ public:
   /// \param p a point with coordinates that are not negative and sum up to one
   /// \param closeness if the point is closer to an edge of \f$T_1\f$, it is put on that edge
   /// \returns the vertex; one that was there already if two coordinates are zero
-  /// \throws Numerical_error if a new edge has no positive finite length, or with exact decisions, if
-  ///   no point near by has coordinates on \f$T_1\f$ that leave its edges straight and its faces
+  /// \throws Numerical_error if a new edge has no positive finite length, or with exact decisions,
+  ///   if no point near by has coordinates on \f$T_1\f$ that leave its edges straight and its faces
   ///   positive; nothing has changed then.
   Vertex_index insert(const Face_location<FT>& p, const FT& closeness = FT(0))
   {
@@ -109,9 +109,9 @@ public:
 
   /// inserts a vertex into the edge of `h`, at `t` between its source and its target. `h` leads on
   /// from there. With exact decisions, the rounded place of a vertex is not on an edge that is not
-  /// shared: it is inserted into the face beside it as by `insert()`, the edge is flipped if this is
-  /// possible, and `h` is the flipped edge. Complexity: linear in the crossings on the sides of its
-  /// faces.
+  /// shared: it is inserted into the face beside it as by `insert()`, the edge is flipped if this
+  /// is possible, and `h` is the flipped edge. Complexity: linear in the crossings on the sides of
+  /// its faces.
   /// \param h the halfedge
   /// \param t the place
   /// \param closeness if the point is closer to a crossing, it is put there

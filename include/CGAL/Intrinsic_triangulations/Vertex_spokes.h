@@ -18,9 +18,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
-/// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex \f$T_1\f$, numbered
-/// from 0 in counterclockwise order. Roundabouts are such numbers (Section 3.1.2). At a boundary
-/// vertex the numbering starts at the spoke with the boundary on its right and ends at the border
+/// the outgoing halfedges ("spokes") of every vertex of a fixed Delta-complex \f$T_1\f$, indexed
+/// from 0 in counterclockwise order. Roundabouts are such indices (Section 3.1.2). At a boundary
+/// vertex the order starts at the spoke with the boundary on its right and ends at the border
 /// halfedge.
 ///
 /// A vertex that has been inserted on an edge of \f$T_1\f$ has two spokes, the halfedges of that
@@ -29,16 +29,16 @@ namespace CGAL::Intrinsic_triangulations {
 class Vertex_spokes
 {
 public:
-  /// the type of numbers of spokes.
+  /// the type of indices of spokes.
   typedef Delta_complex::size_type size_type;
 
-  /// creates the numbering of an empty complex.
+  /// creates the spokes of an empty complex.
   Vertex_spokes() = default;
 
-  /// numbers the spokes of `mesh` and writes the number of every halfedge to `number`.
+  /// orders the spokes of `mesh` and writes the index of every halfedge to `number`.
   /// Complexity: linear.
   /// \param mesh a valid Delta-complex without removed elements
-  /// \param number a writable property map from halfedges to numbers
+  /// \param number a writable property map from halfedges to indices
   /// \throws Invalid_input if an interior vertex has more than one umbrella
   template <typename NumberMap>
   Vertex_spokes(const Delta_complex& mesh, NumberMap number)
@@ -66,7 +66,7 @@ public:
     return m_halfedge[m_range[v].first + number];
   }
 
-  /// returns the number of the spoke `h` of `v`. Complexity: linear in the degree.
+  /// returns the index of the spoke `h` of `v`. Complexity: linear in the degree.
   size_type number(Vertex_index v, Halfedge_index h) const
   {
     size_type number = 0;

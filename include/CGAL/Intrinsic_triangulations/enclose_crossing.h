@@ -97,12 +97,12 @@ inline bool is_narrow(const Interval_nt<>& place, double width)
 /// are narrow enough.
 ///
 /// \param correspondence the crossings
-/// \param id the number of the crossing
+/// \param id the index of the crossing
 /// \param width the greatest width of an interval; if it is less than the spacing of numbers of
 ///        type `double`, at most one of them lies inside the interval
 /// \returns the places on the first halfedges of both edges, as `Correspondence::crossing()`
-///   returns them rounded. Intervals are wider than asked only if 1024 bits do not suffice: where
-///   two edges run along each other, in faces without area, any place that they share is a
+///   returns them rounded. Intervals are wider than requested only if 1024 bits do not suffice:
+///   where two edges run along each other, in faces without area, any place that they share is a
 ///   crossing.
 ///
 /// Complexity: linear in the crossings of the edge of \f$T_2\f$.

@@ -14,7 +14,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
-/// base of all exceptions of the package; `what()` says what is wrong and where.
+/// base of all exceptions of the package; `what()` describes the error and its place.
 class Error : public std::runtime_error
 {
 public:
@@ -54,7 +54,7 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
-/// a file does not hold what its format asks for; `line()` says where reading stopped.
+/// a file does not follow its format; `line()` returns where reading stopped.
 class File_format_error : public Error
 {
   std::size_t m_line;
@@ -65,7 +65,7 @@ public:
     : Error("line " + std::to_string(line) + ": " + message), m_line(line)
   {}
 
-  /// returns the number of the offending line, starting from 1.
+  /// returns the offending line, counted from 1.
   std::size_t line() const { return m_line; }
 };
 

@@ -35,7 +35,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// vertex, it is put there, with coordinates that are exactly zero.
 ///
 /// Directions are turned by corner angles and points are kept as barycentric coordinates, so that
-/// thin triangles on the way do no harm: end and length are accurate to rounding of the longest
+/// thin triangles on the way are no problem: end and length are accurate to rounding of the longest
 /// edge for every face passed. But geodesics on either side of a vertex with curvature part there:
 /// what passes a vertex at the distance of such errors has an end on one of its two sides.
 ///

@@ -101,14 +101,14 @@ std::size_t flip_to_inserted(Intrinsic_triangulation<Traits>& tri,
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// turns \f$T_2\f$ into \f$T_3\f$, the second triangulation of `target`, by flips that follow
 /// integer coordinates alone (Section 3.4): those of \f$T_3\f$ over \f$T_2\f$, see
-/// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the numbers of edges
+/// `triangulation_over()`. Lengths and constraints become those of \f$T_3\f$; the indices of edges
 /// and faces may differ. Complexity: finite; in practice below the numbers of crossings of the
 /// three triangulations with each other.
 ///
 /// Where vertices have been inserted, `tri` becomes a copy of `target`: its vertices are inserted,
-/// edges are flipped, and vertices that it has not are removed, see `triangulation_over()`.
+/// edges are flipped, and vertices that are not in it are removed, see `triangulation_over()`.
 /// \returns the number of flips until all edges of \f$T_3\f$ are there
-/// \throws Invalid_input if the two have not the same input
+/// \throws Invalid_input if the two do not have the same input
 /// \throws Numerical_error as `triangulation_over()` if vertices have been inserted
 /// \throws Overflow_error if a normal coordinate on the way is out of range
 /// After an exception nothing has changed.

@@ -37,18 +37,18 @@ namespace CGAL::Intrinsic_triangulations {
 /// one set of sources after the other; the two matrices are factorized once.
 ///
 /// Sources are vertices, or with `Distance_sources` points anywhere and curves. The distance is
-/// zero at every vertex that is a source: it is the function with this property whose gradient comes
-/// closest to the direction away from the sources. Without the condition, the function with that
-/// gradient takes different values at different sources, by many edge lengths if these fill a
-/// region, so that no constant subtracted from it is right; one source needs no more than a
-/// constant.
+/// zero at every vertex that is a source: it is the function with this property whose gradient
+/// comes closest to the direction away from the sources. Without the condition, the function with
+/// that gradient takes different values at different sources, by many edge lengths if these fill a
+/// region, so that subtracting a constant does not suffice; for one source it does.
 ///
-/// Distances are approximate: on a Delaunay triangulation with evenly spread vertices they are off
-/// by one to three percent on average, on others they can be far off. Refinement makes the error
-/// smaller, but since the time step shrinks along, not without end; a greater `time_step_factor` on
-/// a finer mesh does.
+/// Distances are approximate: on a Delaunay triangulation with evenly spread vertices their errors
+/// are one to three percent on average; on others errors can be large. Since the time step
+/// decreases with the edge lengths, refinement reduces the error only up to a limit, unless the
+/// `time_step_factor` is increased too.
 ///
-/// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
+/// The object does not refer to the mesh, and is valid as long as connectivity and lengths do not
+/// change.
 ///
 /// \tparam FT_ a floating point type
 template <typename FT_ = double>
@@ -110,7 +110,9 @@ public:
 
   /// computes the distance of every vertex to the nearest of some vertices, points and curves on
   /// the surface. At the ends of an edge and the corners of a face in which there are sources, it
-  /// is the distance within the edge or face; otherwise as above. A curve counts as many sources.
+  /// is the distance within the edge or face. A curve counts as many sources. Complexity: linear
+  /// in the size of the factorizations; if a component has more than one source, another sparse
+  /// Cholesky factorization.
   template <typename Surface>
   Vector distances(const Distance_sources<Surface>& sources) const
   {

@@ -159,8 +159,8 @@ std::vector<Edge_index> edges_beside_cotree(const Edge_path_trees<Surface>& tree
 /// homologous to exactly one integer combination of them.
 ///
 /// In each component, shortest paths from its first vertex and edges between their ends make loops,
-/// of which a shortest basis is taken (Erickson and Whittlesey 2005); what a loop goes to and fro is
-/// left out. `Edge_paths` shortens them to geodesics.
+/// of which a shortest basis is taken (Erickson and Whittlesey 2005); what a loop goes to and fro
+/// is left out. `Edge_paths` shortens them to geodesics.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \returns the halfedges of each loop, each starting where the one before ends. For a component of

@@ -288,7 +288,7 @@ private:
 /// crosses one of \f$T_1\f$, and each face lies in one of them: it is flat in space if the input
 /// is. Flipped to be Delaunay, it is a refined triangulation again.
 ///
-/// Vertices keep their numbers and places, and so do edges and faces if nothing has been inserted.
+/// Vertices keep their indices and places, and so do edges and faces if nothing has been inserted.
 /// No edge is constrained. Complexity: linear, and \f$O(n \log n)\f$ in the vertices in a face.
 /// \throws Numerical_error if an inserted vertex cannot be distinguished from another vertex or
 ///   from an edge

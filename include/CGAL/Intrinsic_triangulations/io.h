@@ -292,7 +292,7 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// writes `tri` with its correspondence, exactly: what `read_intrinsic_triangulation()` makes of it
-/// has the same elements with the same numbers, and the same lengths to the bit. The format is
+/// has the same elements with the same indices, and the same lengths to the bit. The format is
 /// described in the user manual (\ref Intrinsic_triangulations_file_format). The number type of the
 /// traits must be a floating point type. What is exact stays exact: positions, and squared lengths
 /// that are rational; for squared lengths in other fields, what is read is exact for its lengths.
@@ -326,7 +326,7 @@ bool write_intrinsic_triangulation(std::ostream& os, const Intrinsic_triangulati
 /// reads what `write_intrinsic_triangulation()` has written, and checks it.
 /// Complexity: linear in the elements and crossings.
 /// \throws File_format_error if the text does not follow the format; the line is named
-/// \throws Invalid_input if the text follows the format, but is no triangulation of a surface
+/// \throws Invalid_input if the text follows the format, but is not a triangulation of a surface
 template <typename Traits = Euclidean_geometry_traits<double>>
 Intrinsic_triangulation<Traits> read_intrinsic_triangulation(std::istream& is,
                                                              const Traits& traits = Traits())

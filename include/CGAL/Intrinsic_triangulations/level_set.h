@@ -21,8 +21,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Follows the curves of a level set from face to face. A vertex is above the level or not, so that a
-// curve enters and leaves a face through one edge each.
+// Follows the curves of a level set from face to face. A vertex is above the level or not, so that
+// a curve enters and leaves a face through one edge each.
 template <typename Surface, typename Values>
 class Level_set_follower
 {
@@ -99,18 +99,19 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsPaths
 /// computes the curves on which a function that is linear on faces has a given value.
 ///
-/// Vertices whose value is the level count as above it: the curves run through edges and straight over
-/// faces, and separate the vertices above from those below. How they run is decided by comparisons
-/// alone. None of them meets itself or another one but where edges without length do.
+/// Vertices whose value is the level count as above it. The curves cross edges, are straight on
+/// faces, and separate the vertices above from those below; which edges they cross is decided by
+/// comparisons alone. They are simple and disjoint, except at edges without length.
 ///
-/// \param surface a model of `IntrinsicSurface` with floating point lengths, \f$T_1\f$ or \f$T_2\f$;
-///        `curve_through()` and `curve_across()` take each curve to the other triangulation
+/// \param surface a model of `IntrinsicSurface` with floating point lengths, \f$T_1\f$ or
+///        \f$T_2\f$; `curve_through()` and `curve_across()` take each curve to the other
+///        triangulation
 /// \param values the finite values at the vertices, by their indices: a vector of Eigen or of the
 ///        standard library, such as distances
 /// \param level the value
 /// \returns the curves, each with its length and the points on edges that it runs through, and with
-///          greater values on its left. Those from boundary to boundary come first; a closed one ends
-///          where it starts.
+///          greater values on its left. Those from boundary to boundary come first; a closed one
+///          ends where it starts.
 ///
 /// Complexity: linear.
 template <typename Surface, typename Values>

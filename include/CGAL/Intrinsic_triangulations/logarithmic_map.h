@@ -24,7 +24,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// says what a shortest path is like.
+/// describes a shortest path.
 enum class Logarithm_status
 {
   straight,   ///< it is a straight line: the exponential map leads to its end
@@ -122,7 +122,7 @@ bool is_valid_source(const Source& source, const Delta_complex& mesh)
 /// with curvature may be traced to the wrong side of it (see `trace_geodesic()`).
 /// \param surface a model of `IntrinsicSurface` with floating point lengths; loops, parallel edges
 ///        and faces that meet themselves are allowed
-/// \param source a vertex that is not isolated, or a `Face_location` that is no vertex
+/// \param source a vertex that is not isolated, or a `Face_location` that is not at a vertex
 /// \param target a point with barycentric coordinates that are not negative and sum up to one
 /// Complexity: linear in the vertices for initialization, and \f$O(k \log k)\f$ for \f$k\f$ views
 /// up to the distance of `target`; these can be quadratic in the number of faces or more, but tend
@@ -144,7 +144,9 @@ Logarithm<Length_of<Surface>> logarithmic_map(const Surface& surface, const Sour
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
-/// computes the logarithmic map of all vertices, in a vector by their index; otherwise as above.
+/// computes the logarithmic map at `source` of all vertices, in a vector by their index, with the
+/// properties of the function for one point. Complexity: \f$O(k \log k)\f$ for \f$k\f$ views.
+/// \throws Numerical_error if the angles at a vertex have no positive finite sum
 template <typename Surface, typename Source>
 std::vector<Logarithm<Length_of<Surface>>> logarithmic_map(const Surface& surface,
                                                            const Source& source)

@@ -23,7 +23,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
+/// a visitor that does nothing. A class derived from it redefines only the functions that it needs.
 ///
 /// \cgalModels `FlipVisitor`
 struct Default_flip_visitor
@@ -59,7 +59,7 @@ class Flipping_by_lengths
 public:
   explicit Flipping_by_lengths(Triangulation& tri) : m_tri(tri) {}
 
-  // Whether the lengths around `e` leave no doubt; those beyond the boundary mean nothing.
+  // Whether the lengths around `e` leave no doubt; those beyond the boundary are unspecified.
   bool is_certainly_Delaunay(Edge_index e) const
   {
     return m_tri.traits().is_locally_Delaunay_object().is_certain(
@@ -272,9 +272,9 @@ Delaunay_flips flip_exactly(Intrinsic_triangulation<Traits>& tri, std::size_t li
   return {first.number + second.number, true};
 }
 
-// Goes on with exact decisions, and from T1, where lengths of type `double` cannot carry these: after
-// `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of T2 may
-// be bent.
+// Goes on with exact decisions, and from T1, where lengths of type `double` cannot carry these:
+// after `flips_by_lengths()`, or if edges are still not Delaunay after two rounds. By then edges of
+// T2 may be bent.
 template <typename Traits, typename Visitor>
 Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                              Visitor& visitor, Concurrency concurrency = Concurrency())
@@ -307,10 +307,11 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// laid out; if one is bent, \f$T_2\f$ becomes \f$T_1\f$ again, with the inserted vertices, and
 /// flipping starts anew.
 ///
-/// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips than
-/// edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from \f$T_1\f$ and
-/// flipping goes on. If that is not enough, or there were more than ten million flips and a thousand
-/// for each edge, flipping in `double` starts anew from \f$T_1\f$ with exact decisions.
+/// Otherwise lengths that are rounded decide, up to `rounding_unit()`; if there were more flips
+/// than edges, or rounding has left a flipped edge non-Delaunay, they are recomputed from
+/// \f$T_1\f$ and flipping continues. If that does not suffice, or there were more than ten million
+/// flips plus a thousand for each edge, flipping with lengths of type `double` starts anew from
+/// \f$T_1\f$ with exact decisions.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraits`
 /// \tparam NamedParameters a sequence of named parameters
@@ -320,7 +321,7 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the number of flips that are allowed}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{a thousand for each edge, and a hundred million}
+///     \cgalParamDefault{a hundred million plus a thousand for each edge}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, too;
@@ -329,9 +330,8 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{concurrency_tag}
-///     \cgalParamDescription{whether several threads find the edges to start from; flips are made
-///     one
-///                           after the other. See \ref it_parallel.}
+///     \cgalParamDescription{whether several threads find the edges to start from; flips are
+///                           sequential. See \ref it_parallel.}
 ///     \cgalParamType{`CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
 ///                    `CGAL::Parallel_if_available_tag`}
 ///     \cgalParamDefault{`CGAL::Sequential_tag`}
@@ -351,7 +351,7 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 /// \throws Flip_limit_exceeded if more flips than allowed were needed
 /// \throws Numerical_error if a flipped length is not positive and finite, an exact decision
 ///         involves too many square roots (see `certify_Delaunay()`), or rounding of the lengths
-///         stands against the postcondition and exact decisions are not possible
+///         prevents the postcondition and exact decisions are not possible
 /// \throws Overflow_error if a normal coordinate is out of range
 /// After an exception `tri` is a valid triangulation of the same surface.
 /// \post `is_Delaunay(tri)`

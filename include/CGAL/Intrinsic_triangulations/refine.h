@@ -26,7 +26,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
-/// a visitor that does nothing. A class derived from it needs to define only what it wants to see.
+/// a visitor that does nothing. A class derived from it redefines only the functions that it needs.
 ///
 /// \cgalModels `RefinementVisitor`
 struct Default_refinement_visitor : Default_flip_visitor
@@ -315,7 +315,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 /// side of an edge a new vertex lies, and which edges can be flipped to remove one. A new vertex
 /// gets coordinates of type `double` on \f$T_1\f$, and lies there exactly. It is inserted only if
 /// its edges are straight then and its faces positive; otherwise points farther inside the face
-/// are tried, and if none of them will do, the bad face is left, with the reason `at_rounding`.
+/// are tried; if none of them is possible, the bad face is left, with the reason `at_rounding`.
 ///
 /// \tparam Traits a model of `IntrinsicGeometryTraitsWithDistance` whose number type is a floating
 ///   point type

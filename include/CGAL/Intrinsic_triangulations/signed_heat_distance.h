@@ -43,14 +43,14 @@ namespace CGAL::Intrinsic_triangulations {
 /// loop that runs counterclockwise around a region. The normals of the curve flow over the surface
 /// like heat; the distance is the function whose gradient comes closest to their directions, less
 /// its mean over the curve. A curve with gaps, or a part of a boundary curve, is completed in this
-/// way. Where no side is right, as beyond the end of a curve, or on a surface that a closed curve
-/// does not separate, so is no sign: the distance is a compromise there.
+/// way. Beyond the end of a curve, or if a closed curve does not separate the surface, no signed
+/// distance exists, and the result is only smooth there.
 ///
 /// Distances are approximate. Heat that flows for a longer time rounds off the level sets of curves
-/// whose curvature varies, by an error of the first order in the edge lengths; a shorter time makes
-/// the directions of edges felt, by an error that does not vanish with the edge lengths, but is
-/// small: hence a greater default than that of `Heat_distance`. Distances are zero on the curve
-/// only up to these errors. A Delaunay triangulation is much to be preferred.
+/// whose curvature varies, by an error of the first order in the edge lengths; for a shorter time
+/// the result depends on the directions of edges, by a small error that does not vanish with the
+/// edge lengths: hence the default is greater than that of `Heat_distance`. Distances are zero on
+/// the curve only up to these errors. Errors are smaller on Delaunay triangulations.
 ///
 /// The object refers to the surface, which must not change as long as it is used.
 ///

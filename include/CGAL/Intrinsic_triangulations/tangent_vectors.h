@@ -43,7 +43,7 @@ std::complex<FT> at_vertex(const Surface& surface, Halfedge_index spoke,
 ///
 /// Its angle from `spoke` is normalized (Section 2.3.2). A vector that points away from the corner
 /// is the opposite of one that points into it, so that the direction in which a geodesic arrives
-/// becomes the one in which it goes on.
+/// becomes the direction in which it continues.
 /// \param surface a model of `IntrinsicSurface` with floating point lengths
 /// \param spoke the halfedge of the face whose source is the vertex; it determines the corner if
 ///        several are at one vertex

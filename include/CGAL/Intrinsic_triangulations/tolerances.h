@@ -46,9 +46,9 @@ constexpr FT rounding_unit()
 
 namespace internal {
 
-// The relative error of the lengths that exact traits store, in `double`. It allows a strip of about
-// a hundred triangles before more digits are needed, and is small enough for lengths to decide about
-// nearly all edges.
+// The relative error of the lengths that exact traits store, in `double`. It allows a strip of
+// about a hundred triangles before more digits are needed, and is small enough for lengths to
+// decide about nearly all edges.
 constexpr double certified_length_error() { return 1.0 / (std::int64_t(1) << 40); }
 
 // The angle in radians by which a corner that is nearly flat or nearly zero can be wrong: its
@@ -60,12 +60,12 @@ FT flat_angle_tolerance()
   return 16 * CGAL::sqrt(rounding_unit<FT>());
 }
 
-// By how much, in radians, the sum of the angles of a fan, each of them rounded, differs from pi where
-// it decides: far more than its error.
+// By how much, in radians, the sum of the angles of a fan, each of them rounded, differs from pi
+// where it decides: far more than its error.
 constexpr double fan_tolerance() { return 1e-6; }
 
-// Where a fan with lengths in `double` is so nearly flat, it counts as flat: a path would get shorter
-// by the square of this, and to tell the two apart could take any number of digits.
+// Where a fan with lengths in `double` is so nearly flat, it counts as flat: a path would get
+// shorter by the square of this, and a decision could take any number of digits.
 constexpr double flat_fan_tolerance() { return 1e-24; }
 
 // How far a circumcenter may be moved onto an edge, in circumradii. For `double` it is 2^-20: far

@@ -33,8 +33,8 @@ constexpr FT power_of_two(int exponent)
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// returns 16 times the squared area of the triangle with sides `a`, `b`, `c`, by Kahan's form of
-/// Heron's formula, which loses no digits on needles. A triangle that rounding has pressed beyond
-/// flat counts as flat.
+/// Heron's formula, which loses no digits on needles. If rounded lengths violate the triangle
+/// inequality, the result is zero.
 template <typename FT>
 inline FT squared_quadrupled_area(const FT& a, const FT& b, const FT& c)
 {

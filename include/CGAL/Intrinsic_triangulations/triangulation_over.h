@@ -48,10 +48,10 @@ Intrinsic_triangulation<Traits> flipped_over(const Intrinsic_triangulation<Trait
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// drops the input \f$T_1\f$ that two triangulations have in common: returns \f$T_3\f$, the second
 /// triangulation of `tri`, over \f$T_2\f$, the second one of `base`, as its input. So tracing, the
-/// common subdivision and everything else work between these two.
+/// common subdivision and all other functions work between these two.
 ///
 /// The integer coordinates of \f$T_2\f$ over \f$T_3\f$ follow from those of \f$T_1\f$ over both,
-/// by flips (Section 3.4), without a length. The elements have the numbers that they have in
+/// by flips (Section 3.4), without a length. The elements have the indices that they have in
 /// `base` and `tri`. Lengths and constraints are taken over; an edge of both has its length in
 /// `base`. With exact traits the lengths of \f$T_2\f$, as they are stored, are the exact metric of
 /// the result. Complexity: linear in the flips from \f$T_2\f$ and from \f$T_3\f$ to \f$T_1\f$, see
@@ -59,14 +59,14 @@ Intrinsic_triangulation<Traits> flipped_over(const Intrinsic_triangulation<Trait
 ///
 /// Where vertices have been inserted, those at the same place on \f$T_1\f$ are the same vertices.
 /// Those that only \f$T_2\f$ has are inserted into \f$T_3\f$, and those that only \f$T_3\f$ has
-/// are inserted vertices of the result, with places on \f$T_2\f$. Vertices have the numbers that
+/// are inserted vertices of the result, with places on \f$T_2\f$. Vertices have the indices that
 /// they have in `base`, and other elements new ones. Within a face of \f$T_1\f$ integer
 /// coordinates do not determine the way around inserted vertices. Therefore the flips lead over
 /// the Delaunay triangulation of all these vertices, which straight edges identify, with their
-/// ends and the edges of \f$T_1\f$ that they cross; ties do no harm. Lengths are computed afresh
+/// ends and the edges of \f$T_1\f$ that they cross; ties are allowed. Lengths are computed afresh
 /// on \f$T_2\f$. Complexity: that of `make_Delaunay()` for both and of `Correspondence`, times the
 /// greatest number of times that a face is split, and \f$O(n \log n)\f$ in the edges.
-/// \throws Invalid_input if the two have not the same input, or the lengths of the two are too
+/// \throws Invalid_input if the two do not have the same input, or the lengths of the two are too
 ///   different to be rounded ones of one surface
 /// \throws Numerical_error if rounding puts a vertex that one of the two has on another element of
 ///   \f$T_1\f$ in the other one, or the two Delaunay triangulations differ by more than ties

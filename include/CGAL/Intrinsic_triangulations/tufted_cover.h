@@ -119,8 +119,8 @@ private:
 
 namespace internal {
 
-// Links the copies of triangles. Side s has the copies 2 s in the front of its triangle and 2 s + 1 in
-// the back.
+// Links the copies of triangles. Side s has the copies 2 s in the front of its triangle and 2 s + 1
+// in the back.
 template <typename P>
 class Cover_builder
 {
@@ -280,8 +280,8 @@ void check_finite(const Points& points)
 /// computes the tufted cover of triangles with positions. Around an edge, triangles follow each
 /// other by their angles, which are compared exactly. Triangles with one angle are stacked by their
 /// indices, in the direction of the normal of their plane whose first component that is not zero is
-/// positive; triangles without a plane come last. Complexity: linear, but for sorting the triangles at
-/// each edge that has more than two.
+/// positive; triangles without a plane come last. Complexity: linear, plus sorting the triangles
+/// at each edge that has more than two.
 /// \param points a random access range of points of a kernel; predicates are exact for coordinates
 ///   in floating point, others are those of the kernel
 /// \param triangles a range of ranges of three integers, the indices of points

@@ -35,7 +35,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// matrices are factorized once.
 ///
 /// Tangent vectors are complex numbers in the frames of `Tangent_frames`. A Delaunay triangulation
-/// is much to be preferred: edges of negative weight (see `cotan_laplacian()`) do not carry
+/// should be used: edges of negative weight (see `cotan_laplacian()`) do not carry
 /// vectors.
 ///
 /// The object does not refer to the mesh, and holds for as long as connectivity and lengths stay.
@@ -104,7 +104,7 @@ public:
     return longest * spread(vectors, is_source);
   }
 
-  /// transports the vector `vector` at `source` to all vertices; otherwise as above.
+  /// transports the vector `vector` at `source` to all vertices, as the function for ranges does.
   Vector_field transport(Vertex_index source, const std::complex<FT>& vector) const
   {
     return transport(std::array{Source(source, vector)});

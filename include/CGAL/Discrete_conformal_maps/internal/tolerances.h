@@ -60,7 +60,7 @@ constexpr double roundings_of_squares = 16;
 // that masses in two points lack along the line through both.
 constexpr double center = 1e-14, near_center = 1e-6, least_curvature = 1e-12;
 // By how much an energy may grow, relatively, while its minimizer still converges; less than that
-// its values cannot tell, and slopes have to.
+// its values do not resolve, and slopes decide.
 constexpr double growth = 1e-9;
 
 // The least entry of a damped diagonal, relative to the greatest.

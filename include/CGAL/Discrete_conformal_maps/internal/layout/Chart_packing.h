@@ -50,8 +50,8 @@ inline std::vector<std::complex<double>> convex_hull(std::vector<std::complex<do
   return hull;
 }
 
-// The points of a chart that have come one after the other, without most of those inside their convex
-// hull. Memory: linear in the corners of the hull.
+// The points of a chart that have come one after the other, without most of those inside their
+// convex hull. Memory: linear in the corners of the hull.
 class Hull_points
 {
   typedef std::complex<double> Complex;

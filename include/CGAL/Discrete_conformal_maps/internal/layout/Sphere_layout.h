@@ -31,9 +31,9 @@ class Sphere_layout
 public:
   typedef std::array<FT, 2> Point;
 
-  // `length` has the lengths in the plane of the edges of `mesh`; `mass` are those of the vertices of
-  // the surface itself. A doubled surface becomes symmetric with regard to the real line, with the
-  // surface above it.
+  // `length` has the lengths in the plane of the edges of `mesh`; `mass` are those of the vertices
+  // of the surface itself. A doubled surface becomes symmetric with regard to the real line, with
+  // the surface above it.
   Sphere_layout(const Delta_complex& mesh, const std::vector<FT>& length, Vertex_index at_infinity,
                 const std::vector<double>& mass, const Doubled_problem& problem)
     : m_problem(problem),

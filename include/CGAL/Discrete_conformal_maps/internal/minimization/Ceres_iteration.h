@@ -26,10 +26,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Runs of Ceres on the variables that move, each from the best point so far, in coordinates in which
-// the Hessian at that point is the identity, and with values relative to that point: so each run
-// gets as many digits as the last one had left. Exceptions do not pass through Ceres: they wait until
-// it has returned.
+// Runs of Ceres on the variables that move, each from the best point so far, in coordinates in
+// which the Hessian at that point is the identity, and with values relative to that point: so each
+// run gets as many digits as the last one had left. Exceptions do not pass through Ceres: they wait
+// until it has returned.
 template <typename Energy, typename Visitor>
 class Ceres_iteration
 {

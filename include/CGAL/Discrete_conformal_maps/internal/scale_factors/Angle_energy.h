@@ -45,7 +45,7 @@ public:
     m_concurrency = Intrinsic_triangulations::internal::Concurrency(tag);
   }
 
-  // Where a scaled length is no length, the gradient is NaN.
+  // Where a scaled length is not a length, the gradient is NaN.
   void evaluate(const Vector& x)
   {
     for(std::size_t i = 0; i < m_origin.size(); ++i)

@@ -37,8 +37,8 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// The surface that is uniformized, and what is prescribed at its vertices. A surface with boundary is
-// doubled (Section 4.3.4), and what is prescribed is symmetric, so is the result, and there are
+// The surface that is uniformized, and what is prescribed at its vertices. A surface with boundary
+// is doubled (Section 4.3.4), and what is prescribed is symmetric, so is the result, and there are
 // unknowns at the vertices of the surface only. Of the second copy, there is as much as the edges
 // across the boundary reach: beyond that, it is the mirror image of the first. The vertices on the
 // boundary have twice the prescribed exterior angle.
@@ -49,8 +49,8 @@ public:
   typedef Intrinsic_triangulations::internal::Mesh_components Components;
   typedef Eigen::VectorXd Vector;
 
-  // `half` is the surface, of which nothing but connectivity and lengths is kept; `condition` has one
-  // entry for each of its vertices; the flips to T^B can be decided exactly
+  // `half` is the surface, of which nothing but connectivity and lengths is kept; `condition` has
+  // one entry for each of its vertices; the flips to T^B can be decided exactly
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, bool has_exact_flips = false)
     : m_flipping(flipping),

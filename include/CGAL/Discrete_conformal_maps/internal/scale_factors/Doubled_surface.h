@@ -14,16 +14,17 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// A surface and a copy of some of its faces, glued along the boundary (Section 4.3.4): the double of
-// the surface, or as much of it as is needed. The surface itself keeps its numbers, and its border
-// halfedges become those of copied faces. Where copied and other faces meet, the copy has a border.
+// A surface and a copy of some of its faces, glued along the boundary (Section 4.3.4): the double
+// of the surface, or as much of it as is needed. The surface itself keeps its indices, and its
+// border halfedges become those of copied faces. Where copied and other faces meet, the copy has a
+// border.
 class Doubled_surface
 {
   typedef Delta_complex::size_type size_type;
 
 public:
-  // `has_copy` says of each face of `half`, which has no garbage, whether it is copied. All faces at
-  // a vertex on the boundary are, or none.
+  // `has_copy` says of each face of `half`, which has no garbage, whether it is copied. All faces
+  // at a vertex on the boundary are, or none.
   Doubled_surface(const Delta_complex& half, const std::vector<char>& has_copy)
     : m_half(half),
       m_mesh(half),

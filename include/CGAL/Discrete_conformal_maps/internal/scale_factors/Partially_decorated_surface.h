@@ -56,7 +56,7 @@ public:
 
   // Takes other scale factors, and flips to the triangulation that is Delaunay with them. That of
   // the vertex at infinity has no influence.
-  // \throws Numerical_error if a scaled length is no length
+  // \throws Numerical_error if a scaled length is not a length
   void scale(std::vector<FT> u)
   {
     using std::abs;

@@ -25,8 +25,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // The triangulation whose edges join a center to all other vertices by shortest geodesics, and to
 // itself (Section 4.4.3). It is ideal Delaunay if only the center has a horocycle.
 //
-// The surface may have a border, whose edges stay: they are geodesics, and shortest ones within them
-// do not cross them.
+// The surface may have a border, whose edges stay: they are geodesics, and shortest ones within
+// them do not cross them.
 //
 // The other horocycles shrink at the same rate, and every edge is flipped when it ceases to be
 // Delaunay. So edges stay short on the way.

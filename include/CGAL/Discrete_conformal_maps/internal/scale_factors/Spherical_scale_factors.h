@@ -33,7 +33,7 @@ class Spherical_scale_factors
 
 public:
   // A disk has its vertex at infinity on the boundary: then there are shortest geodesics within it.
-  // \throws Numerical_error if `FT` has no numbers for the bounds
+  // \throws Numerical_error if the bounds are out of the range of `FT`
   Spherical_scale_factors(Doubled_problem& problem, Vertex_index at_infinity)
     : m_problem(problem),
       m_at_infinity(at_infinity),
@@ -58,7 +58,7 @@ public:
   const Minimization_result& result() const { return m_result; }
 
   // The greatest error of an angle that must be full: at vertices that are not at their bounds. At
-  // the others, the slope of the energy is like a root. There may be no number for where it
+  // the others, the slope of the energy is like a root. No number may be close enough to where it
   // vanishes, and the bound leaves as much as the root of a rounding unit in the gradient, before
   // which all else in it is lost; but the sum of angles need not be full there.
   double angle_error() const

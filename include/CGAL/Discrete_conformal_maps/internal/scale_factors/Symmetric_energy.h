@@ -23,10 +23,10 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// Half of the energy of a double, as a function of the scale factors on the surface itself: those of
-// copies are equal. A model of `ConvexEnergy`. All faces at a vertex of the surface are there; where
-// the second copy is not deep enough for a point, it is made deeper. A surface without boundary has
-// its own energy.
+// Half of the energy of a double, as a function of the scale factors on the surface itself: those
+// of copies are equal. A model of `ConvexEnergy`. All faces at a vertex of the surface are there;
+// where the second copy is not deep enough for a point, it is made deeper. A surface without
+// boundary has its own energy.
 template <typename Energy>
 class Symmetric_energy
 {

@@ -18,7 +18,7 @@
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
-// What is prescribed at the vertices of `g`, by numbers. Where the caller says nothing: flat
+// What is prescribed at the vertices of `g`, by their indices. By default flat
 // inside, and `on_boundary` on the boundary.
 template <typename Graph, typename NamedParameters>
 std::vector<Vertex_condition> vertex_conditions(const Graph& g, const Delta_complex& mesh,

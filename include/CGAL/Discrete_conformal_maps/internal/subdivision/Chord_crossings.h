@@ -31,7 +31,7 @@ public:
   struct Crossing
   {
     std::size_t earlier, later;
-    std::array<std::size_t, 2> rank; // its number along either
+    std::array<std::size_t, 2> rank; // its index along either
   };
 
   // Chords 0, ..., n[0] - 1 are the first family, the next n[1] the second; `ends` has the chord of

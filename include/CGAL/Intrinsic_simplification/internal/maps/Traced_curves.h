@@ -118,7 +118,7 @@ struct Traced_curves
 
 private:
   // The mark where the piece starts becomes that where it ends. An edge may end at a vertex on a
-  // side, which is no crossing.
+  // side, which is not a crossing.
   void add_piece(Curve_segment s, Edge_index e, bool is_followed, Curve_index& mark,
                  const Surface_level& fine)
   {

@@ -32,7 +32,7 @@ inline std::array<double, 3> weights_from_lengths(const std::array<double, 3>& s
     area[c] = Intrinsic_triangulations::quadrupled_area(spoke[(c + 1) % 3], side[(c + 1) % 3],
                                                         spoke[(c + 2) % 3]);
   const double sum = area[0] + area[1] + area[2];
-  if(!(sum > 0)) // all points on a line: any place will do
+  if(!(sum > 0)) // all points on a line: any place is correct
     return {1. / 3, 1. / 3, 1. / 3};
   return {area[0] / sum, area[1] / sum, area[2] / sum};
 }
@@ -78,7 +78,7 @@ public:
     m_visitor.before_exact_refinement();
   }
 
-  // A place that is rounded to a vertex is no new one.
+  // A place that is rounded to a vertex is not a new one.
   template <typename Traits>
   void after_insertion(Vertex_index v,
                        const Intrinsic_triangulations::Vertex_inserter<Traits>& inserter)

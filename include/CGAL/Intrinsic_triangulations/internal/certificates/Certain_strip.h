@@ -29,10 +29,10 @@ struct Straight_edge
 // The strip of triangles of T1 that an edge of T2 crosses, laid out in `double` from its source.
 //
 // A side comes from the side before by a factor with a relative error of at most 20 u, and the
-// product adds less than 3 u, for the rounding unit u: so a side has at most 24 u for each triangle.
-// A corner is placed by adding up sides on the shorter way from the source; each sum adds a u of
-// that way. Hence no corner is displaced by more than 32 u times the number of triangles times the
-// longest of these ways.
+// product adds less than 3 u, for the rounding unit u: so a side has at most 24 u for each
+// triangle. A corner is placed by adding up sides on the shorter way from the source; each sum adds
+// a u of that way. Hence no corner is displaced by more than 32 u times the number of triangles
+// times the longest of these ways.
 template <typename Traits>
 class Certain_strip
 {
@@ -78,8 +78,8 @@ class Certain_strip
 public:
   explicit Certain_strip(const Pair& pair) : m_pair(pair), m_input(pair.input_mesh()) {}
 
-  // Returns the length of the edge of `h`, unless it may have a relative error of more than `error`,
-  // and whether it certainly passes between the ends of the edges of T1 that it crosses.
+  // Returns the length of the edge of `h`, unless it may have a relative error of more than
+  // `error`, and whether it certainly passes between the ends of the edges of T1 that it crosses.
   // \pre the edge of `h` crosses some and has no inserted ends, and T1 has positions or lengths
   template <typename Crossings>
   Straight_edge operator()(Halfedge_index h, const Crossings& crossings, double error)

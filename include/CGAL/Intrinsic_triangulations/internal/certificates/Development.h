@@ -115,7 +115,8 @@ public:
     return {end(h, side), end(following, following_side(h, side))};
   }
 
-  // Returns the side at or clockwise from the spoke of T2 that follows `h`, for which `side` is this.
+  // Returns the side at or clockwise from the spoke of T2 that follows `h`, for which `side` is
+  // this.
   Placed_side following_side(Halfedge_index h, Placed_side side) const
   {
     const Delta_complex& mesh = m_pair.mesh();
@@ -206,9 +207,9 @@ private:
     return w;
   }
 
-  // Returns those of the source of the halfedge `back` of T2, which leads into the triangle of `side`.
-  // On an edge of T1 both are read, not one computed from the other: they are the same from either
-  // side.
+  // Returns those of the source of the halfedge `back` of T2, which leads into the triangle of
+  // `side`. On an edge of T1 both are read, not one computed from the other: they are the same from
+  // either side.
   std::array<Complex, 3> weights_in_triangle(Halfedge_index side, Halfedge_index back) const
   {
     const Vertex_index v = m_pair.mesh().source(back);

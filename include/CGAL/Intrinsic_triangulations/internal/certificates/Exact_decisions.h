@@ -97,7 +97,8 @@ public:
              : compare_with_pi(m_mesh.prev(h), m_mesh.prev(m_mesh.opposite(h)));
   }
 
-  // Returns this sign where the edge and those around it are edges of T1 or straight lines in space.
+  // Returns this sign where the edge and those around it are edges of T1 or straight lines in
+  // space.
   Sign Delaunay_sign_by_squares(Halfedge_index h)
   {
     ++m_count.exact;
@@ -137,8 +138,8 @@ public:
                });
   }
 
-  // Returns whether this sign is POSITIVE, by more than `flat_fan_tolerance()` where that needs many
-  // digits.
+  // Returns whether this sign is POSITIVE, by more than `flat_fan_tolerance()` where that needs
+  // many digits.
   template <typename Spokes>
   bool is_less_than_pi(const Spokes& spokes) const
   {
@@ -172,8 +173,8 @@ public:
     return decide([&](const auto& development) { return sign_of_imaginary(development.angle(h)); });
   }
 
-  // Returns whether the face of `h` is oriented as those of T1 in which it lies. It may have no area
-  // only where they have none.
+  // Returns whether the face of `h` is oriented as those of T1 in which it lies. It may have no
+  // area only where they have none.
   bool is_oriented(Halfedge_index h)
   {
     const Sign sign = orientation(h);
@@ -191,9 +192,9 @@ public:
     return sign == POSITIVE || (sign == ZERO && passes_triangle(h, false));
   }
 
-  // Returns the sign of the place on the halfedge `h` where it crosses an edge of T1 as crossing `m`,
-  // minus `t`: from the heights of both ends of `h` over that edge. `h` is straight. If it runs along
-  // that edge, the sign is ZERO.
+  // Returns the sign of the place on the halfedge `h` where it crosses an edge of T1 as crossing
+  // `m`, minus `t`: from the heights of both ends of `h` over that edge. `h` is straight. If it
+  // runs along that edge, the sign is ZERO.
   template <typename Lazy_number>
   Sign compare_place(Halfedge_index h, std::size_t m, const Lazy_number& t)
   {

@@ -73,8 +73,8 @@ constexpr double least_square()
   return std::is_floating_point_v<N> || std::is_same_v<N, Double_double> ? 1e-100 : 0;
 }
 
-// The third corner r of a triangle pqr on the left of pq: from p and from q along pq, and across it,
-// divided by the length of pq.
+// The third corner r of a triangle pqr on the left of pq: from p and from q along pq, and across
+// it, divided by the length of pq.
 template <typename N>
 struct Apex_ratios
 {
@@ -82,10 +82,10 @@ struct Apex_ratios
 };
 
 // Returns those of the triangle of the halfedge pq, from positions; NaN if products may underflow.
-// Vectors to r that they make are correct to a relative error of 20 u, for the rounding unit u, however
-// thin the triangle is: components of vectors have one of u, so that compared with the product of
-// both lengths a scalar product has 5 u, and the vector product with the shorter side at r has 9 u;
-// the quotients add 7 u.
+// Vectors to r that they make are correct to a relative error of 20 u, for the rounding unit u,
+// however thin the triangle is: components of vectors have one of u, so that compared with the
+// product of both lengths a scalar product has 5 u, and the vector product with the shorter side at
+// r has 9 u; the quotients add 7 u.
 template <typename N>
 Apex_ratios<N> apex_ratios(const Position& p, const Position& q, const Position& r)
 {
@@ -223,8 +223,8 @@ private:
   Recent_values<Complex> m_corner;
 };
 
-// Corners of numbers with square roots, exactly. They are not divided by the squared length of their
-// side: a position is one up to a positive factor.
+// Corners of numbers with square roots, exactly. They are not divided by the squared length of
+// their side: a position is one up to a positive factor.
 template <typename Metric, typename Surface>
 class Exact_corners
 {
@@ -290,8 +290,8 @@ private:
     std::size_t decision; // for which it is
   };
 
-  // Returns the squared lengths of the sides, beginning with `h`, up to a common factor: coordinates
-  // are made whole numbers, which need no common denominators.
+  // Returns the squared lengths of the sides, beginning with `h`, up to a common factor:
+  // coordinates are made whole numbers, which need no common denominators.
   Squares squares(Halfedge_index h) const
   {
     const Delta_complex& mesh = m_input.mesh();

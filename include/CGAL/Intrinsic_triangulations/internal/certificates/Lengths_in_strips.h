@@ -116,7 +116,7 @@ private:
     return error;
   }
 
-  // 0, which is no length, if no vertices can be inserted
+  // 0, which is not a length, if no vertices can be inserted
   FT length_in_face([[maybe_unused]] Halfedge_index h)
   {
     if constexpr(Has_distance<Traits>::value) {

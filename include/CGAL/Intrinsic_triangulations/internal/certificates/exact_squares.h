@@ -33,8 +33,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where sums and products of numbers of type `double` are exact, and where quotients are. CGAL's own
-// types compile faster than those that it selects.
+// Where sums and products of numbers of type `double` are exact, and where quotients are. CGAL's
+// own types compile faster than those that it selects.
 #ifdef CGAL_HAS_MPZF
 typedef Mpzf Exact_ring;
 #else
@@ -81,16 +81,16 @@ inline void scale_to_integers(std::array<Position, 3>& points)
         x = std::ldexp(x, -last);
 }
 
-// A corner of a triangle: the scalar product of its sides and the product of their squares, or these
-// times 2 and 4.
+// A corner of a triangle: the scalar product of its sides and the product of their squares, or
+// these times 2 and 4.
 template <typename R>
 struct Corner_cosine
 {
   R product, square;
 };
 
-// Returns the sign of pi minus the sum of two angles: of cos_k sin_l + cos_l sin_k. Only one root of
-// each angle enters, so that squaring decides.
+// Returns the sign of pi minus the sum of two angles: of cos_k sin_l + cos_l sin_k. Only one root
+// of each angle enters, so that squaring decides.
 template <typename R>
 Sign compare_with_pi(const Corner_cosine<R>& k, const Corner_cosine<R>& l)
 {
@@ -143,7 +143,8 @@ inline Sign sign_of_products(const std::array<double, 6>& x)
 }
 
 // Returns the sign of the scalar product of k - i and k - j, if the differences are numbers of type
-// `double` or the product is clearly not zero. Products near the ends of the range are not looked at.
+// `double` or the product is clearly not zero. Products near the ends of the range are not looked
+// at.
 inline Uncertain<Sign> sign_of_cosine(const Position& i, const Position& k, const Position& j)
 {
   std::array<double, 6> terms;

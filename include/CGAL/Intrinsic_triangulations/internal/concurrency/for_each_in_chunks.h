@@ -123,7 +123,8 @@ void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
 }
 
 // Calls `f()` and `g()`, at the same time if `concurrency` is parallel; `g()` on the thread of the
-// caller. Large vectors should be allocated by that one: other threads get new pages from the system.
+// caller. Large vectors should be allocated by that one: other threads get new pages from the
+// system.
 template <typename F, typename G>
 void run_together(Concurrency concurrency, const F& f, const G& g)
 {

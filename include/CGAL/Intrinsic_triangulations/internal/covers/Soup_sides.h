@@ -51,9 +51,9 @@ public:
   Index apex(std::size_t side) const { return corner(side / 3, (side + 2) % 3); }
   bool ascends(std::size_t side) const { return source(side) < target(side); }
 
-  // Returns for each side the one before it around its edge: the sides of an edge are in the order of
-  // their numbers, and where there are more than two in that of `order(bundle)`. Complexity: linear
-  // beside `order`.
+  // Returns for each side the one before it around its edge: the sides of an edge are in the order
+  // of their indices, and where there are more than two in that of `order(bundle)`. Complexity:
+  // linear beside `order`.
   template <typename Order>
   std::vector<Index> sides_before(const Order& order) const
   {
@@ -135,8 +135,8 @@ private:
     return result;
   }
 
-  // Makes a ring of the sides of each edge, in the order of their numbers. Returns the first side of
-  // each edge that has more than two.
+  // Makes a ring of the sides of each edge, in the order of their indices. Returns the first side
+  // of each edge that has more than two.
   Bundle link_in_rings(std::vector<Index>& before) const
   {
     struct Latest_edge // to a greater vertex

@@ -102,8 +102,8 @@ private:
                     {{m_complex.corner_vertex[apex], Input_diagnosis::none}, f});
   }
 
-  // Whether the least height is at most a unit in the last place of the greatest coordinate. Lengths
-  // decide unless it is of the order of their rounding, or of its root.
+  // Whether the least height is at most a unit in the last place of the greatest coordinate.
+  // Lengths decide unless it is of the order of their rounding, or of its root.
   static bool is_within_rounding(const Corners& p, const std::array<double, 3>& sides,
                                  double longest)
   {

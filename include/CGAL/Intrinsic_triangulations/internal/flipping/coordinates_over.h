@@ -106,7 +106,7 @@ template <typename Traits>
 void check_common_input(const Triangulation_pair<Traits>& a, const Triangulation_pair<Traits>& b)
 {
   if(!has_same_faces(a.input_mesh(), b.input_mesh()))
-    throw Invalid_input("the two triangulations have not the same input");
+    throw Invalid_input("the two triangulations do not have the same input");
 }
 
 template <typename Traits>

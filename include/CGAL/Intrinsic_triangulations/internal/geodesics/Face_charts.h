@@ -22,7 +22,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // All that unfolding a face needs, in one place. Side 3f + s is side s of the face f, numbered as
-// its barycentric coordinates; border halfedges are no sides.
+// its barycentric coordinates; border halfedges are not sides.
 template <typename FT>
 class Face_charts
 {

@@ -144,7 +144,7 @@ private:
     m_remaining -= distance;
     m_idle_steps = m_remaining < before ? 0 : m_idle_steps + 1;
     if(m_idle_steps > 1000 + m_mesh.number_of_halfedges())
-      throw Numerical_error("a geodesic makes no headway");
+      throw Numerical_error("the steps of a geodesic are below the rounding of its length");
   }
 
   void pass_edge()

@@ -246,8 +246,8 @@ private:
     return m_views.charts().apex_beyond(m_views.charts().across(m_views.views()[view].edge));
   }
 
-  // Calls `visit(view, z)` for the view `i` and those from which it was handed on; `z` is the end of
-  // the line in its frame. Returns the first of them, and `z` in its frame.
+  // Calls `visit(view, z)` for the view `i` and those from which it was handed on; `z` is the end
+  // of the line in its frame. Returns the first of them, and `z` in its frame.
   template <typename Visit>
   std::pair<View, Vector> root_of(Index i, Vector z, const Visit& visit) const
   {

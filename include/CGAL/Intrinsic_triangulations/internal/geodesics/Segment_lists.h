@@ -122,7 +122,8 @@ private:
     return {t, is_forward ? m_segment[t].halfedge : opposite(m_segment[t].halfedge)};
   }
 
-  // Returns 1 if, after the halfedge `h` of both, `s` turns left of `t`, -1 if right, 0 if one ends.
+  // Returns 1 if, after the halfedge `h` of both, `s` turns left of `t`, -1 if right, 0 if one
+  // ends.
   template <typename P>
   int compare_ahead(Index s, Index t, Halfedge_index h, const Surface_mesh<P>& mesh) const
   {

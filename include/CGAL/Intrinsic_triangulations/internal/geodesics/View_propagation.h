@@ -45,8 +45,8 @@ public:
   static_assert(std::is_floating_point<FT>::value, "directions are angles");
   static constexpr Index null = Charts::null;
 
-  // What an origin sees through a part of an edge; the face of the side `edge`, whose frame this is,
-  // is on the side of the origin.
+  // What an origin sees through a part of an edge; the face of the side `edge`, whose frame this
+  // is, is on the side of the origin.
   struct View
   {
     Vector position; // of the origin
@@ -86,8 +86,8 @@ public:
     m_bends.push(FT(0), v.idx());
   }
 
-  // `origin` is the number of the source, which is no vertex, after those of the vertices; a point
-  // on an edge is added in both faces.
+  // `origin` is the index of the source, which is not a vertex, after those of the vertices; a
+  // point on an edge is added in both faces.
   void add_source(const Face_location<FT>& p, Index origin)
   {
     const Face_in_frame face(m_mesh.halfedge(p.first), *this);
@@ -243,8 +243,8 @@ private:
     bool m_is_empty; // the shadow of other vertices is no wider than the tolerance of what is seen
   };
 
-  // Returns the angle at `v`, from its first spoke, at which the shortest path arrives, through a view
-  // or along an edge.
+  // Returns the angle at `v`, from its first spoke, at which the shortest path arrives, through a
+  // view or along an edge.
   FT angle_of_arrival(Vertex_index v) const
   {
     const Arrival& arrival = m_arrival[v.idx()];
@@ -271,9 +271,9 @@ private:
     m_opened[v] = m_distance[v];
   }
 
-  // Returns the error of the direction in which the path arrives at `v`; zero if it is no greater than
-  // that of angles. Directions are unknown where another vertex is as near as rounding: the path may
-  // pass it on either side.
+  // Returns the error of the direction in which the path arrives at `v`; zero if it is no greater
+  // than that of angles. Directions are unknown where another vertex is as near as rounding: the
+  // path may pass it on either side.
   FT direction_error(Vertex_index v) const
   {
     const Index origin = m_arrival[v.idx()].origin;
@@ -354,9 +354,9 @@ private:
     return other <= length - rest;
   }
 
-  // Returns up to which place, from `begin` to `end`, paths from `p` are longer by more than `slack`
-  // than those that have the length `before` at 0 and follow the edge: the difference decreases. A
-  // place beyond `end` stands for all.
+  // Returns up to which place, from `begin` to `end`, paths from `p` are longer by more than
+  // `slack` than those that have the length `before` at 0 and follow the edge: the difference
+  // decreases. A place beyond `end` stands for all.
   FT cut_off(const Vector& p, const FT& before, const FT& begin, const FT& end) const
   {
     const auto is_longer = [&](const FT& x) { return norm_of(p - x) > before + x; };
@@ -387,9 +387,9 @@ private:
     split(view, number, apex, closed);
   }
 
-  // Returns the place on the side from 0 to `apex` where the ray through the point of the edge at `x`
-  // from `p` meets it, from 0 to 1: no products that are nearly equal are subtracted. Where all is on
-  // one line, the ray meets it in that point.
+  // Returns the place on the side from 0 to `apex` where the ray through the point of the edge at
+  // `x` from `p` meets it, from 0 to 1: no products that are nearly equal are subtracted. Where all
+  // is on one line, the ray meets it in that point.
   static FT hit(const Vector& p, const FT& x, const Vector& apex)
   {
     const FT to_source = p.imag() * x;

@@ -154,7 +154,8 @@ void copy_metric(const Graph&, const NamedParameters&, const Numbering&, const D
                  No_metric&)
 {}
 
-// Keeps what determines the lengths of `g` exactly: positions in floating point, or squared lengths.
+// Keeps what determines the lengths of `g` exactly: positions in floating point, or squared
+// lengths.
 template <typename Graph, typename NamedParameters, typename Numbering, typename K>
 void copy_metric(const Graph& g, const NamedParameters& np, const Numbering& numbering,
                  const Delta_complex& copy, Input_metric<K>& metric)

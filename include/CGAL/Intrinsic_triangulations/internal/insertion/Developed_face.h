@@ -19,9 +19,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A face ijk of T2 in the plane, i at the origin, with the edges of T1 that cross ij and ik laid out
-// along these. So the relative error of a place is that of its vector from i, however thin the face
-// and the regions are. Errors are not tracked.
+// A face ijk of T2 in the plane, i at the origin, with the edges of T1 that cross ij and ik laid
+// out along these. So the relative error of a place is that of its vector from i, however thin the
+// face and the regions are. Errors are not tracked.
 template <typename Traits, typename Crossings>
 class Developed_face
 {
@@ -61,7 +61,7 @@ public:
   // the point with weight `b` at j and `c` at k
   Complex point(double b, double c) const { return number(b) * m_ij.end + number(c) * m_ik.end; }
 
-  // returns the number of the region that has `p`
+  // returns the index of the region that has `p`
   std::size_t region_of(const Complex& p) const
   {
     const std::size_t n_ij = m_ij.crossed.size(), n_ik = m_ik.crossed.size();

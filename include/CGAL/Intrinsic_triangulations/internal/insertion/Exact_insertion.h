@@ -85,9 +85,9 @@ public:
       m_tri.m_length[m_mesh.edge(h)] = m_decisions.length(h);
   }
 
-  // Inserts a vertex at the point with coordinates `p`, or on an edge of T1 that is not farther away
-  // than `closeness`. Rounded to coordinates on T1, the point may lie outside of its region; then
-  // points farther inside the face are tried.
+  // Inserts a vertex at the point with coordinates `p`, or on an edge of T1 that is not farther
+  // away than `closeness`. Rounded to coordinates on T1, the point may lie outside of its region;
+  // then points farther inside the face are tried.
   // \throws Numerical_error if the face is so small that this does not help; nothing has changed
   BOOST_NOINLINE Vertex_index insert(const Face_location<double>& p, double closeness)
   {
@@ -106,8 +106,8 @@ public:
 private:
   typedef Developed_face<Traits, Crossings> Face;
 
-  // An edge of T1 on the boundary of a region, by its halfedge that leaves the face, and by the number
-  // of that side of the triangle of T1.
+  // An edge of T1 on the boundary of a region, by its halfedge that leaves the face, and by the
+  // number of that side of the triangle of T1.
   struct Curve_near_by
   {
     Curve curve;

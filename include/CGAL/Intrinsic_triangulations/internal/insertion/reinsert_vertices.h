@@ -136,7 +136,7 @@ private:
   std::uint32_t m_turn = 0;
 };
 
-// Makes T2 the triangulation T1 with the first of its inserted vertices, which keep their numbers.
+// Makes T2 the triangulation T1 with the first of its inserted vertices, which keep their indices.
 // Whatever it was, its edges are straight then.
 template <typename Traits>
 void reset_with_vertices(Intrinsic_triangulation<Traits>& tri, std::size_t number)

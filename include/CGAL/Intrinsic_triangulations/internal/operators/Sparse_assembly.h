@@ -54,8 +54,9 @@ private:
   std::vector<Eigen::Triplet<Scalar>> m_entries;
 };
 
-// Returns the symmetric matrix with `diagonal[v]` on the diagonal and `on_edge[e]` at the two places
-// of the vertices of edge e. Entries at one place add up. Rows of isolated vertices are empty.
+// Returns the symmetric matrix with `diagonal[v]` on the diagonal and `on_edge[e]` at the two
+// places of the vertices of edge e. Entries at one place add up. Rows of isolated vertices are
+// empty.
 //
 // Where many edges are parallel this is much faster than all entries in a `Sparse_assembly`.
 template <typename Scalar>

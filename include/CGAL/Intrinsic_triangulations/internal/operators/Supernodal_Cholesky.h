@@ -81,8 +81,8 @@ private:
   cholmod_common m_common;
 };
 
-// CHOLMOD's Cholesky factorization, supernodal where that pays, of Hermitian matrices given by their
-// upper triangles (what is below is ignored), in the order they have.
+// CHOLMOD's Cholesky factorization, supernodal where that pays, of Hermitian matrices given by
+// their upper triangles (what is below is ignored), in the order they have.
 template <typename Scalar>
 class Supernodal_Cholesky
 {

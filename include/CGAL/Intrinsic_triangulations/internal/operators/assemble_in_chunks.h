@@ -54,8 +54,8 @@ void combine(Indexed_entries<Scalar>& entries)
   entries.resize(size);
 }
 
-// Makes `matrix` the one whose row, or whose column if it is stored by columns, with index i has the
-// entries that `collect(i, entries)` adds, in any order.
+// Makes `matrix` the one whose row, or whose column if it is stored by columns, with index i has
+// the entries that `collect(i, entries)` adds, in any order.
 template <typename Matrix, typename Collect>
 void assemble_in_chunks(Concurrency concurrency, std::size_t rows, std::size_t columns,
                         const Collect& collect, Matrix& matrix)

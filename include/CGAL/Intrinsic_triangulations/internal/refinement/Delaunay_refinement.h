@@ -54,8 +54,8 @@ using Layout_of = typename Layout_selection<Traits, is_exact>::type;
 // or the boundary or constrained edge that hides it is split and circumcenters near by are removed
 // again.
 //
-// `Bounds` has is_too_thin(f), is_too_large(f) and is_not_simplicial(f); only faces that are too thin
-// can be excused. The visitor is notified of every change.
+// `Bounds` has is_too_thin(f), is_too_large(f) and is_not_simplicial(f); only faces that are too
+// thin can be excused. The visitor is notified of every change.
 template <typename Traits, typename Bounds, typename Visitor, bool is_exact>
 class Delaunay_refinement
 {
@@ -83,8 +83,8 @@ public:
   {}
 
   // Ends: every candidate that is taken from the queue leads to an insertion, of which there is a
-  // limited number, or changes nothing and is gone. Returns whether rounding has left no doubt; with
-  // `stops_in_doubt` it ends as soon as it has.
+  // limited number, or changes nothing and is gone. Returns whether rounding has left no doubt;
+  // with `stops_in_doubt` it ends as soon as it has.
   bool run(bool stops_in_doubt, Refinement_result& result)
   {
     m_result = &result;
@@ -206,9 +206,9 @@ private:
     return result;
   }
 
-  // Returns a loop among the sides of `f`, or else the shortest superfluous one, which runs around a
-  // thin part of the surface: where such are split, long ones along it are simplicial. If no side is
-  // superfluous, it is any side of a face whose corners are those of another, or null.
+  // Returns a loop among the sides of `f`, or else the shortest superfluous one, which runs around
+  // a thin part of the surface: where such are split, long ones along it are simplicial. If no side
+  // is superfluous, it is any side of a face whose corners are those of another, or null.
   Halfedge_index side_to_split(Face_index f) const
   {
     if(!m_bounds.is_not_simplicial(f))
@@ -284,8 +284,8 @@ private:
                f);
   }
 
-  // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but its turn comes
-  // again.
+  // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but its turn
+  // comes again.
   void split_fixed(Halfedge_index h, Face_index f)
   {
     if(!m_inserter.can_be_split(h))

@@ -45,8 +45,8 @@ public:
 
   // Returns why a face that violates the bound on angles is excused, and by which narrow vertex: if
   // exactly one of its corners is narrow, or else if it lies in faces of T1 at a narrow vertex and
-  // is crossed by no other edges than those at this vertex. `lists()` has the crossings on all edges
-  // and is called only if they are needed.
+  // is crossed by no other edges than those at this vertex. `lists()` has the crossings on all
+  // edges and is called only if they are needed.
   template <typename Lists>
   std::optional<Remaining_face> excuse(Face_index f, const Lists& lists) const
   {
@@ -129,8 +129,8 @@ private:
     return true;
   }
 
-  // Angles around a vertex are those of T1, whose corners need no strips, however often edges cross.
-  // Inserted vertices are not narrow.
+  // Angles around a vertex are those of T1, whose corners need no strips, however often edges
+  // cross. Inserted vertices are not narrow.
   BOOST_NOINLINE void set_by_input()
   {
     const Delta_complex &mesh = m_tri.mesh(), &input = m_tri.input_mesh();

@@ -62,7 +62,7 @@ public:
       .end;
   }
 
-  // \throws Numerical_error if `v` is no neighbor
+  // \throws Numerical_error if `v` is not a neighbor
   Halfedge_index spoke_to(Vertex_index v) const
   {
     for(Halfedge_index h : m_spokes)

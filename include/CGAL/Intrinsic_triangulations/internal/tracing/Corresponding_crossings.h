@@ -31,7 +31,7 @@ public:
     return m_correspondence->number_of_crossings(Side::intrinsic, Edge_index(h));
   }
 
-  // returns the halfedge of T1 that crosses `h` as its number `m` from left to right
+  // returns the halfedge of T1 that crosses `h` as its crossing `m` from left to right
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
     return m_correspondence->crossing(Side::intrinsic, h, static_cast<size_type>(m))

@@ -44,8 +44,8 @@ public:
     }
   }
 
-  // The halfedge of T1 that crosses the halfedge `h` of T2 as its number `m` from left to right, or
-  // that lies along `h`.
+  // The halfedge of T1 that crosses the halfedge `h` of T2 as its crossing `m` from left to right,
+  // or that lies along `h`.
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
     return at(h, m, m_list[Edge_index(h)]);

@@ -190,7 +190,7 @@ private:
 // the face there; scale(s, p), how many times the vector across the vector here is;
 // spoke_before(s), the last spoke of the other triangulation at or clockwise from side s; and
 // vertex_across(s, at), the place of the source of side s on the other triangulation, which is `at`
-// unless it is no vertex there: then only the face of `at` counts.
+// unless it is not a vertex there: then only the face of `at` counts.
 template <typename FT, typename Marks>
 class Face_map
 {
@@ -220,7 +220,7 @@ public:
       corner.side, corner.is_vertex() ? FT(0) : m_marks.here(corner.side, corner.mark));
   }
 
-  // returns the number of the region in which `p` lies
+  // returns the index of the region in which `p` lies
   std::size_t region_of(const Coordinates& p) const
   {
     return m_regions.find([&](std::size_t s, std::size_t j) { return is_at_corner(s, j, p); },

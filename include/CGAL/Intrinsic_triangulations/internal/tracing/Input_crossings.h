@@ -24,11 +24,11 @@ Delta_complex::size_type countable(const Integer& crossings)
 {
   const auto count = static_cast<Delta_complex::size_type>(crossings);
   if(static_cast<Integer>(count) != crossings)
-    throw Overflow_error("more crossings than a mesh can number");
+    throw Overflow_error("more crossings than a mesh can index");
   return count;
 }
 
-// The numbers of the crossings on all edges of T2.
+// The indices of the crossings on all edges of T2.
 template <typename Integer>
 Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
                             const Delta_complex& mesh, Concurrency concurrency)
@@ -64,7 +64,7 @@ public:
   // returns the number of crossings on the edge of `h`
   size_type count(Halfedge_index h) const { return m_marks.size(Edge_index(h)); }
 
-  // returns the halfedge of T1 that crosses the halfedge `h` as its number `m` from left to right
+  // returns the halfedge of T1 that crosses the halfedge `h` as its crossing `m` from left to right
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
     return directed_as(h, m_crossing[m_marks(h, static_cast<size_type>(m))]);

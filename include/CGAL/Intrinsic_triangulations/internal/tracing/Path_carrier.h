@@ -409,7 +409,7 @@ private:
   Side m_side;
   const Delta_complex &m_mesh, &m_other;
   std::vector<Place> m_places;
-  std::optional<Place> m_end; // if it is no vertex
+  std::optional<Place> m_end; // if it is not a vertex
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -29,7 +29,7 @@ public:
   // returns the number of crossings on the edge of `h`
   std::size_t count(Halfedge_index h) const { return countable(m_pair.coordinates().crossings(h)); }
 
-  // returns the halfedge of T1 that crosses `h` as its number `m` from left to right
+  // returns the halfedge of T1 that crosses `h` as its crossing `m` from left to right
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
     const Coordinates& coordinates = m_pair.coordinates();

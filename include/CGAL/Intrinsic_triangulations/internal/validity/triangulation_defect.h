@@ -51,11 +51,11 @@ void check_inserted(const Triangulation_pair<Traits>& pair)
     if(!is_valid_place(inserted[i], pair.input_mesh()))
       throw Invalid_input("inserted vertex " + std::to_string(i) + " has no place in the input");
   if(pair.mesh().num_vertices() != pair.input_mesh().num_vertices() + inserted.size())
-    throw Invalid_input("the numbers of vertices and of places do not fit");
+    throw Invalid_input("the numbers of vertices and of places differ");
 }
 
-// Whether the shared edge `e` has its length in T1: a whole edge to the bit, a part of one up to the
-// rounding of the places of its ends.
+// Whether the shared edge `e` has its length in T1: a whole edge to the bit, a part of one up to
+// the rounding of the places of its ends.
 template <typename Traits>
 bool has_shared_length(const Triangulation_pair<Traits>& pair, Edge_index e)
 {
