@@ -18,7 +18,8 @@
 // Triangulations that are equal to the bit.
 namespace Test_surfaces {
 
-inline std::string text_of(const Triangulation& t)
+template <typename Traits>
+std::string text_of(const IT::Intrinsic_triangulation<Traits>& t)
 {
   std::ostringstream os;
   os.imbue(std::locale::classic());

@@ -9,9 +9,11 @@
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
+#include <CGAL/Sqrt_extension.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <locale>
 #include <sstream>
@@ -387,6 +389,53 @@ TEST(IO, ties_of_squared_lengths_are_kept)
   }
 }
 
+using Q_of_roots = CGAL::Sqrt_extension<CGAL::Exact_rational, CGAL::Exact_rational>;
+
+// The diagonals of a rhombus with sides 1 and an angle of 45 degrees have the squares 2 -+ sqrt(2).
+TEST(IO, ties_of_lengths_in_an_extension_are_kept)
+{
+  typedef IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<Q_of_roots>> Exact;
+  Delta_complex mesh = glue({{1, 2, 3}, {-1, -2, -3}});
+  auto square = mesh.add_property_map<Edge_index, Q_of_roots>("e:square", Q_of_roots(1)).first;
+  for(const Q_of_roots& diagonal : {Q_of_roots(2, -1, 2), Q_of_roots(2), Q_of_roots(0, 1, 2)})
+    for(int scale : {1, 3, 7}) {
+      square[Edge_index(0)] = square[Edge_index(1)] = Q_of_roots(1) / Q_of_roots(scale);
+      square[Edge_index(2)] = diagonal / Q_of_roots(scale);
+      const Exact exact(mesh, IT::parameters::squared_edge_length_map(square));
+      const std::size_t ties = diagonal == Q_of_roots(2) ? 1 : 0;
+      EXPECT_EQ(IT::certify_Delaunay(exact).ties.size(), ties);
+      const Exact again = reloaded(exact);
+      EXPECT_EQ(IT::certify_Delaunay(again).ties.size(), ties);
+      EXPECT_EQ(text_of(again), text_of(exact));
+      EXPECT_EQ(outcome(text_of(exact)), Outcome::valid);
+    }
+}
+
+// Exact ties need the exact numbers: an octagon whose squared lengths have the root of 2.
+TEST(IO, an_octagon_is_kept)
+{
+  Delta_complex mesh = double_torus();
+  auto square = mesh.add_property_map<Edge_index, Q_of_roots>("e:square", Q_of_roots(1)).first;
+  const std::array<int, 5> a{2, 3, 4, 3, 2}, b{1, 2, 2, 2, 1};
+  for(unsigned int d = 0; d < 5; ++d)
+    square[Edge_index(4 + d)] = Q_of_roots(a[d], b[d], 2);
+  const IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<Q_of_roots>> octagon(
+    mesh, IT::parameters::squared_edge_length_map(square));
+  EXPECT_EQ(IT::certify_Delaunay(reloaded(octagon)).ties.size(), 5u);
+}
+
+bool is_damaged_with_extension(const std::string& text)
+{
+  typedef IT::Exact_Euclidean_geometry_traits<Q_of_roots> Traits;
+  std::istringstream stream(text);
+  try {
+    IT::read_intrinsic_triangulation<Traits>(stream);
+    return false;
+  } catch(const IT::File_format_error&) {
+    return true;
+  }
+}
+
 TEST(IO, damaged_exact_numbers)
 {
   const std::string start = text_of(triangulation(glue({{1, 2, 3}, {-1, -2, -3}}), {1, 1, 1}));
@@ -397,11 +446,32 @@ TEST(IO, damaged_exact_numbers)
   EXPECT_EQ(outcome(squares + "exact squared_lengths\n1/1\n3/3\n1/1\n"), Outcome::valid);
   EXPECT_EQ(outcome(squares + "exact squared_lengths\n0x1p+0\n0x1p+0\n0x1p+1\n"),
             Outcome::bad_triangulation);
-  for(const char* bad : {"", "0", "1/", "/1", "1/0", "1/000", "-1/1", "1/-1", "1/1/1", "1 /1", "0x",
-                         "0xinf", "0xnan", "1/1x", "1.5/1"})
-    EXPECT_EQ(outcome(squares + "exact squared_lengths\n0x1p+0\n0x1p+0\n" + bad + "\n"),
-              Outcome::bad_format)
-      << bad;
+  for(const char* bad : {"",
+                         "0",
+                         "1/",
+                         "/1",
+                         "1/0",
+                         "1/000",
+                         "-1/1",
+                         "1/-1",
+                         "1/1/1",
+                         "1 /1",
+                         "0x",
+                         "0xinf",
+                         "0xnan",
+                         "1/1x",
+                         "1.5/1",
+                         "1/1 1/1",
+                         "1/1 1/1 -2/1",
+                         "1/1 1/1 2/0",
+                         "1/1 1/1 2/1 1/1",
+                         "1/1 - 2/1"}) {
+    const std::string text = squares + "exact squared_lengths\n0x1p+0\n0x1p+0\n" + bad + "\n";
+    EXPECT_EQ(outcome(text), Outcome::bad_format) << bad;
+    EXPECT_TRUE(is_damaged_with_extension(text)) << bad;
+  }
+  EXPECT_TRUE(
+    is_damaged_with_extension(squares + "exact squared_lengths\n1/1\n1/1\n1/1 -1/1 2/1\n"));
   for(const char* bad : {"exact positions\n", "exact\n", "lengths\n", "\n", ""})
     EXPECT_EQ(outcome(squares + bad), Outcome::bad_format) << bad;
 }

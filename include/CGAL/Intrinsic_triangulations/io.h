@@ -83,7 +83,7 @@ inline void write_metric(std::ostream& os, const No_metric&) { os << exact_lengt
 template <typename K>
 void write_metric(std::ostream& os, const Input_metric<K>& metric)
 {
-  if constexpr(std::is_floating_point_v<K> || is_fraction<K>())
+  if constexpr(has_exact_text<K>())
     if(!metric.squared_lengths.empty()) {
       os << exact_squared_lengths << '\n';
       for(const K& square : metric.squared_lengths)
@@ -164,28 +164,38 @@ public:
     return inserted;
   }
 
-  // reads what determines the lengths of `input` exactly; nothing if the numbers are fractions, and
-  // `K` has none
+  // reads what determines the lengths of `input` exactly; nothing if squares are numbers that `K`
+  // does not have
   template <typename K>
   Input_metric<K> read_metric(const Delta_complex& input)
   {
-    typedef std::conditional_t<is_fraction<K>(), K, double> Number;
-    std::vector<Number> squared_lengths;
     Input_metric<K> result;
     m_lines.next_line();
     if(m_lines.is(exact_positions))
       for_lines(input.number_of_vertices(), [&] { result.points.push_back(read_position()); });
     else if(m_lines.is(exact_squared_lengths))
-      for_lines(input.number_of_edges(),
-                [&] { squared_lengths.push_back(m_lines.template exact<Number>()); });
+      result.squared_lengths = read_squared_lengths<K>(input.number_of_edges());
     else
       m_lines.expect(exact_lengths);
-    if(std::all_of(squared_lengths.begin(), squared_lengths.end(), CGAL::Is_valid<Number>()))
-      result.squared_lengths.assign(squared_lengths.begin(), squared_lengths.end());
     return result;
   }
 
 private:
+  template <typename K>
+  std::vector<K> read_squared_lengths(size_type count)
+  {
+    typedef std::conditional_t<has_exact_text<K>(), K, double> Number;
+    std::vector<K> result;
+    bool has_all = true;
+    for_lines(count, [&] {
+      const auto square = m_lines.template exact<Number>();
+      has_all = has_all && square;
+      if(has_all)
+        result.push_back(K(*square));
+    });
+    return has_all ? result : std::vector<K>();
+  }
+
   void read_lines(bool with_coordinates)
   {
     m_lines.next_line();

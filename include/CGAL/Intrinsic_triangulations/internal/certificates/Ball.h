@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/number_kinds.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
@@ -108,16 +109,6 @@ Ball<N> root(const Ball<N>& a)
   const N root = sqrt(a.x);
   return Ball<N>{root, N(0), a.radius / to_double(root)}.with_error(4);
 }
-
-// whether a number is a + b sqrt(c), as `Sqrt_extension` is
-template <typename K, typename = void>
-struct Is_extension : std::false_type
-{};
-
-template <typename K>
-struct Is_extension<K, std::void_t<decltype(std::declval<K>().a1(), std::declval<K>().root())>>
-  : std::true_type
-{};
 
 // Returns `value` up to an error. Numbers of type `double` are taken away from it one after the
 // other, until the rest does not matter, or intervals get no smaller.

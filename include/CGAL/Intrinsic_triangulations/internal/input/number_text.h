@@ -8,9 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/number_kinds.h>
 
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/tags.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <charconv>
@@ -19,6 +20,7 @@
 #include <istream>
 #include <limits>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -38,19 +40,24 @@ std::string hexadecimal_text(const FT& x)
   return (std::signbit(x) ? "-0x" : "0x") + std::string(buffer, end);
 }
 
-// Whether numbers of this type are fractions of integers.
+// whether exact numbers of this type can be written
 template <typename K>
-constexpr bool is_fraction()
+constexpr bool has_exact_text()
 {
-  return std::is_same_v<typename Fraction_traits<K>::Is_fraction, Tag_true>;
+  return std::is_floating_point_v<K> || is_fraction<K>() || is_extension_of_fractions<K>();
 }
 
-// Exact numbers are written as numerator and denominator.
+// Fractions are written as numerator and denominator, a + b sqrt(c) as the fractions a, b and c.
 template <typename K>
 std::string exact_text(const K& x)
 {
+  static_assert(has_exact_text<K>());
   if constexpr(std::is_floating_point_v<K>)
     return hexadecimal_text(x);
+  else if constexpr(Is_extension<K>::value)
+    return x.is_extended()
+             ? exact_text(x.a0()) + ' ' + exact_text(x.a1()) + ' ' + exact_text(x.root())
+             : exact_text(x.a0());
   else {
     typename Fraction_traits<K>::Numerator_type numerator;
     typename Fraction_traits<K>::Denominator_type denominator;
@@ -120,26 +127,19 @@ public:
     return is_negative ? -value : value;
   }
 
-  // the next number of the line, as `exact_text()` writes it; NaN for a fraction that is not one of
-  // the type
+  // the positive number on the rest of the line, as `exact_text()` writes it, if the type has it
   template <typename K>
-  K exact()
+  std::optional<K> exact()
   {
     skip_blanks();
     if(m_line.find('/') == std::string::npos)
       return K(finite(hexadecimal<double>()));
-    const std::string_view numerator = digits();
-    if(!next_is("/"))
-      fail("a fraction expected");
-    const std::string_view denominator = digits();
-    if(denominator.find_first_not_of('0') == std::string_view::npos)
-      fail("the denominator is zero");
-    if constexpr(is_fraction<K>()) {
-      typedef Fraction_traits<K> Traits;
-      return typename Traits::Compose()(integer<typename Traits::Numerator_type>(numerator),
-                                        integer<typename Traits::Denominator_type>(denominator));
-    } else
-      return std::numeric_limits<K>::quiet_NaN();
+    const Fraction_text a = fraction();
+    skip_blanks();
+    if(m_position == end())
+      return exact<K>(a);
+    const Fraction_text b = fraction(), c = fraction();
+    return exact<K>(a, b, c);
   }
 
   [[noreturn]] void fail(const std::string& message) const
@@ -163,6 +163,65 @@ private:
                           .substr(0, text.size()) == text;
     m_position += result ? text.size() : 0;
     return result;
+  }
+
+  struct Fraction_text
+  {
+    bool is_negative;
+    std::string_view numerator, denominator;
+  };
+
+  Fraction_text fraction()
+  {
+    skip_blanks();
+    Fraction_text result;
+    result.is_negative = next_is("-");
+    result.numerator = digits();
+    if(!next_is("/"))
+      fail("a fraction expected");
+    result.denominator = digits();
+    if(result.denominator.find_first_not_of('0') == std::string_view::npos)
+      fail("the denominator is zero");
+    return result;
+  }
+
+  template <typename K>
+  static K to_number(const Fraction_text& text)
+  {
+    typedef Fraction_traits<K> Traits;
+    const K absolute =
+      typename Traits::Compose()(integer<typename Traits::Numerator_type>(text.numerator),
+                                 integer<typename Traits::Denominator_type>(text.denominator));
+    return text.is_negative ? K(-absolute) : absolute;
+  }
+
+  template <typename K>
+  std::optional<K> exact(const Fraction_text& a) const
+  {
+    if(a.is_negative)
+      fail("a positive number expected");
+    if constexpr(is_fraction<K>())
+      return to_number<K>(a);
+    else if constexpr(is_extension_of_fractions<K>())
+      return K(to_number<typename K::NT>(a));
+    else
+      return {};
+  }
+
+  template <typename K>
+  std::optional<K> exact(const Fraction_text& a, const Fraction_text& b,
+                         const Fraction_text& c) const
+  {
+    if(c.is_negative)
+      fail("the root of a negative number");
+    if constexpr(is_extension_of_fractions<K>()) {
+      typedef typename K::NT NT;
+      const K result(to_number<NT>(a), to_number<NT>(b), to_number<NT>(c));
+      if(CGAL::sign(result) != CGAL::POSITIVE)
+        fail("a positive number expected");
+      return result;
+    } else
+      return {};
   }
 
   double finite(double x) const
