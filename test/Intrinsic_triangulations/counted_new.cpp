@@ -5,6 +5,7 @@
 // Replaces operator new of the test program by one that counts. In a file of its own, since
 // compilers that see new and delete together warn of free().
 
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -14,7 +15,7 @@ std::size_t bytes_in_use();
 
 namespace {
 
-std::size_t count = 0, bytes = 0;
+std::atomic<std::size_t> count = 0, bytes = 0; // threads allocate, too
 
 // Before each block stands its size, in so many bytes that the block is aligned for all types.
 constexpr std::size_t header = alignof(std::max_align_t);

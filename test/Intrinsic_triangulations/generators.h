@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -89,16 +90,17 @@ inline Mesh cube()
 }
 
 // The faces of a mesh by the places of their corners in `points`, in increasing order.
-inline Triangles sorted_triangles(const Mesh& mesh, const std::vector<Point>& points)
+template <typename P>
+Triangles sorted_triangles(const CGAL::Surface_mesh<P>& mesh, const std::vector<P>& points)
 {
-  std::map<Point, std::size_t> number;
+  std::map<P, std::size_t> number;
   for(std::size_t n = 0; n < points.size(); ++n)
     number.emplace(points[n], n);
   Triangles result;
-  for(Face_index f : mesh.faces()) {
+  for(auto f : mesh.faces()) {
     std::array<std::size_t, 3> corner;
     auto c = corner.begin();
-    for(Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+    for(auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
       *c++ = number.at(mesh.point(v));
     std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
     result.push_back(corner);
@@ -111,17 +113,21 @@ inline Triangles sorted_triangles(const Mesh& mesh, const std::vector<Point>& po
 // not that in which CGAL finds them, which depends on addresses.
 inline Mesh random_sphere(std::size_t n, unsigned int seed)
 {
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Hull_point;
   CGAL::Random random(seed);
   std::vector<Point> points;
+  std::vector<Hull_point> hull_points;
   while(points.size() < n) {
     const Kernel::Vector_3 v(random.get_double(-1, 1), random.get_double(-1, 1),
                              random.get_double(-1, 1));
-    if(const double length = std::sqrt(v.squared_length()); length > 0.1)
+    if(const double length = std::sqrt(v.squared_length()); length > 0.1) {
       points.push_back(CGAL::ORIGIN + v / length);
+      hull_points.emplace_back(points.back().x(), points.back().y(), points.back().z());
+    }
   }
-  Mesh hull;
-  CGAL::convex_hull_3(points.begin(), points.end(), hull);
-  return make_mesh(points, sorted_triangles(hull, points));
+  CGAL::Surface_mesh<Hull_point> hull;
+  CGAL::convex_hull_3(hull_points.begin(), hull_points.end(), hull);
+  return make_mesh(points, sorted_triangles(hull, hull_points));
 }
 
 // A ring of n points between two apexes; with height 0 a disk with two sides.
