@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Writes the manual's page of examples with what they print: examples_page.py PROGRAMS, the directory
-of the compiled examples. With --check, compares with the page instead: integers up to 2 or 5 %, other
-numbers up to a relative difference of 0.001. Examples that have not been compiled, or are not on the
-page, are left out."""
+of the compiled examples. With --check, PROGRAMS is one of them, which is run, and what it prints
+compared with the page, if it is there: integers up to 2 or 5 %, other numbers up to a relative
+difference of 0.001."""
 
 import argparse
 import re
@@ -43,7 +43,8 @@ def comment(source):
 
 def printed(program):
     with tempfile.TemporaryDirectory() as scratch: # some write files
-        result = subprocess.run([program.resolve()], cwd=scratch, capture_output=True, text=True, check=True)
+        result = subprocess.run([program.resolve()], cwd=scratch, stdout=subprocess.PIPE, text=True,
+                                check=True)
     lines = result.stdout.split("\n")[:-1]
     return lines if len(lines) <= MOST_LINES else lines[:MOST_LINES] + ["..."]
 
@@ -75,28 +76,30 @@ def agree(a, b):
     return all(map(are_near, re.findall(NUMBER, a), re.findall(NUMBER, b)))
 
 
+def check(program):
+    lines = printed(program)
+    print(*lines, sep="\n")
+    expected = blocks(PAGE.read_text()).get(program.stem, lines)
+    if len(expected) != len(lines) or not all(map(agree, expected, lines)):
+        sys.exit(f"{program.stem} prints something else than doc/{PAGE.name} says")
+
+
+def write(programs):
+    text = INTRODUCTION
+    for package, title in PACKAGES.items():
+        text += f"\n\\section ex_{package} {title}\n\n"
+        for source in sorted((HERE.parent / "examples" / package).glob("*.cpp")):
+            if not source.stem.endswith("_with_Qt"): # they open windows
+                text += section(package, source, printed(programs / source.stem)) + "\n"
+    PAGE.write_text(text.rstrip("\n") + "\n*/\n")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("programs", type=Path)
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
-    text, expected = INTRODUCTION, blocks(PAGE.read_text()) if PAGE.exists() else {}
-    for package, title in PACKAGES.items():
-        text += f"\n\\section ex_{package} {title}\n\n"
-        for source in sorted((HERE.parent / "examples" / package).glob("*.cpp")):
-            program = arguments.programs / source.stem
-            opens_window = source.stem.endswith("_with_Qt")
-            if opens_window or arguments.check and not program.exists():
-                continue
-            lines = printed(program)
-            text += section(package, source, lines) + "\n"
-            old = expected.get(source.stem)
-            if arguments.check and old is None:
-                print(f"{source.name} is not on the page yet")
-            elif arguments.check and not (len(old) == len(lines) and all(map(agree, old, lines))):
-                sys.exit(f"{source.name} prints something else than doc/{PAGE.name} says:\n" + "\n".join(lines))
-    if not arguments.check:
-        PAGE.write_text(text.rstrip("\n") + "\n*/\n")
+    check(arguments.programs) if arguments.check else write(arguments.programs)
 
 
 main()

@@ -2,8 +2,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Every header that users include compiles on its own: one object per header that includes nothing
-# else.
+# Every header that users include compiles on its own.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS
   RELATIVE "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/include/*.h")
 list(FILTER headers EXCLUDE REGEX "/internal/")
@@ -14,19 +13,60 @@ endif()
 if(NOT Ceres_FOUND)
   list(FILTER headers EXCLUDE REGEX "Ceres")
 endif()
+
+list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE includes)
+list(JOIN includes "" includes)
+file(CONFIGURE OUTPUT headers/all_headers.h CONTENT "${includes}")
+
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ does the rest of this file; others only look for warnings.
+  file(CONFIGURE OUTPUT headers/all_headers.cpp CONTENT "#include \"all_headers.h\"\n")
+  add_library(headers OBJECT EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/headers/all_headers.cpp")
+  target_link_libraries(headers PRIVATE Intrinsic_triangulations)
+  return()
+endif()
+
+# Makes `result` the headers that precede all else in `header`: what it includes first, what that one
+# includes first, and so on.
+function(first_includes header result)
+  set(chain)
+  while(EXISTS "${PROJECT_SOURCE_DIR}/include/${header}")
+    file(STRINGS "${PROJECT_SOURCE_DIR}/include/${header}" includes REGEX "^#include <")
+    list(FILTER includes EXCLUDE REGEX "CGAL/license/")
+    list(APPEND includes "#include <none>")
+    list(GET includes 0 include)
+    string(REGEX REPLACE "#include <(.+)>" "\\1" header "${include}")
+    list(APPEND chain "${header}")
+  endwhile()
+  set(${result} "${chain}" PARENT_SCOPE)
+endfunction()
+
+# Where a header precedes all else in another one, it is compiled on its own there. Many are preceded
+# by `large`, which is therefore precompiled.
+set(large CGAL/Intrinsic_triangulations/Delta_complex.h)
+set(not_first ${headers})
 foreach(header IN LISTS headers)
+  first_includes("${header}" first_of_${header})
+  list(REMOVE_ITEM not_first ${first_of_${header}})
+endforeach()
+foreach(header IN LISTS not_first)
   string(MAKE_C_IDENTIFIER "${header}" name)
   file(CONFIGURE OUTPUT headers/${name}.cpp CONTENT "#include <${header}>\n")
-  list(APPEND header_sources "${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp")
+  if(large IN_LIST first_of_${header})
+    list(APPEND after_large "${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp")
+  else()
+    list(APPEND others "${CMAKE_CURRENT_BINARY_DIR}/headers/${name}.cpp")
+  endif()
 endforeach()
 
-add_library(headers OBJECT EXCLUDE_FROM_ALL ${header_sources})
-target_link_libraries(headers PRIVATE Intrinsic_triangulations)
-target_compile_options(headers PRIVATE -O0)
-if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # Self-containedness is checked by g++; others only look for warnings, faster in one piece.
-  set_target_properties(headers PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-endif()
+add_custom_target(headers)
+foreach(group IN ITEMS after_large others)
+  add_library(headers_${group} OBJECT EXCLUDE_FROM_ALL ${${group}})
+  target_link_libraries(headers_${group} PRIVATE Intrinsic_triangulations)
+  target_compile_options(headers_${group} PRIVATE -O0)
+  add_dependencies(headers headers_${group})
+endforeach()
+target_precompile_headers(headers_after_large PRIVATE <${large}>)
 
 add_test(NAME headers
   COMMAND ${CMAKE_COMMAND} --build "${PROJECT_BINARY_DIR}" --target headers --parallel 1)

@@ -4,16 +4,12 @@
 
 # All headers compile where CGAL has neither GMP nor MPFR, and exact decisions are possible. CGAL's
 # target would add both.
-list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE includes)
-list(JOIN includes "" includes)
-file(CONFIGURE OUTPUT without_GMP/all_headers.h CONTENT "${includes}")
-
 add_executable(without_GMP EXCLUDE_FROM_ALL without_GMP/main.cpp)
 set_target_properties(without_GMP PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/without_GMP")
 target_compile_features(without_GMP PRIVATE cxx_std_17)
 target_compile_definitions(without_GMP PRIVATE CGAL_DISABLE_GMP=1)
-target_include_directories(without_GMP PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/without_GMP"
+target_include_directories(without_GMP PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/headers"
   "${PROJECT_SOURCE_DIR}/include")
 target_include_directories(without_GMP SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS} ${Boost_INCLUDE_DIRS})
 if(Eigen_FOUND)
