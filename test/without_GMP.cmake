@@ -9,6 +9,7 @@ set_target_properties(without_GMP PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/without_GMP")
 target_compile_features(without_GMP PRIVATE cxx_std_17)
 target_compile_definitions(without_GMP PRIVATE CGAL_DISABLE_GMP=1)
+target_compile_options(without_GMP PRIVATE $<$<CONFIG:Release>:-O0>)
 target_include_directories(without_GMP PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/headers"
   "${PROJECT_SOURCE_DIR}/include")
 target_include_directories(without_GMP SYSTEM PRIVATE ${CGAL_INCLUDE_DIRS} ${Boost_INCLUDE_DIRS})
