@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -55,6 +56,15 @@ R squared_distance(const Position& p, const Position& q)
   return dot(u, u);
 }
 
+// returns those of a diamond
+inline std::array<Position, 4> corner_positions(Halfedge_index h,
+                                                const std::vector<Position>& points,
+                                                const Delta_complex& mesh)
+{
+  return {points[mesh.source(h)], points[mesh.target(h)], points[mesh.target(mesh.next(h))],
+          points[mesh.target(mesh.next(mesh.opposite(h)))]};
+}
+
 // the exponent of the last binary digit of `x` that is not zero
 inline int last_exponent(double x)
 {
@@ -66,7 +76,8 @@ inline int last_exponent(double x)
 
 // Multiplies coordinates with the least power of two that makes all of them whole numbers, if they
 // stay in range.
-inline void scale_to_integers(std::array<Position, 3>& points)
+template <std::size_t n>
+void scale_to_integers(std::array<Position, n>& points)
 {
   int last = (std::numeric_limits<int>::max)(), first = (std::numeric_limits<int>::min)();
   for(const Position& p : points)
