@@ -251,8 +251,8 @@ private:
   // returns where the source of `h` lies, a halfedge of the same face
   Complex place_of_source(Halfedge_index h, const Placed_side& side) const
   {
-    return h == side.halfedge                 ? scaled(side.source, h)
-           : h == m_input.next(side.halfedge) ? scaled(side.target, side.halfedge)
+    return h == side.halfedge                 ? side.source
+           : h == m_input.next(side.halfedge) ? side.target
            : h == m_input.prev(side.halfedge)
              ? apex(side)
              : scaled(side.source, side.halfedge) +
@@ -266,9 +266,11 @@ private:
     if(exit == h)
       return side;
     if constexpr(!Corners::is_rounded) {
-      const Complex source = place_of_source(exit, side),
-                    target = place_of_source(m_input.next(exit), side);
-      return {exit, source, target, target - source};
+      const Complex from_source = m_corners.from_source(h, exit),
+                    source = scaled(side.source, h) + side.vector * from_source,
+                    vector = side.vector *
+                             (m_corners.from_source(h, m_input.next(exit)) - from_source);
+      return {exit, source, source + vector, vector};
     } else {
       const bool is_next = exit == m_input.next(h);
       const Complex to_apex = is_next ? -(side.vector * at_target(h)) : side.vector * at_source(h);

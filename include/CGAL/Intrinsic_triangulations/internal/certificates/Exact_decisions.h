@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_measures.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
@@ -264,12 +265,10 @@ private:
   {
     if(is_input_edge(h))
       return true;
-    if(m_metric.points.empty())
-      return false;
     for(std::size_t m = 0; m < m_crossings.count(h); ++m)
       if(!m_is_flat(m_crossings(h, m)))
         return false;
-    return true;
+    return !m_metric.points.empty();
   }
 
   // whether a vertex of the diamond of `h` is inserted
@@ -368,7 +367,7 @@ private:
   template <typename Complex>
   static Uncertain<Sign> compare_sum_with_pi(const Complex& a, const Complex& b)
   {
-    const Uncertain<Sign> sine = sign_of_imaginary(a * b);
+    const Uncertain<Sign> sine = sign_of_imaginary(a, b);
     if(!is_certain(sine) || get_certain(sine) != ZERO)
       return sine;
     const Uncertain<Sign> cos_a = sign_of_real(a), cos_b = sign_of_real(b);

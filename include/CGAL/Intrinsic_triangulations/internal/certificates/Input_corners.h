@@ -68,15 +68,13 @@ struct Corner_products
   {}
 };
 
-// returns the corners of the triangle of `h` with coordinates that are whole numbers, up to a factor
+// returns the positions of the corners of the triangle of `h`
 template <typename Metric>
-std::array<Position, 3> whole_corners(Halfedge_index h, const Metric& metric,
-                                      const Delta_complex& mesh)
+std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Metric& metric,
+                                            const Delta_complex& mesh)
 {
-  std::array<Position, 3> p{metric.points[mesh.source(h)], metric.points[mesh.target(h)],
-                            metric.points[mesh.target(mesh.next(h))]};
-  scale_to_integers(p);
-  return p;
+  return {metric.points[mesh.source(h)], metric.points[mesh.target(h)],
+          metric.points[mesh.target(mesh.next(h))]};
 }
 
 // The shortest sides, by their squares, whose products do not underflow. With Long_float none do.
@@ -255,7 +253,8 @@ std::array<K, 3> squared_sides(Halfedge_index h, const Metric& metric, const Sur
       return {K(square[mesh.edge(h)]), K(square[mesh.edge(mesh.next(h))]),
               K(square[mesh.edge(mesh.prev(h))])};
   if(!metric.points.empty()) {
-    const auto p = whole_corners(h, metric, mesh);
+    auto p = corners_of_triangle(h, metric, mesh);
+    scale_to_integers(p);
     return {squared_distance<K>(p[0], p[1]), squared_distance<K>(p[1], p[2]),
             squared_distance<K>(p[2], p[0])};
   }
@@ -300,9 +299,7 @@ public:
 
   Complex scaled(Complex z, Halfedge_index h)
   {
-    return std::move(z) * (m_metric.points.empty()
-                             ? K(K(2) * square(h, 0) * face(h).factor)
-                             : K(squared_distance<K>(source(h), target(h)) * face(h).factor));
+    return z.is_zero() ? z : std::move(z) * scale(h);
   }
 
   // returns numbers that are not negative; they need not be divided by their sum
@@ -315,19 +312,24 @@ public:
   bool is_flat(Halfedge_index h) const { return m_is_flat(h); }
 
   Complex at_source(Halfedge_index h) { return from_source(h, m_input.mesh().prev(h)); }
-  Complex at_target(Halfedge_index h) { return conj(scaled(number(1), h) - at_source(h)); }
+  Complex at_target(Halfedge_index h) { return conj(real(scale(h)) - at_source(h)); }
 
   // Returns where the source of `other`, a halfedge of the face of `h`, lies from that of `h`.
   Complex from_source(Halfedge_index h, Halfedge_index other)
   {
+    if(other == h)
+      return number(0);
+    if(other == m_input.mesh().next(h))
+      return real(scale(h));
     const Face& f = face(h);
     if(m_metric.points.empty())
       return {&m_tower, Element{K((square(h, 0) + square(h, 2) - square(h, 1)) * f.factor)},
               f.root};
-    const auto u = vector_between<K>(source(h), target(h)),
-               v = vector_between<K>(source(h), source(other));
-    return {&m_tower, Element{K(dot(u, v) * f.factor)},
-            Root_tower<K>::multiple(f.root, K(f.sign) * cross_coordinate(u, v, f.axis))};
+    const auto u = exact_vector<K>(source(h), target(h), f.unit),
+               v = exact_vector<K>(source(h), source(other), f.unit);
+    Complex result{&m_tower, Element{K(dot(u, v) * f.factor)}, f.root};
+    Root_tower<K>::multiply(result.y, K(f.sign) * cross_coordinate(u, v, f.axis));
+    return result;
   }
 
   // whether there were more roots than are allowed
@@ -343,11 +345,22 @@ private:
     std::array<K, 3> square; // of its sides; with positions nothing
     std::size_t axis = 0;    // along which the normal is not zero, and its sign there
     int sign = 0;
+    double unit = 1; // in which coordinates take few digits
     Element root;
     K factor{1};
   };
 
   Complex real(const K& x) const { return {&m_tower, Element{x}, Element{K(0)}}; }
+
+  // by which a position is multiplied to which a corner of the face of `h` has contributed
+  K scale(Halfedge_index h)
+  {
+    const Face& f = face(h);
+    if(m_metric.points.empty())
+      return K(2) * square(h, 0) * f.factor;
+    const auto u = exact_vector<K>(source(h), target(h), f.unit);
+    return dot(u, u) * f.factor;
+  }
 
   const Position& source(Halfedge_index h) const
   {
@@ -383,7 +396,8 @@ private:
   // A vector product is the multiple of the normal that a coordinate tells.
   void set_plane(Halfedge_index h, Face& f)
   {
-    const auto p = whole_corners(h, m_metric, m_input.mesh());
+    auto p = corners_of_triangle(h, m_metric, m_input.mesh());
+    f.unit = scale_to_integers(p);
     const auto normal = cross(vector_between<K>(p[0], p[1]), vector_between<K>(p[0], p[2]));
     const auto is_zero = [&](std::size_t c) { return normal[c] == K(0); };
     while(f.axis < 2 && is_zero(f.axis))

@@ -107,42 +107,39 @@ public:
     return Multiple{multiple_of_root(size, K(1)), K(1)};
   }
 
-  static Element sum(Element a, const Element& b)
+  static void add(const Element& a, Element& sum)
   {
-    if(a.size() < b.size())
-      a.resize(b.size(), K(0));
-    for(std::size_t i = 0; i < b.size(); ++i)
-      a[i] += b[i];
-    return a;
+    if(sum.size() < a.size())
+      sum.resize(a.size(), K(0));
+    for(std::size_t i = 0; i < a.size(); ++i)
+      sum[i] += a[i];
   }
 
-  static Element negative(Element a)
+  static void negate(Element& a)
   {
     for(K& x : a)
       x = -x;
-    return a;
   }
 
-  static Element multiple(Element a, const K& factor)
+  static void multiply(Element& a, const K& factor)
   {
     for(K& x : a)
       x *= factor;
-    return a;
   }
 
-  // Roots that both have make their squares.
-  Element product(const Element& a, const Element& b) const
+  // Adds a product to `sum`, or subtracts it. Roots that both factors have make their squares.
+  void add_product(const Element& a, const Element& b, Sign sign, Element& sum) const
   {
-    Element result((std::max)(a.size(), b.size()), K(0));
+    if(const std::size_t size = (std::max)(a.size(), b.size()); sum.size() < size)
+      sum.resize(size, K(0));
     for(std::size_t i = 0; i < a.size(); ++i)
       for(std::size_t j = 0; j < b.size() && a[i] != K(0); ++j)
         if(b[j] != K(0)) {
           K term = a[i] * b[j];
           if((i & j) != 0)
             term *= m_squares[i & j];
-          result[i ^ j] += term;
+          sign == POSITIVE ? sum[i ^ j] += term : sum[i ^ j] -= term;
         }
-    return result;
   }
 
   // the sign of a + b sqrt(c), by recursion
@@ -157,7 +154,11 @@ public:
       return sign_a;
     if(sign_a == ZERO)
       return sign_b;
-    return sign_a * sign(sum(product(a, a), multiple(product(b, b), K(-m_squares[a.size()]))));
+    Element norm;
+    add_product(b, b, POSITIVE, norm);
+    multiply(norm, -m_squares[a.size()]);
+    add_product(a, a, POSITIVE, norm);
+    return sign_a * sign(norm);
   }
 
 private:
@@ -181,15 +182,23 @@ struct Root_complex
   const Root_tower<K>* tower;
   Element x, y;
 
+  bool is_zero() const
+  {
+    const auto is_zero = [](const K& a) { return a == K(0); };
+    return std::all_of(x.begin(), x.end(), is_zero) && std::all_of(y.begin(), y.end(), is_zero);
+  }
+
   friend Root_complex operator-(Root_complex a)
   {
-    return {a.tower, Root_tower<K>::negative(std::move(a.x)),
-            Root_tower<K>::negative(std::move(a.y))};
+    Root_tower<K>::negate(a.x);
+    Root_tower<K>::negate(a.y);
+    return a;
   }
   friend Root_complex operator+(Root_complex a, const Root_complex& b)
   {
-    return {a.tower, Root_tower<K>::sum(std::move(a.x), b.x),
-            Root_tower<K>::sum(std::move(a.y), b.y)};
+    Root_tower<K>::add(b.x, a.x);
+    Root_tower<K>::add(b.y, a.y);
+    return a;
   }
   friend Root_complex operator-(Root_complex a, Root_complex b)
   {
@@ -197,18 +206,28 @@ struct Root_complex
   }
   friend Root_complex operator*(const Root_complex& a, const Root_complex& b)
   {
-    const auto times = [&](const Element& p, const Element& q) { return a.tower->product(p, q); };
-    return {a.tower, Root_tower<K>::sum(times(a.x, b.x), Root_tower<K>::negative(times(a.y, b.y))),
-            Root_tower<K>::sum(times(a.x, b.y), times(a.y, b.x))};
+    Root_complex result{a.tower, {}, imaginary_product(a, b)};
+    a.tower->add_product(a.x, b.x, POSITIVE, result.x);
+    a.tower->add_product(a.y, b.y, NEGATIVE, result.x);
+    return result;
   }
   friend Root_complex operator*(Root_complex a, const K& factor)
   {
-    return {a.tower, Root_tower<K>::multiple(std::move(a.x), factor),
-            Root_tower<K>::multiple(std::move(a.y), factor)};
+    Root_tower<K>::multiply(a.x, factor);
+    Root_tower<K>::multiply(a.y, factor);
+    return a;
   }
   friend Root_complex conj(Root_complex a)
   {
-    return {a.tower, std::move(a.x), Root_tower<K>::negative(std::move(a.y))};
+    Root_tower<K>::negate(a.y);
+    return a;
+  }
+  friend Element imaginary_product(const Root_complex& a, const Root_complex& b)
+  {
+    Element result;
+    a.tower->add_product(a.x, b.y, POSITIVE, result);
+    a.tower->add_product(a.y, b.x, POSITIVE, result);
+    return result;
   }
 };
 
@@ -222,6 +241,13 @@ template <typename K>
 Uncertain<Sign> sign_of_imaginary(const Root_complex<K>& a)
 {
   return a.tower->sign(a.y);
+}
+
+// the sign of the imaginary part of a product
+template <typename K>
+Uncertain<Sign> sign_of_imaginary(const Root_complex<K>& a, const Root_complex<K>& b)
+{
+  return a.tower->sign(imaginary_product(a, b));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
