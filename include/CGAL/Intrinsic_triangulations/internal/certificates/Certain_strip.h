@@ -106,10 +106,8 @@ private:
     const double x_length = side_length(x), square = x_length * x_length;
     const double to_apex = side_length(m_input.prev(x)), from_apex = side_length(m_input.next(x)),
                  to_other = side_length(m_input.next(o)), from_other = side_length(m_input.prev(o));
-    const double after_source =
-                   apex.from_source * other.across - other.from_target * apex.across,
-                 before_target =
-                   other.from_source * apex.across - apex.from_target * other.across;
+    const double after_source = apex.from_source * other.across - other.from_target * apex.across,
+                 before_target = other.from_source * apex.across - apex.from_target * other.across;
     constexpr double unit = 64 * Rounding<double>::unit();
     const bool is_straight = after_source * square > unit * to_apex * to_other &&
                              before_target * square > unit * from_apex * from_other;

@@ -268,8 +268,8 @@ private:
     if constexpr(!Corners::is_rounded) {
       const Complex from_source = m_corners.from_source(h, exit),
                     source = scaled(side.source, h) + side.vector * from_source,
-                    vector = side.vector *
-                             (m_corners.from_source(h, m_input.next(exit)) - from_source);
+                    vector =
+                      side.vector * (m_corners.from_source(h, m_input.next(exit)) - from_source);
       return {exit, source, source + vector, vector};
     } else {
       const bool is_next = exit == m_input.next(h);

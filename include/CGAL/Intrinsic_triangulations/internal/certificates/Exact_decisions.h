@@ -317,9 +317,8 @@ private:
   Uncertain<Sign> sign_by_roots(const Predicate& predicate, std::size_t maximum)
   {
     typedef std::conditional_t<std::is_same_v<Number, double>, Exact, Number> Of_squares;
-    return m_metric.squared_lengths.empty()
-             ? sign_by_roots_over<Exact>(predicate, maximum)
-             : sign_by_roots_over<Of_squares>(predicate, maximum);
+    return m_metric.squared_lengths.empty() ? sign_by_roots_over<Exact>(predicate, maximum)
+                                            : sign_by_roots_over<Of_squares>(predicate, maximum);
   }
 
   template <typename R, typename Predicate>

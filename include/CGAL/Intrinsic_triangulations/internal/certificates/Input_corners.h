@@ -270,8 +270,7 @@ template <typename Metric, typename Surface>
 Sign area_sign(Halfedge_index h, const Metric& metric, const Surface& input)
 {
   typedef Exact_number_of<typename Metric::Number> K;
-  return CGAL::sign(
-    Corner_products<K>(squared_sides<K>(h, metric, input)).squared_quadrupled_area);
+  return CGAL::sign(Corner_products<K>(squared_sides<K>(h, metric, input)).squared_quadrupled_area);
 }
 
 // Corners of numbers with square roots, exactly, for one decision. They are not divided by the squared
@@ -297,10 +296,7 @@ public:
     return real(K(x.exact()));
   }
 
-  Complex scaled(Complex z, Halfedge_index h)
-  {
-    return z.is_zero() ? z : std::move(z) * scale(h);
-  }
+  Complex scaled(Complex z, Halfedge_index h) { return z.is_zero() ? z : std::move(z) * scale(h); }
 
   // returns numbers that are not negative; they need not be divided by their sum
   std::array<Complex, 3> weights(const std::array<double, 3>& b) const
@@ -388,8 +384,7 @@ private:
   // Lengths that exceed the triangle inequality by rounding are those of a flat triangle.
   void set_sides(Halfedge_index h, Face& f)
   {
-    f.square =
-      squared_sides<K>(m_input.mesh().halfedge(m_input.mesh().face(h)), m_metric, m_input);
+    f.square = squared_sides<K>(m_input.mesh().halfedge(m_input.mesh().face(h)), m_metric, m_input);
     set_root((std::max)(Corner_products<K>(f.square).squared_quadrupled_area, K(0)), f);
   }
 

@@ -57,9 +57,8 @@ R squared_distance(const Position& p, const Position& q)
 }
 
 // returns those of a diamond
-inline std::array<Position, 4> corner_positions(Halfedge_index h,
-                                                const std::vector<Position>& points,
-                                                const Delta_complex& mesh)
+inline std::array<Position, 4>
+corner_positions(Halfedge_index h, const std::vector<Position>& points, const Delta_complex& mesh)
 {
   return {points[mesh.source(h)], points[mesh.target(h)], points[mesh.target(mesh.next(h))],
           points[mesh.target(mesh.next(mesh.opposite(h)))]};
@@ -101,9 +100,8 @@ R scaled_difference(double x, double y, double unit)
 {
   const Double_double difference = Double_double::exact_sum(x, -y);
   const double scaled = difference.high() * unit;
-  return difference.low() == 0 && scaled / unit == difference.high()
-           ? R(scaled)
-           : R((R(x) - R(y)) * R(unit));
+  return difference.low() == 0 && scaled / unit == difference.high() ? R(scaled)
+                                                                     : R((R(x) - R(y)) * R(unit));
 }
 
 // returns a vector between positions, multiplied by a power of two

@@ -104,16 +104,17 @@ private:
     const double shift =
       4 * m_change * (m_squares + thinness * std::abs(m_k.foot - m_l.foot) * m_root / heights());
     const double end = m_length.ij * m_length.ij / 2, outside = (std::max)(cut + shift - end, 0.);
-    return cut > end ? std::numeric_limits<double>::infinity()
-                     : heights() * ((end + shift - cut) * (end + shift + cut) + outside * m_squares);
+    return cut > end
+             ? std::numeric_limits<double>::infinity()
+             : heights() * ((end + shift - cut) * (end + shift + cut) + outside * m_squares);
   }
 
   // What is rounded in the formula itself is small changes of the distance of the feet and of both
   // heights.
   double rounding(double thin_k, double thin_l, double inverse) const
   {
-    const double sides = (m_length.jk + m_length.ki + m_length.il + m_length.lj) *
-                         (std::min)(m_length.ij, m_flipped);
+    const double sides =
+      (m_length.jk + m_length.ki + m_length.il + m_length.lj) * (std::min)(m_length.ij, m_flipped);
     return 8 + ((m_k.height + m_root) * (thin_k + 4) + (m_l.height + m_root) * (thin_l + 4) +
                 sides * sides) *
                  (m_root * inverse);
