@@ -31,6 +31,7 @@ namespace Test_exact_Delaunay {
 using namespace Test_surfaces;
 using CGAL::Exact_rational;
 using IT::Delaunay_certificate;
+using Q_of_root_2 = CGAL::Sqrt_extension<Exact_rational, Exact_rational>;
 
 // ---- Numbers ----
 
@@ -152,22 +153,76 @@ TEST(Exact_Delaunay, planes_are_found_exactly)
   EXPECT_GT(flat, 500);
 }
 
+TEST(Exact_Delaunay, scaled_differences_are_exact)
+{
+  Portable_random random(4);
+  for(int trial = 0; trial < 5000; ++trial) {
+    const auto number = [&] {
+      return std::ldexp(random.get_double(-1, 1), random.get_int(-1, 2) * random.get_int(0, 1000));
+    };
+    const double x = number(), y = trial % 3 == 0 ? x * (1 + random.get_double(0, 1)) : number(),
+                 unit = std::ldexp(1., random.get_int(-1000, 1000));
+    ASSERT_EQ(IT::internal::scaled_difference<Exact_rational>(x, y, unit),
+              (Exact_rational(x) - Exact_rational(y)) * Exact_rational(unit))
+      << x << ' ' << y << ' ' << unit;
+  }
+}
+
 // ---- Roots ----
+
+using IT::internal::Exact_ring;
+
+template <typename K>
+void check_signs_of_sums_of_roots()
+{
+  using Tower = IT::internal::Root_tower<K>;
+  using Complex = IT::internal::Root_complex<K>;
+  Tower tower(10);
+  const auto number = [&](double x) { return Complex{&tower, {K(x)}, {K(0)}}; };
+  const auto multiple = [&](double square) { return tower.root(K(square)).value(); };
+  const auto root = [&](double square) {
+    const auto result = multiple(square);
+    EXPECT_EQ(result.factor, K(1));
+    return Complex{&tower, result.root, {K(0)}};
+  };
+  const auto sign = [](const Complex& a) { return CGAL::get_certain(sign_of_real(a)); };
+  const Complex sum = root(2) + root(3), square = sum * sum, same = number(5) + number(2) * root(6);
+  EXPECT_EQ(sign(square - same), CGAL::ZERO);
+  EXPECT_EQ(sign(square - same - number(0x1p-30)), CGAL::NEGATIVE);
+  EXPECT_EQ(sign(square - same + number(0x1p-30)), CGAL::POSITIVE);
+  EXPECT_EQ(
+    sign_of_imaginary(conj(Complex{&tower, {K(2)}, {K(1)}}), Complex{&tower, {K(4)}, {K(2)}}),
+    CGAL::ZERO);
+  const auto known = multiple(50); // no new root
+  EXPECT_EQ(known.root.size(), root(2).x.size());
+  EXPECT_EQ(sign(Complex{&tower, known.root, {K(0)}} - number(5) * root(2) * known.factor),
+            CGAL::ZERO);
+  EXPECT_EQ(sign(root(49)), CGAL::POSITIVE);
+  EXPECT_EQ(root(49).x.front(), K(7));
+}
 
 TEST(Exact_Delaunay, signs_of_sums_of_roots)
 {
-  Tower tower(10);
-  const auto root = [&](int square) { return tower.root(Exact_rational(square)).value(); };
-  const auto number = [](int x) { return Tower::Element{Exact_rational(x)}; };
-  const Tower::Element sum = Tower::sum(root(2), root(3));
-  const Tower::Element square = tower.product(sum, sum);
-  const auto less = [&](const Tower::Element& a) { return Tower::sum(square, Tower::negative(a)); };
-  const Tower::Element same = Tower::sum(number(5), tower.product(number(2), root(6)));
-  EXPECT_EQ(tower.sign(less(same)), CGAL::ZERO);
-  EXPECT_EQ(tower.sign(less(Tower::sum(same, {Exact_rational(1) / 1000000000}))), CGAL::NEGATIVE);
-  EXPECT_EQ(tower.sign(less(Tower::sum(same, {Exact_rational(-1) / 1000000000}))), CGAL::POSITIVE);
-  EXPECT_EQ(root(50), tower.product(number(5), root(2))); // no new root
-  EXPECT_EQ(tower.root(Exact_rational(49) / 64).value(), Tower::Element{Exact_rational(7) / 8});
+  check_signs_of_sums_of_roots<Exact_rational>();
+  check_signs_of_sums_of_roots<Exact_ring>();
+}
+
+// A root of 7 that is taken for another one than that of 28 / 4.
+TEST(Exact_Delaunay, signs_of_sums_of_dependent_roots)
+{
+  using Ring_tower = IT::internal::Root_tower<Q_of_root_2>;
+  using Complex = IT::internal::Root_complex<Q_of_root_2>;
+  Ring_tower tower(10);
+  const auto root = [&](int square) {
+    return Complex{&tower, tower.root(Q_of_root_2(square)).value().root, {Q_of_root_2(0)}};
+  };
+  const auto number = [&](int x) { return Complex{&tower, {Q_of_root_2(x)}, {Q_of_root_2(0)}}; };
+  const Complex a = number(2) * root(7), b = root(28);
+  EXPECT_GT(b.x.size(), root(7).x.size());
+  EXPECT_EQ(sign_of_real(a - b), CGAL::ZERO);
+  EXPECT_EQ(sign_of_real(a - b + number(1)), CGAL::POSITIVE);
+  EXPECT_EQ(sign_of_real(a * b - number(28)), CGAL::ZERO);
+  EXPECT_EQ(sign_of_real(a * b - number(29)), CGAL::NEGATIVE);
 }
 
 TEST(Exact_Delaunay, too_many_roots_are_refused)
@@ -176,6 +231,26 @@ TEST(Exact_Delaunay, too_many_roots_are_refused)
   for(int square : {2, 3, 8, 27, 12})
     EXPECT_TRUE(tower.root(Exact_rational(square)));
   EXPECT_FALSE(tower.root(Exact_rational(5)));
+}
+
+TEST(Exact_Delaunay, whole_roots_are_found)
+{
+  Portable_random random(5);
+  for(int trial = 0; trial < 1000; ++trial) {
+    Exact_ring x(1);
+    for(int factor = trial % 9; factor >= 0; --factor)
+      x = x * Exact_ring(std::floor(std::ldexp(random.get_double(0, 1), random.get_int(1, 53)))) +
+          Exact_ring(1);
+    const Exact_ring square = x * x;
+    ASSERT_TRUE(IT::internal::whole_root(square));
+    EXPECT_EQ(IT::internal::whole_root(square).value(), x);
+    EXPECT_FALSE(IT::internal::whole_root(Exact_ring(square + Exact_ring(1))));
+    if(!(x == Exact_ring(1))) {
+      EXPECT_FALSE(IT::internal::whole_root(Exact_ring(square - Exact_ring(1))));
+    }
+  }
+  const Exact_ring huge = Exact_ring(0x1p600) * Exact_ring(0x1p600); // out of the range
+  EXPECT_FALSE(IT::internal::whole_root(huge));
 }
 
 // ---- Flat surfaces ----
@@ -293,8 +368,6 @@ TEST(Exact_Delaunay, positions_in_exact_kernels)
 }
 
 // ---- A translation surface ----
-
-using Q_of_root_2 = CGAL::Sqrt_extension<Exact_rational, Exact_rational>;
 
 // A regular octagon with sides glued, cut into a fan: its squared lengths are in Q(sqrt 2). All
 // corners are cocircular, so that there is one cell with eight corners, and five ties.
@@ -473,6 +546,50 @@ TEST(Exact_Delaunay, certificate_agrees_with_the_signs_of_all_edges)
     EXPECT_EQ(certificate.ties, ties);
     EXPECT_EQ(certificate.non_Delaunay_edges, non_Delaunay);
   }
+}
+
+// ---- Planes ----
+
+// The triangulation of a mesh by its exact squared lengths: without positions triangles are laid out
+// one by one, over rational numbers.
+Exact_triangulation by_squares(const Exact_triangulation& t, const Mesh& mesh)
+{
+  Delta_complex copy = t.input_mesh();
+  auto square = copy.add_property_map<Edge_index, Exact_rational>("e:square").first;
+  for(Edge_index e : copy.edges()) {
+    const auto position = [&](IT::Vertex_index v) {
+      const Point& p = mesh.point(Mesh::Vertex_index(v.idx()));
+      return Position{p.x(), p.y(), p.z()};
+    };
+    const Halfedge_index h = copy.halfedge(e);
+    square[e] = IT::internal::squared_distance<Exact_rational>(position(copy.source(h)),
+                                                               position(copy.target(h)));
+  }
+  return Exact_triangulation(copy, IT::parameters::squared_edge_length_map(square));
+}
+
+// Edges of a shuffled triangulation cross many planes, each of many faces.
+TEST(Exact_Delaunay, planes_decide_as_triangles_do)
+{
+  std::array<int, 3> signs{};
+  for(std::uint64_t seed = 0; seed < 70; ++seed) {
+    const Tied_mesh tied = tied_mesh(seed);
+    SCOPED_TRACE(tied.name + " " + std::to_string(seed));
+    Exact_triangulation t(tied.mesh), other = by_squares(t, tied.mesh);
+    Portable_random random(seed);
+    shuffle(t, 2 * t.mesh().number_of_edges(), random, [&](Halfedge_index h) { other.flip(h); });
+    auto by_planes = IT::internal::exact_decisions(t),
+         by_triangles = IT::internal::exact_decisions(other);
+    for(Edge_index e : t.mesh().edges())
+      if(const Halfedge_index h = t.mesh().halfedge(e); !t.mesh().is_border(e)) {
+        const CGAL::Sign sign = by_planes.Delaunay_sign(h);
+        ASSERT_EQ(sign, by_triangles.Delaunay_sign(h)) << e;
+        ASSERT_EQ(by_planes.convexity_at_source(h), by_triangles.convexity_at_source(h)) << e;
+        ASSERT_EQ(by_planes.is_straight(h), by_triangles.is_straight(h)) << e;
+        ++signs[std::size_t(sign + 1)];
+      }
+  }
+  EXPECT_GT(*std::min_element(signs.begin(), signs.end()), 200);
 }
 
 // ---- Certificates that fail ----

@@ -98,7 +98,6 @@ public:
 
   // from T^A to T^B
   std::size_t number_of_flips() const { return m_number_of_flips; }
-  const std::vector<Halfedge_index>& flips() const { return m_flips; }
 
   // the surface itself
   const Delta_complex& surface() const { return m_half; }

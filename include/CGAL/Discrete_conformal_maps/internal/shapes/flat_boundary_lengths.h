@@ -38,11 +38,7 @@ public:
     for(Edge_index e : surface.mesh().edges())
       m_length.push_back(surface.scaled_length(e));
     const auto& ab = problem.triangulation();
-    m_triangulation =
-      Triangulation(ab.input_mesh(), Intrinsic_triangulations::parameters::edge_length_map(
-                                       ab.input_length_map())); // crossings know no lengths
-    for(Halfedge_index h : problem.flips())
-      m_triangulation.flip(h);
+    m_triangulation = Triangulation(ab.input_mesh(), ab.mesh()); // crossings know no lengths
     for(Halfedge_index h : surface.flips())
       m_triangulation.flip(h);
   }

@@ -100,6 +100,12 @@ Uncertain<Sign> sign_of_imaginary(const Ball<N>& a)
   return certain_sign(a.y, a.radius);
 }
 
+template <typename N>
+Uncertain<Sign> sign_of_imaginary(const Ball<N>& a, const Ball<N>& b)
+{
+  return sign_of_imaginary(a * b);
+}
+
 // returns the root of a real number that is not negative
 template <typename N>
 Ball<N> root(const Ball<N>& a)

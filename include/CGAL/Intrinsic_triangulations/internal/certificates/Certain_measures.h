@@ -177,8 +177,8 @@ protected:
     Sign least = POSITIVE;
     bool is_known = true;
     for(const auto& side : strip.crossed)
-      for(const Uncertain<Sign> sign : {sign_of_imaginary(direction * side.target),
-                                        -sign_of_imaginary(direction * side.source)}) {
+      for(const Uncertain<Sign> sign :
+          {sign_of_imaginary(direction, side.target), -sign_of_imaginary(direction, side.source)}) {
         is_known = is_known && is_certain(sign);
         if(is_certain(sign))
           least = (std::min)(least, get_certain(sign));

@@ -44,9 +44,10 @@ template <typename Traits>
 class Certifier
 {
   typedef Triangulation_pair<Traits> Pair;
-  typedef Exact_decisions<Traits, Shared_crossings> Decisions;
 
 public:
+  typedef Exact_decisions<Traits, Shared_crossings> Decisions;
+
   Certifier(const Pair& pair, Concurrency concurrency)
     : Certifier(pair, concurrency,
                 Input_crossings(pair.coordinates(), pair.mesh(), pair.spokes(), concurrency))
@@ -63,7 +64,7 @@ public:
   Delaunay_certificate run()
   {
     if(m_pair.input_metric().points.empty())
-      Decisions(m_pair, m_crossings).check_triangles();
+      decisions().check_triangles();
     for_each<Edge_index>(
       [this](auto e, auto& decisions, auto& part) { check_straightness(e, decisions, part); });
     for_each<Edge_index>(
@@ -74,12 +75,14 @@ public:
     return std::move(m_certificate);
   }
 
+  // for several calls of `straight_length()`
+  Decisions decisions() const { return Decisions(m_pair, m_crossings); }
+
   // Returns the length of the edge `e`; zero if it cannot be shown that it is straight, and that
   // the faces at inserted ends turn around once.
-  double straight_length(Edge_index e)
+  double straight_length(Edge_index e, Decisions& decisions)
   {
     try {
-      Decisions decisions(m_pair, m_crossings);
       const Halfedge_index h = m_mesh.halfedge(e);
       check_straightness(e, decisions, m_certificate);
       check_inserted(m_mesh.source(h), decisions, m_certificate);
@@ -102,7 +105,7 @@ private:
     const bool has_garbage = m_mesh.has_garbage();
     std::vector<Delaunay_certificate> parts(number_of_chunks(n));
     for_each_chunk(m_concurrency, n, [&](std::size_t begin, std::size_t end) {
-      Decisions decisions(m_pair, m_crossings);
+      Decisions decisions = this->decisions();
       Delaunay_certificate& part = parts[begin / chunk_size];
       for(std::size_t i = begin; i < end; ++i)
         if(const Index x(static_cast<Delta_complex::size_type>(i));

@@ -74,11 +74,13 @@ public:
             scaled(w[0], side) + w[2] * at_target(side), scaled(w[0] + w[1] + w[2], side)};
   }
 
-  // An edge of T2 from the origin, with the sides of T1 that it crosses.
+  typedef boost::container::small_vector<Placed_side, 4> Placed_sides;
+
+  // An edge of T2 from the origin, with the sides of T1 that it crosses, each up to a positive factor.
   struct Strip
   {
     Placed_side first;
-    boost::container::small_vector<Placed_side, 4> crossed;
+    Placed_sides crossed;
     Complex end;
   };
 
@@ -95,8 +97,7 @@ public:
   Strip strip(Halfedge_index h, const Placed_side& first) const
   {
     Strip result{first, {}, m_corners.number(0)};
-    result.end =
-      end(h, result.first, [&](const Placed_side& side) { result.crossed.push_back(side); });
+    result.end = end(h, first, &result.crossed);
     return result;
   }
 
@@ -123,26 +124,33 @@ public:
     const std::size_t spokes =
       static_cast<std::size_t>(m_pair.coordinates().curves_leaving(mesh.next(h), mesh)) +
       m_pair.coordinates().is_shared(mesh.edge(mesh.prev(h)));
-    for(std::size_t s = 0; s < spokes; ++s)
-      side = following_spoke(side, m_pair.is_inserted(mesh.source(h)));
+    const bool is_inserted = m_pair.is_inserted(mesh.source(h));
+    Halfedge_index spoke = side.halfedge;
+    for(std::size_t s = spokes; s > 0; --s)
+      if(is_inserted)
+        side = beyond(std::move(side));
+      else {
+        const Halfedge_index last = m_input.prev(spoke);
+        spoke = m_input.opposite(last);
+        if(s == 1 || !m_corners.is_flat(last))
+          side = spoke_in_face(side, last);
+      }
     return side;
   }
 
   // the next spoke around the origin, counterclockwise
   Placed_side following_spoke(const Placed_side& side, bool is_inserted) const
   {
-    if(is_inserted)
-      return beyond(side);
-    const Complex end = side.vector * at_source(side.halfedge);
-    return {m_input.opposite(m_input.prev(side.halfedge)), side.source, end, end};
+    return is_inserted ? beyond(side) : spoke_in_face(side, m_input.prev(side.halfedge));
   }
 
   // the corner of the triangle opposite to `side`
   Complex apex(const Placed_side& side) const
   {
     const Halfedge_index h = side.halfedge;
-    return is_apex_near_source(h) ? scaled(side.source, h) + side.vector * at_source(h)
-                                  : scaled(side.target, h) - side.vector * at_target(h);
+    return Corners::is_rounded && !is_apex_near_source(h)
+             ? scaled(side.target, h) - side.vector * at_target(h)
+             : scaled(side.source, h) + side.vector * at_source(h);
   }
 
   // Returns the point of the triangle of `side` with the barycentric coordinates `w`, beginning
@@ -166,26 +174,27 @@ public:
   }
 
 private:
-  // Returns where `h` ends if its first triangle lies at `side`. `pass(exit)` is called for the
-  // sides of T1 that it crosses.
-  template <typename Pass>
-  Complex end(Halfedge_index h, Placed_side side, const Pass& pass) const
+  // Returns where `h` ends if its first triangle lies at `side`, and appends the sides of T1 that it
+  // crosses to `crossed`, if there are any.
+  Complex end(Halfedge_index h, Placed_side side, Placed_sides* crossed = nullptr) const
   {
     const Delta_complex& mesh = m_pair.mesh();
     if(m_pair.coordinates().is_shared(mesh.edge(h)))
       return end_along(side, mesh.target(h));
     const std::size_t n = m_crossings.count(h);
+    const bool ends_inside = m_pair.is_inserted(mesh.target(h));
     for(std::size_t m = 0; m < n; ++m) {
-      side = other_side(side, m_input.opposite(m_crossings(h, m)));
-      pass(side);
-      side = beyond(std::move(side));
+      const Halfedge_index exit = m_input.opposite(m_crossings(h, m));
+      const bool stays = m_corners.is_flat(exit) && !(ends_inside && m + 1 == n);
+      if(stays && crossed == nullptr)
+        continue;
+      Placed_side passed = other_side(side, exit);
+      if(crossed != nullptr)
+        crossed->push_back(passed);
+      if(!stays)
+        side = beyond(std::move(passed));
     }
     return place(mesh.opposite(h), side);
-  }
-
-  Complex end(Halfedge_index h, const Placed_side& side) const
-  {
-    return end(h, side, [](const Placed_side&) {});
   }
 
   Complex at_source(Halfedge_index h) const { return m_corners.at_source(h); }
@@ -233,19 +242,44 @@ private:
            m_pair.input_length(m_input.edge(m_input.next(h)));
   }
 
-  // returns the side `exit` of the triangle
+  // Returns the spoke opposite to the halfedge `last`, which ends at the origin in the same face.
+  Placed_side spoke_in_face(const Placed_side& side, Halfedge_index last) const
+  {
+    const Complex end = side.vector * m_corners.from_source(side.halfedge, last);
+    return {m_input.opposite(last), side.source, end, end};
+  }
+
+  // returns where the source of `h` lies, a halfedge of the same face
+  Complex place_of_source(Halfedge_index h, const Placed_side& side) const
+  {
+    return h == side.halfedge                 ? side.source
+           : h == m_input.next(side.halfedge) ? side.target
+           : h == m_input.prev(side.halfedge)
+             ? apex(side)
+             : scaled(side.source, side.halfedge) +
+                 side.vector * m_corners.from_source(side.halfedge, h);
+  }
+
+  // returns the side `exit` of the face
   Placed_side other_side(const Placed_side& side, Halfedge_index exit) const
   {
     const Halfedge_index h = side.halfedge;
     if(exit == h)
       return side;
-    const bool is_next = exit == m_input.next(h);
-    const Complex to_apex = is_next ? -(side.vector * at_target(h)) : side.vector * at_source(h);
-    const Complex end = scaled(is_next ? side.target : side.source, h);
-    const Complex corner =
-      Corners::is_rounded && is_next == is_apex_near_source(h) ? apex(side) : end + to_apex;
-    return is_next ? Placed_side{exit, end, corner, to_apex}
-                   : Placed_side{exit, corner, end, -to_apex};
+    if constexpr(!Corners::is_rounded) {
+      const Complex from_source = m_corners.from_source(h, exit),
+                    source = scaled(side.source, h) + side.vector * from_source,
+                    vector =
+                      side.vector * (m_corners.from_source(h, m_input.next(exit)) - from_source);
+      return {exit, source, source + vector, vector};
+    } else {
+      const bool is_next = exit == m_input.next(h);
+      const Complex to_apex = is_next ? -(side.vector * at_target(h)) : side.vector * at_source(h);
+      const Complex end = is_next ? side.target : side.source;
+      const Complex corner = is_next == is_apex_near_source(h) ? apex(side) : end + to_apex;
+      return is_next ? Placed_side{exit, end, corner, to_apex}
+                     : Placed_side{exit, corner, end, -to_apex};
+    }
   }
 
   // returns where the vertex `v` lies beyond the origin on `side`
@@ -260,12 +294,9 @@ private:
   // returns where the source of the halfedge `back` of T2, which leads into the triangle, lies
   Complex place(Halfedge_index back, const Placed_side& side) const
   {
-    if(m_pair.is_inserted(m_pair.mesh().source(back)))
-      return point(side, weights_in_triangle(side.halfedge, back));
-    const Halfedge_index spoke = m_pair.input_spoke_before(back);
-    return spoke == side.halfedge                 ? side.source
-           : spoke == m_input.next(side.halfedge) ? side.target
-                                                  : apex(side);
+    return m_pair.is_inserted(m_pair.mesh().source(back))
+             ? point(side, weights_in_triangle(side.halfedge, back))
+             : place_of_source(m_pair.input_spoke_before(back), side);
   }
 
   const Triangulation_pair<Traits>& m_pair;

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_measures.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
@@ -54,8 +55,8 @@ class Exact_decisions : public Certain_measures<Traits, Crossings>
   typedef Certain_measures<Traits, Crossings> Base;
   typedef Triangulation_pair<Traits> Pair;
   typedef Input_metric_of<Traits> Metric;
-  typedef Exact_number_of<typename Metric::Number> K;
-  typedef Exact_corners<Metric, decltype(std::declval<Pair>().input())> Exact;
+  typedef typename Metric::Number Number;
+  typedef Exact_number_of<Number> K;
   template <typename N>
   using Rounded = typename Base::template Rounded<N>;
   using Base::development;
@@ -74,7 +75,7 @@ public:
   using Base::rounded_angle;
 
   Exact_decisions(const Pair& pair, const Crossings& crossings)
-    : Base(pair, crossings), m_exact(pair.input_metric(), pair.input())
+    : Base(pair, crossings), m_is_flat(m_metric, pair.input_mesh())
   {}
 
   // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
@@ -105,7 +106,7 @@ public:
     if(!m_metric.points.empty()) {
       if(has_inserted_corner(h))
         return sign_by_places(h);
-      const auto [i, j, k, l] = corner_positions(h, m_mesh);
+      const auto [i, j, k, l] = corner_positions(h, m_metric.points, m_mesh);
       return compare_opposite_angles(i, j, k, l);
     }
     return m_metric.squared_lengths.empty() ? sign_by_squares<Exact_ring>(h)
@@ -157,15 +158,9 @@ public:
     return result;
   }
 
-  // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side.
-  // \pre the input has positions
-  bool is_flat(Halfedge_index input)
-  {
-    return m_is_flat(std::size_t(Edge_index(input).idx()), [&] {
-      const auto [i, j, k, l] = corner_positions(input, m_pair.input_mesh());
-      return is_flat_in_space(i, j, k, l);
-    });
-  }
+  // Returns whether the two faces at the edge of `input` in T1 lie in one plane, side by side: not
+  // without positions.
+  bool is_flat(Halfedge_index input) { return m_is_flat(input); }
 
   // returns the orientation of the face of `h`
   Sign orientation(Halfedge_index h)
@@ -200,7 +195,7 @@ public:
   {
     const Halfedge_index o = m_mesh.opposite(h);
     const Lazy_number rest = 1 - t;
-    return decide([&](const auto& development) {
+    return decide<Exact_field>([&](const auto& development) {
       const auto from_source = development.strip(h).crossed[m];
       const auto from_target = development.strip(o).crossed[m_crossings.count(h) - 1 - m];
       return sign_of_imaginary(
@@ -219,7 +214,7 @@ public:
       const Halfedge_index h = input.halfedge(f);
       const double a = length(h), b = length(input.next(h)), c = length(input.prev(h));
       if((std::min)({b + c - a, c + a - b, a + b - c}) <= rounding_unit<double>() * (a + b + c) &&
-         m_exact.area_sign(h) == NEGATIVE)
+         area_sign(h, m_metric, m_pair.input()) == NEGATIVE)
         throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()) +
                             " by less than rounding");
     }
@@ -228,8 +223,9 @@ public:
   const Decision_count& count() const { return m_count; }
 
   // Returns the sign `predicate(development)`, which is asked for with more and more digits. Roots
-  // of few numbers, as where many faces are coplanar, are faster than many digits.
-  template <typename Predicate>
+  // of few numbers, as where many faces are coplanar, are faster than many digits. Where the input
+  // consists of numbers of type `double`, those in the end are of type `Exact`.
+  template <typename Exact = Exact_ring, typename Predicate>
   Sign decide(const Predicate& predicate)
   {
     Uncertain<Sign> sign = Uncertain<Sign>::indeterminate();
@@ -239,11 +235,11 @@ public:
       if(is_certain(sign))
         ++(is_first ? m_count.floating_point : m_count.multiprecision);
       else if(std::is_same_v<decltype(corners), Rounded<Double_double>&>)
-        sign = sign_by_roots(predicate, 2);
+        sign = sign_by_roots<Exact>(predicate, 2);
       return is_certain(sign);
     });
     if(!is_certain(sign))
-      sign = sign_by_roots(predicate, maximal_number_of_roots);
+      sign = sign_by_roots<Exact>(predicate, maximal_number_of_roots);
     if(!is_certain(sign))
       throw Numerical_error("an exact decision involves more than " +
                             std::to_string(maximal_number_of_roots) + " independent square roots");
@@ -270,12 +266,10 @@ private:
   {
     if(is_input_edge(h))
       return true;
-    if(m_metric.points.empty())
-      return false;
     for(std::size_t m = 0; m < m_crossings.count(h); ++m)
-      if(!is_flat(m_crossings(h, m)))
+      if(!m_is_flat(m_crossings(h, m)))
         return false;
-    return true;
+    return !m_metric.points.empty();
   }
 
   // whether a vertex of the diamond of `h` is inserted
@@ -318,22 +312,23 @@ private:
       Diamond<Exact_field>{square(i, j), square(j, k), square(k, i), square(i, l), square(l, j)});
   }
 
-  // those of a diamond, without inserted vertices
-  std::array<Position, 4> corner_positions(Halfedge_index h, const Delta_complex& mesh) const
-  {
-    const auto& points = m_metric.points;
-    return {points[mesh.source(h)], points[mesh.target(h)], points[mesh.target(mesh.next(h))],
-            points[mesh.target(mesh.next(mesh.opposite(h)))]};
-  }
-
   // ---- Stages ----
 
-  template <typename Predicate>
+  template <typename Exact, typename Predicate>
   Uncertain<Sign> sign_by_roots(const Predicate& predicate, std::size_t maximum)
   {
-    m_exact.restart(maximum);
-    const Uncertain<Sign> sign = predicate(development(m_exact));
-    if(m_exact.has_too_many_roots())
+    typedef std::conditional_t<std::is_same_v<Number, double>, Exact, Number> Of_squares;
+    return m_metric.squared_lengths.empty() ? sign_by_roots_over<Exact>(predicate, maximum)
+                                            : sign_by_roots_over<Of_squares>(predicate, maximum);
+  }
+
+  template <typename R, typename Predicate>
+  Uncertain<Sign> sign_by_roots_over(const Predicate& predicate, std::size_t maximum)
+  {
+    Exact_corners<R, Metric, decltype(m_pair.input())> corners(m_metric, m_pair.input(), m_is_flat,
+                                                               maximum);
+    const Uncertain<Sign> sign = predicate(development(corners));
+    if(corners.has_too_many_roots())
       return Uncertain<Sign>::indeterminate();
     ++m_count.exact;
     return sign;
@@ -372,7 +367,7 @@ private:
   template <typename Complex>
   static Uncertain<Sign> compare_sum_with_pi(const Complex& a, const Complex& b)
   {
-    const Uncertain<Sign> sine = sign_of_imaginary(a * b);
+    const Uncertain<Sign> sine = sign_of_imaginary(a, b);
     if(!is_certain(sine) || get_certain(sine) != ZERO)
       return sine;
     const Uncertain<Sign> cos_a = sign_of_real(a), cos_b = sign_of_real(b);
@@ -388,7 +383,7 @@ private:
   bool passes_triangle(Halfedge_index h, bool has_area) const
   {
     const auto is_one = [&](Halfedge_index side) {
-      return (m_exact.area_sign(side) != ZERO) == has_area;
+      return (area_sign(side, m_metric, m_pair.input()) != ZERO) == has_area;
     };
     const Halfedge_index spoke = m_pair.input_spoke_before(h);
     const Delta_complex& input = m_pair.input_mesh();
@@ -423,8 +418,7 @@ private:
   }
 
   Delaunay_by_lengths m_by_lengths;
-  Exact m_exact;
-  Recent_values<bool> m_is_flat;
+  Flat_edges<Metric> m_is_flat;
   Decision_count m_count;
 };
 

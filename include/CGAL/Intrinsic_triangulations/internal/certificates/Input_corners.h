@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ball.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Flat_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Recent_values.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Root_tower.h>
@@ -24,6 +25,7 @@
 #include <limits>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -65,6 +67,15 @@ struct Corner_products
       squared_quadrupled_area(K(4) * square[0] * square[1] - doubled_product * doubled_product)
   {}
 };
+
+// returns the positions of the corners of the triangle of `h`
+template <typename Metric>
+std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Metric& metric,
+                                            const Delta_complex& mesh)
+{
+  return {metric.points[mesh.source(h)], metric.points[mesh.target(h)],
+          metric.points[mesh.target(mesh.next(h))]};
+}
 
 // The shortest sides, by their squares, whose products do not underflow. With Long_float none do.
 template <typename N>
@@ -154,6 +165,9 @@ public:
   // returns `z` as corners of the triangle of `h` are scaled
   static const Complex& scaled(const Complex& z, Halfedge_index) { return z; }
 
+  // triangles are laid out one by one
+  static bool is_flat(Halfedge_index) { return false; }
+
   // returns numbers that are not negative, divided by their sum
   static std::array<Complex, 3> weights(const std::array<double, 3>& b)
   {
@@ -171,6 +185,10 @@ public:
       const auto ratios = apex_ratios<N>(h, m_metric, m_input);
       return corner(ratios.from_source, ratios.across);
     });
+  }
+  Complex from_source(Halfedge_index h, Halfedge_index /* of the third corner */)
+  {
+    return at_source(h);
   }
   Complex at_target(Halfedge_index h)
   {
@@ -223,26 +241,53 @@ private:
   Recent_values<Complex> m_corner;
 };
 
-// Corners of numbers with square roots, exactly. They are not divided by the squared length of
-// their side: a position is one up to a positive factor.
+// Returns the squared lengths of the sides of the triangle of `h`, beginning with `h`, up to a common
+// factor: coordinates and lengths are made whole numbers, which need no common denominators.
+template <typename K, typename Metric, typename Surface>
+std::array<K, 3> squared_sides(Halfedge_index h, const Metric& metric, const Surface& input)
+{
+  typedef typename Metric::Number Number;
+  const Delta_complex& mesh = input.mesh();
+  if constexpr(!std::is_same_v<K, Exact_ring> || std::is_same_v<Number, double>)
+    if(const auto& square = metric.squared_lengths; !square.empty())
+      return {K(square[mesh.edge(h)]), K(square[mesh.edge(mesh.next(h))]),
+              K(square[mesh.edge(mesh.prev(h))])};
+  if(!metric.points.empty()) {
+    auto p = corners_of_triangle(h, metric, mesh);
+    scale_to_integers(p);
+    return {squared_distance<K>(p[0], p[1]), squared_distance<K>(p[1], p[2]),
+            squared_distance<K>(p[2], p[0])};
+  }
+  std::array<Position, 1> length{side_lengths(h, input)};
+  scale_to_integers(length);
+  const auto square = [&](std::size_t s) { return K(CGAL::square(K(length[0][s]))); };
+  return {square(0), square(1), square(2)};
+}
+
+// Returns the sign of the squared area of the triangle of `h`: NEGATIVE if the triangle inequality
+// fails.
 template <typename Metric, typename Surface>
-class Exact_corners
+Sign area_sign(Halfedge_index h, const Metric& metric, const Surface& input)
 {
   typedef Exact_number_of<typename Metric::Number> K;
+  return CGAL::sign(Corner_products<K>(squared_sides<K>(h, metric, input)).squared_quadrupled_area);
+}
 
+// Corners of numbers with square roots, exactly, for one decision. They are not divided by the squared
+// length of their side: a position is one up to a positive factor. With positions, faces side by side
+// in one plane make one face, all vertices of which are placed at once.
+template <typename K, typename Metric, typename Surface>
+class Exact_corners
+{
 public:
   typedef Root_complex<K> Complex;
   static constexpr bool is_rounded = false;
 
-  Exact_corners(const Metric& metric, const Surface& input) : m_metric(metric), m_input(input) {}
-
-  // Begins a decision, which is left open if it involves more than `maximum` independent roots.
-  void restart(std::size_t maximum)
-  {
-    m_tower = Root_tower<K>(maximum);
-    m_has_too_many_roots = false;
-    ++m_decisions;
-  }
+  // The decision is left open if it involves more than `maximum` independent roots.
+  Exact_corners(const Metric& metric, const Surface& input, Flat_edges<Metric>& is_flat,
+                std::size_t maximum)
+    : m_metric(metric), m_input(input), m_is_flat(is_flat), m_tower(maximum)
+  {}
 
   Complex number(int x) const { return real(K(x)); }
   template <typename Lazy_number>
@@ -251,10 +296,7 @@ public:
     return real(K(x.exact()));
   }
 
-  Complex scaled(const Complex& z, Halfedge_index h)
-  {
-    return z * K(K(2) * triangle(h).square[side_number(h, m_input.mesh())]);
-  }
+  Complex scaled(Complex z, Halfedge_index h) { return z.is_zero() ? z : std::move(z) * scale(h); }
 
   // returns numbers that are not negative; they need not be divided by their sum
   std::array<Complex, 3> weights(const std::array<double, 3>& b) const
@@ -262,14 +304,28 @@ public:
     return {real(K(b[0])), real(K(b[1])), real(K(b[2]))};
   }
 
-  Complex at_source(Halfedge_index h) { return corner(h, 0, 2, 1); }
-  Complex at_target(Halfedge_index h) { return corner(h, 0, 1, 2); }
+  // whether the faces on both sides of `h` are one face
+  bool is_flat(Halfedge_index h) const { return m_is_flat(h); }
 
-  // returns the sign of the squared area of the triangle of `h`: NEGATIVE if the triangle
-  // inequality fails
-  Sign area_sign(Halfedge_index h) const
+  Complex at_source(Halfedge_index h) { return from_source(h, m_input.mesh().prev(h)); }
+  Complex at_target(Halfedge_index h) { return conj(real(scale(h)) - at_source(h)); }
+
+  // Returns where the source of `other`, a halfedge of the face of `h`, lies from that of `h`.
+  Complex from_source(Halfedge_index h, Halfedge_index other)
   {
-    return CGAL::sign(Corner_products<K>(squares(h)).squared_quadrupled_area);
+    if(other == h)
+      return number(0);
+    if(other == m_input.mesh().next(h))
+      return real(scale(h));
+    const Face& f = face(h);
+    if(m_metric.points.empty())
+      return {&m_tower, Element{K((square(h, 0) + square(h, 2) - square(h, 1)) * f.factor)},
+              f.root};
+    const auto u = exact_vector<K>(source(h), target(h), f.unit),
+               v = exact_vector<K>(source(h), source(other), f.unit);
+    Complex result{&m_tower, Element{K(dot(u, v) * f.factor)}, f.root};
+    Root_tower<K>::multiply(result.y, K(f.sign) * cross_coordinate(u, v, f.axis));
+    return result;
   }
 
   // whether there were more roots than are allowed
@@ -278,77 +334,92 @@ public:
 private:
   typedef typename Complex::Element Element;
 
-  Complex real(const K& x) const { return {&m_tower, Element{x}, Element{K(0)}}; }
-
-  typedef std::array<K, 3> Squares;
-
-  struct Triangle
+  // What corners of a face have in common: up to `factor`, their imaginary parts are multiples of
+  // a root.
+  struct Face
   {
-    Squares square;
-    K squared_quadrupled_area;
-    Element root;         // of that, which all corners have in common
-    std::size_t decision; // for which it is
+    std::array<K, 3> square; // of its sides; with positions nothing
+    std::size_t axis = 0;    // along which the normal is not zero, and its sign there
+    int sign = 0;
+    double unit = 1; // in which coordinates take few digits
+    Element root;
+    K factor{1};
   };
 
-  // Returns the squared lengths of the sides, beginning with `h`, up to a common factor:
-  // coordinates are made whole numbers, which need no common denominators.
-  Squares squares(Halfedge_index h) const
+  Complex real(const K& x) const { return {&m_tower, Element{x}, Element{K(0)}}; }
+
+  // by which a position is multiplied to which a corner of the face of `h` has contributed
+  K scale(Halfedge_index h)
   {
-    const Delta_complex& mesh = m_input.mesh();
-    const std::array<Halfedge_index, 3> side{h, mesh.next(h), mesh.prev(h)};
+    const Face& f = face(h);
     if(m_metric.points.empty())
-      return {squared_length(mesh.edge(side[0])), squared_length(mesh.edge(side[1])),
-              squared_length(mesh.edge(side[2]))};
-    std::array<std::array<double, 3>, 3> p;
-    for(std::size_t s = 0; s < 3; ++s)
-      p[s] = m_metric.points[mesh.source(side[s])];
-    scale_to_integers(p);
-    return {squared_distance<K>(p[0], p[1]), squared_distance<K>(p[1], p[2]),
-            squared_distance<K>(p[2], p[0])};
+      return K(2) * square(h, 0) * f.factor;
+    const auto u = exact_vector<K>(source(h), target(h), f.unit);
+    return dot(u, u) * f.factor;
   }
 
-  K squared_length(Edge_index e) const
+  const Position& source(Halfedge_index h) const
   {
-    return m_metric.squared_lengths.empty() ? K(CGAL::square(K(m_input.length_map()[e])))
-                                            : K(m_metric.squared_lengths[e]);
+    return m_metric.points[m_input.mesh().source(h)];
+  }
+  const Position& target(Halfedge_index h) const
+  {
+    return m_metric.points[m_input.mesh().target(h)];
+  }
+
+  // returns that of side number `s` from `h` on
+  const K& square(Halfedge_index h, std::size_t s)
+  {
+    return face(h).square[(side_number(h, m_input.mesh()) + s) % 3];
+  }
+
+  const Face& face(Halfedge_index h)
+  {
+    const auto [place, is_new] = m_face.try_emplace(m_input.mesh().face(h));
+    if(is_new)
+      m_metric.points.empty() ? set_sides(h, place->second) : set_plane(h, place->second);
+    return place->second;
   }
 
   // Lengths that exceed the triangle inequality by rounding are those of a flat triangle.
-  const Triangle& triangle(Halfedge_index h)
+  void set_sides(Halfedge_index h, Face& f)
   {
-    const Face_index f = m_input.mesh().face(h);
-    auto place = m_triangle.find(f);
-    if(place == m_triangle.end()) {
-      const Squares square = squares(m_input.mesh().halfedge(f));
-      const K area = (std::max)(Corner_products<K>(square).squared_quadrupled_area, K(0));
-      place = m_triangle.insert({f, Triangle{square, area, {}, 0}}).first;
-    }
-    Triangle& triangle = place->second;
-    if(triangle.decision != m_decisions) {
-      const auto root = m_tower.root(triangle.squared_quadrupled_area);
-      m_has_too_many_roots = m_has_too_many_roots || !root;
-      triangle.root = root.value_or(Element{K(0)});
-      triangle.decision = m_decisions;
-    }
-    return triangle;
+    f.square = squared_sides<K>(m_input.mesh().halfedge(m_input.mesh().face(h)), m_metric, m_input);
+    set_root((std::max)(Corner_products<K>(f.square).squared_quadrupled_area, K(0)), f);
   }
 
-  // The corner between two sides of a triangle, the first of which is that of `h`, as the sides are
-  // counted from there.
-  Complex corner(Halfedge_index h, std::size_t a, std::size_t b, std::size_t opposite)
+  // A vector product is the multiple of the normal that a coordinate tells.
+  void set_plane(Halfedge_index h, Face& f)
   {
-    const Triangle& t = triangle(h);
-    const std::size_t first = side_number(h, m_input.mesh());
-    const auto square = [&](std::size_t s) -> const K& { return t.square[(first + s) % 3]; };
-    return {&m_tower, Element{K(square(a) + square(b) - square(opposite))}, t.root};
+    auto p = corners_of_triangle(h, m_metric, m_input.mesh());
+    f.unit = scale_to_integers(p);
+    const auto normal = cross(vector_between<K>(p[0], p[1]), vector_between<K>(p[0], p[2]));
+    const auto is_zero = [&](std::size_t c) { return normal[c] == K(0); };
+    while(f.axis < 2 && is_zero(f.axis))
+      ++f.axis;
+    f.sign = CGAL::sign(normal[f.axis]);
+    if(is_zero((f.axis + 1) % 3) && is_zero((f.axis + 2) % 3)) {
+      f.root = Element{K(1)};
+      return;
+    }
+    set_root(dot(normal, normal), f);
+    f.factor *= K(f.sign) * normal[f.axis];
+  }
+
+  void set_root(const K& square, Face& f)
+  {
+    const auto multiple = m_tower.root(square);
+    m_has_too_many_roots = m_has_too_many_roots || !multiple;
+    f.root = multiple ? multiple->root : Element{K(0)};
+    f.factor = multiple ? multiple->factor : K(1);
   }
 
   const Metric& m_metric;
   Surface m_input;
+  Flat_edges<Metric>& m_is_flat;
   Root_tower<K> m_tower;
-  std::unordered_map<Face_index, Triangle> m_triangle;
+  std::unordered_map<Face_index, Face> m_face;
   bool m_has_too_many_roots = false;
-  std::size_t m_decisions = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

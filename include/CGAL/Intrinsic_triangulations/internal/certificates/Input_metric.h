@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 
 #include <array>
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -86,10 +87,18 @@ N dot(const std::array<N, 3>& u, const std::array<N, 3>& v)
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
+// returns coordinate `c` of the vector product
+template <typename N>
+N cross_coordinate(const std::array<N, 3>& u, const std::array<N, 3>& v, std::size_t c)
+{
+  const std::size_t a = (c + 1) % 3, b = (c + 2) % 3;
+  return u[a] * v[b] - u[b] * v[a];
+}
+
 template <typename N>
 std::array<N, 3> cross(const std::array<N, 3>& u, const std::array<N, 3>& v)
 {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  return {cross_coordinate(u, v, 0), cross_coordinate(u, v, 1), cross_coordinate(u, v, 2)};
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -55,6 +57,14 @@ R squared_distance(const Position& p, const Position& q)
   return dot(u, u);
 }
 
+// returns those of a diamond
+inline std::array<Position, 4>
+corner_positions(Halfedge_index h, const std::vector<Position>& points, const Delta_complex& mesh)
+{
+  return {points[mesh.source(h)], points[mesh.target(h)], points[mesh.target(mesh.next(h))],
+          points[mesh.target(mesh.next(mesh.opposite(h)))]};
+}
+
 // the exponent of the last binary digit of `x` that is not zero
 inline int last_exponent(double x)
 {
@@ -65,8 +75,9 @@ inline int last_exponent(double x)
 }
 
 // Multiplies coordinates with the least power of two that makes all of them whole numbers, if they
-// stay in range.
-inline void scale_to_integers(std::array<Position, 3>& points)
+// stay in range. Returns this power, or one that is in range.
+template <std::size_t n>
+double scale_to_integers(std::array<Position, n>& points)
 {
   int last = (std::numeric_limits<int>::max)(), first = (std::numeric_limits<int>::min)();
   for(const Position& p : points)
@@ -75,10 +86,31 @@ inline void scale_to_integers(std::array<Position, 3>& points)
         last = (std::min)(last, last_exponent(x));
         first = (std::max)(first, std::ilogb(x));
       }
-  if(first >= last && first - last < std::numeric_limits<double>::max_exponent)
-    for(Position& p : points)
-      for(double& x : p)
-        x = std::ldexp(x, -last);
+  constexpr int limit = std::numeric_limits<double>::max_exponent;
+  if(first < last || first - last >= limit)
+    return 1;
+  for(Position& p : points)
+    for(double& x : p)
+      x = std::ldexp(x, -last);
+  return std::ldexp(1., std::clamp(-last, 2 - limit, limit - 1));
+}
+
+// Returns (x - y) * unit for a power of two, without exact numbers if it is a number of type `double`.
+template <typename R>
+R scaled_difference(double x, double y, double unit)
+{
+  const Double_double difference = Double_double::exact_sum(x, -y);
+  const double scaled = difference.high() * unit;
+  return difference.low() == 0 && scaled / unit == difference.high() ? R(scaled)
+                                                                     : R((R(x) - R(y)) * R(unit));
+}
+
+// returns a vector between positions, multiplied by a power of two
+template <typename R>
+std::array<R, 3> exact_vector(const Position& p, const Position& q, double unit = 1)
+{
+  const auto coordinate = [&](std::size_t c) { return scaled_difference<R>(q[c], p[c], unit); };
+  return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
 // A corner of a triangle: the scalar product of its sides and the product of their squares, or
@@ -115,7 +147,7 @@ Sign compare_opposite_angles(const Diamond<R>& square)
 template <typename R>
 Corner_cosine<R> corner_cosine(const Position& i, const Position& k, const Position& j)
 {
-  const auto u = vector_between<R>(k, i), v = vector_between<R>(k, j);
+  const auto u = exact_vector<R>(k, i), v = exact_vector<R>(k, j);
   return {dot(u, v), dot(u, u) * dot(v, v)};
 }
 
@@ -147,8 +179,15 @@ inline Sign sign_of_products(const std::array<double, 6>& x)
 // at.
 inline Uncertain<Sign> sign_of_cosine(const Position& i, const Position& k, const Position& j)
 {
-  std::array<double, 6> terms;
   double sum = 0, size = 0;
+  for(std::size_t c = 0; c < 3; ++c) {
+    const double product = (k[c] - i[c]) * (k[c] - j[c]);
+    sum += product;
+    size += CGAL::abs(product);
+  }
+  if(CGAL::abs(sum) > 8 * std::numeric_limits<double>::epsilon() * size + 1e-250)
+    return CGAL::sign(sum);
+  std::array<double, 6> terms;
   bool is_exact = true;
   for(std::size_t c = 0; c < 3; ++c) {
     const Double_double u = Double_double::exact_sum(k[c], -i[c]),
@@ -156,14 +195,10 @@ inline Uncertain<Sign> sign_of_cosine(const Position& i, const Position& k, cons
                         product = Double_double::exact_product(u.high(), v.high());
     terms[c] = product.low();
     terms[c + 3] = product.high();
-    sum += product.high();
-    size += CGAL::abs(product.high());
     is_exact = is_exact && u.low() == 0 && v.low() == 0 &&
                CGAL::abs(u.high()) + CGAL::abs(v.high()) < 1e150 &&
                (u.high() == 0 || v.high() == 0 || CGAL::abs(product.high()) > 1e-250);
   }
-  if(CGAL::abs(sum) > 8 * std::numeric_limits<double>::epsilon() * size + 1e-250)
-    return CGAL::sign(sum);
   return is_exact ? Uncertain<Sign>(sign_of_products(terms)) : Uncertain<Sign>::indeterminate();
 }
 

@@ -28,54 +28,109 @@ struct Bounded_length
   bool is_good() const { return error <= certified_length_error(); }
 };
 
-// Returns the length of the other diagonal of a diamond whose sides have relative errors of at
-// most `error`; the bound is infinite if that may not be small.
+// A triangle of a diamond over the diagonal ij, with the corner k.
+struct Half_diamond
+{
+  double perimeter, slack; // the least in the triangle inequality
+  double height, foot;     // that over ij, squared, and its foot, both scaled
+
+  Half_diamond(double ij, double jk, double ki)
+    : perimeter(ij + jk + ki),
+      slack(perimeter - 2 * (std::max)({ij, jk, ki})),
+      height(squared_quadrupled_area(ij, jk, ki)),
+      foot(scaled_foot(jk, ki))
+  {}
+};
+
+// The error of the other diagonal kl of a diamond whose sides have relative errors of at most
+// `error`.
 //
 // For four points of the plane with the affine dependency a_i p_i + ... = 0, the products a_i a_j
 // are an equilibrium stress, so that the sum of a_i a_j l_ij dl_ij over all six distances is zero,
 // and that of a_i a_j l_ij^2 is zero, too. Only the products of the two diagonals are positive:
 // hence l_kl has at most 1 + 2 a_i a_j l_ij^2 / (a_k a_l l_kl^2) times the relative error. Here
 // a_k and a_l are the areas of the two triangles; a_i and a_j are the parts of their sum on either
-// side of kl. The squared area of a triangle changes by at most three errors of its perimeter over
-// its least slack in the triangle inequality, here a hundredth. The place where kl cuts ij divides
-// the distance of the feet in the ratio of the heights: it changes by the error of the feet and by
-// that of this ratio times their distance. If this can bring it outside of ij, one of a_i and a_j
-// becomes negative, and its products with a_k and a_l count twice. What is rounded in the formula
-// itself is small changes of the distance of the feet and of both heights.
+// side of kl.
+class Flipped_diagonal
+{
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+public:
+  Flipped_diagonal(const Diamond<double>& length, double error)
+    : m_length(length),
+      m_flipped(Euclidean_geometry_traits<double>::Compute_flipped_length()(length)),
+      m_error(error),
+      m_change(error + 4 * epsilon),
+      m_k(length.ij, length.jk, length.ki),
+      m_l(length.ij, length.lj, length.il),
+      m_root(std::sqrt(m_k.height * m_l.height)),
+      m_squares(length.jk * length.jk + length.ki * length.ki + length.il * length.il +
+                length.lj * length.lj)
+  {}
+
+  // few quotients: this stands in the loop of flips
+  Bounded_length operator()() const
+  {
+    const double square = 4 * (m_length.ij * m_length.ij) * (m_flipped * m_flipped);
+    if(!(has_certain_areas() && m_root * square > 0))
+      return {m_flipped, std::numeric_limits<double>::infinity()};
+    const double inverse = 1 / (m_root * square), inverse_slack = 1 / (m_k.slack * m_l.slack);
+    const double thin_k = m_k.perimeter * m_l.slack * inverse_slack,
+                 thin_l = m_l.perimeter * m_k.slack * inverse_slack;
+    return {m_flipped, 1.25 * m_error * (1 + 8 * cut_parts(thin_k + thin_l) * inverse) +
+                         rounding(thin_k, thin_l, inverse) * epsilon};
+  }
+
+private:
+  // The squared area of a triangle changes by at most three errors of its perimeter over its slack,
+  // here a hundredth.
+  bool has_certain_areas() const
+  {
+    return 256 * m_change * m_k.perimeter <= m_k.slack &&
+           256 * m_change * m_l.perimeter <= m_l.slack &&
+           32 * m_change * m_squares <= m_length.ij * m_length.ij;
+  }
+
+  double heights() const { return m_k.height + m_l.height + 2 * m_root; }
+
+  // Returns a bound for the product of both parts of ij, times that of the heights. The place where kl
+  // cuts ij divides the distance of the feet in the ratio of the heights: it changes by the error of
+  // the feet and by that of this ratio times their distance. If this can bring it outside of ij, one
+  // of a_i and a_j becomes negative, and its products with a_k and a_l count twice.
+  double cut_parts(double thinness) const
+  {
+    const double cut = std::abs(m_k.foot * m_root + m_l.foot * m_k.height) /
+                       (2 * (m_k.height + m_root)); // from the midpoint of ij, times its length
+    const double shift =
+      4 * m_change * (m_squares + thinness * std::abs(m_k.foot - m_l.foot) * m_root / heights());
+    const double end = m_length.ij * m_length.ij / 2, outside = (std::max)(cut + shift - end, 0.);
+    return cut > end
+             ? std::numeric_limits<double>::infinity()
+             : heights() * ((end + shift - cut) * (end + shift + cut) + outside * m_squares);
+  }
+
+  // What is rounded in the formula itself is small changes of the distance of the feet and of both
+  // heights.
+  double rounding(double thin_k, double thin_l, double inverse) const
+  {
+    const double sides =
+      (m_length.jk + m_length.ki + m_length.il + m_length.lj) * (std::min)(m_length.ij, m_flipped);
+    return 8 + ((m_k.height + m_root) * (thin_k + 4) + (m_l.height + m_root) * (thin_l + 4) +
+                sides * sides) *
+                 (m_root * inverse);
+  }
+
+  const Diamond<double>& m_length;
+  double m_flipped, m_error, m_change;
+  Half_diamond m_k, m_l;
+  double m_root, m_squares;
+};
+
+// Returns the length of the other diagonal of a diamond whose sides have relative errors of at
+// most `error`; the bound is infinite if that may not be small.
 inline Bounded_length flipped_length(const Diamond<double>& length, double error)
 {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const auto [ij, jk, ki, il, lj] = length;
-  const double flipped = Euclidean_geometry_traits<double>::Compute_flipped_length()(length);
-  const double round_k = ij + jk + ki, slack_k = round_k - 2 * (std::max)({ij, jk, ki});
-  const double round_l = ij + lj + il, slack_l = round_l - 2 * (std::max)({ij, lj, il});
-  const double height_k = squared_quadrupled_area(ij, jk, ki),
-               height_l = squared_quadrupled_area(ij, lj, il);
-  const double root = std::sqrt(height_k * height_l), heights = height_k + height_l + 2 * root;
-  const double square = 4 * (ij * ij) * (flipped * flipped);
-  const double change = error + 4 * epsilon;
-  const double squares = jk * jk + ki * ki + il * il + lj * lj;
-  if(!(256 * change * round_k <= slack_k && 256 * change * round_l <= slack_l &&
-       32 * change * squares <= ij * ij && root * square > 0))
-    return {flipped, std::numeric_limits<double>::infinity()};
-  // few quotients: this stands in the loop of flips
-  const double inverse = 1 / (root * square), inverse_slack = 1 / (slack_k * slack_l);
-  const double sides = (jk + ki + il + lj) * (std::min)(ij, flipped);
-  const double thin_k = round_k * slack_l * inverse_slack,
-               thin_l = round_l * slack_k * inverse_slack;
-  const double rounding =
-    8 + ((height_k + root) * (thin_k + 4) + (height_l + root) * (thin_l + 4) + sides * sides) *
-          (root * inverse);
-  const double foot_k = scaled_foot(jk, ki), foot_l = scaled_foot(lj, il);
-  // from the midpoint of ij, times its length
-  const double cut = std::abs(foot_k * root + foot_l * height_k) / (2 * (height_k + root));
-  const double shift =
-    4 * change * (squares + (thin_k + thin_l) * std::abs(foot_k - foot_l) * root / heights);
-  const double end = ij * ij / 2, outside = (std::max)(cut + shift - end, 0.);
-  const double parts = (end + shift - cut) * (end + shift + cut) + outside * squares;
-  const double factor = 1 + 8 * heights * parts * inverse;
-  return {flipped, cut > end ? std::numeric_limits<double>::infinity()
-                             : 1.25 * error * factor + rounding * epsilon};
+  return Flipped_diagonal(length, error)();
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -277,8 +277,9 @@ private:
     if(doubtful.empty())
       return true;
     Certifier<Traits> certifier(m_tri, Concurrency(), std::move(lengths).crossings());
+    auto decisions = certifier.decisions();
     return std::all_of(doubtful.begin(), doubtful.end(), [&](std::size_t i) {
-      edges[i].second = certifier.straight_length(edges[i].first);
+      edges[i].second = certifier.straight_length(edges[i].first, decisions);
       return edges[i].second > 0;
     });
   }

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_FLAT_EDGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_FLAT_EDGES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Recent_values.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
+
+#include <cstddef>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The edges of T1 whose two faces lie in one plane, side by side.
+template <typename Metric>
+class Flat_edges
+{
+public:
+  Flat_edges(const Metric& metric, const Delta_complex& mesh) : m_metric(metric), m_mesh(mesh) {}
+
+  // Returns whether the edge of `h`, which is not on the boundary, is one: not without positions.
+  bool operator()(Halfedge_index h)
+  {
+    return !m_metric.points.empty() && m_is_flat(std::size_t(Edge_index(h).idx()), [&] {
+      const auto [i, j, k, l] = corner_positions(h, m_metric.points, m_mesh);
+      return is_flat_in_space(i, j, k, l);
+    });
+  }
+
+private:
+  const Metric& m_metric;
+  const Delta_complex& m_mesh;
+  Recent_values<bool> m_is_flat;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_FLAT_EDGES_H
