@@ -5,6 +5,7 @@
 #include "generators.h"
 #include "measuring.h"
 #include "more_generators.h"
+#include "random_changes.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
@@ -49,110 +50,6 @@ std::string text_of(const Triangulation& t)
   return os.str();
 }
 
-// Changes a triangulation at random: vertices come and go, and it is flipped towards Delaunay.
-class Random_changes
-{
-public:
-  Random_changes(Triangulation& t, unsigned int seed) : m_t(t), m_inserter(t), m_random(seed) {}
-
-  const Vertex_inserter& inserter() const { return m_inserter; }
-  std::size_t inserted() const { return m_vertices.size(); }
-
-  void step()
-  {
-    const int kind = m_random.get_int(0, 10);
-    if(kind < 3)
-      flip_to_Delaunay();
-    else if(kind < 6)
-      insert(kind == 5 ? 0.05 : 0);
-    else if(kind < 8)
-      split(kind == 7 ? 0.1 : 0);
-    else
-      remove();
-  }
-
-  void remove_all()
-  {
-    flip_to_Delaunay();
-    while(!m_vertices.empty()) {
-      EXPECT_TRUE(m_inserter.remove(m_vertices.back()).is_valid());
-      m_vertices.pop_back();
-      flip_to_Delaunay();
-    }
-  }
-
-private:
-  template <typename Index>
-  Index random_index(size_type count)
-  {
-    return Index(static_cast<size_type>(m_random.get_int(0, static_cast<int>(count))));
-  }
-
-  void flip_to_Delaunay()
-  {
-    for(bool changed = true; changed;) {
-      changed = false;
-      for(Edge_index e : m_t.mesh().edges())
-        if(!m_t.is_Delaunay(e)) {
-          m_inserter.flip(m_t.mesh().halfedge(e));
-          changed = true;
-        }
-    }
-  }
-
-  void insert(double closeness)
-  {
-    const auto f = random_index<Face_index>(m_t.mesh().num_faces());
-    if(m_t.mesh().is_removed(f))
-      return;
-    const double a = m_random.get_double(0.1, 1), b = m_random.get_double(0.1, 1),
-                 c = m_random.get_double(0.1, 1), sum = a + b + c;
-    const double scale = m_t.length(m_t.mesh().edge(m_t.mesh().halfedge(f)));
-    m_vertices.push_back(
-      m_inserter.insert({f, {1 - b / sum - c / sum, b / sum, c / sum}}, closeness * scale));
-  }
-
-  void split(double closeness)
-  {
-    const auto h = random_index<Halfedge_index>(m_t.mesh().num_halfedges());
-    if(m_t.mesh().is_removed(h) || !m_inserter.can_be_split(h))
-      return;
-    m_vertices.push_back(m_inserter.split_edge(h, m_random.get_double(0.2, 0.8),
-                                               closeness * m_t.length(m_t.mesh().edge(h))));
-  }
-
-  void remove()
-  {
-    if(m_vertices.empty())
-      return;
-    const auto i =
-      static_cast<std::size_t>(m_random.get_int(0, static_cast<int>(m_vertices.size())));
-    if(m_inserter.remove(m_vertices[i]).is_valid())
-      m_vertices.erase(m_vertices.begin() + std::ptrdiff_t(i));
-  }
-
-  Triangulation& m_t;
-  Vertex_inserter m_inserter;
-  CGAL::Random m_random;
-  std::vector<Vertex_index> m_vertices;
-};
-
-// Calls `check(t)` for triangulations of all test surfaces.
-template <typename Check>
-void for_each_triangulation(const Check& check)
-{
-  for(const Named_mesh& m : meshes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
-      check(Triangulation(m.mesh), seed);
-    }
-  for(const Named_complex& c : complexes())
-    for(unsigned int seed = 0; seed < 3; ++seed) {
-      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
-      check(triangulation(c.mesh, random_lengths(c.mesh, seed)), seed);
-    }
-}
-
 // The lists are the crossings that tracing every curve gives.
 void check_lists(const Vertex_inserter& inserter)
 {
@@ -164,17 +61,6 @@ void check_lists(const Vertex_inserter& inserter)
     for(std::size_t m = 0; m < fresh.count(h); ++m)
       ASSERT_EQ(inserter.crossing_lists()(h, m), fresh(h, m)) << h << ' ' << m;
   }
-}
-
-Triangulation changed(Triangulation t, unsigned int seed, int steps)
-{
-  Random_changes changes(t, seed);
-  for(int step = 0; step < steps; ++step)
-    changes.step();
-  t.collect_garbage();
-  t.recompute_lengths();
-  IT::make_Delaunay(t);
-  return t;
 }
 
 TEST(Insertion, valid_after_every_step)

@@ -4,17 +4,15 @@
 
 #include "hard_meshes.h"
 #include "known_surfaces.h"
+#include "path_checks.h"
 #include "precise_unfolding.h"
 #include "tied_meshes.h"
 #include "unfolding.h"
 
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
-#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/path_across.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
-#include <CGAL/Intrinsic_triangulations/refine.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -33,77 +31,8 @@ namespace Test_shortest_paths {
 using namespace Test_surfaces;
 using View = decltype(std::declval<Triangulation>().input());
 using Paths = IT::Shortest_paths<View>;
-using Path = IT::Surface_path<double>;
-using Path_place = IT::Surface_place<double>;
 
 const double infinity = std::numeric_limits<double>::infinity();
-
-bool is_vertex(const Path_place& p) { return IT::internal::is_corner(p.location.second); }
-
-// The places in a face at which a path that has come to it can leave it, or end.
-std::vector<Location> places_in(Face_index f, const Path_place& p, const Flat_faces& faces)
-{
-  const Delta_complex& mesh = faces.mesh();
-  std::vector<Location> result;
-  for(Halfedge_index h : faces.sides(f))
-    if(!p.along.is_valid() ? h == mesh.halfedge(f)
-       : is_vertex(p)      ? mesh.source(h) == mesh.source(p.along)
-                           : h == p.along || h == mesh.opposite(p.along)) {
-      const double t =
-        is_vertex(p) || !p.along.is_valid() ? 0 : IT::edge_point(p.along, p.location, mesh).t;
-      result.push_back(p.along.is_valid() ? faces.on(h, h == p.along   ? t
-                                                        : is_vertex(p) ? 0
-                                                                       : 1 - t)
-                                          : p.location);
-    }
-  return result;
-}
-
-// Within a face; coordinates need not sum up to one exactly.
-Real distance(const Location& p, const Location& q, const Flat_faces& faces)
-{
-  const Halfedge_index h = faces.mesh().halfedge(p.first);
-  return norm(faces.place(h, p) - faces.place(h, q));
-}
-
-// The length of piece `k` in the face in which it runs; infinite if there is none.
-Real length_of_piece(const Path& path, std::size_t k, const Flat_faces& faces)
-{
-  const Delta_complex& mesh = faces.mesh();
-  const Path_place &p = path.places[k], &q = path.places[k + 1];
-  if(is_vertex(p) && is_vertex(q)) // along an edge
-    return mesh.source(p.along) != mesh.source(q.along) &&
-               mesh.target(p.along) != mesh.source(q.along)
-             ? Real(infinity)
-             : faces.length(p.along);
-  const bool is_crossing = k > 0 && p.along.is_valid() && !is_vertex(p);
-  const Face_index f = is_crossing          ? mesh.face(mesh.opposite(p.along))
-                       : p.along.is_valid() ? mesh.face(p.along)
-                                            : p.location.first;
-  const Location start =
-    is_crossing ? faces.on(mesh.opposite(p.along), 1 - IT::edge_point(p.along, p.location, mesh).t)
-    : is_vertex(p) ? faces.on(p.along, 0)
-                   : p.location;
-  if(q.along.is_valid() && !is_vertex(q) && k + 2 < path.places.size())
-    return q.location.first == f ? distance(start, q.location, faces) : Real(infinity);
-  Real result = infinity;
-  for(const Location& end : places_in(f, q, faces))
-    if(end.first == f)
-      result = (std::min)(result, distance(start, end, faces));
-  if(is_crossing && is_vertex(q) &&
-     mesh.source(q.along) == mesh.target(mesh.next(mesh.opposite(p.along))))
-    return distance(start, faces.apex(mesh.opposite(p.along)), faces);
-  return result;
-}
-
-// Its pieces add up; they are in one face each.
-void expect_valid(const Path& path, const Flat_faces& faces, double tolerance)
-{
-  Real sum = 0;
-  for(std::size_t k = 0; k + 1 < path.places.size(); ++k)
-    sum += length_of_piece(path, k, faces);
-  EXPECT_NEAR(static_cast<double>(sum), path.length, tolerance) << path.places.size();
-}
 
 // ---- Brute force ----
 
@@ -497,95 +426,6 @@ TEST(Shortest_paths, after_Delaunay_flips)
     EXPECT_NEAR(on_intrinsic.distance(q),
                 on_input.distance(IT::point_across(c, Side::intrinsic, q)), 1e-12);
     expect_valid(on_intrinsic.path(q), Flat_faces(Side::intrinsic, t), 1e-12);
-  }
-}
-
-// The path as it is on the other side: it is as long there, runs through faces that meet, and from
-// and to the images of its ends.
-void check_across(const Triangulation& t, Side side, const Paths& paths, const Location& q,
-                  const Correspondence& c)
-{
-  const Side there = other(side);
-  const Flat_faces faces(there, t);
-  const Path path = paths.path(q), image = IT::path_across(c, side, path);
-  const double tolerance = 1e-10 * static_cast<double>(faces.longest_edge());
-  if(image.places.size() > 1) {
-    const auto curve = IT::curve_through(t.surface(there), image.places);
-    EXPECT_NEAR(IT::curve_length(t.surface(there), curve), path.length, tolerance);
-  }
-  if(t.number_of_inserted_vertices() == 0)
-    expect_valid(image, faces, tolerance);
-  const auto expect_at = [&](const Path_place& p, const Location& expected) {
-    const Location truth = IT::point_across(c, side, expected);
-    if(p.location.first == truth.first) {
-      EXPECT_LE(static_cast<double>(distance(p.location, truth, faces)), tolerance);
-    }
-  };
-  ASSERT_FALSE(image.places.empty());
-  expect_at(image.places.front(), path.places.front().location);
-  expect_at(image.places.back(), path.places.back().location);
-  const Path_place& end = path.places.back();
-  const bool is_end_on_edge = end.along.is_valid() && !is_vertex(end); // rounding moves it off
-  bool is_along_edge = false;
-  for(std::size_t k = 0; k + 1 < path.places.size(); ++k)
-    is_along_edge = is_along_edge || (is_vertex(path.places[k]) && is_vertex(path.places[k + 1]));
-  if(t.number_of_inserted_vertices() == 0 && !is_end_on_edge && !is_along_edge) {
-    SCOPED_TRACE("back");
-    const Path back = IT::path_across(c, there, image);
-    expect_valid(back, Flat_faces(side, t), tolerance);
-    ASSERT_EQ(back.places.size(), path.places.size());
-    for(std::size_t k = 0; k < back.places.size(); ++k)
-      if(!is_vertex(path.places[k])) {
-        EXPECT_EQ(back.places[k].along, path.places[k].along) << k;
-      }
-  }
-}
-
-void check_paths_across(const Triangulation& t, Side side, unsigned int seed)
-{
-  const Correspondence c(t);
-  const auto surface = t.surface(side);
-  const Delta_complex& mesh = surface.mesh();
-  CGAL::Random random(seed);
-  Paths paths(surface);
-  paths.add_source(random_location(mesh, random));
-  paths.add_source(Vertex_index(0));
-  paths.run();
-  for(int i = 0; i < 40; ++i)
-    check_across(t, side, paths, random_location(mesh, random), c);
-  for(Halfedge_index h : mesh.halfedges())
-    if(!mesh.is_border(h) && paths.distance(mesh.source(h)) < infinity)
-      for(const double x : {0., random.get_double()})
-        check_across(t, side, paths, IT::face_location(Edge_place{h, x}, mesh), c);
-}
-
-TEST(Shortest_paths, on_the_other_triangulation)
-{
-  for(const Named_mesh& m : meshes()) {
-    if(m.mesh.number_of_faces() > 400)
-      continue;
-    SCOPED_TRACE(m.name);
-    Triangulation t(m.mesh);
-    for(const Side side : both_sides)
-      check_paths_across(t, side, 1);
-    flip_at_random(t, 2 * t.mesh().number_of_edges(), 2);
-    for(const Side side : both_sides)
-      check_paths_across(t, side, 2);
-    IT::make_Delaunay(t);
-    for(const Side side : both_sides)
-      check_paths_across(t, side, 3);
-  }
-}
-
-TEST(Shortest_paths, on_the_other_triangulation_after_refinement)
-{
-  for(const Named_mesh& m : meshes()) {
-    if(m.mesh.number_of_faces() > 200)
-      continue;
-    SCOPED_TRACE(m.name);
-    Triangulation t(m.mesh);
-    IT::refine(t, IT::parameters::minimum_angle(25));
-    check_paths_across(t, Side::intrinsic, 1);
   }
 }
 

@@ -182,6 +182,14 @@ public:
       return FT(1);
   }
 
+  /// returns how many crossings come before crossing `id` on the first halfedge of its edge of
+  /// \f$T_1\f$.
+  size_type rank_on_input(size_type id) const
+  {
+    const Record& record = m_records[id];
+    return record.order - part(Edge_index(record.input), 0).first;
+  }
+
   /// returns the indices of the crossings on the edges of \f$T_2\f$.
   const Edge_marks& crossings_on_intrinsic() const { return m_on_intrinsic; }
 
@@ -473,7 +481,7 @@ trace_edge(Side side, Halfedge_index h, const Correspondence<Traits>& correspond
 {
   typedef typename Traits::FT FT;
   typedef Delta_complex::size_type size_type;
-  const Side other = side == Side::input ? Side::intrinsic : Side::input;
+  const Side other = internal::other(side);
   const auto point = [side](const Edge_point<FT>& here, const Edge_point<FT>& there) {
     return side == Side::input ? Trace_point<FT>{here, there} : Trace_point<FT>{there, here};
   };

@@ -105,6 +105,12 @@ enum class Side
   intrinsic ///< \f$T_2\f$
 };
 
+namespace internal {
+
+inline Side other(Side side) { return side == Side::input ? Side::intrinsic : Side::input; }
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// returns the halfedges of a face in the order of its barycentric coordinates: side \f$s\f$ leads
 /// from corner \f$s\f$ to corner \f$s+1\f$.

@@ -9,7 +9,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -32,6 +34,16 @@ template <typename FT>
 Surface_place<FT> place_on(const Edge_point<FT>& p, const Delta_complex& mesh)
 {
   return {p.halfedge, face_location(mesh.is_border(p.halfedge) ? reversed(p, mesh) : p, mesh)};
+}
+
+// The place of a point between the ends of a halfedge, where a path crosses it. Rounding does not
+// move it to an end, where the path would pass a vertex.
+template <typename FT>
+Surface_place<FT> crossing_on(const Edge_point<FT>& p, const Delta_complex& mesh)
+{
+  const FT least = rounding_unit<FT>() / 16;
+  return place_on(Edge_point<FT>{p.halfedge, (std::min)((std::max)(p.t, least), FT(1 - least))},
+                  mesh);
 }
 
 // returns the place of a point with its halfedge, if it lies on one or at a vertex

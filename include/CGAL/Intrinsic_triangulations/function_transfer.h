@@ -170,7 +170,7 @@ transfer_function(const Correspondence<Traits>& correspondence, Side from,
   typedef typename Traits::FT FT;
   typedef Eigen::SparseMatrix<FT> Matrix;
   const auto& tri = correspondence.triangulation();
-  const Side to = from == Side::input ? Side::intrinsic : Side::input;
+  const Side to = internal::other(from);
   Matrix mass = mass_matrix(tri.surface(to));
   Matrix mixed = mixed_mass_matrix(correspondence);
   if(from == Side::intrinsic)

@@ -60,10 +60,7 @@ public:
   }
 
 private:
-  const Delta_complex& other() const
-  {
-    return m_tri.surface(m_side == Side::input ? Side::intrinsic : Side::input).mesh();
-  }
+  const Delta_complex& other() const { return m_tri.surface(internal::other(m_side)).mesh(); }
 
   const Edge_point<FT>& there(std::size_t s, std::size_t point) const
   {
@@ -102,8 +99,7 @@ Face_location<typename Traits::FT> point_across(const Correspondence<Traits>& co
      !internal::is_corner(p.second))
     return internal::Input_face_walk<Traits>(correspondence)(p);
   const Marks marks(side, p.first, correspondence);
-  const Delta_complex& other =
-    correspondence.mesh(side == Side::input ? Side::intrinsic : Side::input);
+  const Delta_complex& other = correspondence.mesh(internal::other(side));
   return internal::Face_map<typename Traits::FT, Marks>(marks, other)(p.second);
 }
 

@@ -63,8 +63,7 @@ private:
     for(std::size_t s = 0; s < 3; ++s)
       if(p.second[(s + 2) % 3] == 0 && m_correspondence.is_shared(side, Edge_index(halfedge[s])))
         return shared_edge(side, halfedge[s]);
-    const Delta_complex& other =
-      m_correspondence.mesh(side == Side::input ? Side::intrinsic : Side::input);
+    const Delta_complex& other = m_correspondence.mesh(internal::other(side));
     const Face_map<typename Traits::FT, Marks> map(marks, other);
     const Face_regions& regions = map.regions();
     std::optional<Region_corner> tie;

@@ -42,6 +42,15 @@ FT dot(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& 
   return sum;
 }
 
+// Returns the point closest to `p` on the segment from `a` to `b`, from 0 to 1.
+template <typename FT>
+FT closest_between(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& b,
+                   const Barycentric_coordinates<FT>& p)
+{
+  const FT square = dot(a, b, a, b);
+  return square > 0 ? (std::min)((std::max)(FT(dot(a, b, a, p) / square), FT(0)), FT(1)) : FT(0);
+}
+
 // A projective map, given by the corners of a convex polygon and their images. As vectors, corners
 // are multiples of their images, and the map is linear; if they are all the same multiples,
 // barycentric coordinates are mapped linearly too. Sums to be computed are convex combinations of
@@ -63,6 +72,7 @@ public:
   std::size_t size() const { return m_size; }
   const Coordinates& corner(std::size_t c) const { return m_corner[c]; }
   const Coordinates& image(std::size_t c) const { return m_image[c]; }
+  const FT& scale(std::size_t c) const { return m_scale[c]; }
 
   Polygon_map inverse() const
   {

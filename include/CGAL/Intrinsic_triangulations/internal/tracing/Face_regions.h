@@ -53,6 +53,21 @@ private:
   std::size_t m_size = 0;
 };
 
+// returns the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
+template <typename Size, typename Condition>
+Size first_where(const Condition& condition, Size n)
+{
+  Size low = 0;
+  for(Size high = n; low < high;) {
+    const Size middle = low + (high - low) / 2;
+    if(condition(middle))
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  return low;
+}
+
 // The regions into which curves cut a face (Figure 3.7), from the numbers of crossings on its
 // sides. First come those around corner 0 (outwards from it), corner 1, corner 2; then the rest,
 // which is one region, or is fanned by the curves that leave a corner.
@@ -213,21 +228,6 @@ public:
   }
 
 private:
-  // returns the first of 0, ..., n - 1 for which a monotone condition holds, otherwise n
-  template <typename Condition>
-  static std::size_t first_where(const Condition& condition, std::size_t n)
-  {
-    std::size_t low = 0;
-    for(std::size_t high = n; low < high;) {
-      const std::size_t middle = low + (high - low) / 2;
-      if(condition(middle))
-        high = middle;
-      else
-        low = middle + 1;
-    }
-    return low;
-  }
-
   // all curves around another corner lie beyond all those around `s`
   std::array<std::size_t, 3> crossings_from_corner_region(std::size_t s, std::size_t j) const
   {

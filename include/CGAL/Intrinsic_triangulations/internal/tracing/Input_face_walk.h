@@ -8,8 +8,8 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_regions.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <set>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -28,20 +26,20 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // straight to the point, through regions of faces of T2. If rounding leads to a wrong region, all
 // regions are searched.
 template <typename Traits>
-class Input_face_walk
+class Input_face_walk : public Input_face_regions<Traits>
 {
+  typedef Input_face_regions<Traits> Base;
   typedef typename Traits::FT FT;
-  typedef Delta_complex::size_type size_type;
-  typedef Correspondence_marks<Traits> Marks;
   typedef Barycentric_coordinates<FT> Coordinates;
+  using Base::m_correspondence, Base::m_mesh;
 
 public:
-  // a region of a face of T2
-  typedef std::pair<Face_index, std::size_t> Place;
+  typedef typename Base::Place Place;
+  typedef typename Base::Piece Piece;
+  typedef typename Base::Face_of_place Face_of_place;
+  using Base::beyond, Base::for_each_place;
 
-  explicit Input_face_walk(const Correspondence<Traits>& correspondence)
-    : m_correspondence(correspondence), m_mesh(correspondence.mesh(Side::intrinsic))
-  {}
+  explicit Input_face_walk(const Correspondence<Traits>& correspondence) : Base(correspondence) {}
 
   // returns the place on T2 of the point `p` of a face of T1
   Face_location<FT> operator()(const Face_location<FT>& p) const
@@ -66,83 +64,16 @@ public:
              : place;
   }
 
-  Region region(const Place& place) const { return regions_of(place.first)[place.second]; }
-
-  // Calls `visit(place)` for the regions of the face of T1 in which `start` lies, once each, until
-  // it returns true.
-  template <typename Visit>
-  void for_each_place(const Place& start, const Visit& visit) const
-  {
-    std::set<Place> seen{start};
-    std::vector<Place> waiting{start};
-    while(!waiting.empty()) {
-      const Place place = waiting.back();
-      waiting.pop_back();
-      if(visit(place))
-        return;
-      const Region corners = region(place);
-      for(std::size_t c = 0; c < corners.size(); ++c) {
-        const std::optional<Place> neighbor = beyond(corners[c], place);
-        if(neighbor && seen.insert(*neighbor).second)
-          waiting.push_back(*neighbor);
-      }
-    }
-  }
-
 private:
-  std::size_t side_of(Halfedge_index h) const { return side_number(h, m_mesh); }
-
   // returns the region at the source of the first side of a face of T1
   Place first_place(Face_index f) const
   {
     const Halfedge_index input = m_correspondence.mesh(Side::input).halfedge(f);
     const Halfedge_index spoke = m_correspondence.spoke_before(Side::input, input);
-    const Face_regions regions = regions_of(m_mesh.face(spoke));
-    const std::size_t s = side_of(spoke);
     if(m_correspondence.spoke_before(Side::intrinsic, spoke) == input &&
        m_correspondence.is_shared(Side::intrinsic, Edge_index(spoke)))
-      return {m_mesh.face(spoke), regions.region_at_side(s, 0)};
-    // to the left of the curve that leaves this corner
-    const auto mark = m_correspondence.crossings_on_intrinsic().position(
-      m_mesh.next(spoke), m_correspondence.crossing(Side::input, input, 0).id);
-    return {m_mesh.face(spoke), regions.region_at_side((s + 1) % 3, mark + 1)};
-  }
-
-  Face_regions regions_of(Face_index f) const
-  {
-    const Marks marks(Side::intrinsic, f, m_correspondence);
-    return Face_regions({marks.crossings(0), marks.crossings(1), marks.crossings(2)});
-  }
-
-  // a region with its corners on T2 and T1
-  struct Face_of_place
-  {
-    Face_of_place(const Place& place, const Input_face_walk& walk)
-      : marks(Side::intrinsic, place.first, walk.m_correspondence)
-    {
-      const Face_map<FT, Marks> face_map(marks, walk.m_correspondence.mesh(Side::input));
-      region = face_map.regions()[place.second];
-      map = face_map.region_map(place.second).second;
-    }
-
-    const Coordinates& corner(std::size_t c) const { return map.image(c == map.size() ? 0 : c); }
-
-    Marks marks;
-    Region region;
-    Polygon_map<FT> map;
-  };
-
-  // returns the region beyond the piece of a side after `corner`; none beyond the face of T1
-  std::optional<Place> beyond(const Region_corner& corner, const Place& place) const
-  {
-    const Halfedge_index o = m_mesh.opposite(sides(place.first, m_mesh)[corner.side]);
-    if(corner.arc_follows || m_correspondence.is_shared(Side::intrinsic, Edge_index(o)))
-      return {};
-    const std::size_t piece = corner.is_vertex() ? 0 : corner.mark + 1;
-    const std::size_t from_target =
-      m_correspondence.number_of_crossings(Side::intrinsic, Edge_index(o)) - piece;
-    return Place(m_mesh.face(o),
-                 regions_of(m_mesh.face(o)).region_at_side(side_of(o), from_target));
+      return this->place_at({spoke, 0});
+    return this->place_at_crossing(input, 0, false);
   }
 
   // Returns the region beyond the piece through which the line from the first corner of the face of
@@ -198,17 +129,12 @@ private:
   // returns the squared distance of `p` from the piece from `a` to `b`
   static FT squared_distance(const Coordinates& a, const Coordinates& b, const Coordinates& p)
   {
-    const FT square = dot(a, b, a, b);
-    const FT t =
-      square > 0 ? (std::min)((std::max)(FT(dot(a, b, a, p) / square), FT(0)), FT(1)) : FT(0);
+    const FT t = closest_between(a, b, p);
     Coordinates foot;
     for(std::size_t s = 0; s < 3; ++s)
       foot[s] = a[s] + t * (b[s] - a[s]);
     return dot(foot, p, foot, p);
   }
-
-  const Correspondence<Traits>& m_correspondence;
-  const Delta_complex& m_mesh;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -10,12 +10,18 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossed_segment.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_segment.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Point_of_face.h>
 
 #include <CGAL/number_utils.h>
+
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,19 +31,25 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A point of a face: corner `side`, or on this side after `rank` of its crossings, or inside.
-template <typename FT>
-struct Point_of_face
+// Returns the place of the vertex `v` of `side` on the other triangulation. `spoke` is the last one
+// there at or clockwise from where a path goes on.
+template <typename Traits>
+Surface_place<typename Traits::FT> vertex_across(const Correspondence<Traits>& correspondence,
+                                                 Side side, Vertex_index v, Halfedge_index spoke)
 {
-  enum Kind
-  {
-    corner,
-    on_side,
-    inside
-  } kind;
-  std::size_t side, rank;
-  std::array<FT, 3> coordinates;
-};
+  typedef typename Traits::FT FT;
+  const auto& triangulation = correspondence.triangulation();
+  if(side == Side::input)
+    return place_on(Edge_point<FT>{spoke, FT(0)}, triangulation.mesh());
+  const Delta_complex& input = triangulation.input_mesh();
+  if(!triangulation.is_inserted(v))
+    return place_on(Edge_point<FT>{spoke, FT(0)}, input);
+  if(!spoke.is_valid())
+    return triangulation.inserted_vertex(v);
+  const Edge_point<FT> on_spoke{spoke, triangulation.place_along(spoke, v)};
+  const bool leaves_surface = input.is_border(input.opposite(spoke));
+  return place_on(leaves_surface ? on_spoke : reversed(on_spoke, input), input);
+}
 
 // The curves of the other triangulation in a face, and which of them a straight piece crosses. A
 // point on a side has a rank among the crossings there; the ranks of both ends determine the curves
@@ -53,36 +65,58 @@ class Carried_piece
 
 public:
   Carried_piece(const Correspondence<Traits>& correspondence, Side side, Face_index f,
-                const Delta_complex& other)
-    : m_marks(side, f, correspondence), m_other(other), m_map(m_marks, other)
+                const Point& from, const Point& to)
+    : m_correspondence(correspondence),
+      m_side(side),
+      m_halfedge(sides(f, correspondence.mesh(side))),
+      m_other(correspondence.mesh(other(side))),
+      m_marks(side, f, correspondence),
+      m_map(m_marks, m_other),
+      m_from(from),
+      m_to(to)
   {}
 
-  // Adds the crossings of the curves between two points, in the order from `p` to `q`.
-  void add_crossings(const Point& p, const Point& q, Places& places) const
+  // returns the places of its ends on the other triangulation
+  Surface_place<FT> start() const { return place_of(m_from, m_to); }
+  Surface_place<FT> end() const { return place_of(m_to, m_from); }
+
+  // returns whether its ends are vertices
+  bool starts_at_vertex() const { return m_from.kind == Point::corner; }
+  bool ends_at_vertex() const { return m_to.kind == Point::corner; }
+
+  // Adds the crossings of the curves between its ends.
+  void add_crossings(Places& places) const
   {
+    const Point &p = m_from, &q = m_to;
+    Crossed_segment<FT> segment(p.coordinates, q.coordinates);
     const Depths from = depths(p, q), to = depths(q, p);
     for(std::size_t s = 0; s < 3; ++s)
       for(std::size_t j = from.around[s]; j < to.around[s]; ++j)
-        add(around(s, j), p, q, true, places);
+        add(around(s, j), true, segment, places);
     for(std::size_t j = from.fan; j < to.fan; ++j)
-      add(from_apex(j), p, q, true, places);
+      add(from_apex(j), true, segment, places);
     for(std::size_t j = from.fan; j > to.fan; --j)
-      add(from_apex(j - 1), p, q, false, places);
+      add(from_apex(j - 1), false, segment, places);
     for(std::size_t s = 0; s < 3; ++s)
       for(std::size_t j = from.around[s]; j > to.around[s]; --j)
-        add(around(s, j - 1), p, q, false, places);
+        add(around(s, j - 1), false, segment, places);
   }
 
-  // returns the place of a point on the other triangulation
-  Face_location<FT> location(const Point& p) const
+private:
+  // returns the place of one end, given the other
+  Surface_place<FT> place_of(const Point& p, const Point& q) const
   {
+    if(p.kind == Point::corner)
+      return vertex_across(m_correspondence, m_side,
+                           m_correspondence.mesh(m_side).source(m_halfedge[p.side]),
+                           spoke_before(p.side, q));
     const Depths d = depths(p, p);
     std::size_t region = regions().first_of_rest() + d.fan;
     for(std::size_t s = 0; s < 3; ++s)
       if(d.around[s] < regions().around(s))
         region = regions().around_corner(s, d.around[s]);
     const auto [f, map] = m_map.region_map(region);
-    return {f, map(p.coordinates)};
+    return {Delta_complex::null_halfedge(), {f, map(p.coordinates)}};
   }
 
   // returns the last spoke of the other triangulation at or clockwise from the piece that leads
@@ -97,7 +131,6 @@ public:
     return m_marks.spoke_before(s);
   }
 
-private:
   // the numbers of curves around each corner, and of those from the apex, that lie before a point
   struct Depths
   {
@@ -133,7 +166,7 @@ private:
       return count(n, [&](std::size_t j) { return !is_on_left(around(s, j), p); });
     if(p.side == (s + 1) % 3)
       return n;
-    return (std::min)(n, p.side == s ? p.rank : m_marks.crossings(p.side) - p.rank);
+    return (std::min)(n, p.side == s ? rank(p) : m_marks.crossings(p.side) - rank(p));
   }
 
   std::size_t depth_in_fan(const Point& p) const
@@ -145,7 +178,14 @@ private:
     if(p.kind == Point::inside)
       return count(n, [&](std::size_t j) { return !is_on_left(from_apex(j), p); });
     const std::size_t before = regions().around(near);
-    return p.rank < before ? 0 : (std::min)(n, p.rank - before);
+    return rank(p) < before ? 0 : (std::min)(n, rank(p) - before);
+  }
+
+  // returns the number of crossings before a point along its side
+  std::size_t rank(const Point& p) const
+  {
+    return is_first_halfedge(m_halfedge[p.side]) ? p.on_edge.rank
+                                                 : m_marks.crossings(p.side) - p.on_edge.rank;
   }
 
   // the number of curves that a point has passed, which are the first ones
@@ -182,17 +222,14 @@ private:
 
   // Adds where the piece crosses a curve, which leaves the face on the left of the curve if
   // `is_forward`.
-  void add(const Curve& c, const Point& p, const Point& q, bool is_forward, Places& places) const
+  void add(const Curve& c, bool is_forward, Crossed_segment<FT>& segment, Places& places) const
   {
     const Edge_point<FT> begin = reversed(m_marks.across(c.begin.side, c.begin.mark), m_other);
-    const auto distance = [&](const Region_corner& x) -> FT {
-      return CGAL::abs(orientation(p.coordinates, q.coordinates, m_map.coordinates(x)));
-    };
-    const FT at_begin = distance(c.end) * scale(c.begin), at_end = distance(c.begin) * scale(c.end);
-    const FT sum = at_begin + at_end, t = sum > 0 ? FT(at_end / sum) : FT(0.5);
-    const Edge_point<FT> crossing{begin.halfedge,
-                                  (1 - t) * begin.t + t * place_of_end(c, begin.halfedge)};
-    places.push_back(place_on(is_forward ? crossing : reversed(crossing, m_other), m_other));
+    const FT t = segment.next_crossing_on(m_map.coordinates(c.begin), m_map.coordinates(c.end));
+    const Edge_point<FT> crossing{
+      begin.halfedge, place_between(begin.t, place_of_end(c, begin.halfedge),
+                                    FT((1 - t) * scale(c.begin)), FT(t * scale(c.end)))};
+    places.push_back(crossing_on(is_forward ? crossing : reversed(crossing, m_other), m_other));
   }
 
   // the place of the end of a curve on its halfedge of the other triangulation
@@ -204,9 +241,13 @@ private:
     return edge_point(h, p, m_other).t;
   }
 
-  Marks m_marks;
+  const Correspondence<Traits>& m_correspondence;
+  Side m_side;
+  std::array<Halfedge_index, 3> m_halfedge; // of the face
   const Delta_complex& m_other;
+  Marks m_marks;
   Map m_map;
+  Point m_from, m_to;
 };
 
 // Finds the places of a path on the other triangulation.
@@ -215,201 +256,367 @@ class Path_carrier
 {
   typedef typename Traits::FT FT;
   typedef Point_of_face<FT> Point;
+  typedef boost::container::static_vector<Point, 3> Points;
   typedef Surface_place<FT> Place;
-  typedef std::array<FT, 3> Coordinates;
+  typedef Delta_complex::size_type size_type;
 
 public:
   Path_carrier(const Correspondence<Traits>& correspondence, Side side)
     : m_correspondence(correspondence),
       m_side(side),
       m_mesh(correspondence.mesh(side)),
-      m_other(correspondence.mesh(side == Side::input ? Side::intrinsic : Side::input))
+      m_other(correspondence.mesh(other(side))),
+      m_ranks(correspondence, side)
   {}
 
   std::vector<Place> operator()(const std::vector<Place>& path)
   {
     for(std::size_t k = 0; k + 1 < path.size(); ++k)
-      carry(path, k);
+      carry(path[k], path[k + 1], k > 0, k + 2 < path.size());
     if(!path.empty())
-      add_end(path);
+      add_end(path.back());
     return std::move(m_places);
   }
 
 private:
   static bool is_vertex(const Place& p) { return is_corner(p.location.second); }
 
-  void carry(const std::vector<Place>& path, std::size_t k)
+  // `is_inner`, `is_next_inner`: whether the path comes to `p`, and goes on from `q`
+  void carry(const Place& p, const Place& q, bool is_inner, bool is_next_inner)
   {
-    const Place &p = path[k], &q = path[k + 1];
     if(is_vertex(p) && is_vertex(q))
       return carry_along(p.along);
-    const bool is_crossing = k > 0 && p.along.is_valid() && !is_vertex(p);
-    const Halfedge_index entry = is_crossing ? m_mesh.opposite(p.along) : p.along;
-    const Face_index f = is_crossing || is_vertex(p) ? m_mesh.face(entry) : p.location.first;
+    const Face_index f = face_of_piece(p, q, is_inner);
+    if(!is_at(q, f))
+      throw Invalid_input("two consecutive places of the path share no face");
+    const auto [from, to] =
+      nearest(f, starts_of_piece(p, f, is_inner), ends_of_piece(q, f, is_next_inner), is_inner);
+    const bool is_point = from.coordinates == to.coordinates;
+    with_piece(f, from, to, [&](const auto& piece) {
+      if(!piece.starts_at_vertex())
+        add_point(p, piece, is_inner);
+      else if(!is_point) // twice the same vertex would be a loop
+        add_vertex(piece.start());
+      m_crossings_of_piece.clear();
+      piece.add_crossings(m_crossings_of_piece);
+      for(const Place& x : m_crossings_of_piece)
+        add_crossing(x);
+      if(!is_next_inner || piece.ends_at_vertex())
+        note_end(piece);
+      else
+        forget_end();
+    });
+  }
+
+  template <typename Visit>
+  void with_piece(Face_index f, const Point& from, const Point& to, const Visit& visit) const
+  {
     if(m_side == Side::input && m_correspondence.contains_inserted(f))
-      throw Invalid_input("the path passes a face of the input that contains inserted vertices");
-    const Point from = is_vertex(p) ? corner(side_number(entry, m_mesh)) : point(p, f);
-    const Point to = end_of_piece(q, f, is_crossing ? entry : Delta_complex::null_halfedge());
-    const Carried_piece<Traits> piece(m_correspondence, m_side, f, m_other);
-    if(is_vertex(p))
-      add_vertex(m_mesh.source(entry), piece.spoke_before(from.side, to));
+      visit(Input_face_segment<Traits>(m_correspondence, f, from, to));
     else
-      add_point(p, from, piece, k == 0);
-    piece.add_crossings(from, to, m_places);
-    m_end = std::nullopt;
-    if(k + 2 == path.size() && to.kind != Point::corner)
-      m_end = place_of(q, to, piece);
+      visit(Carried_piece<Traits>(m_correspondence, m_side, f, from, to));
   }
 
   // ---- Points of faces ----
 
+  // A path leaves a face through `along`; where rounding has moved it, through the opposite.
+  Face_index face_of_piece(const Place& p, const Place& q, bool is_inner) const
+  {
+    const bool is_on_edge = p.along.is_valid() && !is_vertex(p);
+    const Face_index f =
+      is_inner && is_on_edge ? m_mesh.face(m_mesh.opposite(p.along)) : p.location.first;
+    if(!is_on_edge || (f.is_valid() && is_at(q, f)))
+      return f;
+    const Face_index left = m_mesh.face(p.along);
+    return left.is_valid() && left != f ? left : m_mesh.face(m_mesh.opposite(p.along));
+  }
+
+  // returns whether a place is in a face or on its boundary
+  bool is_at(const Place& p, Face_index f) const
+  {
+    const auto h = sides(f, m_mesh);
+    return p.location.first == f || std::any_of(h.begin(), h.end(), [&](Halfedge_index side) {
+             return is_vertex(p) ? m_mesh.source(side) == m_mesh.source(p.along)
+                                 : p.along.is_valid() && Edge_index(side) == Edge_index(p.along);
+           });
+  }
+
   static Point corner(std::size_t s)
   {
-    return {Point::corner, s, 0, barycentric_coordinates(s, FT(0))};
+    return {Point::corner, s, {}, barycentric_coordinates(s, FT(0))};
   }
 
-  // a point in face `f` or on its boundary, not at a vertex
-  Point point(const Place& p, Face_index f) const
+  // A path comes in through the opposite of the halfedge through which it has left the face before.
+  Points starts_of_piece(const Place& p, Face_index f, bool is_inner) const
   {
-    if(!p.along.is_valid())
-      return {Point::inside, 0, 0, p.location.second};
-    const Halfedge_index stored = m_mesh.is_border(p.along) ? m_mesh.opposite(p.along) : p.along;
-    Edge_point<FT> on_edge = edge_point(stored, p.location, m_mesh);
-    const std::size_t rank = rank_on_first_halfedge(on_edge),
-                      n = m_correspondence.number_of_crossings(m_side, Edge_index(stored));
-    if(m_mesh.face(stored) != f)
-      on_edge = reversed(on_edge, m_mesh);
-    const std::size_t s = side_number(on_edge.halfedge, m_mesh);
-    return {Point::on_side, s, is_first_halfedge(on_edge.halfedge) ? rank : n - rank,
-            barycentric_coordinates(s, on_edge.t)};
+    if(!is_vertex(p))
+      return points(p, f, is_inner && p.along.is_valid() ? m_mesh.opposite(p.along) : p.along,
+                    !is_inner);
+    const auto& b = p.location.second;
+    return {corner(b[0] != 0 ? 0 : b[1] != 0 ? 1 : 2)};
   }
 
-  std::size_t rank_on_first_halfedge(const Edge_point<FT>& p) const
-  {
-    const Edge_index e(p.halfedge);
-    const FT t = place_on_first_halfedge(p);
-    std::size_t low = 0, high = m_correspondence.number_of_crossings(m_side, e);
-    while(low < high) {
-      const std::size_t middle = (low + high) / 2;
-      const auto crossing = m_correspondence.crossing(
-        m_side, first_halfedge(e), static_cast<Delta_complex::size_type>(middle));
-      (crossing.here.t <= t ? low : high) = crossing.here.t <= t ? middle + 1 : middle;
-    }
-    return low;
-  }
-
-  // `entry` is the side through which the piece has come into its face; null if none
-  Point end_of_piece(const Place& q, Face_index f, Halfedge_index entry) const
+  Points ends_of_piece(const Place& q, Face_index f, bool is_inner) const
   {
     if(!is_vertex(q))
-      return point(q, f);
-    const Vertex_index v = m_mesh.source(q.along);
-    if(entry.is_valid() && m_mesh.source(m_mesh.prev(entry)) == v)
-      return corner(side_number(m_mesh.prev(entry), m_mesh));
+      return points(q, f, q.along, !is_inner);
     const auto h = sides(f, m_mesh);
-    return corner(m_mesh.source(h[0]) == v ? 0 : m_mesh.source(h[1]) == v ? 1 : 2);
+    Points result;
+    for(std::size_t s = 0; s < 3; ++s)
+      if(m_mesh.source(h[s]) == m_mesh.source(q.along))
+        result.push_back(corner(s));
+    return result;
   }
+
+  // returns the points of a face where a place is: two if the face meets itself and the path does not
+  // cross its edge there
+  Points points(const Place& p, Face_index f, Halfedge_index h, bool is_end) const
+  {
+    Points result{point(p, f, h)};
+    if(h.is_valid() && m_mesh.face(m_mesh.opposite(h)) == m_mesh.face(h) &&
+       (is_end || result.front().is_inserted))
+      result.push_back(point(p, f, m_mesh.opposite(h)));
+    return result;
+  }
+
+  // A path that has crossed a side ends at the corner opposite to it if it can.
+  std::pair<Point, Point> nearest(Face_index f, const Points& from, const Points& to,
+                                  bool is_inner) const
+  {
+    std::pair<Point, Point> best(from.front(), to.front());
+    const auto length = [&](const Point& p, const Point& q) {
+      const bool has_crossed = is_inner && p.kind == Point::on_side && !p.is_inserted;
+      return has_crossed && q.kind == Point::corner && q.side == (p.side + 2) % 3
+               ? FT(0)
+               : segment_length(m_correspondence.triangulation().surface(m_side),
+                                Curve_segment<FT>{f, p.coordinates, q.coordinates});
+    };
+    if(from.size() * to.size() > 1)
+      for(const Point& p : from)
+        for(const Point& q : to)
+          if(length(p, q) < length(best.first, best.second))
+            best = {p, q};
+    return best;
+  }
+
+  // a point in face `f`, or on its side `h` or the opposite of that, not at a vertex of `m_mesh`
+  Point point(const Place& p, Face_index f, Halfedge_index h) const
+  {
+    if(!h.is_valid())
+      return {Point::inside, 0, {}, p.location.second};
+    if(m_mesh.face(h) != f)
+      h = m_mesh.opposite(h);
+    const Edge_index e(h);
+    const std::size_t s = side_number(h, m_mesh);
+    const Edge_point<FT> on_edge = point_on_edge(p);
+    const FT t = place_on_first_halfedge(on_edge);
+    if(m_side == Side::input)
+      if(const auto part = m_ranks.part_to_inserted(e, t)) {
+        const FT at = triangulation().place_along(h, m_correspondence.part(e, *part).end);
+        return {Point::on_side, s, {*part, 0}, barycentric_coordinates(s, at), true};
+      }
+    return {Point::on_side, s, m_ranks(e, t),
+            barycentric_coordinates(s, h == on_edge.halfedge ? on_edge.t : FT(1 - on_edge.t))};
+  }
+
+  // returns the place on `along`, or on its opposite if that is a border halfedge
+  Edge_point<FT> point_on_edge(const Place& p) const
+  {
+    return edge_point(m_mesh.is_border(p.along) ? m_mesh.opposite(p.along) : p.along, p.location,
+                      m_mesh);
+  }
+
+  const auto& triangulation() const { return m_correspondence.triangulation(); }
 
   // ---- Places on the other triangulation ----
 
   // The halfedge `h` of this triangulation, from vertex to vertex.
   void carry_along(Halfedge_index h)
   {
-    add_vertex(m_mesh.source(h), spoke_at(h));
-    const auto n = m_correspondence.number_of_crossings(m_side, Edge_index(h));
-    for(Delta_complex::size_type p = 0; p < n; ++p)
-      m_places.push_back(
-        place_on(reversed(m_correspondence.crossing(m_side, h, p).across, m_other), m_other));
-    m_end = std::nullopt;
+    const Edge_index e(h);
+    add_vertex(vertex_across(m_correspondence, m_side, m_mesh.source(h), spoke_at(h)));
+    const size_type n = m_side == Side::input ? m_correspondence.number_of_parts(e) : 1,
+                    crossings = m_correspondence.number_of_crossings(m_side, e);
+    for(size_type i = 0, p = 0; i < n; ++i) {
+      const size_type part = is_first_halfedge(h) ? i : n - 1 - i;
+      if(i > 0)
+        m_places.push_back(place_of_inserted(h, part));
+      const size_type end =
+        p + (m_side == Side::input ? m_correspondence.part(e, part).count : crossings);
+      for(; p < end; ++p)
+        m_places.push_back(
+          crossing_on(reversed(m_correspondence.crossing(m_side, h, p).across, m_other), m_other));
+    }
+    forget_end();
+    m_crossings = 0;
   }
 
-  // border edges are in both triangulations
+  // the vertex of T2 on the halfedge `h` of T1 at which part `part` begins
+  Place place_of_inserted(Halfedge_index h, size_type part) const
+  {
+    const Halfedge_index spoke =
+      m_mesh.is_border(h) ? spoke_on_border(h, part) : spoke_at_part(h, part, m_correspondence);
+    return place_on(Edge_point<FT>{spoke, FT(0)}, m_other);
+  }
+
+  // parts of border edges are shared
+  Halfedge_index spoke_on_border(Halfedge_index h, size_type part) const
+  {
+    return m_other.opposite(spoke_at_part(m_mesh.opposite(h), part, m_correspondence));
+  }
+
+  // returns the last spoke of the other triangulation at or clockwise from `h`
   Halfedge_index spoke_at(Halfedge_index h) const
   {
-    return m_mesh.is_border(h)
-             ? m_other.opposite(m_correspondence.spoke_before(m_side, m_mesh.opposite(h)))
-             : m_correspondence.spoke_before(m_side, h);
-  }
-
-  const auto& triangulation() const { return m_correspondence.triangulation(); }
-
-  // `spoke` is the last one at or clockwise from where the path goes on
-  void add_vertex(Vertex_index v, Halfedge_index spoke)
-  {
-    const Place place = place_of_vertex(v, spoke);
-    if(!m_places.empty() && is_vertex(place) && is_vertex(m_places.back()))
-      direct_to(m_other.source(place.along), m_places.back());
-    m_places.push_back(place);
-  }
-
-  // A path through a face from vertex to vertex follows an edge.
-  void direct_to(Vertex_index next, Place& from) const
-  {
-    const Halfedge_index h = from.along;
-    if(m_other.target(h) != next)
-      from = place_on(Edge_point<FT>{m_other.opposite(m_other.prev(h)), FT(0)}, m_other);
-  }
-
-  Place place_of_vertex(Vertex_index v, Halfedge_index spoke) const
-  {
-    if(m_side == Side::input || !triangulation().is_inserted(v))
-      return place_on(Edge_point<FT>{spoke, FT(0)}, m_other);
-    if(!spoke.is_valid())
-      return triangulation().inserted_vertex(v);
-    const Edge_point<FT> on_spoke{spoke, triangulation().place_along(spoke, v)};
-    const bool leaves_surface = m_other.is_border(m_other.opposite(spoke));
-    return place_on(leaves_surface ? on_spoke : reversed(on_spoke, m_other), m_other);
+    if(!m_mesh.is_border(h))
+      return m_correspondence.spoke_before(m_side, h);
+    if(m_side == Side::intrinsic)
+      return m_other.opposite(m_correspondence.spoke_before(m_side, m_mesh.opposite(h)));
+    const Edge_index e(h);
+    return spoke_on_border(h, is_first_halfedge(h) ? 0 : m_correspondence.number_of_parts(e) - 1);
   }
 
   // Crossings of an edge are places if that is in the other triangulation too.
-  void add_point(const Place& p, const Point& in_face, const Carried_piece<Traits>& piece,
-                 bool is_start)
+  template <typename Piece>
+  void add_point(const Place& p, const Piece& piece, bool is_inner)
   {
-    if(is_start || !p.along.is_valid() || m_correspondence.is_shared(m_side, Edge_index(p.along)))
-      m_places.push_back(place_of(p, in_face, piece));
+    const bool is_crossing = is_inner && p.along.is_valid();
+    if(!is_crossing) {
+      m_places.push_back(place_of(p, piece.start()));
+      m_crossings = 0;
+    } else if(shared_part(p))
+      add_crossing(place_of(p, p));
   }
 
-  Place place_of(const Place& p, const Point& in_face, const Carried_piece<Traits>& piece) const
+  // A straight path does not cross the edges that start at a vertex which it leaves.
+  void add_crossing(const Place& x)
   {
-    if(p.along.is_valid() && m_correspondence.is_shared(m_side, Edge_index(p.along)))
-      return place_on(on_shared(p), m_other);
-    return {Delta_complex::null_halfedge(), piece.location(in_face)};
-  }
-
-  Edge_point<FT> on_shared(const Place& p) const
-  {
-    const Halfedge_index h = m_mesh.is_border(p.along) ? m_mesh.opposite(p.along) : p.along;
-    const Halfedge_index there = m_correspondence.spoke_before(m_side, h);
-    Edge_point<FT> result{there, edge_point(h, p.location, m_mesh).t};
-    if(m_side == Side::intrinsic) {
-      const Vertex_index end = m_mesh.target(h);
-      const FT from = triangulation().place_along(there, m_mesh.source(h));
-      const FT to =
-        triangulation().is_inserted(end) ? triangulation().place_along(there, end) : FT(1);
-      result.t = (1 - result.t) * from + result.t * to;
+    const Halfedge_index h = x.along, o = m_other.opposite(h);
+    if(!m_places.empty() && is_vertex(m_places.back())) {
+      const Halfedge_index from = m_places.back().along;
+      if(from == h || from == m_other.next(h)) {
+        m_places.back() = place_on(Edge_point<FT>{from == h ? m_other.next(o) : o, FT(0)}, m_other);
+        return;
+      }
     }
-    return h == p.along ? result : reversed(result, m_other);
+    m_places.push_back(x);
+    ++m_crossings;
   }
 
-  void add_end(const std::vector<Place>& path)
+  void add_vertex(const Place& place)
   {
-    const Place& q = path.back();
+    if(m_ends_at_vertex && is_vertex(place))
+      come_to_vertex(m_end->along);
+    m_places.push_back(m_places.empty() ? start_at(place) : place);
+    m_crossings = 0;
+  }
+
+  // Nor does it cross the edges at a vertex to which it comes; `back` starts there, with the path on
+  // its left. A path through a face from vertex to vertex follows an edge.
+  void come_to_vertex(Halfedge_index back)
+  {
+    for(; m_crossings > 0; --m_crossings) {
+      const Halfedge_index h = m_places.back().along, o = m_other.opposite(h);
+      if(back != o && back != m_other.next(o))
+        return;
+      back = back == o ? m_other.next(h) : h;
+      m_places.pop_back();
+    }
+    if(!m_places.empty() && is_vertex(m_places.back()) &&
+       m_other.next(back) == m_places.back().along)
+      m_places.back() = place_on(Edge_point<FT>{m_other.opposite(back), FT(0)}, m_other);
+  }
+
+  // A path that starts at a vertex inserted on an edge goes on in the face of `along`.
+  Place start_at(const Place& place) const
+  {
+    if(!place.along.is_valid() || is_vertex(place) ||
+       m_other.is_border(m_other.opposite(place.along)))
+      return place;
+    return place_on(reversed(edge_point(place.along, place.location, m_other), m_other), m_other);
+  }
+
+  // returns the part of its edge on which a place lies, if that is in the other triangulation too
+  std::optional<size_type> shared_part(const Place& p) const
+  {
+    if(!p.along.is_valid())
+      return {};
+    const Edge_index e(p.along);
+    if(m_side == Side::intrinsic)
+      return m_correspondence.is_shared(m_side, e) ? std::optional<size_type>(0) : std::nullopt;
+    const size_type part = m_ranks.part_at(e, place_on_first_halfedge(point_on_edge(p)));
+    return m_correspondence.part(e, part).is_shared ? std::optional(part) : std::nullopt;
+  }
+
+  // `inside` is where `p` is if its edge is not shared
+  Place place_of(const Place& p, const Place& inside) const
+  {
+    const auto part = shared_part(p);
+    if(!part)
+      return inside;
+    const Edge_point<FT> on_edge = point_on_edge(p);
+    const Edge_point<FT> result =
+      m_side == Side::input ? on_intrinsic(on_edge, *part) : on_input(on_edge);
+    return crossing_on(on_edge.halfedge == p.along ? result : reversed(result, m_other), m_other);
+  }
+
+  Edge_point<FT> on_intrinsic(const Edge_point<FT>& p, size_type part) const
+  {
+    const Halfedge_index there = spoke_at_part(p.halfedge, part, m_correspondence);
+    const auto range =
+      part_of_edge(p.halfedge, m_other.source(there), m_other.target(there), triangulation());
+    return {there, (p.t - range.begin) / (range.end - range.begin)};
+  }
+
+  Edge_point<FT> on_input(const Edge_point<FT>& p) const
+  {
+    const Halfedge_index there = m_correspondence.spoke_before(Side::intrinsic, p.halfedge);
+    const auto range =
+      part_of_edge(there, m_mesh.source(p.halfedge), m_mesh.target(p.halfedge), triangulation());
+    return {there, range(p.t)};
+  }
+
+  void add_end(const Place& q)
+  {
     if(is_vertex(q)) {
       const Vertex_index v = m_mesh.source(q.along);
-      add_vertex(v, spoke_at(m_mesh.is_border(q.along) ? first_spoke(v, m_mesh) : q.along));
-    } else if(m_end)
-      m_places.push_back(*m_end);
-    else if(path.size() == 1) {
-      const Carried_piece<Traits> piece(m_correspondence, m_side, q.location.first, m_other);
-      m_places.push_back(place_of(q, point(q, q.location.first), piece));
+      return add_vertex(
+        vertex_across(m_correspondence, m_side, v,
+                      spoke_at(m_mesh.is_border(q.along) ? first_spoke(v, m_mesh) : q.along)));
     }
+    if(!m_end)
+      note_end_of_point(q);
+    m_ends_at_vertex ? add_vertex(*m_end) : m_places.push_back(place_of(q, *m_end));
+  }
+
+  // for a path of one place
+  void note_end_of_point(const Place& q)
+  {
+    const Point p = starts_of_piece(q, q.location.first, false).front();
+    with_piece(q.location.first, p, p, [&](const auto& piece) { note_end(piece); });
+  }
+
+  void forget_end()
+  {
+    m_end = std::nullopt;
+    m_ends_at_vertex = false;
+  }
+
+  template <typename Piece>
+  void note_end(const Piece& piece)
+  {
+    m_end = piece.end();
+    m_ends_at_vertex = piece.ends_at_vertex();
   }
 
   const Correspondence<Traits>& m_correspondence;
   Side m_side;
   const Delta_complex &m_mesh, &m_other;
-  std::vector<Place> m_places;
-  std::optional<Place> m_end; // if it is not a vertex
+  Edge_ranks<Traits> m_ranks;
+  std::vector<Place> m_places, m_crossings_of_piece;
+  std::optional<Place> m_end;    // of the last piece
+  std::size_t m_crossings = 0;   // the last places that are crossings
+  bool m_ends_at_vertex = false; // whether that is a vertex of the other triangulation
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

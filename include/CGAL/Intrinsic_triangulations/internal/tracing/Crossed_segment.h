@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSED_SEGMENT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSED_SEGMENT_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Returns the place between two places on an edge, with weights that are not negative; the middle if
+// both are zero.
+template <typename FT>
+FT place_between(const FT& a, const FT& b, const FT& weight_of_a, const FT& weight_of_b)
+{
+  const FT sum = weight_of_a + weight_of_b, t = sum > 0 ? FT(weight_of_b / sum) : FT(0.5);
+  return (1 - t) * a + t * b;
+}
+
+// A straight segment in a face, in barycentric coordinates, and where it crosses others on the way to
+// its end.
+template <typename FT>
+class Crossed_segment
+{
+  typedef Barycentric_coordinates<FT> Coordinates;
+
+public:
+  Crossed_segment(const Coordinates& from, const Coordinates& to) : m_from(from), m_to(to) {}
+
+  // Returns twice the signed area of the triangle with its ends and `p`, which is positive on its
+  // left. What is near to its start loses no digits.
+  FT left(const Coordinates& p) const
+  {
+    const auto greatest =
+      static_cast<std::size_t>(std::max_element(m_from.begin(), m_from.end()) - m_from.begin());
+    const std::size_t x = (greatest + 1) % 3, y = (greatest + 2) % 3;
+    return (m_to[x] - m_from[x]) * (p[y] - m_from[y]) - (m_to[y] - m_from[y]) * (p[x] - m_from[x]);
+  }
+
+  // returns where the line through it crosses the segment from `a` to `b`, from 0 to 1
+  FT line_on(const Coordinates& a, const Coordinates& b) const
+  {
+    const FT at_a = CGAL::abs(left(a)), at_b = CGAL::abs(left(b));
+    return place_between(FT(0), FT(1), at_b, at_a);
+  }
+
+  // returns the place of the projection of `p` on the line, from 0 to 1 between the ends
+  FT along(const Coordinates& p) const
+  {
+    const FT square = dot(m_from, m_to, m_from, m_to);
+    return square > 0 ? FT(dot(m_from, m_to, m_from, p) / square) : FT(0);
+  }
+
+  // Returns where it crosses the segment from `a` to `b`, from 0 to 1. Crossings are in order: where
+  // the two segments are on one line up to rounding, it is next to the crossing before.
+  FT next_crossing_on(const Coordinates& a, const Coordinates& b)
+  {
+    const FT t = line_on(a, b), s = along(point_between(a, b, t));
+    if(m_from != m_to && m_passed <= s && s <= 1) {
+      m_passed = s;
+      return t;
+    }
+    m_passed = (std::min)((std::max)(s, m_passed), FT(1));
+    return closest_between(a, b, point_between(m_from, m_to, m_passed));
+  }
+
+private:
+  static Coordinates point_between(const Coordinates& a, const Coordinates& b, const FT& t)
+  {
+    Coordinates result;
+    for(std::size_t s = 0; s < 3; ++s)
+      result[s] = (1 - t) * a[s] + t * b[s];
+    return result;
+  }
+
+  Coordinates m_from, m_to;
+  FT m_passed = FT(0); // the place of the last crossing along the segment
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSED_SEGMENT_H

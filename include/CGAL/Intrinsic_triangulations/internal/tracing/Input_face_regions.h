@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_INPUT_FACE_REGIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_INPUT_FACE_REGIONS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The regions into which edges of T2 cut the faces of T1, and the ways between them.
+template <typename Traits>
+class Input_face_regions
+{
+  typedef typename Traits::FT FT;
+  typedef Delta_complex::size_type size_type;
+  typedef Correspondence_marks<Traits> Marks;
+  typedef Barycentric_coordinates<FT> Coordinates;
+
+public:
+  // a region of a face of T2
+  typedef std::pair<Face_index, std::size_t> Place;
+
+  // a piece of a halfedge of T2, which has a region on its left
+  struct Piece
+  {
+    Halfedge_index halfedge;
+    std::size_t number;
+  };
+
+  // a region with its corners on T2 and T1
+  struct Face_of_place
+  {
+    Face_of_place(const Place& place, const Input_face_regions& regions)
+      : marks(Side::intrinsic, place.first, regions.m_correspondence)
+    {
+      const Face_map<FT, Marks> face_map(marks, regions.m_correspondence.mesh(Side::input));
+      region = face_map.regions()[place.second];
+      map = face_map.region_map(place.second).second;
+    }
+
+    const Coordinates& corner(std::size_t c) const { return map.image(c == map.size() ? 0 : c); }
+
+    Marks marks;
+    Region region;
+    Polygon_map<FT> map;
+  };
+
+  explicit Input_face_regions(const Correspondence<Traits>& correspondence)
+    : m_correspondence(correspondence), m_mesh(correspondence.mesh(Side::intrinsic))
+  {}
+
+  Region region(const Place& place) const { return regions_of(place.first)[place.second]; }
+
+  // returns the region on the left of a piece
+  Place place_at(const Piece& piece) const
+  {
+    const Face_index f = m_mesh.face(piece.halfedge);
+    return {f, regions_of(f).region_at_side(side_number(piece.halfedge, m_mesh), piece.number)};
+  }
+
+  // returns the piece of a side after `corner`; none on the boundary of the face of T1
+  std::optional<Piece> piece_after(const Region_corner& corner, const Place& place) const
+  {
+    const Halfedge_index h = sides(place.first, m_mesh)[corner.side];
+    if(corner.arc_follows || m_correspondence.is_shared(Side::intrinsic, Edge_index(h)))
+      return {};
+    return Piece{h, number_of_piece(corner)};
+  }
+
+  // returns a piece as the region on its right sees it
+  Piece reversed(const Piece& piece) const
+  {
+    return {m_mesh.opposite(piece.halfedge),
+            m_correspondence.number_of_crossings(Side::intrinsic, Edge_index(piece.halfedge)) -
+              piece.number};
+  }
+
+  // returns the index of the corner of a region after which `piece` comes
+  std::size_t corner_before(const Piece& piece, const Region& region) const
+  {
+    const std::size_t s = side_number(piece.halfedge, m_mesh);
+    std::size_t c = 0;
+    while(region[c].arc_follows || region[c].side != s ||
+          number_of_piece(region[c]) != piece.number)
+      ++c;
+    return c;
+  }
+
+  // returns the region beyond the piece of a side after `corner`; none beyond the face of T1
+  std::optional<Place> beyond(const Region_corner& corner, const Place& place) const
+  {
+    const std::optional<Piece> piece = piece_after(corner, place);
+    return piece ? std::optional<Place>(place_at(reversed(*piece))) : std::nullopt;
+  }
+
+  // Calls `visit(place)` for the regions of the face of T1 in which `start` lies, once each, until
+  // it returns true.
+  template <typename Visit>
+  void for_each_place(const Place& start, const Visit& visit) const
+  {
+    std::set<Place> seen{start};
+    std::vector<Place> waiting{start};
+    while(!waiting.empty()) {
+      const Place place = waiting.back();
+      waiting.pop_back();
+      if(visit(place))
+        return;
+      const Region corners = region(place);
+      for(std::size_t c = 0; c < corners.size(); ++c) {
+        const std::optional<Place> neighbor = beyond(corners[c], place);
+        if(neighbor && seen.insert(*neighbor).second)
+          waiting.push_back(*neighbor);
+      }
+    }
+  }
+
+  // returns the region on the left of the halfedge `h` of T1 next to its crossing `p`, after it or
+  // before it
+  Place place_at_crossing(Halfedge_index h, size_type p, bool is_after) const
+  {
+    const auto crossing = m_correspondence.crossing(Side::input, h, p);
+    const Halfedge_index leaving = crossing.across.halfedge;
+    const Halfedge_index x = is_after ? leaving : m_mesh.opposite(leaving);
+    const std::size_t mark = m_correspondence.crossings_on_intrinsic().position(x, crossing.id);
+    return place_at({x, is_after ? mark : mark + 1});
+  }
+
+private:
+  static std::size_t number_of_piece(const Region_corner& corner)
+  {
+    return corner.is_vertex() ? 0 : corner.mark + 1;
+  }
+
+  Face_regions regions_of(Face_index f) const
+  {
+    const Marks marks(Side::intrinsic, f, m_correspondence);
+    return Face_regions({marks.crossings(0), marks.crossings(1), marks.crossings(2)});
+  }
+
+protected:
+  const Correspondence<Traits>& m_correspondence;
+  const Delta_complex& m_mesh;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_INPUT_FACE_REGIONS_H
