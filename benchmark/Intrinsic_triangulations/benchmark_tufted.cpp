@@ -80,10 +80,16 @@ struct Ordinary_surface
 struct Comparison
 {
   Times ordinary, tufted;
-  Samples cover;
+  Samples cover, mesh_alone;
 
-  void take(const Mesh& mesh, const Soup& soup)
+  void take(const Mesh& mesh, const Soup& oriented, const Soup& soup)
   {
+    mesh_alone.time([&] {
+      Mesh result;
+      CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(oriented.points,
+                                                                  oriented.triangles, result);
+      return result;
+    });
     ordinary.take([&] {
       Ordinary_surface result{IT::Intrinsic_triangulation<>(mesh)};
       IT::make_Delaunay(result.tri);
@@ -95,6 +101,15 @@ struct Comparison
       IT::make_Delaunay(tri);
       return IT::Tufted_surface<>(made, tri.intrinsic());
     });
+  }
+
+  // Ratios of times from a mesh, and from the triangles of which it is made first.
+  std::array<double, 4> ratios() const
+  {
+    const double made = mesh_alone.least();
+    return {tufted.operators.least() / ordinary.operators.least(),
+            tufted.operators.least() / (made + ordinary.operators.least()),
+            tufted.all() / ordinary.all(), tufted.all() / (made + ordinary.all())};
   }
 };
 
@@ -116,43 +131,39 @@ void benchmark_mesh(const std::string& file)
   const Mesh mesh = mesh_of(file);
   const Soup soup = with_fins(mesh), oriented = soup_of(mesh);
   Comparison times;
-  Samples mesh_alone;
-  for(int i = 0; i < repetitions; ++i) {
-    mesh_alone.time([&] {
-      Mesh result;
-      CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(oriented.points,
-                                                                  oriented.triangles, result);
-      return result;
-    });
-    times.take(mesh, soup);
-  }
-  const auto& [ordinary, tufted, cover] = times;
-  const double made = mesh_alone.least();
-  const double operators = tufted.operators.least(), distance = tufted.all();
+  for(int i = 0; i < repetitions; ++i)
+    times.take(mesh, oriented, soup);
+  const auto& [ordinary, tufted, cover, mesh_alone] = times;
+  const auto ratios = times.ratios();
   const std::string name = file.substr(file.find_last_of('/') + 1);
   std::printf("%-22s%8zu%7.1f%7.1f%10.1f%8.1f%6.2f%6.2f%10.1f%8.1f%6.2f%6.2f\n", name.c_str(),
-              soup.triangles.size(), made, cover.least(), ordinary.operators.least(), operators,
-              operators / ordinary.operators.least(),
-              operators / (ordinary.operators.least() + made), ordinary.all(), distance,
-              distance / ordinary.all(), distance / (ordinary.all() + made));
+              soup.triangles.size(), mesh_alone.least(), cover.least(), ordinary.operators.least(),
+              tufted.operators.least(), ratios[0], ratios[1], ordinary.all(), tufted.all(),
+              ratios[2], ratios[3]);
 }
 
-// Ratios of the times of soups to those of their meshes.
+// Ratios of the times of soups to those of their meshes, in the order of `Comparison::ratios()`.
 struct Ratios
 {
-  std::vector<double> operators, distance;
+  std::array<std::vector<double>, 4> values;
+
+  void add(const std::array<double, 4>& ratios)
+  {
+    for(std::size_t r = 0; r < 4; ++r)
+      values[r].push_back(ratios[r]);
+  }
 
   void add(const Ratios& other)
   {
-    operators.insert(operators.end(), other.operators.begin(), other.operators.end());
-    distance.insert(distance.end(), other.distance.begin(), other.distance.end());
+    for(std::size_t r = 0; r < 4; ++r)
+      values[r].insert(values[r].end(), other.values[r].begin(), other.values[r].end());
   }
 
   void print()
   {
-    for(auto* ratios : {&operators, &distance}) {
-      std::sort(ratios->begin(), ratios->end());
-      std::printf("%12.2f%10.2f", (*ratios)[ratios->size() / 2], ratios->back());
+    for(auto& ratios : values) {
+      std::sort(ratios.begin(), ratios.end());
+      std::printf("%11.2f%6.2f", ratios[ratios.size() / 2], ratios.back());
     }
     std::printf("\n");
   }
@@ -161,15 +172,14 @@ struct Ratios
 Ratios benchmark_soups(const std::string& name)
 {
   const Mesh mesh = mesh_of(data_file(name));
+  const Soup oriented = soup_of(mesh);
   Ratios result;
   for(unsigned int seed = 0; seed < 15; ++seed) {
     const Soup soup = spoiled(mesh, seed);
     Comparison times;
     for(int i = 0; i < repetitions; ++i)
-      times.take(mesh, soup);
-    const auto& [ordinary, tufted, cover] = times;
-    result.operators.push_back(tufted.operators.least() / ordinary.operators.least());
-    result.distance.push_back(tufted.all() / ordinary.all());
+      times.take(mesh, oriented, soup);
+    result.add(times.ratios());
   }
   std::printf("%-22s%8u", name.c_str(), unsigned(mesh.number_of_faces()));
   result.print();
@@ -178,8 +188,8 @@ Ratios benchmark_soups(const std::string& name)
 
 void benchmark_all_soups()
 {
-  std::printf("\nmedian and greatest ratios, 15 soups of each mesh\n%-22s%8s%12s%10s%12s%10s\n",
-              "mesh", "faces", "operators", "greatest", "distance", "greatest");
+  std::printf("\nmedian and greatest ratios, 15 soups of each mesh\n%-22s%8s%17s%17s%17s%17s\n",
+              "mesh", "faces", "operators", "from triangles", "distance", "from triangles");
   Ratios all;
   for(const char* name : {"anchor_dense", "blobby",   "bones",       "cow",
                           "dino",         "elephant", "elk",         "femur",
@@ -187,7 +197,7 @@ void benchmark_all_soups()
                           "knot1",        "mushroom", "retinal",     "elephant-with-holes",
                           "rotor_small",  "spool",    "three_peaks", "triceratops"})
     all.add(benchmark_soups(name));
-  std::printf("%-22s%8zu", "all", all.operators.size());
+  std::printf("%-22s%8zu", "all", all.values[0].size());
   all.print();
 }
 
