@@ -52,12 +52,13 @@ Location at_length(Real s, const Path& path, const Flat_faces& faces)
   return path.places.front().location;
 }
 
-// In a face that meets a vertex or an edge twice, places alone may not determine a path.
-bool is_unambiguous(const Path& path, const Flat_faces& faces)
+// Whether there is a path. If so, its pieces add up on its own triangulation.
+bool is_path(const Path& path, const Flat_faces& faces)
 {
-  const Real difference = sum_of_pieces(path, faces) - path.length;
-  const bool result = std::abs(difference) < 1e-10 * faces.longest_edge();
-  return !path.places.empty() && result;
+  if(path.places.empty())
+    return false;
+  expect_valid(path, faces, 1e-10 * static_cast<double>(faces.longest_edge()));
+  return true;
 }
 
 // The image of a path is connected, as long, and each of its places is where the path is.
@@ -144,7 +145,7 @@ void check_paths(const Triangulation& t, unsigned int seed, std::size_t n = 10)
       paths.run();
       const auto targets = points_of(side, c, n, random);
       for(std::size_t j = 0; j < targets.size(); ++j)
-        if(const Path path = paths.path(targets[j]); is_unambiguous(path, Flat_faces(side, t)))
+        if(const Path path = paths.path(targets[j]); is_path(path, Flat_faces(side, t)))
           check_there_and_back(t, side, path, c, i % 5 == 0 && j % 5 == 0);
     }
   }
@@ -200,7 +201,7 @@ void check_flat(const Flat_insertion::Result& r, const Flat_surface& surface)
     const auto here = static_cast<std::size_t>(side);
     for(const Location& q : points_of(side, c, 5, random)) {
       const Path path = paths.path(q);
-      if(!is_unambiguous(path, faces[here]))
+      if(!is_path(path, faces[here]))
         continue;
       const Path image = check_image(t, side, path, c);
       check_in_plane(path, image, planes[here], planes[1 - here], surface);

@@ -268,8 +268,9 @@ private:
   Index add_crossings(const Last_part& part, std::vector<Place>& places) const
   {
     const Index o = m_views.charts().across(m_views.views()[part.view].edge);
-    const Location& q = places.back().location; // which may lie on the last edge
-    bool is_crossing = places.size() > 1 || q.first.idx() != o / 3 || q.second[(o + 2) % 3] != 0;
+    const Location& q = places.back().location; // which may lie on the last edge; vertices do not
+    bool is_crossing = places.size() > 1 || is_vertex(places.back()) || q.first.idx() != o / 3 ||
+                       q.second[(o + 2) % 3] != 0;
     const auto [root, z] = root_of(part.view, part.end, [&](const View& view, const Vector& end) {
       if(is_crossing)
         add(crossing(view, end), places);
