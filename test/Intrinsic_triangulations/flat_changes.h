@@ -88,7 +88,7 @@ inline void operate_at_random(Flat_insertion& flat, int tries, unsigned int seed
 }
 
 // Calls `check(surface, flat)` after random operations on every flat surface.
-Counts for_each_flat(int tries, const std::function<void(Flat_insertion&)>& check)
+inline Counts for_each_flat(int tries, const std::function<void(Flat_insertion&)>& check)
 {
   Counts counts{};
   for(const Named_surface& s : surfaces())
