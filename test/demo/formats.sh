@@ -97,7 +97,7 @@ wrong a.mesh.obj "v 1 2 3\n" 'has no faces'
 wrong a.mesh.ply 'plx\n' "line 1 $bad 'ply' expected"
 wrong a.mesh.ply 'ply\nformat utf8 1.0\n' "line 2 $bad the format is none of ascii"
 wrong a.mesh.ply 'ply\nformat ascii 1.0\nproperty int a\n' "line 3 $bad a property comes before any"
-wrong a.mesh.ply 'ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n' "line 4 $bad there is no"
+wrong a.mesh.ply 'ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n' "line 4 $bad this type of numbers"
 wrong a.mesh.ply 'ply\nformat ascii 1.0\nelement vertex -1\n' "line 3 $bad a number of elements is"
 wrong a.mesh.ply 'ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nend_header\n' \
   "vertices have no coordinate 'y'"
