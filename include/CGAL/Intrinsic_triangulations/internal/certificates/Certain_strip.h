@@ -96,8 +96,8 @@ public:
 
 private:
   // Two triangles are laid out from their common side `x`: each of their other corners on its own.
-  // From either end of `x` they are seen with a relative error of 20 u, and the products that tell
-  // on which side of the end the edge passes have 44 u; the length has 22 u of two sides.
+  // From either end of `x` they are seen with a relative error of 20 u, and the products that
+  // determine on which side of the end the edge passes have 44 u; the length has 22 u of two sides.
   Straight_edge across(Halfedge_index x, double error) const
   {
     const Halfedge_index o = opposite(x);

@@ -105,6 +105,17 @@ public:
     return piece ? std::optional<Place>(place_at(reversed(*piece))) : std::nullopt;
   }
 
+  // Calls `visit(c, neighbor)` for the corners of a region with a neighbor beyond the piece after
+  // them.
+  template <typename Visit>
+  void for_each_exit(const Place& place, const Visit& visit) const
+  {
+    const Region corners = region(place);
+    for(std::size_t c = 0; c < corners.size(); ++c)
+      if(const std::optional<Place> neighbor = beyond(corners[c], place))
+        visit(c, *neighbor);
+  }
+
   // Calls `visit(place)` for the regions of the face of T1 in which `start` lies, once each, until
   // it returns true.
   template <typename Visit>
@@ -117,12 +128,10 @@ public:
       waiting.pop_back();
       if(visit(place))
         return;
-      const Region corners = region(place);
-      for(std::size_t c = 0; c < corners.size(); ++c) {
-        const std::optional<Place> neighbor = beyond(corners[c], place);
-        if(neighbor && seen.insert(*neighbor).second)
-          waiting.push_back(*neighbor);
-      }
+      for_each_exit(place, [&](std::size_t, const Place& neighbor) {
+        if(seen.insert(neighbor).second)
+          waiting.push_back(neighbor);
+      });
     }
   }
 

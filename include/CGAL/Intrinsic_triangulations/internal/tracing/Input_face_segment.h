@@ -417,7 +417,7 @@ private:
     std::vector<Place> reached{to};
     for(std::size_t i = 0; toward.count(from) == 0; ++i) {
       const Place place = reached[i];
-      for_each_exit(place, [&](std::size_t, const Place& neighbor) {
+      m_regions.for_each_exit(place, [&](std::size_t, const Place& neighbor) {
         if(toward.try_emplace(neighbor, place).second)
           reached.push_back(neighbor);
       });
@@ -425,7 +425,7 @@ private:
     while(from != to) {
       const Place next = toward[from];
       std::optional<std::size_t> exit;
-      for_each_exit(from, [&](std::size_t c, const Place& neighbor) {
+      m_regions.for_each_exit(from, [&](std::size_t c, const Place& neighbor) {
         if(neighbor == next)
           exit = c;
       });
@@ -434,16 +434,6 @@ private:
       });
       from = next;
     }
-  }
-
-  // Calls visit(c, neighbor) for the corners of a region with a neighbor beyond the piece after them.
-  template <typename Visit>
-  void for_each_exit(const Place& place, const Visit& visit) const
-  {
-    const Region region = m_regions.region(place);
-    for(std::size_t c = 0; c < region.size(); ++c)
-      if(const auto neighbor = m_regions.beyond(region[c], place))
-        visit(c, *neighbor);
   }
 
   const Correspondence<Traits>& m_correspondence;
