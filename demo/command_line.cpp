@@ -229,10 +229,8 @@ void add_distance(CLI::App& app, Options& options)
 
 void add_path_points(CLI::App& command, Path_options& options)
 {
-  command
-    .add_option("--from", options.from,
-                "Start: a vertex, face:a,b,c (barycentric), or x,y,z (nearest)")
-    ->required();
+  command.add_option("--from", options.from,
+                     "Start: a vertex, face:a,b,c (barycentric), or x,y,z (nearest)");
   command.add_option("--to", options.to, "End, as the start");
   command.add_option("--via", options.via, "Vertex that the path passes before it is shortened")
     ->allow_extra_args(false);
@@ -243,6 +241,8 @@ void add_path_points(CLI::App& command, Path_options& options)
   command.add_option("--straightest", options.straightest,
                      "Go straight instead: the angle in degrees from the first side of the face at "
                      "--from, and the length");
+  command.add_flag("--homology", options.is_homology_basis,
+                   "Geodesic loops around all handles and holes, by flips");
 }
 
 void add_path(CLI::App& app, Options& options)

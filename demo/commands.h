@@ -120,15 +120,17 @@ struct Path_options : Output_options
   Path_options() : Output_options("obj") {}
 
   // points as `surface_point()` reads them
-  std::string from;
-  std::string to;               // empty for a loop or a straightest path
+  std::string from;             // empty for a homology basis
+  std::string to;               // empty for a loop or a straightest path, too
   std::vector<std::string> via; // vertices where the path goes along edges before it is shortened
   bool is_loop = false;
-  bool is_flipped = false; // a geodesic near the path along edges, not the shortest
+  bool is_flipped = false;        // a geodesic near the path along edges, not the shortest
+  bool is_homology_basis = false; // geodesic loops around all handles and holes
   std::optional<std::pair<double, double>> straightest; // degrees and length
 };
 
-// Finds a shortest path, a geodesic or a loop, or a straightest path, and writes it as a line.
+// Finds a shortest path, a geodesic or a loop, a straightest path, or the loops of a homology basis,
+// and writes them as lines.
 // Returns the exit code.
 int path(const Common_options& common, const Path_options& options);
 

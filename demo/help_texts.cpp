@@ -91,7 +91,9 @@ Example:
 const char* const path =
   R"(The path is shortest, up to rounding. With --flips it is a geodesic: the shortest path along
 edges from vertex to vertex, through all --via, is shortened in its homotopy class, and with
---loop a loop. The status, in the statistics and in the last line on standard error:
+--loop a loop. With --homology there are as many loops as are needed for every closed curve to be
+homologous to a combination of them. The status, in the statistics and in the last line on standard
+error:
   shortest             no path is shorter
   geodesic             no small change shortens it
   blocked              it crosses itself, and is geodesic elsewhere
@@ -103,7 +105,8 @@ triangulation that --save writes.
 Examples:
   intrinsic path bunny.obj --from 17 --to 1000:0.2,0.3,0.5 -o path.vtp
   intrinsic path bunny.obj --from 17 --via 99 --via 612 --loop -o loop.obj --stats loop.json
-  intrinsic path bunny.obj --from 0.1,0.2,0 --straightest 30 0.25 -o ray.ply)";
+  intrinsic path bunny.obj --from 0.1,0.2,0 --straightest 30 0.25 -o ray.ply
+  intrinsic path eight.off --homology -o loops.vtp --view loops.html)";
 
 const char* const transfer =
   R"(With --points each line of the output has two places, face:a,b,c on the mesh and on the

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/homology_basis.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 
@@ -58,6 +59,27 @@ Statistics description(const Place& p, const IT::Delta_complex& mesh)
   return result;
 }
 
+// A line on the input, and what the statistics have of it.
+struct Found_path
+{
+  Path path;
+  Statistics description;
+};
+
+std::size_t number_of_crossings(const Path& path) { return path.places.size() - 2; }
+
+Found_path found_path(Path path, const std::string& status, const IT::Delta_complex& mesh)
+{
+  if(path.places.size() == 1) // a line has two ends, even if they are one point
+    path.places.push_back(path.places.front());
+  Statistics s{{"status", status}, {"length", path.length}};
+  s["crossings"] = number_of_crossings(path);
+  s["places"] = Statistics::array();
+  for(const Place& p : path.places)
+    s["places"].push_back(description(p, mesh));
+  return {std::move(path), std::move(s)};
+}
+
 class Path_command
 {
 public:
@@ -72,22 +94,18 @@ public:
 
   void run()
   {
-    const Mesh& mesh = m_run.input().mesh;
-    m_points.push_back(surface_point(m_options.from, mesh));
-    for(const std::string& text : m_options.via)
-      m_points.push_back(surface_point(text, mesh));
-    if(!m_options.to.empty())
-      m_points.push_back(surface_point(m_options.to, mesh));
+    read_points();
     Triangulation triangulation = m_run.timed("build", [&] { return make_triangulation(m_run); });
-    const Path path = m_run.timed("search", [&] { return search(triangulation); });
-    describe_path(path, triangulation);
+    const std::vector<Found_path> paths =
+      m_run.timed("search", [&] { return search(triangulation); });
+    describe(paths);
     m_run.timed("write", [&] {
-      const Output_mesh line = polyline(path);
-      m_run.add_output(m_options.output, line, m_format);
-      m_run.show([&](View_page& page) { show(page, line); });
+      const Output_mesh lines = polylines(paths);
+      m_run.add_output(m_options.output, lines, m_format);
+      m_run.show([&](View_page& page) { show(page, lines); });
       save(m_run, triangulation);
     });
-    m_run.finish(summary(path));
+    m_run.finish(summary(paths));
   }
 
 private:
@@ -98,6 +116,12 @@ private:
     if(m_format == Mesh_format::OFF)
       throw Program_error(m_options.output +
                           ": this format has no lines (.obj, .ply and .vtp have)");
+    if(m_options.is_homology_basis) {
+      check_alone();
+      return;
+    }
+    if(m_options.from.empty())
+      throw Program_error("--from is missing; say where the path starts, or ask for --homology");
     if(m_options.straightest) {
       const auto [degrees, length] = *m_options.straightest;
       if(!std::isfinite(degrees) || !std::isfinite(length) || length < 0)
@@ -115,39 +139,90 @@ private:
       throw Program_error("--via is for --flips and --loop; add one of them");
   }
 
-  Path search(Triangulation& triangulation)
+  // Loops of a homology basis start nowhere, and each has a triangulation of its own.
+  void check_alone() const
   {
-    if(m_options.straightest)
-      return straightest_path(triangulation);
-    return uses_flips() ? flipped_path(triangulation) : shortest_path(triangulation);
+    if(!m_options.from.empty() || !m_options.to.empty() || !m_options.via.empty() || uses_flips() ||
+       m_options.straightest)
+      throw Program_error("--homology finds all loops by itself; leave out the other options of "
+                          "paths");
+    if(!m_run.options().save.empty())
+      throw Program_error("--save keeps one triangulation, and each loop of --homology has its "
+                          "own; shorten one loop, by --loop");
   }
 
-  Path shortest_path(const Triangulation& triangulation)
+  void read_points()
+  {
+    if(m_options.is_homology_basis)
+      return;
+    const Mesh& mesh = m_run.input().mesh;
+    m_points.push_back(surface_point(m_options.from, mesh));
+    for(const std::string& text : m_options.via)
+      m_points.push_back(surface_point(text, mesh));
+    if(!m_options.to.empty())
+      m_points.push_back(surface_point(m_options.to, mesh));
+  }
+
+  std::vector<Found_path> search(Triangulation& triangulation)
+  {
+    if(m_options.is_homology_basis)
+      return homology_loops(triangulation);
+    if(m_options.straightest)
+      return {straightest_path(triangulation)};
+    return {uses_flips() ? flipped_path(triangulation) : shortest_path(triangulation)};
+  }
+
+  Found_path shortest_path(const Triangulation& triangulation) const
   {
     Path path = IT::shortest_path(triangulation.input(), m_points.front(), m_points.back());
     if(path.places.empty())
       throw Program_error("there is no path from " + m_options.from + " to " + m_options.to +
                           no_path_advice);
-    if(path.places.size() == 1) // a line has two ends, even if they are one point
-      path.places.push_back(path.places.front());
-    m_status = "shortest";
-    return path;
+    return found_path(std::move(path), "shortest", triangulation.input_mesh());
   }
 
   // From vertex to vertex along edges, then by flips.
-  Path flipped_path(Triangulation& triangulation)
+  Found_path flipped_path(Triangulation& triangulation)
   {
-    const Halfedges start = path_along_edges(triangulation);
-    IT::Edge_paths paths(triangulation);
-    m_options.is_loop ? paths.add_loop(start) : paths.add_path(start);
-    m_run.statistics()["length_along_edges"] = paths.length(0);
-    m_status = paths.shorten() == IT::Shortening_status::geodesic ? "geodesic" : "blocked";
-    m_halfedges = paths.halfedges(0);
-    if(m_halfedges.empty())
+    Halfedges path = path_along_edges(triangulation);
+    Found_path result = shortened(path, m_options.is_loop, triangulation);
+    if(path.empty())
       throw Program_error(
         "the path contracts to a point; lead it around a handle, a hole or a vertex of "
         "negative curvature with --via");
-    return IT::path_on_input(triangulation, m_halfedges);
+    Statistics& edges = result.description["intrinsic_edges"] = Statistics::array();
+    for(IT::Halfedge_index h : path)
+      edges.push_back({{"edge", Mesh::Edge_index(h).idx()},
+                       {"source", triangulation.mesh().source(h).idx()},
+                       {"target", triangulation.mesh().target(h).idx()}});
+    return result;
+  }
+
+  static std::vector<Found_path> homology_loops(Triangulation& triangulation)
+  {
+    std::vector<Found_path> result;
+    for(Halfedges& loop : IT::homology_basis(triangulation.input())) {
+      triangulation.reset_to_input();
+      result.push_back(shortened(loop, true, triangulation));
+    }
+    return result;
+  }
+
+  // Shortens a path along edges, whose halfedges become those after flips; none if it contracts.
+  static Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation)
+  {
+    IT::Edge_paths paths(triangulation);
+    is_loop ? paths.add_loop(path) : paths.add_path(path);
+    const double before = paths.length(0);
+    const bool is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
+    path = paths.halfedges(0);
+    if(path.empty())
+      return {};
+    Found_path result =
+      found_path(IT::path_on_input(triangulation, path), is_geodesic ? "geodesic" : "blocked",
+                 triangulation.input_mesh());
+    result.description["length_along_edges"] = before;
+    return result;
   }
 
   Halfedges path_along_edges(const Triangulation& triangulation)
@@ -170,7 +245,7 @@ private:
     return result;
   }
 
-  Path straightest_path(const Triangulation& triangulation)
+  Found_path straightest_path(const Triangulation& triangulation) const
   {
     const auto [degrees, length] = *m_options.straightest;
     const auto input = triangulation.input();
@@ -190,73 +265,80 @@ private:
     for(const auto& p : crossings)
       path.places.push_back({p.halfedge, IT::face_location(p, mesh)});
     path.places.push_back({IT::Halfedge_index(), end.end});
-    m_status = end.status == IT::Geodesic_status::reached ? "straightest" : "stopped_at_boundary";
-    return path;
+    return found_path(
+      std::move(path),
+      end.status == IT::Geodesic_status::reached ? "straightest" : "stopped_at_boundary", mesh);
   }
 
   // ---- Output ----
 
-  Output_mesh polyline(const Path& path)
+  Output_mesh polylines(const std::vector<Found_path>& paths)
   {
     Output_mesh result;
-    for(const Place& p : path.places)
-      result.points.push_back(position(p.location, m_run.input().mesh));
-    const auto n = static_cast<Polygons::Index>(result.points.size());
-    for(Polygons::Index i = 0; i < n; ++i) {
-      result.lines.add_corner(i);
-      if(i > 0)
-        result.edges.push_back({i - 1, i});
+    for(const Found_path& found : paths) {
+      const auto first = static_cast<Polygons::Index>(result.points.size());
+      for(const Place& p : found.path.places)
+        result.points.push_back(position(p.location, m_run.input().mesh));
+      const auto end = static_cast<Polygons::Index>(result.points.size());
+      for(Polygons::Index i = first; i < end; ++i) {
+        result.lines.add_corner(i);
+        if(i > first)
+          result.edges.push_back({i - 1, i});
+      }
+      result.lines.close();
     }
-    result.lines.close();
     return result;
   }
 
-  // The surface, with the points of the line after its own.
-  void show(View_page& page, const Output_mesh& line)
+  // The surface, with the points of the lines after its own.
+  void show(View_page& page, const Output_mesh& lines)
   {
     Output_mesh surface = output_mesh(m_run.input().mesh);
     add_data(surface, m_run.input().data);
     const auto first = static_cast<Polygons::Index>(surface.points.size());
-    surface.points.insert(surface.points.end(), line.points.begin(), line.points.end());
+    surface.points.insert(surface.points.end(), lines.points.begin(), lines.points.end());
     Surface_marks marks{"path", false, {}, {}, {}};
-    for(Polygons::Index i = 0; i < line.points.size(); ++i)
-      marks.lines.add_corner(first + i);
-    marks.lines.close();
+    for(const Polygons::Polygon line : lines.lines) {
+      for(Polygons::Index p : line)
+        marks.lines.add_corner(first + p);
+      marks.lines.close();
+    }
     page.add_surface("surface", std::move(surface));
     page.add_marks(std::move(marks));
   }
 
-  void describe_path(const Path& path, const Triangulation& triangulation)
+  void describe(const std::vector<Found_path>& paths)
   {
     Statistics& s = m_run.statistics();
-    s["status"] = m_status;
-    s["length"] = path.length;
-    s["crossings"] = path.places.size() - 2;
-    s["places"] = Statistics::array();
-    for(const Place& p : path.places)
-      s["places"].push_back(description(p, triangulation.input_mesh()));
-    if(!m_halfedges.empty())
-      s["intrinsic_edges"] = Statistics::array();
-    for(IT::Halfedge_index h : m_halfedges)
-      s["intrinsic_edges"].push_back({{"edge", Mesh::Edge_index(h).idx()},
-                                      {"source", triangulation.mesh().source(h).idx()},
-                                      {"target", triangulation.mesh().target(h).idx()}});
+    if(!m_options.is_homology_basis) {
+      s.update(paths.front().description);
+      return;
+    }
+    s["loops"] = Statistics::array();
+    for(const Found_path& found : paths)
+      s["loops"].push_back(found.description);
   }
 
-  std::string summary(const Path& path) const
+  std::string summary(const std::vector<Found_path>& paths) const
   {
     std::ostringstream text;
-    text << m_status << " path of length " << path.length << " over " << path.places.size() - 2
-         << " edges and vertices";
+    if(m_options.is_homology_basis) {
+      const auto geodesics = std::count_if(paths.begin(), paths.end(), [](const auto& p) {
+        return p.description["status"] == "geodesic";
+      });
+      text << paths.size() << " loops, " << geodesics << " of them geodesics";
+      return text.str();
+    }
+    const Path& path = paths.front().path;
+    text << paths.front().description["status"].get<std::string>() << " path of length "
+         << path.length << " over " << number_of_crossings(path) << " edges and vertices";
     return text.str();
   }
 
   const Path_options& m_options;
   Mesh_format m_format;
   Command_run m_run;
-  std::vector<Surface_location> m_points;
-  std::string m_status;
-  Halfedges m_halfedges; // of the intrinsic triangulation, after flips
+  std::vector<Surface_location> m_points; // that the path passes
 };
 
 } // namespace

@@ -55,7 +55,7 @@ OPTIONS = {
     "distance": {"--source": NUMBERS, "--curve": ["", "."], "--time-step": NUMBERS, "--neighbors": NUMBERS, "--exact": None,
                  "--exact-distance": None, "--level-sets": ["", "q.obj", "q.off", "q.vtp"], "--level": NUMBERS, "--subdivision": ["", "o.off", "p.ply", "p.vtp"],
                  "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
-    "path": {"--from": PLACES, "--to": PLACES, "--via": PLACES, "--flips": None, "--loop": None,
+    "path": {"--from": PLACES, "--to": PLACES, "--via": PLACES, "--flips": None, "--loop": None, "--homology": None,
              "--straightest": NUMBERS, "--save": ["", "o.txt"]},
     "transfer": {"--back": None, "--exact": None, "--save": ["", "o.txt"],
                  "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
@@ -297,7 +297,8 @@ def arguments(dice, mesh, curve):
                ["--curve", mesh, "--signed"], ["--curve", curve], ["--curve", curve, "--signed"]]
     result += {"refine": ["--max-insertions", "300"], "distance": dice.choice(sources),
                "transfer": [dice.choice(["--points", "--data"]), mesh],
-               "path": ["--from", "0", "--to", "1", dice.choice(["--flips", "--quiet"])],
+               "path": ["--from", "0", "--to", "1", dice.choice(["--flips", "--quiet"])]
+                       if dice.random() < 0.8 else ["--homology"],
                "simplify": ["--ratio", "0.5", "--prolongation", "o.mtx"]}.get(command, [])
     if command == "simplify":
         result += dice.choice([[], ["--weight", "color=1"], ["--weight", "quality=2"]])

@@ -166,6 +166,9 @@ done <<'TABLE'
 2 | a point is too far away to have a nearest point of the mesh | path flat.mesh.off --from 1e308,0,0 --to 1 -o a.obj
 2 | a loop goes back to --from and has no --to | path flat.mesh.off --from 0 --to 1 --loop -o a.obj
 2 | --to or --loop is missing | path flat.mesh.off --from 0 -o a.obj
+2 | --from is missing | path flat.mesh.off --to 0 -o a.obj
+2 | --homology finds all loops by itself | path flat.mesh.off --homology --from 0 -o a.obj
+2 | each loop of --homology has its own | path flat.mesh.off --homology -o a.obj --save a.save
 2 | --via is for --flips and --loop | path flat.mesh.off --from 0 --to 1 --via 2 -o a.obj
 2 | there is no path from 0 to 4 | path two_triangles.mesh.off --from 0 --to 4 -o a.obj
 2 | there is no path from 0 to 4 | path two_triangles.mesh.off --from 0 --to 4 --flips -o a.obj

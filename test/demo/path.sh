@@ -64,6 +64,28 @@ expect 0 path slivers.mesh.off --from 7 --to 3 --flips -o a.obj --save a.save
 [ -s a.save ] || fail "nothing saved"
 rm a.*
 
+# Loops of a homology basis: around a square tube without lids, in two directions on a flat torus,
+# none on a sphere.
+printf 'OFF\n8 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 3\n1 0 3\n1 1 3\n0 1 3\n' > tube.mesh.off
+printf '3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n' >> tube.mesh.off
+for format in obj ply; do
+  expect 0 path tube.mesh.off --homology -o a.$format --stats a.json
+  claim "s, m = json('a.json'), $format('a.$format')" 'len(s.loops) == 1' \
+    's.loops[0]["status"] == "geodesic"' 'near(s.loops[0]["length"], 4, 1e-12)' \
+    'len(m.points) == len(s.loops[0]["places"])' 'dist(m.points[0], m.points[-1]) == 0'
+done
+expect 0 path closed.mesh.off --homology -o a.ply --stats a.json
+claim "s, m = json('a.json'), ply('a.ply')" 's.loops == []' 'm.points == []'
+if [ -f "$data/meshes/eight.off" ]; then
+  expect 0 path "$data/meshes/eight.off" --homology -o a.ply --stats a.json
+  claim "s, m = json('a.json'), ply('a.ply')" 'len(s.loops) == 4' \
+    'all(l["status"] == "geodesic" and 0 < l["length"] <= l["length_along_edges"] for l in s.loops)' \
+    'len(m.points) == sum(l["crossings"] + 2 for l in s.loops)'
+  expect 0 path "$data/meshes/eight.off" --homology -o a.vtp
+  claim "lines('a.vtp')[0] == 4"
+fi
+rm a.*
+
 # Exact distances: straight lines in the square.
 expect 0 distance square.mesh.off --source 3 --exact-distance -o a.ply
 claim "m = ply('a.ply')" \
