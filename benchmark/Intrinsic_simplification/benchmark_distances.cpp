@@ -153,16 +153,11 @@ void benchmark_all_pairs(const std::string& name, const Mesh& mesh)
   }
 }
 
-void benchmark_file(const std::string& path)
+void benchmark(const std::string& name, const Mesh& mesh)
 {
-  const Mesh mesh = read_surface(path);
-  if(mesh.number_of_vertices() == 0) {
-    std::printf("%s: no triangle mesh\n", path.c_str());
-    return;
-  }
-  benchmark_sources(name_of(path), mesh);
+  benchmark_sources(name, mesh);
   if(mesh.number_of_vertices() <= 10000) // eight bytes for each pair
-    benchmark_all_pairs(name_of(path), mesh);
+    benchmark_all_pairs(name, mesh);
 }
 
 } // namespace
@@ -172,8 +167,8 @@ int main(int argc, char* argv[])
   keep_memory();
   if(argc > 1)
     for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
-      benchmark_file(path);
+      benchmark_file(path, benchmark);
   else
     for(const char* name : {"fandisk", "bull", "armadillo", "refined_elephant"})
-      benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
+      benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark);
 }

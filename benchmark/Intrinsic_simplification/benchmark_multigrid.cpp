@@ -86,15 +86,6 @@ void benchmark(const std::string& name, const Mesh& mesh)
               direct.solve.median() / 1000, 1e-6 * bytes);
 }
 
-void benchmark_file(const std::string& path)
-{
-  const Mesh mesh = read_surface(path);
-  if(mesh.number_of_vertices() == 0)
-    std::printf("%s: no triangle mesh\n", path.c_str());
-  else
-    benchmark(name_of(path), mesh);
-}
-
 } // namespace
 
 int main(int argc, char* argv[])
@@ -105,11 +96,11 @@ int main(int argc, char* argv[])
               "MB");
   if(argc > 1) {
     for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
-      benchmark_file(path);
+      benchmark_file(path, benchmark);
     return 0;
   }
   for(const char* name : {"elephant", "camel", "armadillo", "bunny00", "refined_elephant"})
-    benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
+    benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark);
   benchmark("hills", hills(300));
   for(unsigned n : {64U, 128U, 256U, 500U})
     benchmark("bumpy torus", bumpy_torus(n));

@@ -61,15 +61,6 @@ void benchmark_resolutions(const Mesh& mesh)
   }
 }
 
-void benchmark_file(const std::string& path)
-{
-  const Mesh mesh = read_surface(path);
-  if(mesh.number_of_vertices() == 0)
-    std::printf("%s: no triangle mesh\n", path.c_str());
-  else
-    benchmark(name_of(path), mesh);
-}
-
 int main(int argc, char* argv[])
 {
   keep_memory();
@@ -77,10 +68,10 @@ int main(int argc, char* argv[])
               "operations", "us map", "log bytes");
   if(argc > 1)
     for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
-      benchmark_file(path);
+      benchmark_file(path, benchmark);
   else
     for(const char* name : {"elephant", "camel", "armadillo", "turbine", "refined_elephant"})
-      benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
+      benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark);
   for(unsigned n : {64U, 128U, 256U, 500U})
     benchmark("bumpy torus", bumpy_torus(n));
   benchmark_resolutions(bumpy_torus(500));

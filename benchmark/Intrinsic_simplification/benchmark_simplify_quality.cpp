@@ -83,15 +83,6 @@ void benchmark(const std::string& name, const Mesh& mesh)
   }
 }
 
-void benchmark_file(const std::string& path)
-{
-  const Mesh mesh = read_surface(path);
-  if(mesh.number_of_vertices() == 0)
-    std::printf("%s: no triangle mesh\n", path.c_str());
-  else
-    benchmark(name_of(path), mesh);
-}
-
 } // namespace
 
 int main(int argc, char* argv[])
@@ -102,12 +93,12 @@ int main(int argc, char* argv[])
   std::printf("%10s\n", "default");
   if(argc > 1) {
     for(const char* path : std::vector<const char*>(argv + 1, argv + argc))
-      benchmark_file(path);
+      benchmark_file(path, benchmark);
     return 0;
   }
   for(const char* name : {"elephant", "camel", "armadillo", "bunny00", "fandisk_large",
                           "ChineseDragon-10kv", "turbine", "lion", "lion-head"})
-    benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
+    benchmark_file(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), benchmark);
   benchmark("capsule", capsule(160));
   benchmark("bumpy torus", bumpy_torus(80));
   benchmark("hills", hills(150));

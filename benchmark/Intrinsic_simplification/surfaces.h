@@ -13,6 +13,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -136,5 +137,16 @@ inline Mesh read_surface(const std::string& path)
 }
 
 inline std::string name_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+// calls `benchmark(name, mesh)`
+template <typename Benchmark>
+void benchmark_file(const std::string& path, const Benchmark& benchmark)
+{
+  const Mesh mesh = read_surface(path);
+  if(mesh.number_of_vertices() == 0)
+    std::printf("%s: no triangle mesh\n", path.c_str());
+  else
+    benchmark(name_of(path), mesh);
+}
 
 #endif // INTRINSIC_SIMPLIFICATION_BENCHMARK_SURFACES_H

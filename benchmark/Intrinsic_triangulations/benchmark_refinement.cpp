@@ -36,7 +36,7 @@ constexpr int repetitions = 5;
 
 struct Times
 {
-  double delaunay, before, all; // flipping; that and setting up; everything; in milliseconds
+  double delaunay, all; // flipping; that and all else; in milliseconds
   IT::Refinement_result result;
   std::size_t crossings;
 };
@@ -45,34 +45,30 @@ struct Times
 template <typename NamedParameters>
 Times refine(const Mesh& mesh, const NamedParameters& np)
 {
-  Samples delaunay, before, all;
+  Samples delaunay, all;
   Times times{};
   for(int i = 0; i < repetitions; ++i) {
-    Triangulation flipped(mesh), set_up(mesh), tri(mesh);
+    Triangulation flipped(mesh), tri(mesh);
     delaunay.time([&] { return IT::make_Delaunay(flipped); });
-    before.time(
-      [&] { return IT::refine(set_up, np.maximum_number_of_insertions(std::size_t(0))); });
     times.result = all.time([&] { return IT::refine(tri, np); });
     times.crossings = IT::Correspondence<>(tri).number_of_crossings();
   }
   times.delaunay = delaunay.median();
-  times.before = before.median();
   times.all = all.median();
   return times;
 }
 
 void print_header(const char* title)
 {
-  std::printf("\n%s\n%-28s%9s%10s%9s%9s%10s%10s%10s%10s%9s\n", title, "", "faces", "inserted",
-              "removed", "flips", "Delaunay", "set up", "refine", "crossings", "us/ins.");
+  std::printf("\n%s\n%-28s%9s%10s%9s%9s%10s%10s%10s%9s\n", title, "", "faces", "inserted",
+              "removed", "flips", "Delaunay", "refine", "crossings", "us/ins.");
 }
 
 void print(const std::string& name, const Mesh& mesh, const Times& t)
 {
-  std::printf("%-28s%9u%10zu%9zu%9zu%10.2f%10.2f%10.2f%10zu%9.2f\n", name.c_str(),
-              mesh.number_of_faces(), t.result.insertions, t.result.removals, t.result.flips,
-              t.delaunay, t.before, t.all, t.crossings,
-              1e3 * (t.all - t.before) / double(t.result.insertions));
+  std::printf("%-28s%9u%10zu%9zu%9zu%10.2f%10.2f%10zu%9.2f\n", name.c_str(), mesh.number_of_faces(),
+              t.result.insertions, t.result.removals, t.result.flips, t.delaunay, t.all,
+              t.crossings, 1e3 * t.all / double(t.result.insertions));
 }
 
 void benchmark(const std::string& file)

@@ -29,6 +29,15 @@ flipped_at_random(const Triangulation& t)
   return result;
 }
 
+inline Eigen::VectorXd random_numbers(std::size_t n, double bound, unsigned int seed)
+{
+  CGAL::Random random(seed);
+  Eigen::VectorXd result(static_cast<Eigen::Index>(n));
+  for(double& x : result)
+    x = bound * random.get_double(-1, 1);
+  return result;
+}
+
 // The derivatives of `function()`, a range of precise numbers, by central differences from the
 // origin of an energy: a column for each of its variables.
 template <typename Energy, typename Function>

@@ -108,15 +108,6 @@ std::vector<Named_triangulation> surfaces()
   return result;
 }
 
-Numbers random_numbers(std::size_t n, double bound, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  Numbers result(static_cast<Eigen::Index>(n));
-  for(double& x : result)
-    x = bound * random.get_double(-1, 1);
-  return result;
-}
-
 Numbers random_targets(const Triangulation& t)
 {
   return random_numbers(t.mesh().number_of_vertices(), 2, 5);

@@ -11,11 +11,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -85,15 +83,6 @@ std::size_t number_of_flipped_faces(const Planar_conformal_map& map)
     result += is_used[f] && !((std::conj(b - a) * (c - a)).imag() > 0);
   }
   return result;
-}
-
-std::string test_name(const testing::TestParamInfo<std::string>& info)
-{
-  std::string name = std::filesystem::path(info.param).filename().string();
-  for(char& c : name)
-    if(!std::isalnum(static_cast<unsigned char>(c)))
-      c = '_';
-  return name;
 }
 
 class Flattened_data_mesh : public testing::TestWithParam<std::string>

@@ -801,13 +801,6 @@ std::vector<double> scaled_lengths(const Mesh& mesh, double range, unsigned int 
   return result;
 }
 
-template <typename Mesh>
-std::ptrdiff_t Euler_characteristic(const Mesh& mesh)
-{
-  return std::ptrdiff_t(mesh.number_of_vertices()) - std::ptrdiff_t(mesh.number_of_edges()) +
-         std::ptrdiff_t(mesh.number_of_faces());
-}
-
 TEST(Ideal_geometry, scaled_meshes_become_delaunay)
 {
   for(const auto& [name, mesh] : meshes())

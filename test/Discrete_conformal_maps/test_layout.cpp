@@ -96,11 +96,6 @@ struct Seams
   int edges = 0, vertices = 0, pieces = 0;
 };
 
-int Euler_characteristic(const Delta_complex& mesh)
-{
-  return int(mesh.number_of_vertices()) - int(mesh.number_of_edges()) + int(mesh.number_of_faces());
-}
-
 // ---- Points ----
 
 double doubled_area(const std::vector<Complex>& corners)

@@ -46,15 +46,6 @@ std::vector<Triangulation> spheres()
   return result;
 }
 
-Numbers random_numbers(std::size_t n, double bound, unsigned int seed)
-{
-  CGAL::Random random(seed);
-  Numbers result(static_cast<Eigen::Index>(n));
-  for(double& x : result)
-    x = bound * random.get_double(-1, 1);
-  return result;
-}
-
 // Calls f(triangulation, energy, vertex at infinity, point) at points far enough apart for many
 // flips.
 template <typename Function>

@@ -83,28 +83,6 @@ std::vector<Named_three> all_threes()
 
 // ---- Numbers ----
 
-std::vector<Halfedge_index> sides_of(Face_index f, const Subdivision& s)
-{
-  std::vector<Halfedge_index> result;
-  for(Halfedge_index h : CGAL::halfedges_around_face(s.mesh().halfedge(f), s.mesh()))
-    result.push_back(h);
-  return result;
-}
-
-template <typename Mesh>
-std::int64_t Euler_characteristic(const Mesh& mesh)
-{
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
-}
-
-template <typename Mesh>
-std::int64_t number_of_border_edges(const Mesh& mesh)
-{
-  const auto e = mesh.edges();
-  return std::count_if(e.begin(), e.end(), [&](Edge_index x) { return mesh.is_border(x); });
-}
-
 // The pieces of an edge are a path from one of its ends to the other; all between are crossings.
 void check_pieces(Layer layer, const Subdivision& s, const Three& three)
 {

@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -81,6 +82,16 @@ void for_each_data_mesh(std::uintmax_t largest_file, const Visit& visit)
     if(!is_refused)
       visit(mesh);
   }
+}
+
+// For tests of one mesh each.
+inline std::string test_name(const testing::TestParamInfo<std::string>& info)
+{
+  std::string name = std::filesystem::path(info.param).filename().string();
+  for(char& c : name)
+    if(!std::isalnum(static_cast<unsigned char>(c)))
+      c = '_';
+  return name;
 }
 
 } // namespace Test_surfaces

@@ -459,7 +459,7 @@ inline std::vector<Vector> random_points(std::size_t n, int size, unsigned int s
   return points;
 }
 
-inline Flat_surface flat_polygon(const std::vector<Vector>& points)
+inline Flat_surface flat_surface(const std::vector<Vector>& points, const Triangles& triangles)
 {
   std::map<std::pair<std::size_t, std::size_t>, int> labels;
   std::vector<std::pair<Vector, Vector>> ends;
@@ -471,10 +471,15 @@ inline Flat_surface flat_polygon(const std::vector<Vector>& points)
     return u < v ? entry->second : -entry->second;
   };
   Sides sides;
-  for(const auto& [u, v, w] : swept_triangles(points))
+  for(const auto& [u, v, w] : triangles)
     sides.push_back({label(u, v), label(v, w), label(w, u)});
   return flat_surface(sides, [&](int edge) { return ends[static_cast<std::size_t>(edge - 1)]; },
                       {beyond, 0}, {0, beyond});
+}
+
+inline Flat_surface flat_polygon(const std::vector<Vector>& points)
+{
+  return flat_surface(points, swept_triangles(points));
 }
 
 // In space, where it keeps the order of the points.
@@ -484,6 +489,22 @@ inline Mesh planar_mesh(const std::vector<Vector>& points)
   for(const Vector& p : points)
     placed.emplace_back(static_cast<double>(p.x), static_cast<double>(p.y), 0);
   return make_mesh(placed, swept_triangles(points));
+}
+
+// ---- Counts ----
+
+template <typename Any_mesh>
+std::int64_t Euler_characteristic(const Any_mesh& mesh)
+{
+  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
+         std::int64_t(mesh.number_of_faces());
+}
+
+template <typename Any_mesh>
+std::int64_t number_of_border_edges(const Any_mesh& mesh)
+{
+  const auto e = mesh.edges();
+  return std::count_if(e.begin(), e.end(), [&](Edge_index x) { return mesh.is_border(x); });
 }
 
 // ---- Collections ----

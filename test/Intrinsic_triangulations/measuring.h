@@ -32,6 +32,18 @@ constexpr std::array<Side, 2> both_sides{Side::input, Side::intrinsic};
 
 inline Side other(Side side) { return side == Side::input ? Side::intrinsic : Side::input; }
 
+template <typename Any_subdivision>
+std::vector<Halfedge_index> sides_of(Face_index f, const Any_subdivision& s)
+{
+  std::vector<Halfedge_index> result;
+  Halfedge_index h = s.mesh().halfedge(f);
+  do {
+    result.push_back(h);
+    h = s.mesh().next(h);
+  } while(h != s.mesh().halfedge(f));
+  return result;
+}
+
 struct Place // in the plane
 {
   Real x, y;

@@ -91,24 +91,6 @@ inline Mesh with_near_coincident_vertices(Mesh mesh, double distance, unsigned i
 
 // ---- Flat surfaces ----
 
-inline Flat_surface flat_surface(const std::vector<Vector>& points, const Triangles& triangles)
-{
-  std::map<std::pair<std::size_t, std::size_t>, int> labels;
-  std::vector<std::pair<Vector, Vector>> ends;
-  const auto label = [&](std::size_t u, std::size_t v) {
-    const auto [entry, is_new] =
-      labels.emplace(std::minmax(u, v), static_cast<int>(labels.size()) + 1);
-    if(is_new)
-      ends.emplace_back(points[(std::min)(u, v)], points[(std::max)(u, v)]);
-    return u < v ? entry->second : -entry->second;
-  };
-  Sides sides;
-  for(const auto& [u, v, w] : triangles)
-    sides.push_back({label(u, v), label(v, w), label(w, u)});
-  return flat_surface(sides, [&](int edge) { return ends[static_cast<std::size_t>(edge - 1)]; },
-                      {beyond, 0}, {0, beyond});
-}
-
 // m times n squares of width 1000, each cut in two, their corners moved at random.
 inline Flat_surface flat_grid(std::size_t m, std::size_t n, unsigned int seed)
 {

@@ -23,32 +23,7 @@ namespace Test_surfaces {
 using Subdivision = IT::Common_subdivision<>;
 using Barycentric = std::array<double, 3>;
 
-inline std::vector<Halfedge_index> sides_of(Face_index f, const Subdivision& s)
-{
-  std::vector<Halfedge_index> result;
-  Halfedge_index h = s.mesh().halfedge(f);
-  do {
-    result.push_back(h);
-    h = s.mesh().next(h);
-  } while(h != s.mesh().halfedge(f));
-  return result;
-}
-
 // ---- Numbers ----
-
-template <typename Mesh>
-std::int64_t Euler_characteristic(const Mesh& mesh)
-{
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
-}
-
-template <typename Mesh>
-std::int64_t number_of_border_edges(const Mesh& mesh)
-{
-  const auto e = mesh.edges();
-  return std::count_if(e.begin(), e.end(), [&](Edge_index x) { return mesh.is_border(x); });
-}
 
 inline void check_numbers(const Subdivision& s, const Correspondence& c)
 {

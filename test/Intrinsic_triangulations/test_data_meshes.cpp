@@ -14,9 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -80,13 +78,6 @@ struct Soup
                         [&](const auto& p) { return has_edge_of_no_length(p); });
   }
 };
-
-template <typename Any_mesh>
-std::int64_t Euler_characteristic(const Any_mesh& mesh)
-{
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
-}
 
 bool meets_itself(Face_index f, const Delta_complex& mesh)
 {
@@ -173,15 +164,6 @@ void check_refused(const Soup& soup, const IT::Input_diagnosis& diagnosis,
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   EXPECT_THROW(Triangulation{mesh}, IT::Invalid_input);
-}
-
-std::string test_name(const testing::TestParamInfo<std::string>& info)
-{
-  std::string name = std::filesystem::path(info.param).filename().string();
-  for(char& c : name)
-    if(!std::isalnum(static_cast<unsigned char>(c)))
-      c = '_';
-  return name;
 }
 
 class Data_mesh : public testing::TestWithParam<std::string>

@@ -63,12 +63,6 @@ CGAL::Sign local_Delaunay_sign(Edge_index e, const Mesh& mesh)
   return k.sign * CGAL::compare(k.square, l.square);
 }
 
-std::int64_t Euler_characteristic(const Mesh& mesh)
-{
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
-}
-
 double shortest_to_longest_edge(const Mesh& mesh)
 {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;

@@ -17,13 +17,6 @@ namespace Test_high_degree {
 using namespace Test_surfaces;
 using Subdivision = IT::Common_subdivision<>;
 
-template <typename Any_mesh>
-std::int64_t Euler_characteristic(const Any_mesh& mesh)
-{
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
-}
-
 // No face of T1 may meet itself.
 void check_subdivision(const Correspondence& c, double tolerance)
 {

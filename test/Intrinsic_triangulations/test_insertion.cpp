@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "equality.h"
 #include "generators.h"
 #include "measuring.h"
 #include "more_generators.h"
@@ -35,20 +36,6 @@ typedef IT::Vertex_inserter<> Vertex_inserter;
 typedef IT::Correspondence<> Correspondence;
 typedef IT::Common_subdivision<> Subdivision;
 typedef Delta_complex::size_type size_type;
-
-template <typename Any_mesh>
-std::int64_t Euler_characteristic(const Any_mesh& mesh)
-{
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
-}
-
-std::string text_of(const Triangulation& t)
-{
-  std::ostringstream os;
-  IT::write_intrinsic_triangulation(os, t);
-  return os.str();
-}
 
 // The lists are the crossings that tracing every curve gives.
 void check_lists(const Vertex_inserter& inserter)

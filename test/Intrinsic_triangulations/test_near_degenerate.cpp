@@ -29,13 +29,6 @@ using Subdivision = IT::Common_subdivision<>;
 
 constexpr unsigned int number_of_meshes = 1200;
 
-template <typename Any_mesh>
-std::int64_t Euler_characteristic(const Any_mesh& mesh)
-{
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
-}
-
 // How far the area of a triangle can change with its lengths, if these are certain up to `u`
 // of their sum.
 Real uncertainty_of_area(std::array<Real, 3> l, Real u)

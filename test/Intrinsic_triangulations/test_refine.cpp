@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "data_meshes.h"
+#include "equality.h"
 #include "generators.h"
 #include "measuring.h"
 #include "more_generators.h"
@@ -12,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
-#include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
@@ -28,7 +28,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,20 +60,6 @@ Real area(Side side, const Triangulation& t)
       std::sqrt((std::max)((a + b + c) * (a + b - c) * (a - b + c) * (b + c - a), Real(0))) / 4;
   }
   return sum;
-}
-
-template <typename Any_mesh>
-std::int64_t Euler_characteristic(const Any_mesh& mesh)
-{
-  return std::int64_t(mesh.number_of_vertices()) - std::int64_t(mesh.number_of_edges()) +
-         std::int64_t(mesh.number_of_faces());
-}
-
-std::string text_of(const Triangulation& t)
-{
-  std::ostringstream os;
-  IT::write_intrinsic_triangulation(os, t);
-  return os.str();
 }
 
 // ---- What every refinement must fulfil ----
