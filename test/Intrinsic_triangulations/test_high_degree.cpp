@@ -5,6 +5,7 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/flip_to.h>
+#include <CGAL/Intrinsic_triangulations/trace_edge.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
+#include <CGAL/Intrinsic_triangulations/trace_edge.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
+#include <CGAL/Intrinsic_triangulations/trace_edge.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

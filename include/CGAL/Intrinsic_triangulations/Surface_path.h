@@ -46,6 +46,12 @@ Surface_place<FT> crossing_on(const Edge_point<FT>& p, const Delta_complex& mesh
                   mesh);
 }
 
+template <typename FT>
+bool is_at_vertex(const Surface_place<FT>& p)
+{
+  return is_corner(p.location.second);
+}
+
 // returns the place of a point with its halfedge, if it lies on one or at a vertex
 template <typename FT>
 Surface_place<FT> surface_place(const Face_location<FT>& p, const Delta_complex& mesh)

@@ -269,7 +269,7 @@ private:
   {
     const Index o = m_views.charts().across(m_views.views()[part.view].edge);
     const Location& q = places.back().location; // which may lie on the last edge; vertices do not
-    bool is_crossing = places.size() > 1 || is_vertex(places.back()) || q.first.idx() != o / 3 ||
+    bool is_crossing = places.size() > 1 || is_at_vertex(places.back()) || q.first.idx() != o / 3 ||
                        q.second[(o + 2) % 3] != 0;
     const auto [root, z] = root_of(part.view, part.end, [&](const View& view, const Vector& end) {
       if(is_crossing)
@@ -299,7 +299,7 @@ private:
   // from one to the other.
   void add(const Place& place, std::vector<Place>& places) const
   {
-    if(places.empty() || !is_vertex(place) || !is_vertex(places.back())) {
+    if(places.empty() || !is_at_vertex(place) || !is_at_vertex(places.back())) {
       places.push_back(place);
       return;
     }
@@ -315,8 +315,6 @@ private:
   }
 
   FT length(Halfedge_index h) const { return edge_length(h, m_views.surface()); }
-
-  static bool is_vertex(const Place& place) { return is_corner(place.location.second); }
 
   // ---- Directions ----
 

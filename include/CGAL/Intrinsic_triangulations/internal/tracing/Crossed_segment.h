@@ -73,14 +73,6 @@ public:
   }
 
 private:
-  static Coordinates point_between(const Coordinates& a, const Coordinates& b, const FT& t)
-  {
-    Coordinates result;
-    for(std::size_t s = 0; s < 3; ++s)
-      result[s] = (1 - t) * a[s] + t * b[s];
-    return result;
-  }
-
   Coordinates m_from, m_to;
   FT m_passed = FT(0); // the place of the last crossing along the segment
 };

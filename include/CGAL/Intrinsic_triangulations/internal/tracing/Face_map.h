@@ -51,6 +51,17 @@ FT closest_between(const Barycentric_coordinates<FT>& a, const Barycentric_coord
   return square > 0 ? (std::min)((std::max)(FT(dot(a, b, a, p) / square), FT(0)), FT(1)) : FT(0);
 }
 
+// the point at `t` between `a` and `b`
+template <typename FT>
+Barycentric_coordinates<FT> point_between(const Barycentric_coordinates<FT>& a,
+                                          const Barycentric_coordinates<FT>& b, const FT& t)
+{
+  Barycentric_coordinates<FT> result;
+  for(std::size_t s = 0; s < 3; ++s)
+    result[s] = (1 - t) * a[s] + t * b[s];
+  return result;
+}
+
 // A projective map, given by the corners of a convex polygon and their images. As vectors, corners
 // are multiples of their images, and the map is linear; if they are all the same multiples,
 // barycentric coordinates are mapped linearly too. Sums to be computed are convex combinations of

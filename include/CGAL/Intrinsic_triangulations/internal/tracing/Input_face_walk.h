@@ -129,10 +129,7 @@ private:
   // returns the squared distance of `p` from the piece from `a` to `b`
   static FT squared_distance(const Coordinates& a, const Coordinates& b, const Coordinates& p)
   {
-    const FT t = closest_between(a, b, p);
-    Coordinates foot;
-    for(std::size_t s = 0; s < 3; ++s)
-      foot[s] = a[s] + t * (b[s] - a[s]);
+    const Coordinates foot = point_between(a, b, closest_between(a, b, p));
     return dot(foot, p, foot, p);
   }
 };
