@@ -353,30 +353,36 @@ private:
       for(const Polygons::Polygon& line : marks.lines)
         for(std::size_t k = 1; k < line.size() && !marks.is_failure; ++k)
           add_parts(m_positions[line[k - 1]], m_positions[line[k]], result);
-    if(m_section) // what could hide the others is not there
-      result.erase(std::remove_if(result.begin(), result.end(),
-                                  [&](const Segment& s) { return is_out_of_reach(s[0]); }),
-                   result.end());
     return result;
   }
 
-  bool is_out_of_reach(const Vector& p) const
+  // Returns between which places, from 0 to 1, the line from `a` along `d` is within reach of the
+  // section; what could hide the rest of it is not there. NaN if it is nowhere.
+  std::array<double, 2> part_within_reach(const Vector& a, const Vector& d) const
   {
-    const Vector d = difference(p, m_positions.back());
-    return dot(d, d) > std::pow(reach * (size / 2 - margin), 2);
+    if(!m_section)
+      return {0, 1};
+    const Vector p = difference(a, m_positions.back());
+    const double square = dot(d, d), middle = -dot(p, d) / square;
+    const Vector nearest{p[0] + middle * d[0], p[1] + middle * d[1], p[2] + middle * d[2]};
+    const double half =
+      std::sqrt((std::pow(reach * (size / 2 - margin), 2) - dot(nearest, nearest)) / square);
+    return {(std::max)(middle - half, 0.), (std::min)(middle + half, 1.)};
   }
 
-  static void add_parts(const Vector& a, const Vector& b, std::vector<Segment>& parts)
+  void add_parts(const Vector& a, const Vector& b, std::vector<Segment>& parts) const
   {
     const Vector d = difference(b, a);
-    const double n = (std::max)(std::ceil(std::hypot(d[0], d[1])), 1.);
-    if(!std::isfinite(n * d[2]))
+    const auto [begin, end] = part_within_reach(a, d);
+    const double n = (std::max)(std::ceil((end - begin) * std::hypot(d[0], d[1])), 1.);
+    if(!(begin < end) || !std::isfinite(n * d[2]))
       return;
     const auto point = [&](double t) {
       return Vector{a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]};
     };
     for(double i = 0; i < n; ++i)
-      parts.push_back({point(i / n), point((i + 1) / n)});
+      parts.push_back(
+        {point(begin + (end - begin) * i / n), point(begin + (end - begin) * (i + 1) / n)});
   }
 
   // As far as no polygon hides them.

@@ -86,6 +86,11 @@ if [ -f "$data/meshes/eight.off" ]; then
 fi
 rm a.*
 
+# Of a long line only what is near is drawn, however small a section is.
+expect 0 path square.mesh.off --from 0 --to 1678 -o a.ply --picture a.svg --section 0 1e-12
+[ "$(wc -c < a.svg)" -lt 100000 ] || fail "a.svg: parts that are out of reach"
+rm a.*
+
 # Exact distances: straight lines in the square.
 expect 0 distance square.mesh.off --source 3 --exact-distance -o a.ply
 claim "m = ply('a.ply')" \
