@@ -363,7 +363,7 @@ private:
     if(!m_section)
       return {0, 1};
     const Vector p = difference(a, m_positions.back());
-    const double square = dot(d, d), middle = -dot(p, d) / square;
+    const double square = dot(d, d), middle = square > 0 ? -dot(p, d) / square : 0;
     const Vector nearest{p[0] + middle * d[0], p[1] + middle * d[1], p[2] + middle * d[2]};
     const double half =
       std::sqrt((std::pow(reach * (size / 2 - margin), 2) - dot(nearest, nearest)) / square);

@@ -130,8 +130,7 @@ struct Path_options : Output_options
 };
 
 // Finds a shortest path, a geodesic or a loop, a straightest path, or the loops of a homology basis,
-// and writes them as lines.
-// Returns the exit code.
+// and writes them as lines. Returns the exit code.
 int path(const Common_options& common, const Path_options& options);
 
 struct Transfer_options

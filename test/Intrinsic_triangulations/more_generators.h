@@ -13,7 +13,6 @@
 #include <functional>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 // Pairs of triangulations: surfaces with some flips.
