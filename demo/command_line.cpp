@@ -131,12 +131,23 @@ void add_subdivision_options(CLI::App& command, Own_options& options, Common_opt
              CLI::Range(0.001, 180.));
 }
 
-// For the commands that refine only if it is wanted.
-void add_angle(CLI::App& command, double& minimum_angle)
+void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds)
 {
-  add_number(command, "--min-angle", minimum_angle,
+  command
+    .add_option(
+      "--max-insertions", bounds.maximum_number_of_insertions,
+      "Maximum number of insertions; 10,000,000 if not given, or 100,000 plus 20 for each "
+      "face with angles of more than 30 degrees and no circumradius")
+    ->check(CLI::NonNegativeNumber);
+}
+
+// For the commands that refine only if it is wanted.
+void add_angle(CLI::App& command, Refinement_bounds& bounds)
+{
+  add_number(command, "--min-angle", bounds.minimum_angle,
              "Insert vertices until all angles have this many degrees, see `intrinsic refine`",
              CLI::Range(0.001, 60.));
+  add_maximum_number_of_insertions(command, bounds);
 }
 
 void add_delaunay(CLI::App& app, Options& options)
@@ -156,12 +167,7 @@ void add_bounds(CLI::App& command, Refinement_bounds& bounds)
     ->capture_default_str();
   add_number(command, "--max-circumradius", bounds.maximum_circumradius,
              "Greatest circumradius of the faces; no bound if not given", CLI::PositiveNumber);
-  command
-    .add_option(
-      "--max-insertions", bounds.maximum_number_of_insertions,
-      "Maximum number of insertions; 10,000,000 if not given, or 100,000 plus 20 for each "
-      "face with angles of more than 30 degrees and no circumradius")
-    ->check(CLI::NonNegativeNumber);
+  add_maximum_number_of_insertions(command, bounds);
 }
 
 void add_refine(CLI::App& app, Options& options)
@@ -220,7 +226,7 @@ void add_distance(CLI::App& app, Options& options)
     command, "--time-step", own.time_step_factor,
     "Time for which heat flows, in squared mean edge lengths; 1 by default, 4 with --signed",
     CLI::PositiveNumber);
-  add_angle(command, own.minimum_angle);
+  add_angle(command, own.refinement);
   command.add_flag("--exact-distance", own.is_shortest,
                    "Compute the lengths of shortest paths instead, up to rounding");
   add_neighbors(command, options.common);
@@ -272,7 +278,7 @@ void add_transfer(CLI::App& app, Options& options)
   add_save(command, options.common);
   add_common_options(command, options.common);
   add_exact(command, options.common);
-  add_angle(command, own.minimum_angle);
+  add_angle(command, own.refinement);
   command.footer(Help::transfer);
 }
 
@@ -288,7 +294,7 @@ void add_operators(CLI::App& app, Options& options)
   add_save(command, options.common);
   add_common_options(command, options.common);
   add_exact(command, options.common);
-  add_angle(command, options.operators.minimum_angle);
+  add_angle(command, options.operators.refinement);
   add_neighbors(command, options.common);
   command.footer(Help::operators);
 }
@@ -442,13 +448,14 @@ void add_simplify(CLI::App& app, Options& options)
                 "Number of levels, each smaller by the same factor; the last is the coarse one")
     ->check(CLI::Range(std::size_t(1), std::size_t(100)))
     ->capture_default_str();
-  add_number(command, "--refine", own.minimum_angle,
+  add_number(command, "--refine", own.refinement.minimum_angle,
              "Refine to this angle in degrees first, so that there are vertices to choose from",
              CLI::Range(0., 30.));
   add_number(command, "--min-angle", own.coarse_minimum_angle,
              "Insert vertices into the coarse triangulation until all its angles have this many "
              "degrees, see `intrinsic refine`",
              CLI::Range(0., 60.));
+  add_maximum_number_of_insertions(command, own.refinement);
   add_topology(command, own);
   add_common_options(command, options.common);
   add_exact(command, options.common,

@@ -77,7 +77,7 @@ int delaunay(const Common_options& common, const Delaunay_options& options);
 // What the faces of a refined triangulation shall obey, and how many vertices that may take.
 struct Refinement_bounds
 {
-  double minimum_angle = 25; // in degrees; 0 for none
+  double minimum_angle = 0; // in degrees; 0 for none
   double maximum_circumradius = std::numeric_limits<double>::infinity();
   std::optional<std::size_t>
     maximum_number_of_insertions; // the default of the library if not given
@@ -86,7 +86,7 @@ struct Refinement_bounds
 
 struct Refine_options : Output_options
 {
-  Refine_options() : Output_options("off") {}
+  Refine_options() : Output_options("off") { bounds.minimum_angle = 25; }
 
   double constrained_angle = 0; // in degrees; 0 for none
   Refinement_bounds bounds;
@@ -107,8 +107,8 @@ struct Distance_options : Output_options
   std::vector<double> levels;       // none for a choice
   bool is_signed = false;
   std::optional<double> time_step_factor;
-  double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
-  bool is_shortest = false; // exact distances, by shortest paths
+  Refinement_bounds refinement; // none without an angle
+  bool is_shortest = false;     // exact distances, by shortest paths
 };
 
 // Computes distances on the intrinsic Delaunay triangulation, refined if that is wanted, and writes
@@ -136,10 +136,10 @@ int path(const Common_options& common, const Path_options& options);
 struct Transfer_options
 {
   std::string output;
-  std::string points;       // a file; empty if functions are transferred
-  std::string data;         // a file; empty if points are
-  bool is_back = false;     // from the intrinsic triangulation to the mesh
-  double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
+  std::string points;           // a file; empty if functions are transferred
+  std::string data;             // a file; empty if points are
+  bool is_back = false;         // from the intrinsic triangulation to the mesh
+  Refinement_bounds refinement; // none without an angle
 };
 
 // Takes points or a function from the mesh to its intrinsic Delaunay triangulation, refined if that
@@ -149,7 +149,7 @@ int transfer(const Common_options& common, const Transfer_options& options);
 struct Operators_options
 {
   std::string prefix;
-  double minimum_angle = 0; // of the refined triangulation; 0 for no refinement
+  Refinement_bounds refinement; // none without an angle
 };
 
 // Writes the matrices of the intrinsic Delaunay triangulation, refined if that is wanted.
@@ -216,7 +216,7 @@ struct Simplify_options : Output_options
   std::optional<double> maximum_cost;
   std::vector<std::string> weights; // as "name=value"
   std::size_t number_of_levels = 1;
-  double minimum_angle = 0;        // of the refined triangulation, in degrees; 0 for no refinement
+  Refinement_bounds refinement;    // of the fine triangulation; none without an angle
   double coarse_minimum_angle = 0; // of the coarse triangulation; 0 for no refinement
   double closed_length = 0;        // of boundary loops that are closed before
   double pinched_length = 0;       // of edge loops along which handles are cut before

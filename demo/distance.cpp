@@ -254,7 +254,7 @@ public:
   {
     check_options();
     m_run.plan({delaunay_stages,
-                refinement_stages(options.minimum_angle),
+                refinement_stages(options.refinement),
                 certificate_stages(common),
                 {"solve"},
                 is_subdivision_wanted() ? subdivision_stages : Stages{}});
@@ -264,7 +264,7 @@ public:
   {
     m_sources = parsed_sources(m_options, m_run.options().input, m_run.input());
     Triangulation triangulation = make_delaunay_triangulation(m_run);
-    refine_if_wanted(m_run, triangulation, m_options.minimum_angle);
+    refine_if_wanted(m_run, triangulation, m_options.refinement);
     describe(m_run, triangulation);
     const std::vector<double> values = m_run.timed("solve", [&] {
       read_curve_if_wanted(triangulation);

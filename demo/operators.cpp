@@ -126,10 +126,10 @@ int operators(const Common_options& common, const Operators_options& options)
   const Covered_soup* covered = run.input().covered ? &*run.input().covered : nullptr;
   if(!covered)
     paths.pop_back();
-  run.plan({delaunay_stages, refinement_stages(options.minimum_angle), certificate_stages(common),
+  run.plan({delaunay_stages, refinement_stages(options.refinement), certificate_stages(common),
             view_stages(common)});
   Triangulation triangulation = make_delaunay_triangulation(run);
-  refine_if_wanted(run, triangulation, options.minimum_angle);
+  refine_if_wanted(run, triangulation, options.refinement);
   describe(run, triangulation);
   show(run, triangulation);
   run.statistics()["matrices"] = paths;

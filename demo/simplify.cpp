@@ -116,9 +116,9 @@ public:
       m_format(output_format(options.output, options)),
       m_run("simplify", common, outputs_of(options))
   {
-    const bool is_flipped = options.minimum_angle > 0 || common.is_exact;
+    const bool is_flipped = options.refinement.minimum_angle > 0 || common.is_exact;
     m_run.plan({is_flipped ? delaunay_stages : Stages{"build"},
-                refinement_stages(options.minimum_angle),
+                refinement_stages(options.refinement),
                 certificate_stages(common),
                 {"simplify"},
                 options.coarse_minimum_angle > 0 ? Stages{"refine_coarse"} : Stages{},
@@ -128,7 +128,7 @@ public:
   void run()
   {
     read_functions();
-    if(m_options.minimum_angle > 0)
+    if(m_options.refinement.minimum_angle > 0)
       refine();
     Triangulation start = m_run.timed("build", [&] { return mended(built()); });
     IS::Evolving_surface surface(start);
@@ -167,7 +167,7 @@ private:
   void refine()
   {
     m_triangulation = make_delaunay_triangulation(m_run);
-    refine_if_wanted(m_run, *m_triangulation, m_options.minimum_angle);
+    refine_if_wanted(m_run, *m_triangulation, m_options.refinement);
     m_triangulation->collect_garbage();
     m_run.statistics()["refinement_status"] = m_run.statistics()["status"];
   }
@@ -293,8 +293,12 @@ private:
   // The last level gets better faces. Its vertices are described anew.
   void refine_coarse(IS::Evolving_surface& surface)
   {
+    Refinement_bounds bounds = m_options.refinement;
+    bounds.minimum_angle = m_options.coarse_minimum_angle;
     const IT::Refinement_result result =
-      IS::refine(surface, IS::parameters::minimum_angle(m_options.coarse_minimum_angle));
+      IS::refine(surface, IS::parameters::minimum_angle(bounds.minimum_angle)
+                            .maximum_number_of_insertions(maximum_number_of_insertions(
+                              bounds, surface.mesh().number_of_faces())));
     m_levels.back() = IS::Surface_level(surface);
     Statistics& statistics = m_run.statistics();
     statistics["coarse_inserted_vertices"] = result.insertions - result.removals;
@@ -504,6 +508,9 @@ private:
          << s["status"].get<std::string>() << "), area times " << s["area_ratio"].get<double>()
          << ", smallest angle " << m_run.input().diagnosis.statistics().min_angle << " -> "
          << s["min_angle_degrees"].get<double>() << " degrees";
+    for(const char* key : {"refinement_status", "coarse_refinement_status"})
+      if(s.contains(key) && s[key] == to_string(IT::Refinement_status::insertion_limit))
+        text << ", " << key << ": insertion_limit";
     return text.str();
   }
 

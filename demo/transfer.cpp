@@ -71,7 +71,7 @@ public:
     if(options.points.empty() == options.data.empty())
       throw Program_error("give either --points or --data");
     m_run.plan({delaunay_stages,
-                refinement_stages(options.minimum_angle),
+                refinement_stages(options.refinement),
                 certificate_stages(common),
                 {"transfer"},
                 view_stages(common)});
@@ -80,7 +80,7 @@ public:
   void run()
   {
     Triangulation triangulation = make_delaunay_triangulation(m_run);
-    refine_if_wanted(m_run, triangulation, m_options.minimum_angle);
+    refine_if_wanted(m_run, triangulation, m_options.refinement);
     describe(m_run, triangulation);
     m_run.timed("transfer", [&] {
       const Correspondence correspondence(triangulation);

@@ -66,9 +66,8 @@ void add_input_data(const Input_mesh& input, Output_mesh& mesh)
 IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds,
                               bool is_exact)
 {
-  const std::size_t limit = bounds.maximum_number_of_insertions.value_or(
-    IT::default_maximum_number_of_insertions(triangulation.input_mesh().number_of_faces(),
-                                             bounds.minimum_angle, bounds.maximum_circumradius));
+  const std::size_t limit =
+    maximum_number_of_insertions(bounds, triangulation.input_mesh().number_of_faces());
   return IT::refine(triangulation, IT::parameters::minimum_angle(bounds.minimum_angle)
                                      .maximum_circumradius(bounds.maximum_circumradius)
                                      .simplicial(bounds.is_simplicial)
@@ -109,6 +108,13 @@ Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& c
   return result;
 }
 
+std::size_t maximum_number_of_insertions(const Refinement_bounds& bounds,
+                                         std::size_t number_of_faces)
+{
+  return bounds.maximum_number_of_insertions.value_or(IT::default_maximum_number_of_insertions(
+    number_of_faces, bounds.minimum_angle, bounds.maximum_circumradius));
+}
+
 IT::Refinement_result refine_triangulation(Command_run& run, Triangulation& triangulation,
                                            const Refinement_bounds& bounds)
 {
@@ -126,11 +132,10 @@ IT::Refinement_result refine_triangulation(Command_run& run, Triangulation& tria
   return result;
 }
 
-void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle)
+void refine_if_wanted(Command_run& run, Triangulation& triangulation,
+                      const Refinement_bounds& bounds)
 {
-  Refinement_bounds bounds;
-  bounds.minimum_angle = minimum_angle;
-  if(minimum_angle > 0)
+  if(bounds.minimum_angle > 0)
     refine_triangulation(run, triangulation, bounds);
 }
 

@@ -15,6 +15,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -42,9 +43,9 @@ inline Stages certificate_stages(const Common_options& options)
 }
 inline const Stages subdivision_stages{"trace", "subdivide"};
 // none if there is no bound on the angle
-inline Stages refinement_stages(double minimum_angle)
+inline Stages refinement_stages(const Refinement_bounds& bounds)
 {
-  return minimum_angle > 0 ? Stages{"refine"} : Stages{};
+  return bounds.minimum_angle > 0 ? Stages{"refine"} : Stages{};
 }
 
 // those of a page or picture, if one is wanted, where nothing else needs the subdivision
@@ -66,8 +67,13 @@ CGAL::Intrinsic_triangulations::Refinement_result
 refine_triangulation(Command_run& run, Triangulation& triangulation,
                      const Refinement_bounds& bounds);
 
-// Refines with a bound on the angle alone, in degrees; nothing if it is zero.
-void refine_if_wanted(Command_run& run, Triangulation& triangulation, double minimum_angle);
+// Refines if there is a bound on the angle.
+void refine_if_wanted(Command_run& run, Triangulation& triangulation,
+                      const Refinement_bounds& bounds);
+
+// Returns how many vertices may be inserted into a surface with this number of faces.
+std::size_t maximum_number_of_insertions(const Refinement_bounds& bounds,
+                                         std::size_t number_of_faces);
 
 // The stage "certify": the certificate, which is added to the statistics.
 CGAL::Intrinsic_triangulations::Delaunay_certificate certify(Command_run& run,

@@ -295,7 +295,9 @@ def arguments(dice, mesh, curve):
         result += dice.choice([[], ["--binary"]])
     sources = [["--source", "0"], ["--source", "0:0.2,0.3,0.5"], ["--source", "0,0,0", "--exact-distance"],
                ["--curve", mesh, "--signed"], ["--curve", curve], ["--curve", curve, "--signed"]]
-    result += {"refine": ["--max-insertions", "300"], "distance": dice.choice(sources),
+    if command in ("refine", "distance", "transfer", "operators", "simplify"):
+        result += ["--max-insertions", "300"]
+    result += {"distance": dice.choice(sources),
                "transfer": [dice.choice(["--points", "--data"]), mesh],
                "path": ["--from", "0", "--to", "1", dice.choice(["--flips", "--quiet"])]
                        if dice.random() < 0.8 else ["--homology"],

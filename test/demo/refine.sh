@@ -79,6 +79,16 @@ claim "s = json('a.json')" 's.inserted_vertices == 20' 's.faces_below_bound > 0'
 expect 0 refine slivers.mesh.off -o a.ply --stats a.json --max-insertions 0
 claim "json('a.json').inserted_vertices == 0"
 rm a.*
+seq 0 1319 | sed 's/$/ 1/' >values.mesh.txt
+for command in 'distance --source 0 -o a.ply' 'operators --prefix a' 'transfer --data values.mesh.txt -o a.txt' \
+  'simplify --vertices 300 -o a.ply'; do
+  expect 0 ${command%% *} slivers.mesh.off ${command#* } --min-angle 25 --max-insertions 5 --stats a.json
+  says insertion_limit
+  claim "s = json('a.json')" \
+    "'insertion_limit' in (s.get('status'), s.get('coarse_refinement_status'))" \
+    "5 in (s.get('inserted_vertices'), s.get('coarse_inserted_vertices'))"
+  rm a*
+done
 
 # Exact decisions on request, with a certificate of the refined triangulation.
 expect 0 refine slivers.mesh.off -o a.ply --exact --stats a.json
