@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 
 #include <CGAL/enum.h>
 
@@ -26,19 +27,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Crossings that several decisions share.
-class Shared_crossings
-{
-public:
-  Shared_crossings(const Input_crossings& crossings) : m_crossings(&crossings) {}
-
-  std::size_t count(Halfedge_index h) const { return m_crossings->count(h); }
-  Halfedge_index operator()(Halfedge_index h, std::size_t m) const { return (*m_crossings)(h, m); }
-
-private:
-  const Input_crossings* m_crossings;
-};
-
 // Proves that T2 is a geodesic triangulation and Delaunay, edge by edge.
 template <typename Traits>
 class Certifier
@@ -46,7 +34,7 @@ class Certifier
   typedef Triangulation_pair<Traits> Pair;
 
 public:
-  typedef Exact_decisions<Traits, Shared_crossings> Decisions;
+  typedef Exact_decisions<Traits, Referenced_crossings<Input_crossings>> Decisions;
 
   Certifier(const Pair& pair, Concurrency concurrency)
     : Certifier(pair, concurrency,
@@ -58,7 +46,8 @@ public:
       m_mesh(pair.mesh()),
       m_concurrency(concurrency),
       m_crossings(std::move(crossings)),
-      m_length(m_mesh.num_edges(), std::numeric_limits<double>::quiet_NaN())
+      m_length(m_mesh.num_edges(), std::numeric_limits<double>::quiet_NaN()),
+      m_is_checked(m_mesh.num_vertices(), false)
   {}
 
   Delaunay_certificate run()
@@ -85,8 +74,9 @@ public:
     try {
       const Halfedge_index h = m_mesh.halfedge(e);
       check_straightness(e, decisions, m_certificate);
-      check_inserted(m_mesh.source(h), decisions, m_certificate);
-      check_inserted(m_mesh.target(h), decisions, m_certificate);
+      for(Vertex_index v : {m_mesh.source(h), m_mesh.target(h)})
+        if(!std::exchange(m_is_checked[v.idx()], true))
+          check_inserted(v, decisions, m_certificate);
       return !m_certificate.is_geodesic() ? 0
              : std::isnan(m_length[e])    ? decisions.length(h)
                                           : m_length[e];
@@ -189,6 +179,7 @@ private:
   Concurrency m_concurrency;
   Input_crossings m_crossings;
   std::vector<double> m_length; // NaN if it is not known well enough
+  std::vector<char> m_is_checked; // vertices, by `straight_length()`
   Delaunay_by_lengths m_by_lengths;
   Delaunay_certificate m_certificate;
 };

@@ -10,10 +10,12 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossings_on_demand.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -39,7 +41,8 @@ template <typename Traits>
 class Exact_flipping
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
-  typedef Traced_crossings<Traits> Crossings;
+  typedef Crossings_on_demand<Traits> Crossings;
+  typedef Exact_decisions<Traits, Referenced_crossings<Crossings>> Decisions;
 
 public:
   // Lengths of edges that are not in T1 are unknown at first, unless `Traits` is exact. `effort`
@@ -49,7 +52,8 @@ public:
                           double effort = std::numeric_limits<double>::infinity())
     : m_tri(tri),
       m_mesh(tri.mesh()),
-      m_decisions(tri, Crossings(tri)),
+      m_crossings(tri),
+      m_decisions(tri, m_crossings),
       m_error(m_mesh.num_edges(), input_error),
       m_effort(effort)
   {
@@ -83,7 +87,7 @@ public:
 
   bool can_be_turned(Halfedge_index h) const { return m_tri.can_be_turned(h); }
 
-  Exact_decisions<Traits, Crossings>& decisions() { return m_decisions; }
+  Decisions& decisions() { return m_decisions; }
 
   // returns whether that was possible, as it always is if no length is unknown
   bool flip(Halfedge_index h)
@@ -96,6 +100,7 @@ public:
     if(error == unknown_error && !m_tri.traits().is_length_object()(flipped.length))
       return false;
     m_tri.turn(h, [&] {
+      m_crossings.after_flip(h);
       if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
         flipped = shared_length(h);
       else if(!(flipped.error <= kept_error()))
@@ -295,7 +300,8 @@ private:
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
-  Exact_decisions<Traits, Crossings> m_decisions;
+  Crossings m_crossings;
+  Decisions m_decisions;
   std::vector<float> m_error; // relative error bounds of the lengths
   double m_effort;
   bool m_has_unknown_lengths = false;

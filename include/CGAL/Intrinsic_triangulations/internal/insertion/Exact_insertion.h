@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 
 #include <boost/config.hpp>
 
@@ -32,7 +33,7 @@ class Exact_insertion
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::Integer Integer;
-  typedef Listed_crossings<Traits> Crossings;
+  typedef Referenced_crossings<Crossing_lists<Traits>> Crossings;
   typedef Face_regions::Curve Curve;
 
 public:

@@ -161,20 +161,6 @@ private:
   std::vector<List> m_list;
 };
 
-// Crossing lists, for those who keep them by value.
-template <typename Traits>
-class Listed_crossings
-{
-public:
-  explicit Listed_crossings(const Crossing_lists<Traits>& lists) : m_lists(&lists) {}
-
-  std::size_t count(Halfedge_index h) const { return m_lists->count(h); }
-  Halfedge_index operator()(Halfedge_index h, std::size_t m) const { return (*m_lists)(h, m); }
-
-private:
-  const Crossing_lists<Traits>* m_lists;
-};
-
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_LISTS_H

@@ -15,7 +15,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The halfedges of T1 that cross an edge of T2, found by following each to its end: nothing is
-// stored. For all edges at once there are `Input_crossings`, and while T2 changes `Crossing_lists`.
+// stored. For all edges at once there are `Input_crossings`, and while T2 changes `Crossing_lists`
+// and `Crossings_on_demand`.
 template <typename Traits>
 class Traced_crossings
 {
@@ -32,10 +33,18 @@ public:
   // returns the halfedge of T1 that crosses `h` as its crossing `m` from left to right
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
+    std::size_t steps = 0;
+    return follow(h, m, steps);
+  }
+
+  // does so, and adds the number of edges of T2 that it crosses from there on to `steps`
+  Halfedge_index follow(Halfedge_index h, std::size_t m, std::size_t& steps) const
+  {
     const Coordinates& coordinates = m_pair.coordinates();
     typename Coordinates::Crossing c{h, Integer(m)};
-    while(coordinates.advance(c, m_pair.mesh()) != Coordinates::Turn::ends) {
-    }
+    do
+      ++steps;
+    while(coordinates.advance(c, m_pair.mesh()) != Coordinates::Turn::ends);
     return opposite(coordinates.spoke_at_end(c, m_pair.mesh(), m_pair.spokes()));
   }
 
