@@ -136,8 +136,8 @@ void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& boun
   command
     .add_option(
       "--max-insertions", bounds.maximum_number_of_insertions,
-      "Maximum number of insertions; 10,000,000 if not given, or 100,000 plus 20 for each "
-      "face with angles of more than 30 degrees and no circumradius")
+      "Maximum number of insertions; if not given, 1,000,000 (with angles of more than 30 degrees "
+      "100,000) plus 20 for each face, but 10,000,000 with a circumradius")
     ->check(CLI::NonNegativeNumber);
 }
 

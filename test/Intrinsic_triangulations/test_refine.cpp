@@ -7,10 +7,12 @@
 #include "generators.h"
 #include "measuring.h"
 #include "more_generators.h"
+#include "near_degenerate_meshes.h"
 #include "refined_meshes.h"
 #include "refinement_checks.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
@@ -202,7 +204,7 @@ TEST(Refine, number_of_insertions)
 TEST(Refine, default_number_of_insertions)
 {
   const double any = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(IT::default_maximum_number_of_insertions(1000, 30., any), 10000000u);
+  EXPECT_EQ(IT::default_maximum_number_of_insertions(1000, 30., any), 1020000u);
   EXPECT_EQ(IT::default_maximum_number_of_insertions(1000, 40., 1.), 10000000u);
   EXPECT_EQ(IT::default_maximum_number_of_insertions(1000, 30.5, any), 120000u);
   EXPECT_EQ(IT::default_maximum_number_of_insertions(10000000, 31., any), 10000000u);
@@ -211,6 +213,19 @@ TEST(Refine, default_number_of_insertions)
   EXPECT_EQ(result.status, Refinement_status::insertion_limit);
   EXPECT_EQ(result.insertions, 100000 + 20 * t.input_mesh().number_of_faces());
   EXPECT_FALSE(result.remaining.empty());
+}
+
+// Faces as wide as a tube that is 10,000 times as long as its circumference: the edges of the input
+// are crossed thousands of times.
+TEST(Refine, a_long_tube)
+{
+  Triangulation t(stretched_along_x(cube(), 40000));
+  const auto result = IT::refine(t);
+  EXPECT_EQ(result.status, Refinement_status::bounds_met);
+  EXPECT_GT(result.insertions, 5000u);
+  EXPECT_TRUE(IT::certify_Delaunay(t).is_Delaunay());
+  check_structure(t);
+  check_angles(t, 25, result);
 }
 
 TEST(Refine, number_of_flips)

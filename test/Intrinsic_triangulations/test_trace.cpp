@@ -5,11 +5,14 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossings_on_demand.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Traced_crossings.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -330,6 +333,33 @@ TEST(Trace, correspondence_of_the_empty_surface)
 {
   const Triangulation t;
   EXPECT_EQ(Correspondence(t).number_of_crossings(), 0u);
+}
+
+// ---- Crossings, without geometry ----
+
+// They are traced at first, and listed in the end, while edges are flipped.
+TEST(Crossings_on_demand, are_those_that_are_traced)
+{
+  Triangulation t(random_sphere(60, 7));
+  flip_at_random(t, 400, 1);
+  IT::internal::Crossings_on_demand crossings(t);
+  const IT::internal::Traced_crossings traced(t);
+  std::size_t asked = 0;
+  const auto check = [&](Halfedge_index h) {
+    ASSERT_EQ(crossings.count(h), traced.count(h));
+    for(std::size_t m = 0; m < traced.count(h); ++m, ++asked)
+      ASSERT_EQ(crossings(h, m), traced(h, m)) << h << ' ' << m;
+  };
+  for(unsigned int seed = 2; seed < 20; ++seed) {
+    flip_at_random(t, 40, seed, [&](Halfedge_index h) {
+      crossings.after_flip(h);
+      check(h);
+    });
+    if(seed > 10)
+      for(Halfedge_index h : t.mesh().halfedges())
+        check(h);
+  }
+  EXPECT_GT(asked, 1000u);
 }
 
 } // namespace Test_trace

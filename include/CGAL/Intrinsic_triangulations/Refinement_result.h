@@ -41,9 +41,11 @@ inline const char* to_string(Refinement_status status)
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// returns how many vertices `refine()` may insert
-/// unless it is given another number: 10,000,000; but 100,000 and 20 for each of the faces of
-/// \f$T_1\f$ where that need not end, with angles of more than 30 degrees and circumradii of any
-/// size. Refinements of ordinary meshes to 32 degrees that end insert fewer than 8 for each face.
+/// unless it is given another number: 10,000,000 if circumradii are bounded; otherwise 1,000,000 and
+/// 20 for each of the faces of \f$T_1\f$, but 100,000 and as many with angles of more than 30 degrees,
+/// where refinement need not end; at most 10,000,000. Refinements of ordinary meshes to 32 degrees
+/// that end insert fewer than 8 for each face. A tube or a strip between boundaries needs more the
+/// longer it is in comparison with its width.
 /// \param faces the number of faces of \f$T_1\f$
 /// \param minimum_angle the least angle, in degrees
 /// \param maximum_circumradius the greatest circumradius
@@ -51,9 +53,9 @@ template <typename FT>
 std::size_t default_maximum_number_of_insertions(std::size_t faces, const FT& minimum_angle,
                                                  const FT& maximum_circumradius)
 {
-  const std::size_t most = 10000000;
-  return minimum_angle > 30 && maximum_circumradius == std::numeric_limits<FT>::infinity()
-           ? (std::min)(most, 100000 + 20 * faces)
+  const std::size_t most = 10000000, least = minimum_angle > 30 ? 100000 : 1000000;
+  return maximum_circumradius == std::numeric_limits<FT>::infinity()
+           ? (std::min)(most, least + 20 * faces)
            : most;
 }
 

@@ -83,13 +83,12 @@ public:
     return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
   }
 
-  // Returns the angle at the source of `h` in its face, between 0 and pi: where it is near to one
-  // of them, rounding can make the corner clockwise.
-  double rounded_angle(Halfedge_index h) const
+  // Returns the angle at the source of `h` in its face, between 0 and pi, up to about `error`: where
+  // it is near to one of them, rounding can make the corner clockwise.
+  double rounded_angle(Halfedge_index h, double error = certified_length_error()) const
   {
-    const auto [corner, error] =
-      rounded_corner(h, [](const std::complex<double>& corner) { return std::abs(corner); });
-    return std::abs(std::arg(corner));
+    const auto absolute_value = [](const std::complex<double>& corner) { return std::abs(corner); };
+    return std::abs(std::arg(rounded_corner(h, absolute_value, error).first));
   }
 
   // returns the angle at the source of the halfedge `h` of T1 in its face, between 0 and pi
@@ -109,8 +108,8 @@ public:
   // where the face has no area.
   std::complex<double> rounded_corner(Halfedge_index h) const
   {
-    const auto [corner, error] =
-      rounded_corner(h, [](const std::complex<double>& corner) { return corner.imag(); });
+    const auto imaginary_part = [](const std::complex<double>& corner) { return corner.imag(); };
+    const auto [corner, error] = rounded_corner(h, imaginary_part, certified_length_error());
     return {corner.real(), std::abs(corner.imag()) > error ? corner.imag() : 0};
   }
 
@@ -211,10 +210,11 @@ private:
     return m_crossings.count(h) > 0 && !has_inserted_end(h) && m_metric.squared_lengths.empty();
   }
 
-  // Returns a corner and its error, which is small in comparison with `size(corner)` if more
-  // digits can help.
+  // Returns a corner and its error, which is at most `error` times `size(corner)` if more digits
+  // can help.
   template <typename Size>
-  std::pair<std::complex<double>, double> rounded_corner(Halfedge_index h, const Size& size) const
+  std::pair<std::complex<double>, double> rounded_corner(Halfedge_index h, const Size& size,
+                                                         double error) const
   {
     std::pair<std::complex<double>, double> result;
     try_with_more_digits([&](auto& corners) {
@@ -224,7 +224,7 @@ private:
         return to_double(decltype(square.x)(x / square.x));
       };
       result = {{quotient(product.x), quotient(product.y)}, product.radius / to_double(square.x)};
-      return result.second <= size(result.first) * certified_length_error();
+      return result.second <= size(result.first) * error;
     });
     return result;
   }

@@ -159,8 +159,8 @@ private:
   }
 
   // Returns whether the faces at an inserted vertex lie the right way round and around it once.
-  // The sum of the angles is a multiple of a full turn (of a half turn on the boundary): rounding
-  // does not matter.
+  // The sum of the angles is a multiple of a full turn (of a half turn on the boundary): few digits
+  // suffice.
   bool is_turned_around_once(Vertex_index v, Decisions& decisions) const
   {
     double sum = 0;
@@ -169,7 +169,7 @@ private:
       if(m_mesh.is_border(h))
         return;
       is_oriented = is_oriented && decisions.is_oriented(h);
-      sum += decisions.rounded_angle(h);
+      sum += decisions.rounded_angle(h, 1e-6);
     });
     return is_oriented && std::lround(sum / pi<double>()) == (m_mesh.is_border(v) ? 1 : 2);
   }
@@ -178,7 +178,7 @@ private:
   const Delta_complex& m_mesh;
   Concurrency m_concurrency;
   Input_crossings m_crossings;
-  std::vector<double> m_length; // NaN if it is not known well enough
+  std::vector<double> m_length;   // NaN if it is not known well enough
   std::vector<char> m_is_checked; // vertices, by `straight_length()`
   Delaunay_by_lengths m_by_lengths;
   Delaunay_certificate m_certificate;
