@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <cstdint>
 #include <limits>
@@ -63,6 +63,9 @@ FT flat_angle_tolerance()
 // By how much, in radians, the sum of the angles of a fan, each of them rounded, differs from pi
 // where it decides: far more than its error.
 constexpr double fan_tolerance() { return 1e-6; }
+
+// The error of angles that are only counted: their sum is compared with whole and half turns.
+constexpr double counted_angle_error() { return 1e-6; }
 
 // Where a fan with lengths in `double` is so nearly flat, it counts as flat: a path would get
 // shorter by the square of this, and a decision could take any number of digits.

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/enum.h>
 
@@ -169,7 +170,7 @@ private:
       if(m_mesh.is_border(h))
         return;
       is_oriented = is_oriented && decisions.is_oriented(h);
-      sum += decisions.rounded_angle(h, 1e-6);
+      sum += decisions.rounded_angle(h, counted_angle_error());
     });
     return is_oriented && std::lround(sum / pi<double>()) == (m_mesh.is_border(v) ? 1 : 2);
   }

@@ -16,9 +16,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The halfedges of T1 that cross an edge of T2, while T2 changes by flips: followed to their ends as
-// long as few edges ask, and listed when that has taken more steps than there are crossings. Where
-// edges of T1 cross a large part of T2, each step would count for many crossings otherwise.
+// The halfedges of T1 that cross an edge of T2, while T2 changes by flips: followed to their ends,
+// and listed as soon as that has taken more steps than there are crossings. Where edges of T1 cross
+// a large part of T2, following each crossing would take quadratic time.
 template <typename Traits>
 class Crossings_on_demand
 {
@@ -63,7 +63,7 @@ private:
   Traced_crossings<Traits> m_traced;
   mutable std::optional<Crossing_lists<Traits>> m_lists;
   mutable std::size_t m_steps = 0;
-  mutable double m_allowed; // steps before it is asked again whether lists are faster
+  mutable double m_allowed; // steps after which lists may be faster
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
