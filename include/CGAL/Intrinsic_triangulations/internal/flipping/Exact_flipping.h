@@ -224,7 +224,7 @@ private:
     return static_cast<double>(m_tri.coordinates().crossings(m_mesh.halfedge(e)));
   }
 
-  // Each crossing is found by following an edge of T1 over others.
+  // As long as crossings are not listed, each is found by following an edge of T1 over others.
   bool can_afford(Edge_index e)
   {
     m_effort -= count(e) * count(e);

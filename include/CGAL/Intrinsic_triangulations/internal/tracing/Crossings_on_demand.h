@@ -11,13 +11,14 @@
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Traced_crossings.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The halfedges of T1 that cross an edge of T2, while T2 changes by flips: followed to their ends,
-// and listed as soon as that has taken more steps than there are crossings. Where edges of T1 cross
+// and listed when that has taken more steps than there are crossings. Where edges of T1 cross
 // a large part of T2, following each crossing would take quadratic time.
 template <typename Traits>
 class Crossings_on_demand
@@ -36,7 +37,7 @@ public:
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
   {
     if(!m_lists && static_cast<double>(m_steps) > m_allowed)
-      list_if_faster();
+      list_if_faster(static_cast<double>(m_steps));
     return m_lists ? (*m_lists)(h, m) : m_traced.follow(h, m, m_steps);
   }
 
@@ -48,15 +49,15 @@ public:
   }
 
 private:
-  void list_if_faster() const
+  // Looks at all edges; so the next time comes after twice as many steps.
+  void list_if_faster(double steps) const
   {
     double crossings = 0;
     for(Edge_index e : m_tri.mesh().edges())
       crossings += static_cast<double>(m_tri.coordinates().crossings(first_halfedge(e)));
-    if(static_cast<double>(m_steps) > crossings)
+    if(steps > crossings)
       m_lists.emplace(m_tri);
-    else
-      m_allowed = crossings;
+    m_allowed = (std::max)(crossings, 2 * steps);
   }
 
   const Triangulation& m_tri;
