@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Writes the manual's page of examples with what they print: examples_page.py PROGRAMS, the directory
-of the compiled examples. With --check, PROGRAMS is one of them, which is run, and what it prints
-compared with the page, if it is there: integers up to 2 or 5 %, other numbers up to a relative
-difference of 0.001."""
+of the compiled examples. With --check NAME, PROGRAMS is the one that runs this example, and what it
+prints is compared with the page, if it is there: integers up to 2 or 5 %, other numbers up to a
+relative difference of 0.001."""
 
 import argparse
 import re
@@ -41,9 +41,9 @@ def comment(source):
     raise ValueError(f"{source} has no comment")
 
 
-def printed(program):
+def printed(program, name):
     with tempfile.TemporaryDirectory() as scratch: # some write files
-        result = subprocess.run([program.resolve()], cwd=scratch, stdout=subprocess.PIPE, text=True,
+        result = subprocess.run([program.resolve(), name], cwd=scratch, stdout=subprocess.PIPE, text=True,
                                 check=True)
     lines = result.stdout.split("\n")[:-1]
     return lines if len(lines) <= MOST_LINES else lines[:MOST_LINES] + ["..."]
@@ -76,12 +76,12 @@ def agree(a, b):
     return all(map(are_near, re.findall(NUMBER, a), re.findall(NUMBER, b)))
 
 
-def check(program):
-    lines = printed(program)
+def check(name, program):
+    lines = printed(program, name)
     print(*lines, sep="\n")
-    expected = blocks(PAGE.read_text()).get(program.stem, lines)
+    expected = blocks(PAGE.read_text()).get(name, lines)
     if len(expected) != len(lines) or not all(map(agree, expected, lines)):
-        sys.exit(f"{program.stem} prints something else than doc/{PAGE.name} says")
+        sys.exit(f"{name} prints something else than doc/{PAGE.name} says")
 
 
 def write(programs):
@@ -90,16 +90,20 @@ def write(programs):
         text += f"\n\\section ex_{package} {title}\n\n"
         for source in sorted((HERE.parent / "examples" / package).glob("*.cpp")):
             if not source.stem.endswith("_with_Qt"): # they open windows
-                text += section(package, source, printed(programs / source.stem)) + "\n"
+                lines = printed(programs / f"examples_{package}", source.stem)
+                text += section(package, source, lines) + "\n"
     PAGE.write_text(text.rstrip("\n") + "\n*/\n")
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("programs", type=Path)
-    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--check", metavar="NAME")
     arguments = parser.parse_args()
-    check(arguments.programs) if arguments.check else write(arguments.programs)
+    if arguments.check:
+        check(arguments.check, arguments.programs)
+    else:
+        write(arguments.programs)
 
 
 main()
