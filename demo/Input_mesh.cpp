@@ -137,7 +137,8 @@ Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance,
     triangulate_cloud(path, soup, tolerance.neighbors);
   else if(number_of_polygons(result.diagnosis) > 0)
     split_polygons(path, soup,
-                   tolerance.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0);
+                   {tolerance.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0,
+                    tolerance.is_repair_wanted});
   if(!is_quiet)
     print_notes(path, soup, result.diagnosis, is_cloud);
   if(is_cloud || !soup.parents.empty()) {

@@ -6,7 +6,6 @@
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -40,22 +39,6 @@ private:
   Polygons::Index m_point = 0, m_origin = 0;
 };
 
-// Notes of which polygon each face is a part.
-struct Parent_recorder : PMP::Triangulate_faces::Default_visitor<Mesh>
-{
-  explicit Parent_recorder(std::vector<std::int64_t>& p) : parents(&p) {}
-
-  void before_subface_creations(Mesh::Face_index f) { parent = static_cast<std::int64_t>(f.idx()); }
-  void after_subface_created(Mesh::Face_index f)
-  {
-    parents->resize((std::max)(parents->size(), std::size_t(f) + 1));
-    (*parents)[f] = parent;
-  }
-
-  std::vector<std::int64_t>* parents; // visitors are copied
-  std::int64_t parent = 0;
-};
-
 class Soup_repairer
 {
 public:
@@ -78,8 +61,6 @@ public:
     if(!m_soup.data.empty())
       carry_data();
     m_soup.polygons = polygons();
-    if(has_polygons())
-      triangulate();
     return m_report;
   }
 
@@ -181,24 +162,6 @@ private:
   std::int64_t old_polygon(std::size_t i) const
   {
     return m_soup.polygons.polygon_of_corner(m_polygons[i][0].origin());
-  }
-
-  bool has_polygons() const
-  {
-    return m_soup.polygons.number_of_corners() > 3 * m_soup.polygons.size();
-  }
-
-  void triangulate()
-  {
-    const std::size_t faces = m_soup.polygons.size();
-    Mesh mesh = mesh_of(m_soup);
-    std::vector<std::int64_t> parents(faces);
-    std::iota(parents.begin(), parents.end(), 0);
-    PMP::triangulate_faces(mesh, CGAL::parameters::visitor(Parent_recorder(parents)));
-    Polygons triangles = polygons_of(mesh, mesh.faces());
-    carry_to_parts(m_soup.polygons, parents, triangles, m_soup.data);
-    m_soup.polygons = std::move(triangles);
-    note("triangles added by splitting polygons", m_soup.polygons.size() - faces);
   }
 
   Polygon_soup& m_soup;

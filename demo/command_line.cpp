@@ -131,13 +131,14 @@ void add_subdivision_options(CLI::App& command, Own_options& options, Common_opt
              CLI::Range(0.001, 180.));
 }
 
-void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds)
+void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds,
+                                      const std::string& exception = "")
 {
   command
-    .add_option(
-      "--max-insertions", bounds.maximum_number_of_insertions,
-      "Maximum number of insertions; if not given, 1,000,000 (with angles of more than 30 degrees "
-      "100,000) plus 20 for each face, but 10,000,000 with a circumradius")
+    .add_option("--max-insertions", bounds.maximum_number_of_insertions,
+                "Maximum number of insertions; if not given, 1,000,000 (with angles of more than "
+                "30 degrees 100,000) plus 20 for each face" +
+                  exception)
     ->check(CLI::NonNegativeNumber);
 }
 
@@ -167,7 +168,7 @@ void add_bounds(CLI::App& command, Refinement_bounds& bounds)
     ->capture_default_str();
   add_number(command, "--max-circumradius", bounds.maximum_circumradius,
              "Greatest circumradius of the faces; no bound if not given", CLI::PositiveNumber);
-  add_maximum_number_of_insertions(command, bounds);
+  add_maximum_number_of_insertions(command, bounds, ", but 10,000,000 with --max-circumradius");
 }
 
 void add_refine(CLI::App& app, Options& options)

@@ -9,13 +9,16 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/utility.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <unordered_set>
@@ -110,6 +113,22 @@ std::vector<Corners> triangles_of(const Flat_points& points)
   return inner_faces(triangulation);
 }
 
+// Empty if CGAL finds none, or if there are so many points that the search would take minutes: it is
+// cubic if the faces of a Delaunay triangulation in space are not enough.
+std::vector<Corners> triangles_of_hole(const std::vector<Point>& points)
+{
+  std::vector<CGAL::Triple<int, int, int>> patch;
+  if(points.size() <= 1000)
+    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
+      points, std::back_inserter(patch),
+      CGAL::parameters::do_not_use_cubic_algorithm(points.size() > 300));
+  std::vector<Corners> result;
+  for(const auto& [a, b, c] : patch)
+    result.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b),
+                      static_cast<std::size_t>(c)});
+  return result;
+}
+
 // ---- Edges that are taken ----
 
 class Edge_set
@@ -132,6 +151,7 @@ private:
 class Diagonals
 {
 public:
+  // Without flat points, any triangles will do.
   Diagonals(std::vector<Corners> triangles, Flat_points points, Polygons::Polygon polygon)
     : m_triangles(std::move(triangles)), m_points(std::move(points)), m_polygon(polygon)
   {}
@@ -167,7 +187,7 @@ private:
 
   bool is_diagonal(std::size_t t, std::size_t i) const
   {
-    const std::size_t n = m_points.size(), a = number(t, i), b = number(t, i + 1);
+    const std::size_t n = m_polygon.size(), a = number(t, i), b = number(t, i + 1);
     return (a + 1) % n != b && (b + 1) % n != a;
   }
 
@@ -198,7 +218,7 @@ private:
     });
     const std::size_t d = number(other->first, other->second + 2);
     const auto turns_left = [&](std::size_t p, std::size_t q, std::size_t r) {
-      return CGAL::left_turn(m_points[p], m_points[q], m_points[r]);
+      return m_points.empty() || CGAL::left_turn(m_points[p], m_points[q], m_points[r]);
     };
     if(!turns_left(d, b, c) || !turns_left(c, a, d) || taken.contains(m_polygon[c], m_polygon[d]))
       return false;
@@ -217,13 +237,13 @@ private:
 class Splitter
 {
 public:
-  Splitter(const std::string& path, Polygon_soup& soup, bool are_soups_allowed)
-    : m_path(path), m_soup(soup), m_are_soups_allowed(are_soups_allowed)
+  Splitter(const std::string& path, Polygon_soup& soup, const Polygon_tolerance& tolerance)
+    : m_path(path), m_soup(soup), m_tolerance(tolerance)
   {}
 
   void operator()()
   {
-    if(!m_are_soups_allowed)
+    if(!m_tolerance.may_share_edges)
       for(const Polygons::Polygon& p : m_soup.polygons)
         for(std::size_t i = 0; i < p.size(); ++i)
           m_taken.insert(p[i], p[(i + 1) % p.size()]);
@@ -247,15 +267,8 @@ private:
       fail(f, "has fewer than three corners; remove it, or let --repair do so");
     if(polygon.size() == 3)
       return add(f, polygon);
-    std::vector<Point> points;
-    for(const Index v : polygon)
-      points.push_back(m_soup.points[v]);
-    const Flat_points flat = best_projection(points);
-    if(flat.empty())
-      fail(f, "crosses or touches itself, seen along every axis, and cannot be split into "
-              "triangles; split it in the file");
-    Diagonals diagonals(triangles_of(flat), flat, polygon);
-    if(!m_are_soups_allowed) {
+    Diagonals diagonals = triangulation(f, polygon);
+    if(!m_tolerance.may_share_edges) {
       if(!diagonals.avoid(m_taken))
         fail(f, "cannot be split into triangles without an edge that another face has; split "
                 "it in the file");
@@ -263,6 +276,23 @@ private:
     }
     for(const Corners& t : diagonals.triangles())
       add(f, std::array<Index, 3>{polygon[t[0]], polygon[t[1]], polygon[t[2]]});
+  }
+
+  Diagonals triangulation(std::size_t f, const Polygons::Polygon& polygon) const
+  {
+    std::vector<Point> points;
+    for(const Index v : polygon)
+      points.push_back(m_soup.points[v]);
+    const Flat_points flat = best_projection(points);
+    if(!flat.empty())
+      return {triangles_of(flat), flat, polygon};
+    const std::string reason = "crosses or touches itself, seen along every axis";
+    if(!m_tolerance.may_touch_themselves)
+      fail(f, reason + "; split it in the file, or let --repair do so");
+    std::vector<Corners> triangles = triangles_of_hole(points);
+    if(triangles.size() != points.size() - 2)
+      fail(f, reason + ", and cannot be split into triangles; split it in the file");
+    return {std::move(triangles), {}, polygon};
   }
 
   template <class Triangle>
@@ -274,7 +304,7 @@ private:
 
   const std::string& m_path;
   Polygon_soup& m_soup;
-  bool m_are_soups_allowed;
+  Polygon_tolerance m_tolerance;
   Edge_set m_taken;
   Polygons m_triangles;
   std::vector<std::int64_t> m_parents;
@@ -282,7 +312,7 @@ private:
 
 } // namespace
 
-void split_polygons(const std::string& path, Polygon_soup& soup, bool are_soups_allowed)
+void split_polygons(const std::string& path, Polygon_soup& soup, const Polygon_tolerance& tolerance)
 {
-  Splitter(path, soup, are_soups_allowed)();
+  Splitter(path, soup, tolerance)();
 }

@@ -13,7 +13,8 @@ add_library(unit_test_dependencies INTERFACE)
 target_link_libraries(unit_test_dependencies
   INTERFACE Intrinsic_triangulations CGAL::Data GTest::gtest_main)
 # With CGAL's assertions on. Full optimisation would take longer than it saves.
-target_compile_options(unit_test_dependencies INTERFACE -UNDEBUG $<$<CONFIG:Release>:-O1>)
+target_compile_options(unit_test_dependencies INTERFACE -UNDEBUG $<$<CONFIG:Release>:-O1>
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # ccache can only cache precompiled headers with it
 if(SuiteSparse_FOUND)
   # Both factorizations are tested, but only one can be that of the algorithms.
   target_include_directories(unit_test_dependencies SYSTEM INTERFACE ${SuiteSparse_INCLUDE_DIR})
@@ -33,14 +34,19 @@ if(OpenMesh_FOUND)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
-# Headers that all of them include, precompiled by a target of its own: -fsyntax-only would leave
-# nothing of them.
+# Large headers that all of them include, precompiled by a target of its own: -fsyntax-only would
+# leave nothing of them.
 file(CONFIGURE OUTPUT nothing.cpp CONTENT "")
 add_library(unit_tests_precompiled OBJECT EXCLUDE_FROM_ALL
   "${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp")
 target_link_libraries(unit_tests_precompiled PRIVATE unit_test_dependencies)
-precompile_dependencies(unit_tests_precompiled)
-target_precompile_headers(unit_tests_precompiled PRIVATE <gtest/gtest.h>)
+target_precompile_headers(unit_tests_precompiled PRIVATE
+  <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+  <CGAL/Simple_cartesian.h>
+  <CGAL/Surface_mesh.h>
+  <CGAL/boost/graph/IO/polygon_mesh_io.h>
+  <gtest/gtest.h>
+  $<$<BOOL:${Eigen_FOUND}>:<Eigen/SparseCholesky$<ANGLE-R>>)
 
 # One executable with the tests in the source files of a directory, and for compilers that only look
 # for warnings a target <name>_syntax.
@@ -61,7 +67,7 @@ function(add_unit_tests name)
   target_compile_options(${name}_syntax PRIVATE -fsyntax-only)
   foreach(target IN ITEMS ${name} ${name}_syntax)
     target_link_libraries(${target} PRIVATE unit_test_dependencies)
-    precompile_dependencies(${target} REUSE_FROM unit_tests_precompiled)
+    target_precompile_headers(${target} REUSE_FROM unit_tests_precompiled)
     # Templates are instantiated once for several files, each of which has its own namespace.
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   endforeach()

@@ -10,6 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.bash"
 off pillow '0 0 0,1 0 0,0 1 0' '0 1 2,2 1 0'
 off narrow_polygon "$square" '0 1'
 off bow "0 0 0,1 1 0,1 0 0,0 1 0" '0 1 2 3'
+off line '0 0 0,1 0 0,3 0 0,2 0 0' '0 1 2 3'
 off doubled "$square" '0 1 2 3,0 1 2,0 2 3'
 off lonely '0 0 0,1 1 1' ''
 grid flat 4 0
@@ -118,6 +119,7 @@ done <<'TABLE'
 2 | no point has neighbors in two directions | operators a.mesh.xyz --neighbors 3 --prefix a
 2 | has fewer than three corners | delaunay narrow_polygon.mesh.off -o a.ply
 2 | crosses or touches itself, seen along every axis | delaunay crossed.mesh.off -o a.ply
+2 | , and cannot be split into triangles; split it in the file | delaunay line.mesh.off --repair -o a.ply
 2 | cannot be split into triangles without an edge that another face has | delaunay folded.mesh.off -o a.ply
 2 | ; correct it in the file | delaunay later.mesh.obj -o a.ply
 2 | ; --repair may mend it | delaunay repeated.mesh.off -o a.ply

@@ -53,10 +53,19 @@ rm a*
 off pillow "$square" '0 1 2 3,3 2 1 0'
 expect 0 delaunay pillow.mesh.off -o a.ply --stats a.json
 claim "json('a.json').euler_characteristic == 2"
-# A polygon that crosses itself has no inside.
+# A polygon that crosses itself has no inside: only a repair fills it, with the sides that it has.
 off crossing '0 0 0,1 1 0,1 0 0,0 1 0' '0 1 2 3'
-expect 2 delaunay crossing.mesh.off -o b.ply
-says 'crossing.mesh.off: face 0 crosses or touches itself, seen along every axis'
+off skew '1 4 3,2 3 0,3 0 2,4 4 4,3 1 1' '0 1 2 3 4'
+for mesh in crossing skew; do
+  expect 2 delaunay $mesh.mesh.off -o b.ply
+  says "$mesh.mesh.off: face 0 crosses or touches itself, seen along every axis"
+  expect 0 delaunay $mesh.mesh.off -o a.ply --repair --stats a.json
+  says "$mesh.mesh.off: note: polygons split into triangles: 1"
+  claim "a, s = ply('a.ply'), json('a.json')" 's.polygons == 1' 's.vertices == s.faces + 2' \
+    "a.face['input_polygon'] == [0] * s.faces" \
+    'sides = {(f[i], f[(i + 1) % 3]) for f in a.faces for i in range(3)}' \
+    'all((v, (v + 1) % s.vertices) in sides for v in range(s.vertices))'
+done
 off two '0 0 0,1 1 0' '0 1'
 expect 2 delaunay two.mesh.off -o b.ply
 off twice "$square,0 0 1" '0 1 2 3,0 1 1 4'
@@ -71,7 +80,8 @@ claim "s = json('a.json')" 's.polygons == 3' 's.tufted' 's.faces == 6' \
   "near(fsum(mtx('a_lumped_mass.mtx') @ ([1] * 8)), 3, 1e-14)"
 expect 2 delaunay book.mesh.off -o b.ply
 says 'non-manifold edge: 1, first between vertices 0 and 1 (face 0); --repair makes it a surface'
-expect 0 delaunay book.mesh.off -o b.off --repair
+expect 0 delaunay book.mesh.off -o b.ply --repair
+claim "sorted(ply('b.ply').face['input_polygon']) == [0, 0, 1, 1, 2, 2]"
 rm a* b*
 expect_files
 

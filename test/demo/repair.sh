@@ -17,7 +17,6 @@ mended()
   rm result.off result.json
 }
 
-mended polygon.mesh.off 'triangles added by splitting polygons: 1'
 mended repeated.mesh.off 'degenerate or duplicate faces removed: 1'
 mended edge_of_three.mesh.off 'points duplicated to make the surface manifold: 4'
 mended orientation.mesh.off 'faces reversed: 1'
