@@ -124,8 +124,8 @@ std::vector<Corners> triangles_of_hole(const std::vector<Point>& points)
       CGAL::parameters::do_not_use_cubic_algorithm(points.size() > 300));
   std::vector<Corners> result;
   for(const auto& [a, b, c] : patch)
-    result.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b),
-                      static_cast<std::size_t>(c)});
+    result.push_back(
+      {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
   return result;
 }
 
