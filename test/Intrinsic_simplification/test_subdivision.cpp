@@ -316,8 +316,6 @@ TEST(Subdivision, keeps_isolated_vertices)
   expect_mapped(subdivision, map);
 }
 
-// ---- Real meshes ----
-
 // Polygons without area are where edges coincide.
 void expect_no_negative_areas(const Subdivision& subdivision, Level side)
 {
@@ -330,6 +328,45 @@ void expect_no_negative_areas(const Subdivision& subdivision, Level side)
   }
   EXPECT_NEAR(sum, total, 1e-8 * total);
 }
+
+// The sides of a cube whose bits are set, each cut in two.
+Mesh sides_of_cube(unsigned int set)
+{
+  Mesh mesh;
+  for(unsigned int v = 0; v < 8; ++v)
+    mesh.add_vertex({v & 1, (v >> 1) & 1, v >> 2});
+  for(unsigned int s = 0; s < 6; ++s)
+    if((set >> s) & 1) {
+      const unsigned int x = s / 2, origin = s % 2 << x;
+      const unsigned int y = 1u << (x + 1 + (s + 1) % 2) % 3, z = 1u << (x + 1 + s % 2) % 3;
+      const Mesh::Vertex_index a(origin), b(origin + y), c(origin + y + z), d(origin + z);
+      mesh.add_face(a, b, c);
+      mesh.add_face(a, c, d);
+    }
+  return mesh;
+}
+
+// Midpoints of coarse edges, where refinement inserts vertices, are removed vertices up to rounding:
+// several coarse edges come to one of these, and run through it.
+TEST(Subdivision, where_inserted_vertices_are_removed_ones)
+{
+  for(unsigned int set = 1; set < 64; ++set)
+    for(unsigned int n = 3; n < 8; ++n) {
+      Evolving_surface surface(sides_of_cube(set));
+      const Surface_level fine(surface);
+      IS::simplify(surface, number_of_vertices(n));
+      IS::refine(surface, IS::parameters::minimum_angle(20.));
+      const Surface_level coarse(surface);
+      const Surface_map map(surface, fine, coarse);
+      Subdivision subdivision(map);
+      expect_areas(subdivision, Level::fine, fine);
+      expect_areas(subdivision, Level::coarse, coarse);
+      subdivision.triangulate();
+      expect_no_negative_areas(subdivision, Level::fine);
+    }
+}
+
+// ---- Real meshes ----
 
 TEST(Subdivision, of_data_meshes)
 {

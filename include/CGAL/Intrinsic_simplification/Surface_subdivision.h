@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification {
@@ -75,6 +76,13 @@ inline Level_place fine_place(Vertex_index v, const Marked_fine_edges& edges)
   return edge_place(first_halfedge(mark.edge), t, fine);
 }
 
+// the place on the first halfedge of its edge where a piece ends
+inline double place_of_end(const Coarse_piece& piece)
+{
+  const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
+  return y / (x + y);
+}
+
 // the place of a vertex of the subdivision on the coarse level
 inline Level_place coarse_place(Vertex_index v, const Marked_fine_edges& edges)
 {
@@ -89,8 +97,7 @@ inline Level_place coarse_place(Vertex_index v, const Marked_fine_edges& edges)
   if(edges.piece_before(v) == no_index)
     return {Halfedge_index(), image_of_vertex(v, map)};
   const Coarse_piece& piece = edges.pieces()[edges.piece_before(v)];
-  const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
-  return edge_place(first_halfedge(piece.edge), y / (x + y), map.coarse().mesh());
+  return edge_place(first_halfedge(piece.edge), place_of_end(piece), map.coarse().mesh());
 }
 
 // A point as a point of the face `f` that is nearest across an edge, or the corner at a vertex that
@@ -203,6 +210,22 @@ public:
     return m_place[Base::index(side)][v.idx()];
   }
 
+  /// returns the barycentric coordinates of the target of `h` in the parent of its face.
+  /// Complexity: constant, or linear in the degree of the target.
+  /// \pre `h` is not a border halfedge
+  std::array<double, 3> coordinates(Level side, Halfedge_index h) const
+  {
+    if(side == Level::fine || !is_on_several_edges(this->mesh().target(h)))
+      return Base::coordinates(side, h);
+    const Halfedge_index spoke = this->parted_spoke(side, h);
+    const Halfedge_index parent = this->parent_halfedge(side, spoke);
+    const auto found = first_place(this->mesh().source(spoke), Edge_index(spoke));
+    const bool is_inside = found != m_places_on_edges.end() && found->part == Edge_index(spoke);
+    const auto p = is_inside ? Intrinsic_triangulations::edge_point(parent, found->t)
+                             : Intrinsic_triangulations::Edge_point<double>{parent, 0};
+    return Intrinsic_triangulations::face_location(p, this->mesh(side)).second;
+  }
+
   /// returns the halfedges that are the parts of the edge `e` of the coarse level, each beginning
   /// where the one before ends, from the source of its first halfedge to the target. Complexity:
   /// constant.
@@ -231,6 +254,35 @@ public:
   }
 
 private:
+  // Where a vertex is on the first halfedge of an edge of the coarse level that runs through it, with
+  // an edge that is a part of that one and ends at the vertex.
+  struct Place_on_edge
+  {
+    Vertex_index v;
+    Edge_index part;
+    double t;
+
+    friend bool operator<(const Place_on_edge& a, const Place_on_edge& b)
+    {
+      return std::tie(a.v, a.part) < std::tie(b.v, b.part);
+    }
+  };
+  typedef std::vector<Place_on_edge> Places_on_edges;
+
+  // not before `part`
+  typename Places_on_edges::const_iterator first_place(Vertex_index v, Edge_index part) const
+  {
+    return std::lower_bound(m_places_on_edges.begin(), m_places_on_edges.end(),
+                            Place_on_edge{v, part, 0});
+  }
+
+  // whether more than one edge of the coarse level runs through `v`
+  bool is_on_several_edges(Vertex_index v) const
+  {
+    const auto first = first_place(v, Edge_index(0));
+    return first != m_places_on_edges.end() && first->v == v;
+  }
+
   // the signed area of a triangle as a part of that of its face
   static double relative_area(const std::array<double, 3>& a, const std::array<double, 3>& b,
                               const std::array<double, 3>& c)
@@ -291,6 +343,7 @@ private:
   std::array<const Surface_level*, 2> m_levels;
   std::vector<Vertex_index> m_new_vertices; // of the coarse level, that the fine one lacks
   std::array<std::vector<Intrinsic_triangulations::Surface_place<double>>, 2> m_place;
+  Places_on_edges m_places_on_edges; // of vertices on more than one of the coarse level, in order
   std::vector<Halfedge_index> m_coarse_parts;      // of all edges of the coarse level
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
 };
@@ -323,6 +376,7 @@ public:
     check_connectivity();
     set_coarse_parents();
     set_places();
+    set_places_on_edges();
   }
 
 private:
@@ -460,6 +514,35 @@ private:
       p = internal::moved_into(f, p, m_coarse);
     if(!p.first.is_valid())
       fail();
+  }
+
+  // Their place has one edge only.
+  void set_places_on_edges()
+  {
+    std::vector<char> is_on_several(m_mesh.number_of_vertices(), 0);
+    for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
+      if(m_edges.piece_before(v) != p)
+        is_on_several[v] = 1;
+    });
+    auto& places = m_result.m_places_on_edges;
+    for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
+      if(!is_on_several[v])
+        return;
+      const double t = internal::place_of_end(m_edges.pieces()[p]);
+      for(const Halfedge_index part : {m_rotation.coarse_piece(p), m_rotation.coarse_piece(p + 1)})
+        places.push_back({v, Edge_index(part), t});
+    });
+    std::sort(places.begin(), places.end());
+  }
+
+  // Calls visit(v, p) for each vertex between two pieces of an edge, the first of which is `p`.
+  template <typename Visit>
+  void for_each_vertex_on_edge(const Visit& visit) const
+  {
+    const auto& pieces = m_edges.pieces();
+    for(size_type p = 0; p + 1 < pieces.size(); ++p)
+      if(pieces[p].edge == pieces[p + 1].edge)
+        visit(pieces[p].target, p);
   }
 
   const internal::Marked_fine_edges& m_edges;

@@ -178,8 +178,8 @@ Simplification_result simplify(Evolving_surface& surface, Cost& cost,
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
-  const std::size_t number_of_vertices =
-    choose_parameter(get_parameter(np, internal_np::number_of_vertices), std::size_t(0));
+  const auto number_of_vertices = static_cast<std::size_t>(
+    choose_parameter(get_parameter(np, internal_np::number_of_vertices), std::size_t(0)));
   const double maximum_cost = choose_parameter(get_parameter(np, internal_np::maximum_cost),
                                                std::numeric_limits<double>::infinity());
   Default_simplification_visitor silent;

@@ -121,7 +121,7 @@ public:
     const bool is_corner = is_vertex(side, v);
     if(!is_corner && parent_halfedge(side, h).is_valid())
       return on_side(side, parent_halfedge(side, h), p);
-    const Halfedge_index spoke = parent_of_spoke(side, h);
+    const Halfedge_index spoke = parent_halfedge(side, parted_spoke(side, h));
     return is_corner ? face_location(Edge_point<FT>{spoke, FT(0)}, mesh(side)).second
                      : on_side(side, spoke, p);
   }
@@ -236,20 +236,21 @@ protected:
   {
     m_parent_face[index(side)][f.idx()] = parent;
   }
+
+  // the first halfedge that is a part of one of `side`, clockwise around the target of `h` from the
+  // face of `h`
+  Halfedge_index parted_spoke(Side side, Halfedge_index h) const
+  {
+    do
+      h = opposite(m_mesh.next(h));
+    while(!parent_halfedge(side, h).is_valid());
+    return opposite(h);
+  }
   /// \endcond
 
 private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
   Derived& derived() { return static_cast<Derived&>(*this); }
-
-  // the halfedge of `side` that is next clockwise from the face of `h` around its target
-  Halfedge_index parent_of_spoke(Side side, Halfedge_index h) const
-  {
-    do
-      h = opposite(m_mesh.next(h));
-    while(!parent_halfedge(side, h).is_valid());
-    return parent_halfedge(side, opposite(h));
-  }
 
   // a place along an edge, on the side `h` of a face
   std::array<FT, 3> on_side(Side side, Halfedge_index h, const Surface_place<FT>& p) const
