@@ -363,9 +363,9 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
   const Delta_complex& mesh = tri.mesh();
-  const std::size_t limit =
+  const auto limit = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                     internal::default_flip_limit(mesh.number_of_edges()));
+                     internal::default_flip_limit(mesh.number_of_edges())));
   const internal::Concurrency concurrency = internal::concurrency_of(np);
   Default_flip_visitor silent;
   auto&& visitor =
