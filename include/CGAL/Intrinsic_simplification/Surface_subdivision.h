@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Marked_fine_edges.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Vertex_rotation.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <vector>
@@ -35,101 +35,6 @@ enum class Level
   coarse ///< where it ends
 };
 
-namespace internal {
-
-typedef Intrinsic_triangulations::Surface_place<double> Level_place;
-
-inline Level_place edge_place(Halfedge_index h, double t, const Delta_complex& mesh)
-{
-  namespace IT = Intrinsic_triangulations;
-  IT::Edge_point<double> p{h, t};
-  if(mesh.is_border(h))
-    p = IT::reversed(p, mesh);
-  return {p.halfedge, IT::face_location(p, mesh)};
-}
-
-inline Level_place vertex_place(Vertex_index v, const Delta_complex& mesh)
-{
-  if(mesh.is_isolated(v))
-    return {Halfedge_index(), {}};
-  return edge_place(Intrinsic_triangulations::first_spoke(v, mesh), 0, mesh);
-}
-
-// the place of a vertex of the subdivision on the fine level
-inline Level_place fine_place(Vertex_index v, const Marked_fine_edges& edges)
-{
-  const Delta_complex& fine = edges.map().fine().mesh();
-  if(edges.is_fine_vertex(v))
-    return vertex_place(v, fine);
-  if(edges.mark_of(v) == no_index) {
-    Strand s{edges.piece_before(v), true};
-    if(edges.is_new_vertex(v)) {
-      s = edges.first_strand(edges.new_vertex(v));
-      s.is_forward = !s.is_forward;
-    }
-    Surface_map::Location p{edges.pieces()[s.piece].segment.face, edges.strands().end(s).weight};
-    normalize(p.second);
-    return {Halfedge_index(), p};
-  }
-  const Curve_mark& mark = edges.mark(edges.mark_of(v));
-  const double t = std::isinf(mark.ratio) ? 1 : mark.ratio / (1 + mark.ratio);
-  return edge_place(first_halfedge(mark.edge), t, fine);
-}
-
-// the place on the first halfedge of its edge where a piece ends
-inline double place_of_end(const Coarse_piece& piece)
-{
-  const double x = piece.segment.to.along[0], y = piece.segment.to.along[1];
-  return y / (x + y);
-}
-
-// the place of a vertex of the subdivision on the coarse level
-inline Level_place coarse_place(Vertex_index v, const Marked_fine_edges& edges)
-{
-  const Surface_map& map = edges.map();
-  if(edges.is_fine_bend(v))
-    return {Halfedge_index(), edges.fine_bend(v)};
-  const Vertex_index coarse = edges.is_new_vertex(v)    ? edges.new_vertex(v)
-                              : edges.is_fine_vertex(v) ? map.coarse_vertex(v)
-                                                        : Vertex_index();
-  if(coarse.is_valid())
-    return vertex_place(coarse, map.coarse().mesh());
-  if(edges.piece_before(v) == no_index)
-    return {Halfedge_index(), image_of_vertex(v, map)};
-  const Coarse_piece& piece = edges.pieces()[edges.piece_before(v)];
-  return edge_place(first_halfedge(piece.edge), place_of_end(piece), map.coarse().mesh());
-}
-
-// A point as a point of the face `f` that is nearest across an edge, or the corner at a vertex that
-// they share; no face if `f` is not next to it.
-inline Surface_map::Location moved_into(Face_index f, const Surface_map::Location& p,
-                                        const Delta_complex& mesh)
-{
-  namespace IT = Intrinsic_triangulations;
-  Halfedge_index across, at_vertex;
-  double least = 2, most = -1;
-  for(Halfedge_index h : IT::sides(p.first, mesh)) {
-    const Coordinates b = IT::coordinates_from(h, p, mesh);
-    if(mesh.face(mesh.opposite(h)) == f && b[2] < least) {
-      across = mesh.opposite(h);
-      least = b[2];
-    }
-    for(Halfedge_index g : IT::sides(f, mesh))
-      if(mesh.source(g) == mesh.source(h) && b[0] > most) {
-        at_vertex = g;
-        most = b[0];
-      }
-  }
-  if(across.is_valid()) {
-    const Coordinates b = IT::coordinates_from(mesh.opposite(across), p, mesh);
-    return IT::face_location(IT::Edge_point<double>{across, b[0] / (b[0] + b[1])}, mesh);
-  }
-  if(at_vertex.is_valid())
-    return IT::face_location(IT::Edge_point<double>{at_vertex, 0}, mesh);
-  return {Face_index(), {}};
-}
-
-} // namespace internal
 /// \ingroup PkgIntrinsicSimplificationRef
 /// the polygon mesh into which the edges of the fine and the coarse level together cut the surface.
 /// Each face is part of one face of both levels.
@@ -215,12 +120,14 @@ public:
   /// \pre `h` is not a border halfedge
   std::array<double, 3> coordinates(Level side, Halfedge_index h) const
   {
-    if(side == Level::fine || !is_on_several_edges(this->mesh().target(h)))
+    const Vertex_index v = this->mesh().target(h);
+    if(side == Level::fine || !has_places_on_edges(v))
       return Base::coordinates(side, h);
     const Halfedge_index spoke = this->parted_spoke(side, h);
     const Halfedge_index parent = this->parent_halfedge(side, spoke);
-    const auto found = first_place(this->mesh().source(spoke), Edge_index(spoke));
-    const bool is_inside = found != m_places_on_edges.end() && found->part == Edge_index(spoke);
+    const auto found = first_place(v, Edge_index(spoke));
+    const bool is_inside =
+      found != m_places_on_edges.end() && found->v == v && found->part == Edge_index(spoke);
     const auto p = is_inside ? Intrinsic_triangulations::edge_point(parent, found->t)
                              : Intrinsic_triangulations::Edge_point<double>{parent, 0};
     return Intrinsic_triangulations::face_location(p, this->mesh(side)).second;
@@ -255,7 +162,7 @@ public:
 
 private:
   // Where a vertex is on the first halfedge of an edge of the coarse level that runs through it, with
-  // an edge that is a part of that one and ends at the vertex.
+  // an edge that is a part of that one and has an end at the vertex.
   struct Place_on_edge
   {
     Vertex_index v;
@@ -276,8 +183,7 @@ private:
                             Place_on_edge{v, part, 0});
   }
 
-  // whether more than one edge of the coarse level runs through `v`
-  bool is_on_several_edges(Vertex_index v) const
+  bool has_places_on_edges(Vertex_index v) const
   {
     const auto first = first_place(v, Edge_index(0));
     return first != m_places_on_edges.end() && first->v == v;
@@ -343,8 +249,8 @@ private:
   std::array<const Surface_level*, 2> m_levels;
   std::vector<Vertex_index> m_new_vertices; // of the coarse level, that the fine one lacks
   std::array<std::vector<Intrinsic_triangulations::Surface_place<double>>, 2> m_place;
-  Places_on_edges m_places_on_edges; // of vertices on more than one of the coarse level, in order
-  std::vector<Halfedge_index> m_coarse_parts;      // of all edges of the coarse level
+  Places_on_edges m_places_on_edges;          // of vertices that have more than m_place, in order
+  std::vector<Halfedge_index> m_coarse_parts; // of all edges of the coarse level
   std::vector<std::ptrdiff_t> m_first_coarse_part; // of each edge, and the end
 };
 
@@ -516,17 +422,18 @@ private:
       fail();
   }
 
-  // Their place has one edge only.
+  // Several edges of the coarse level can run through a vertex, and one through a vertex of that
+  // level: within rounding.
   void set_places_on_edges()
   {
-    std::vector<char> is_on_several(m_mesh.number_of_vertices(), 0);
+    std::vector<char> has_more_places(m_mesh.number_of_vertices(), 0);
     for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
-      if(m_edges.piece_before(v) != p)
-        is_on_several[v] = 1;
+      if(m_edges.piece_before(v) != p || m_result.is_vertex(Level::coarse, v))
+        has_more_places[v] = 1;
     });
     auto& places = m_result.m_places_on_edges;
     for_each_vertex_on_edge([&](Vertex_index v, size_type p) {
-      if(!is_on_several[v])
+      if(!has_more_places[v])
         return;
       const double t = internal::place_of_end(m_edges.pieces()[p]);
       for(const Halfedge_index part : {m_rotation.coarse_piece(p), m_rotation.coarse_piece(p + 1)})
