@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Writes `output`, one program that runs the example that its first argument names: the source files
-# `ARGN`, each in a namespace of its own, after all that they include. So the templates that they
-# share are instantiated once.
+# `ARGN`, each in a namespace of its own, after all that they include.
 function(combine_examples output)
   set(headers)
   set(namespaces)

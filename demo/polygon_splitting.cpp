@@ -21,6 +21,7 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <string>
 #include <unordered_set>
 #include <utility>
 #include <vector>

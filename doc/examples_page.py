@@ -43,8 +43,8 @@ def comment(source):
 
 def printed(program, name):
     with tempfile.TemporaryDirectory() as scratch: # some write files
-        result = subprocess.run([program.resolve(), name], cwd=scratch, stdout=subprocess.PIPE, text=True,
-                                check=True)
+        result = subprocess.run([program.resolve(), name], cwd=scratch, stdout=subprocess.PIPE,
+                                text=True, check=True)
     lines = result.stdout.split("\n")[:-1]
     return lines if len(lines) <= MOST_LINES else lines[:MOST_LINES] + ["..."]
 
