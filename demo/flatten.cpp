@@ -72,7 +72,7 @@ public:
   void run()
   {
     m_conditions = m_run.timed("build", [&] {
-      m_length = edge_lengths(m_run);
+      m_mollification = mollification(m_run);
       return flattening_conditions(m_options, mesh());
     });
     const DCM::Planar_conformal_map map = solved();
@@ -108,7 +108,7 @@ private:
     const auto flipping =
       m_options.solver == "cetm" ? DCM::Flipping::none : DCM::Flipping::to_Delaunay;
     return shaped(DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
-                    .edge_length_map(m_length)
+                    .mollification(m_mollification)
                     .vertex_condition_map(conditions)
                     .maximum_log_scale(bound)
                     .flipping(flipping)
@@ -171,7 +171,7 @@ private:
   Mesh_format m_format;
   Command_run m_run;
   Stage_visitor m_visitor;
-  Edge_length_map m_length;
+  double m_mollification = 0;
   Conditions m_conditions;
 };
 

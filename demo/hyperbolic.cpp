@@ -34,7 +34,7 @@ std::vector<Mesh::Vertex_index> cones_of(const Conditions& conditions, const Mes
   return result;
 }
 
-DCM::Hyperbolic_conformal_map uniformized(Command_run& run, const Edge_length_map& length,
+DCM::Hyperbolic_conformal_map uniformized(Command_run& run, double epsilon,
                                           const Conditions& conditions)
 {
   const Mesh& mesh = run.input().mesh;
@@ -43,7 +43,7 @@ DCM::Hyperbolic_conformal_map uniformized(Command_run& run, const Edge_length_ma
     boost::make_iterator_property_map(conditions.begin(), get(boost::vertex_index, mesh));
   return DCM::uniformize_hyperbolic(mesh, DCM::parameters::vertex_condition_map(condition)
                                             .concurrency_tag(CGAL::Parallel_if_available_tag())
-                                            .edge_length_map(length)
+                                            .mollification(epsilon)
                                             .visitor(std::ref(visitor)));
 }
 
@@ -149,12 +149,12 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
   Command_run run("hyperbolic", common, {options.output, options.picture});
   run.plan({{"build"}, map_stages(false)});
   const Mesh& mesh = run.input().mesh;
-  Edge_length_map length;
+  double epsilon = 0;
   const Conditions conditions = run.timed("build", [&] {
-    length = edge_lengths(run);
+    epsilon = mollification(run);
     return options.cones.empty() ? Conditions(mesh.number_of_vertices())
                                  : prescribed_curvatures(options.cones, mesh);
   });
-  finish(run, options, format, uniformized(run, length, conditions), cones_of(conditions, mesh));
+  finish(run, options, format, uniformized(run, epsilon, conditions), cones_of(conditions, mesh));
   return 0;
 }

@@ -18,9 +18,9 @@ namespace {
 // Help and version are not errors.
 int exit_code(const CLI::App& app, const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : 2; }
 
-int report(const std::exception& e, int code)
+int report(const std::exception& e, int code, const char* advice = "")
 {
-  std::cerr << "intrinsic: " << e.what() << '\n';
+  std::cerr << "intrinsic: " << e.what() << advice << '\n';
   return code;
 }
 
@@ -62,6 +62,11 @@ int run(const CLI::App& app, const Options& options)
     return report(e, 2);
   } catch(const CGAL::Intrinsic_triangulations::Invalid_input& e) {
     return report(e, 2);
+  } catch(const CGAL::Intrinsic_triangulations::Numerical_error& e) {
+    return report(e, 1,
+                  options.common.mollification > 0
+                    ? ""
+                    : "; where triangles are almost flat, --mollify 1e-8 gives them an area");
   } catch(const std::exception& e) {
     return report(e, 1);
   }

@@ -6,11 +6,15 @@
 
 #include "Command_run.h"
 #include "Mesh_writer.h"
+#include "Program_error.h"
 #include "triangulation_stages.h"
 
 #include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
+#include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 
+#include <cstddef>
 #include <sstream>
+#include <string>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
@@ -74,6 +78,15 @@ Output_mesh own_faces(const Triangulation& triangulation, const Input_mesh& inpu
   return result;
 }
 
+void check_simplicial(const Triangulation& triangulation, std::size_t insertions)
+{
+  const IT::Delta_complex& mesh = triangulation.mesh();
+  for(const IT::Face_index f : mesh.faces())
+    if(!IT::is_simplicial(f, mesh))
+      throw Program_error("not simplicial after as many insertions as are allowed, " +
+                          std::to_string(insertions) + ": allow more by --max-insertions");
+}
+
 } // namespace
 
 int refine(const Common_options& common, const Refine_options& options)
@@ -86,6 +99,8 @@ int refine(const Common_options& common, const Refine_options& options)
     make_delaunay_triangulation(run, {options.constrained_angle, have_seams});
   run.keep_points_only();
   const auto refinement = refine_triangulation(run, triangulation, options.bounds);
+  if(options.bounds.is_simplicial && refinement.status == IT::Refinement_status::insertion_limit)
+    check_simplicial(triangulation, refinement.insertions);
   describe(run, triangulation);
   const Subdivision subdivision = subdivide(run, triangulation);
   run.timed("write", [&] {

@@ -24,11 +24,11 @@ namespace {
 
 DCM::Spherical_conformal_map mapped(Command_run& run)
 {
-  const Edge_length_map length = run.timed("build", [&] { return edge_lengths(run); });
+  const double epsilon = run.timed("build", [&] { return mollification(run); });
   Stage_visitor visitor{run};
   return DCM::map_to_sphere(run.input().mesh,
                             DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
-                              .edge_length_map(length)
+                              .mollification(epsilon)
                               .visitor(std::ref(visitor)));
 }
 

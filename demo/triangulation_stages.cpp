@@ -87,14 +87,19 @@ Edge_length_map edge_lengths(Command_run& run)
   return lengths;
 }
 
+double mollification(Command_run& run)
+{
+  if(run.options().mollification > 0)
+    edge_lengths(run);
+  return run.options().mollification;
+}
+
 Triangulation make_triangulation(Command_run& run, const Constraints& constraints)
 {
   Mesh& mesh = run.input().mesh;
   const auto np =
     IT::parameters::edge_is_constrained_map(constrained_edges(run.input(), constraints));
-  if(run.options().mollification > 0)
-    return Triangulation(mesh, np.edge_length_map(edge_lengths(run)));
-  return Triangulation(mesh, np);
+  return Triangulation(mesh, np.mollification(mollification(run)));
 }
 
 Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& constraints)

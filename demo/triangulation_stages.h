@@ -34,6 +34,9 @@ struct Constraints
 // statistics.
 Edge_length_map edge_lengths(Command_run& run);
 
+// The named parameter for what the lengths of surfaces are to be; what is added in the statistics.
+double mollification(Command_run& run);
+
 // The names of stages, for `Command_run::plan()`.
 inline const Stages delaunay_stages{"build", "flip"};
 // none unless decisions are exact

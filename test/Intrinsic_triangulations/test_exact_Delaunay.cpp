@@ -15,12 +15,15 @@
 #include <CGAL/Sqrt_extension.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -431,6 +434,66 @@ TEST(Exact_Delaunay, double_is_certified_on_hard_meshes)
     const Named_mesh hard = hard_mesh(seed);
     SCOPED_TRACE(hard.name + " " + std::to_string(seed));
     expect_certified_in_double(hard.mesh);
+  }
+}
+
+std::array<Exact_rational, 3> exact_sides(Face_index f, const Triangulation& t)
+{
+  const auto side = IT::sides(f, t.input_mesh());
+  const auto length = [&](std::size_t s) {
+    return Exact_rational(t.input_length(t.input_mesh().edge(side[s])));
+  };
+  return {length(0), length(1), length(2)};
+}
+
+// Lengths that count as exact are those of triangles: some are shortened, by their rounding.
+TEST(Exact_Delaunay, rounded_lengths_are_those_of_triangles)
+{
+  std::size_t shortened = 0;
+  for(std::uint64_t seed = 0; seed < 120; ++seed) {
+    const Named_mesh hard = hard_mesh(seed);
+    SCOPED_TRACE(hard.name + " " + std::to_string(seed));
+    const Triangulation by_points(hard.mesh);
+    Triangulation t(hard.mesh, IT::parameters::edge_length_map(by_points.length_map()));
+    for(Edge_index e : t.input_mesh().edges()) {
+      const double before = by_points.length(e), after = t.input_length(e);
+      EXPECT_LE(after, before);
+      EXPECT_GE(after, before * (1 - 32 * std::numeric_limits<double>::epsilon()));
+      shortened += after < before;
+    }
+    for(Face_index f : t.input_mesh().faces()) {
+      const auto [a, b, c] = exact_sides(f, t);
+      EXPECT_TRUE(a <= b + c && b <= c + a && c <= a + b);
+    }
+    Triangulation exact(t);
+    try {
+      IT::make_Delaunay(t);
+      IT::make_Delaunay(exact, exactly);
+      EXPECT_TRUE(IT::certify_Delaunay(exact).is_Delaunay());
+    } catch(const IT::Numerical_error& error) { // vertices in one place
+      EXPECT_NE(std::string(error.what()).find("has no positive finite length"), std::string::npos);
+    }
+  }
+  EXPECT_GT(shortened, 100u);
+}
+
+// Squared lengths that are not those of triangles, by their rounding, do not count as exact.
+TEST(Exact_Delaunay, rounded_squared_lengths_of_flat_triangles)
+{
+  const Mesh mesh = grid(2, 1, [](double x, double y) { return Point(x, y, 0); });
+  for(double excess : {0., 1e-15}) {
+    const auto square = boost::make_function_property_map<Edge_index>([&](Edge_index e) {
+      const Halfedge_index h = mesh.halfedge(e);
+      const double x = mesh.point(mesh.target(h)).x() - mesh.point(mesh.source(h)).x();
+      const double y = mesh.point(mesh.target(h)).y() - mesh.point(mesh.source(h)).y();
+      return std::pow(std::abs(x) + std::abs(y), 2) * (x != 0 && y != 0 ? 1 + excess : 1);
+    });
+    const Triangulation t(mesh, IT::parameters::squared_edge_length_map(square));
+    EXPECT_EQ(t.input_metric().squared_lengths.empty(), excess > 0);
+    for(Face_index f : t.input_mesh().faces()) {
+      const auto [a, b, c] = exact_sides(f, t);
+      EXPECT_TRUE(a <= b + c && b <= c + a && c <= a + b);
+    }
   }
 }
 

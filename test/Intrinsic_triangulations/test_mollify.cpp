@@ -2,13 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "more_generators.h"
+#include "near_degenerate_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -147,6 +148,38 @@ TEST(Mollify, the_empty_mesh)
   const Delta_complex mesh;
   std::vector<double> lengths;
   EXPECT_EQ(mollified(mesh, lengths, 1e-5), 0);
+}
+
+// The parameter does what the function does. Positions count no longer then, if lengths change.
+TEST(Mollify, by_a_named_parameter)
+{
+  const Mesh good = unit_sphere(2);
+  const Mesh bad = near_degenerate_mesh(1).mesh;
+  for(const Mesh* mesh : {&good, &bad}) {
+    const double epsilon = 1e-4;
+    std::vector<double> length(mesh->number_of_edges());
+    const auto map =
+      boost::make_iterator_property_map(length.begin(), get(boost::edge_index, *mesh));
+    IT::compute_edge_lengths(*mesh, map);
+    const bool has_changed = IT::mollify(*mesh, map, epsilon) > 0;
+    EXPECT_EQ(has_changed, mesh == &bad);
+    const Triangulation t(*mesh, IT::parameters::mollification(epsilon));
+    EXPECT_EQ(t.input_metric().points.empty(), has_changed);
+    for(Edge_index e : mesh->edges())
+      EXPECT_EQ(t.length(e), length[e.idx()]);
+  }
+}
+
+TEST(Mollify, edges_of_zero_length)
+{
+  Mesh mesh = unit_sphere(1);
+  const Halfedge_index h = *mesh.halfedges().begin();
+  mesh.point(mesh.source(h)) = mesh.point(mesh.target(h));
+  EXPECT_THROW(Triangulation{mesh}, IT::Invalid_input);
+  EXPECT_THROW(Triangulation(mesh, IT::parameters::mollification(0)), IT::Invalid_input);
+  EXPECT_THROW(Triangulation(mesh, IT::parameters::mollification(-1.)), IT::Invalid_input);
+  EXPECT_THROW(Triangulation(mesh, IT::parameters::mollification(std::nan(""))), IT::Invalid_input);
+  EXPECT_GT(Triangulation(mesh, IT::parameters::mollification(1e-6)).length(mesh.edge(h)), 0);
 }
 
 } // namespace Test_mollify

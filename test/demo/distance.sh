@@ -87,6 +87,7 @@ rm a.* b.*
 # A face without area has no heat equation, unless it is mollified.
 off flat '0 0 0,1 0 0,2 0 0' '0 1 2'
 expect 1 distance flat.mesh.off --source 0 -o a.ply
+says '; where triangles are almost flat, --mollify 1e-8 gives them an area'
 expect 0 distance flat.mesh.off --source 0 -o - --mollify 1e-3
 expect 0 distance zero_length.mesh.off --source 0 -o - --mollify 1e-3
 expect 0 distance slivers.mesh.off --source 0 -o - --time-step 4

@@ -102,6 +102,7 @@ rm i_*
 # A face without area has no Laplacian, unless it is mollified. Nothing is written without it.
 off flat '0 0 0,1 0 0,2 0 0' '0 1 2'
 expect 1 operators flat.mesh.off --prefix f
+says '; where triangles are almost flat, --mollify 1e-8 gives them an area'
 expect_files
 expect 0 operators flat.mesh.off --prefix f --mollify 1e-3
 rm f_*

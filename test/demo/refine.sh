@@ -184,5 +184,5 @@ for format in off obj vtp; do
   expect 0 refine slivers.mesh.off -o "a.$format" --simplicial
 done
 expect 2 refine pillow.mesh.off -o b.ply --simplicial --max-insertions 1
-says 'has a side that is a loop'
+says 'not simplicial after as many insertions as are allowed, 1: allow more by --max-insertions'
 rm a.*

@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
@@ -109,6 +110,12 @@ public:
   ///       `Traits::Exact_number` or, without exact traits, to `FT`}
   ///     \cgalParamDefault{unused}
   ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{mollification}
+  ///     \cgalParamDescription{the slack that `mollify()` gives to all triangle inequalities, relative
+  ///       to the mean edge length; 0 for none}
+  ///     \cgalParamType{convertible to `FT`}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
   ///   \cgalParamNBegin{edge_is_constrained_map}
   ///     \cgalParamDescription{the edges that must stay in \f$T_2\f$}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with value type `bool`}
@@ -123,7 +130,8 @@ public:
   /// Complexity: linear.
   /// \throws Invalid_input if a face is not a triangle, an edge has no face, a vertex has more than
   ///         one umbrella, a length is not positive and finite, or the triangle inequality fails in
-  ///         a face (with exact traits and without positions, exactly)
+  ///         a face: with exact traits and without positions, exactly; lengths of type `double` that
+  ///         exceed it by rounding are shortened to those of a flat triangle
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
                                    const NamedParameters& np = CGAL::parameters::default_values())
@@ -134,9 +142,15 @@ public:
                    internal::size_of(faces(g)));
     internal::with_numbering(g, [&](const auto& numbering) {
       internal::copy_connectivity(g, numbering, m_input);
-      internal::copy_lengths(g, np, numbering, input(), m_traits);
+      internal::copy_lengths(g, np, numbering, input());
       internal::copy_metric(g, np, numbering, m_input, m_input_metric);
     });
+    internal::mollify_lengths(np, input(), m_input_metric);
+    internal::check_copied_lengths(np, input(), m_traits);
+    if constexpr(internal::Is_exact<Traits>::value)
+      internal::check_exact_triangles(m_input_metric, input());
+    else if constexpr(internal::has_metric<Traits>())
+      internal::make_triangles_exact(m_input_metric, input());
     m_mesh = m_input;
     attach();
     m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
@@ -144,7 +158,6 @@ public:
       internal::copy_constraints(
         g, np, numbering, [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
     });
-    check_exact_triangles();
   }
 
   /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the
@@ -171,7 +184,8 @@ public:
     const std::string defect = internal::correspondence_defect(*this);
     if(!defect.empty())
       throw Invalid_input(defect);
-    check_exact_triangles();
+    if constexpr(internal::has_metric<Traits>())
+      internal::check_exact_triangles(m_input_metric, this->input());
   }
 
   /// @}
@@ -388,14 +402,6 @@ private:
   bool can_be_turned(Halfedge_index h) const
   {
     return flip_status(h, m_mesh) == Operation_status::possible && !is_constrained(m_mesh.edge(h));
-  }
-
-  // positions always make triangles
-  void check_exact_triangles() const
-  {
-    if constexpr(internal::Is_exact<Traits>::value)
-      if(m_input_metric.points.empty())
-        internal::exact_decisions(*this).check_triangles();
   }
 
   // like the public ones, where the new edges have the lengths `length`

@@ -14,6 +14,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_OWN_PARAMETERS(DO)                                           \
   DO(edge_length_map)                                                                              \
   DO(squared_edge_length_map)                                                                      \
+  DO(mollification)                                                                                \
   DO(exact_decisions)                                                                              \
   DO(concurrency_tag)                                                                              \
   DO(time_step_factor)                                                                             \
@@ -60,6 +61,12 @@ auto edge_length_map(const Map& map);
 /// traits take as they are; it takes the place of vertex positions.
 template <typename Map>
 auto squared_edge_length_map(const Map& map);
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// names the slack that `mollify()` gives to all triangle inequalities of the input, relative to
+/// the mean edge length.
+template <typename Number>
+auto mollification(const Number& epsilon);
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// names whether all decisions about Delaunay edges are exact.

@@ -19,12 +19,16 @@
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
+
 #include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -49,13 +53,15 @@ public:
   typedef Intrinsic_triangulations::internal::Mesh_components Components;
   typedef Eigen::VectorXd Vector;
 
-  // `half` is the surface, of which nothing but connectivity and lengths is kept; `condition` has
-  // one entry for each of its vertices; the flips to T^B can be decided exactly
+  // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
+  // is kept; `condition` has one entry for each of its vertices; the flips to T^B can be decided
+  // exactly
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, bool has_exact_flips = false)
     : m_flipping(flipping),
       m_has_exact_flips(has_exact_flips),
       m_half(half.mesh()),
+      m_point(half.input_metric().points),
       m_components(m_half),
       m_has_boundary(m_components.size(), 0),
       m_has_copy(m_half.num_faces(), 0),
@@ -387,18 +393,33 @@ private:
   void build()
   {
     const Doubled_surface surface(m_half, m_has_copy);
-    std::vector<double> length(surface.mesh().num_edges());
-    for(Edge_index e : m_half.edges())
-      length[e.idx()] = length[surface.mirrored(e).idx()] = m_length[e.idx()];
-    m_triangulation =
-      Triangulation(surface.mesh(), Intrinsic_triangulations::parameters::edge_length_map(
-                                      boost::make_function_property_map<Edge_index>(
-                                        [&](Edge_index e) { return length[e.idx()]; })));
+    m_triangulation = m_point.empty() ? double_by_lengths(surface) : double_by_points(surface);
     m_front = surface.front();
     m_front_face = surface.front_faces();
     m_seams = surface.seams();
     if(m_flipping == Flipping::to_Delaunay)
       flip_to_Delaunay();
+  }
+
+  Triangulation double_by_lengths(const Doubled_surface& surface) const
+  {
+    std::vector<double> length(surface.mesh().num_edges());
+    for(Edge_index e : m_half.edges())
+      length[e.idx()] = length[surface.mirrored(e).idx()] = m_length[e.idx()];
+    return Triangulation(surface.mesh(), Intrinsic_triangulations::parameters::edge_length_map(
+                                           boost::make_function_property_map<Edge_index>(
+                                             [&](Edge_index e) { return length[e.idx()]; })));
+  }
+
+  // Rounded lengths of a thin face may be those of one without area; positions are not.
+  Triangulation double_by_points(const Doubled_surface& surface) const
+  {
+    return Triangulation(surface.mesh(),
+                         CGAL::parameters::vertex_point_map(
+                           boost::make_function_property_map<Vertex_index>([&](Vertex_index v) {
+                             const auto& [x, y, z] = m_point[surface.front()[v.idx()].idx()];
+                             return Simple_cartesian<double>::Point_3(x, y, z);
+                           })));
   }
 
   struct Flip_record
@@ -437,7 +458,8 @@ private:
   Intrinsic_triangulations::internal::Concurrency m_concurrency;
   bool m_has_exact_flips;
   Delta_complex m_half;
-  std::vector<double> m_length; // of the edges of the surface
+  std::vector<double> m_length;               // of the edges of the surface
+  std::vector<std::array<double, 3>> m_point; // of its vertices, if it has positions
   Components m_components;
   std::vector<char> m_has_boundary; // of each component
   std::vector<char> m_has_copy;     // for each face of the surface

@@ -59,6 +59,7 @@ public:
   }
 
   // Minimizes the energy; if double has too few digits for `tolerance`, in extended precision.
+  // Where rounding or limits keep the minimizer from its own tolerance, this one is enough.
   template <typename Minimizer, typename Visitor>
   void minimize(const Minimizer& minimizer, double tolerance, Visitor& visitor)
   {
@@ -70,6 +71,8 @@ public:
     run(energy, minimizer, visitor);
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_extended(minimizer, tolerance, visitor);
+    if(m_status == Map_status::not_converged && is_within(tolerance))
+      m_status = Map_status::success;
   }
 
   // The scale factors as precisely as the rounding of `FT` allows; their rounded values are the

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/exact_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
@@ -53,8 +54,7 @@ public:
 
   Delaunay_certificate run()
   {
-    if(m_pair.input_metric().points.empty())
-      decisions().check_triangles();
+    check_exact_triangles(m_pair.input_metric(), m_pair.input());
     for_each<Edge_index>(
       [this](auto e, auto& decisions, auto& part) { check_straightness(e, decisions, part); });
     for_each<Edge_index>(

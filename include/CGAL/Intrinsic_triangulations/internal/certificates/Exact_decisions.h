@@ -68,14 +68,18 @@ class Exact_decisions : public Certain_measures<Traits, Crossings>
   using Base::straightness;
   using Base::try_with_more_digits;
 
-  static constexpr std::size_t maximal_number_of_roots = 10;
-
 public:
+  // How many independent square roots a decision may involve. What many take grows exponentially.
+  static constexpr std::size_t few_roots = 2, many_roots = 10;
+
   using Base::is_input_edge;
   using Base::rounded_angle;
 
-  Exact_decisions(const Pair& pair, const Crossings& crossings)
-    : Base(pair, crossings), m_is_flat(m_metric, pair.input_mesh())
+  Exact_decisions(const Pair& pair, const Crossings& crossings,
+                  std::size_t maximal_number_of_roots = many_roots)
+    : Base(pair, crossings),
+      m_is_flat(m_metric, pair.input_mesh()),
+      m_maximal_number_of_roots(maximal_number_of_roots)
   {}
 
   // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
@@ -204,22 +208,6 @@ public:
     });
   }
 
-  // Throws `Invalid_input` if T1 is given by lengths that violate the triangle inequality. Those
-  // that obey it by more than rounding need no second look.
-  void check_triangles() const
-  {
-    const Delta_complex& input = m_pair.input_mesh();
-    const auto length = [&](Halfedge_index h) { return m_pair.input_length(input.edge(h)); };
-    for(Face_index f : input.faces()) {
-      const Halfedge_index h = input.halfedge(f);
-      const double a = length(h), b = length(input.next(h)), c = length(input.prev(h));
-      if((std::min)({b + c - a, c + a - b, a + b - c}) <= rounding_unit<double>() * (a + b + c) &&
-         area_sign(h, m_metric, m_pair.input()) == NEGATIVE)
-        throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()) +
-                            " by less than rounding");
-    }
-  }
-
   const Decision_count& count() const { return m_count; }
 
   // Returns the sign `predicate(development)`, which is asked for with more and more digits. Roots
@@ -235,14 +223,15 @@ public:
       if(is_certain(sign))
         ++(is_first ? m_count.floating_point : m_count.multiprecision);
       else if(std::is_same_v<decltype(corners), Rounded<Double_double>&>)
-        sign = sign_by_roots<Exact>(predicate, 2);
+        sign = sign_by_roots<Exact>(predicate, few_roots);
       return is_certain(sign);
     });
-    if(!is_certain(sign))
-      sign = sign_by_roots<Exact>(predicate, maximal_number_of_roots);
+    if(!is_certain(sign) && m_maximal_number_of_roots > few_roots)
+      sign = sign_by_roots<Exact>(predicate, m_maximal_number_of_roots);
     if(!is_certain(sign))
       throw Numerical_error("an exact decision involves more than " +
-                            std::to_string(maximal_number_of_roots) + " independent square roots");
+                            std::to_string(m_maximal_number_of_roots) +
+                            " independent square roots");
     return get_certain(sign);
   }
 
@@ -419,6 +408,7 @@ private:
 
   Delaunay_by_lengths m_by_lengths;
   Flat_edges<Metric> m_is_flat;
+  std::size_t m_maximal_number_of_roots;
   Decision_count m_count;
 };
 

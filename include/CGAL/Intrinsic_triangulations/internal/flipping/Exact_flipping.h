@@ -46,14 +46,16 @@ class Exact_flipping
 
 public:
   // Lengths of edges that are not in T1 are unknown at first, unless `Traits` is exact. `effort`
-  // is the number of steps that may be spent on strips; without a limit no length gets unknown,
-  // and a decision that involves too many roots throws.
+  // is the number of steps that may be spent on strips; without a limit no length gets unknown.
+  // A decision that many digits leave open and that involves too many roots throws with exact
+  // traits; otherwise it counts as a tie.
   explicit Exact_flipping(Triangulation& tri,
                           double effort = std::numeric_limits<double>::infinity())
     : m_tri(tri),
       m_mesh(tri.mesh()),
       m_crossings(tri),
-      m_decisions(tri, m_crossings),
+      m_decisions(tri, m_crossings,
+                  Is_exact<Traits>::value ? Decisions::many_roots : Decisions::few_roots),
       m_error(m_mesh.num_edges(), input_error),
       m_effort(effort)
   {
@@ -140,9 +142,10 @@ public:
   }
 
   // Computes the lengths anew that make an edge seem not to be Delaunay: stored lengths do not
-  // deny what has been decided exactly. What is sharp does not change again, so that this ends.
+  // deny what has been decided exactly. Each is computed once, so that this ends.
   void sharpen_lengths()
   {
+    m_is_sharp.assign(m_mesh.num_edges(), false);
     for(bool has_changed = true; has_changed;) {
       has_changed = false;
       for(Edge_index e : m_doubtful)
@@ -206,8 +209,8 @@ private:
     try {
       return (greatest_error_around(h) == input_error ? m_decisions.Delaunay_sign_by_squares(h)
                                                       : m_decisions.Delaunay_sign(h)) != NEGATIVE;
-    } catch(const Numerical_error&) { // as good as a tie
-      if(!is_limited())
+    } catch(const Numerical_error&) {
+      if(Is_exact<Traits>::value && !is_limited())
         throw;
       return true;
     }
@@ -291,7 +294,7 @@ private:
 
   bool has_sharpened_length(Edge_index e)
   {
-    if(m_tri.coordinates().is_shared(e))
+    if(m_tri.coordinates().is_shared(e) || std::exchange(m_is_sharp[e.idx()], true))
       return false;
     const double before = m_tri.length(e);
     m_tri.m_length[e] = m_decisions.length(m_mesh.halfedge(e), rounding_unit<double>() / 2);
@@ -306,6 +309,7 @@ private:
   double m_effort;
   bool m_has_unknown_lengths = false;
   std::vector<Edge_index> m_doubtful; // edges that stored lengths may not decide about rightly
+  std::vector<char> m_is_sharp;       // whose lengths have been computed anew for these
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/mollify.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -84,16 +85,13 @@ void check_triangles(const Surface& surface, const Traits& traits)
   }
 }
 
-// Copies length(e) of each edge of `g` to that of the edge with its index in `copy`, and checks it.
-template <typename Graph, typename Numbering, typename Surface, typename Traits, typename Length>
+// Copies length(e) of each edge of `g` to that of the edge with its index in `copy`.
+template <typename Graph, typename Numbering, typename Surface, typename Length>
 void set_lengths(const Graph& g, const Numbering& numbering, const Surface& copy,
-                 const Traits& traits, const Length& length)
+                 const Length& length)
 {
-  for(auto e : edges(g)) {
-    const Edge_index e_copy = copy.mesh().edge(numbering.halfedge_of(halfedge(e, g)));
-    put(copy.length_map(), e_copy, length(e));
-    check_length(e_copy, copy, traits);
-  }
+  for(auto e : edges(g))
+    put(copy.length_map(), copy.mesh().edge(numbering.halfedge_of(halfedge(e, g))), length(e));
 }
 
 // the positions of vertices of `g`: those of the named parameter, or its own
@@ -113,27 +111,35 @@ constexpr bool has_parameter()
 
 // Gives `copy` the lengths of `g`: those of the named parameter, the roots of squared ones, or the
 // distances of its vertices.
-template <typename Graph, typename NamedParameters, typename Numbering, typename Surface,
-          typename Traits>
+template <typename Graph, typename NamedParameters, typename Numbering, typename Surface>
 void copy_lengths(const Graph& g, const NamedParameters& np, const Numbering& numbering,
-                  const Surface& copy, const Traits& traits)
+                  const Surface& copy)
 {
   typedef Length_of<Surface> FT;
   using CGAL::parameters::get_parameter;
   if constexpr(has_parameter<NamedParameters, internal_np::edge_length_map_t>()) {
     const auto length = get_parameter(np, internal_np::edge_length_map);
-    set_lengths(g, numbering, copy, traits, [&](auto e) { return FT(get(length, e)); });
-    check_triangles(copy, traits);
+    set_lengths(g, numbering, copy, [&](auto e) { return FT(get(length, e)); });
   } else if constexpr(has_parameter<NamedParameters, internal_np::squared_edge_length_map_t>()) {
     const auto square = get_parameter(np, internal_np::squared_edge_length_map);
-    set_lengths(g, numbering, copy, traits, [&](auto e) { return root_of<FT>(get(square, e)); });
-    check_triangles(copy, traits);
+    set_lengths(g, numbering, copy, [&](auto e) { return root_of<FT>(get(square, e)); });
   } else {
     const auto point = vertex_points(g, np);
-    set_lengths(g, numbering, copy, traits, [&](auto e) {
+    set_lengths(g, numbering, copy, [&](auto e) {
       return distance<FT>(get(point, source(e, g)), get(point, target(e, g)));
     });
   }
+}
+
+// The distances of positions are those of triangles.
+template <typename NamedParameters, typename Surface, typename Traits>
+void check_copied_lengths(const NamedParameters&, const Surface& copy, const Traits& traits)
+{
+  for(Delta_complex::size_type n = 0; n < copy.mesh().num_edges(); ++n)
+    check_length(Edge_index(n), copy, traits);
+  if constexpr(has_parameter<NamedParameters, internal_np::edge_length_map_t>() ||
+               has_parameter<NamedParameters, internal_np::squared_edge_length_map_t>())
+    check_triangles(copy, traits);
 }
 
 // returns the exact value of a number of a kernel
@@ -183,6 +189,29 @@ void copy_metric(const Graph& g, const NamedParameters& np, const Numbering& num
         return to_exact<K>(typename Kernel::Compute_squared_distance_3()(get(point, source(e, g)),
                                                                          get(point, target(e, g))));
       });
+  }
+}
+
+inline void forget(No_metric&) {}
+
+template <typename K>
+void forget(Input_metric<K>& metric)
+{
+  metric = {};
+}
+
+// Mollifies the lengths as the named parameter has it; if they change, they count as exact.
+template <typename NamedParameters, typename Surface, typename Metric>
+void mollify_lengths([[maybe_unused]] const NamedParameters& np,
+                     [[maybe_unused]] const Surface& copy, [[maybe_unused]] Metric& metric)
+{
+  if constexpr(has_parameter<NamedParameters, internal_np::mollification_t>()) {
+    typedef Length_of<Surface> FT;
+    const FT epsilon(CGAL::parameters::get_parameter(np, internal_np::mollification));
+    if(!(epsilon >= 0))
+      throw Invalid_input("the mollification is negative or NaN");
+    if(epsilon > 0 && mollify(copy.mesh(), copy.length_map(), epsilon) > 0)
+      forget(metric);
   }
 }
 

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_EXACT_TRIANGLES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_EXACT_TRIANGLES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Returns a face in which the triangle inequality fails; null if there is none, as with positions.
+// Lengths that obey it by more than rounding need no second look.
+template <typename Metric, typename Surface>
+Face_index violated_triangle(const Metric& metric, const Surface& input)
+{
+  const Delta_complex& mesh = input.mesh();
+  const auto length = [&](Halfedge_index h) { return get(input.length_map(), mesh.edge(h)); };
+  if(metric.points.empty())
+    for(Face_index f : mesh.faces()) {
+      const Halfedge_index h = mesh.halfedge(f);
+      const double a = length(h), b = length(mesh.next(h)), c = length(mesh.prev(h));
+      if((std::min)({b + c - a, c + a - b, a + b - c}) <= rounding_unit<double>() * (a + b + c) &&
+         area_sign(h, metric, input) == NEGATIVE)
+        return f;
+    }
+  return Delta_complex::null_face();
+}
+
+template <typename Metric, typename Surface>
+void check_exact_triangles(const Metric& metric, const Surface& input)
+{
+  if(const Face_index f = violated_triangle(metric, input); f != Delta_complex::null_face())
+    throw Invalid_input("the triangle inequality fails in face " + std::to_string(f.idx()) +
+                        " by less than rounding");
+}
+
+// ---- Lengths in floating point ----
+
+// returns the greatest number of type `double` that does not exceed the sum of two positive ones
+inline double sum_rounded_down(double a, double b)
+{
+  if(a < b)
+    std::swap(a, b);
+  const double sum = a + b;
+  return sum - a > b ? std::nextafter(sum, 0) : sum; // the difference is exact
+}
+
+// returns the longest side of a face, and the sum of the others, rounded down
+template <typename Surface>
+std::pair<Halfedge_index, double> longest_side(Face_index f, const Surface& surface)
+{
+  const Delta_complex& mesh = surface.mesh();
+  const auto length = [&](Halfedge_index h) { return get(surface.length_map(), mesh.edge(h)); };
+  const auto side = sides(f, mesh);
+  const Halfedge_index longest =
+    *std::max_element(side.begin(), side.end(),
+                      [&](Halfedge_index g, Halfedge_index h) { return length(g) < length(h); });
+  return {longest, sum_rounded_down(length(mesh.next(longest)), length(mesh.prev(longest)))};
+}
+
+// Shortens the edges that are longer than the two other sides of a face together to their sum.
+// Short ones come first: what is shortened later is no shorter, and few edges have their turn more
+// than once.
+template <typename Surface>
+void shorten_to_triangles(const Surface& surface)
+{
+  typedef std::pair<double, Face_index> Entry;
+  const Delta_complex& mesh = surface.mesh();
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> violated;
+  const auto push_if_violated = [&](Face_index f) {
+    const auto [h, sum] = longest_side(f, surface);
+    if(const double length = get(surface.length_map(), mesh.edge(h)); length > sum)
+      violated.emplace(length, f);
+  };
+  for(Face_index f : mesh.faces())
+    push_if_violated(f);
+  while(!violated.empty()) {
+    const auto [h, sum] = longest_side(violated.top().second, surface);
+    violated.pop();
+    if(!(get(surface.length_map(), mesh.edge(h)) > sum))
+      continue;
+    put(surface.length_map(), mesh.edge(h), sum);
+    if(const Halfedge_index o = mesh.opposite(h); !mesh.is_border(o))
+      push_if_violated(mesh.face(o));
+  }
+}
+
+// Lengths of type `double` may exceed the triangle inequality by rounding. Made the metric of a
+// surface, exactly, they decide without contradictions: squared lengths that are not one are left
+// out, and the lengths themselves, which are exact then, are shortened.
+template <typename Surface>
+void make_triangles_exact(Input_metric<double>& metric, const Surface& input)
+{
+  if(!metric.squared_lengths.empty() &&
+     violated_triangle(metric, input) != Delta_complex::null_face())
+    metric.squared_lengths.clear();
+  if(metric.points.empty() && metric.squared_lengths.empty())
+    shorten_to_triangles(input);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_EXACT_TRIANGLES_H
