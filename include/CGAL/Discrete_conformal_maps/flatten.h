@@ -60,7 +60,8 @@ public:
     m_visitor.start(Flattening_stage::optimize);
     do
       m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
-    while(is_bounded && m_scale.add_cone_if_beyond(bound));
+    while(is_bounded && m_scale.status() != Map_status::not_converged &&
+          m_scale.add_cone_if_beyond(bound));
     m_map.m_cones = m_scale.cones();
   }
 
