@@ -188,12 +188,17 @@ private:
 
   // Surfaces take up to a hundred views for each halfedge, few faces with edges of lengths in the
   // proportion of 1 to ten million take twenty million. Rounding could make it more.
-  void check_bound(std::size_t views) const
+  std::size_t greatest_number_of_views() const
   {
     const std::size_t bound = (std::size_t(1) << 25) + 1024 * m_charts.number_of_sides();
-    if(views > (std::min)(bound, std::size_t(null)))
+    return (std::min)(bound, std::size_t(null));
+  }
+
+  void check_bound(std::size_t views) const
+  {
+    if(views > greatest_number_of_views())
       throw Numerical_error("the search for shortest paths does not end within " +
-                            std::to_string(bound) + " views");
+                            std::to_string(greatest_number_of_views()) + " views");
   }
 
   // ---- Vertices ----
@@ -332,8 +337,17 @@ private:
       return;
     const FT nearest = distance(view, std::clamp(view.position.real(), view.begin, view.end));
     check_bound(m_views.size() + 1);
+    if(m_views.size() == m_views.capacity())
+      reserve_views();
     m_next.push(nearest, static_cast<Index>(m_views.size()));
     m_views.push_back(view);
+  }
+
+  // Twice as many as now, but not much memory near the bound: there all that may be needed at once.
+  void reserve_views()
+  {
+    const std::size_t bound = greatest_number_of_views(), doubled = 2 * m_views.size() + 64;
+    m_views.reserve(doubled < bound / 2 ? doubled : bound);
   }
 
   // Cuts off where all paths through the view are longer than those by one of the ends of the edge,
