@@ -55,13 +55,13 @@ public:
 
   // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
   // is kept; `condition` has one entry for each of its vertices; the flips to T^B can be decided
-  // exactly
+  // exactly, for rounded lengths then, which certificates take as exact
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, bool has_exact_flips = false)
     : m_flipping(flipping),
       m_has_exact_flips(has_exact_flips),
       m_half(half.mesh()),
-      m_point(half.input_metric().points),
+      m_point(has_exact_flips ? std::vector<std::array<double, 3>>() : half.input_metric().points),
       m_components(m_half),
       m_has_boundary(m_components.size(), 0),
       m_has_copy(m_half.num_faces(), 0),
