@@ -30,8 +30,6 @@ endif()
 if(OpenMesh_FOUND)
   target_link_libraries(unit_test_dependencies INTERFACE OpenMeshCore)
   target_compile_definitions(unit_test_dependencies INTERFACE CGAL_USE_OPENMESH)
-  target_compile_options(unit_test_dependencies INTERFACE # in OpenMesh's headers
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
 # Large headers that all of them include, precompiled by a target of its own: -fsyntax-only would
