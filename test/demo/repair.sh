@@ -33,7 +33,7 @@ expect 2 delaunay overflow.mesh.obj -o result.off --repair
 expect_files
 
 if [ -n "$data" ]; then
-  for mesh in cube_quad.off blobby-shuffled.off polygon_mesh.off quads_to_stitch.off; do
+  for mesh in cube_quad.off blobby-shuffled.off quads_to_stitch.off; do
     expect 2 delaunay "$data/meshes/$mesh" -o result.off --strict
     expect 0 delaunay "$data/meshes/$mesh" -o result.off --repair
   done

@@ -68,8 +68,9 @@ public:
       m_is_fixed(m_half.num_vertices(), 0),
       m_value(Vector::Zero(Eigen::Index(m_is_fixed.size())))
   {
-    for(Edge_index e : m_half.edges())
-      m_length.push_back(half.length(e));
+    if(m_point.empty())
+      for(Edge_index e : m_half.edges())
+        m_length.push_back(half.length(e));
     std::vector<Vertex_index> boundary;
     for(Vertex_index v : m_half.vertices()) {
       if(is_on_boundary(v)) {
@@ -458,8 +459,8 @@ private:
   Intrinsic_triangulations::internal::Concurrency m_concurrency;
   bool m_has_exact_flips;
   Delta_complex m_half;
-  std::vector<double> m_length;               // of the edges of the surface
-  std::vector<std::array<double, 3>> m_point; // of its vertices, if it has positions
+  std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
+  std::vector<double> m_length;               // otherwise of its edges
   Components m_components;
   std::vector<char> m_has_boundary; // of each component
   std::vector<char> m_has_copy;     // for each face of the surface
