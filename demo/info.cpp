@@ -70,6 +70,8 @@ void print_text(const std::string& input, const Polygon_soup& soup,
   print_line("shortest edge", s.min_edge_length);
   print_line("longest edge", s.max_edge_length);
   std::cout << diagnosis;
+  if(diagnosis.count(IT::Defect_kind::NON_TRIANGULAR_FACE) > 0)
+    std::cout << "note: other commands split polygons, unless --strict is given\n";
   if(soup.merged_corners > 0)
     std::cout << "note: corners merged because the file has no indices: " << soup.merged_corners
               << '\n';
