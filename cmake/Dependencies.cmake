@@ -9,7 +9,8 @@ if(NOT WITH_GMP)
   set(CGAL_DISABLE_GMP ON)
 endif()
 
-# No version here: CGAL 6 calls itself incompatible with every 5.x that is asked for.
+# No versions in find_package(): CGAL 6 and Eigen 5 call themselves incompatible with lesser ones that
+# are asked for.
 find_package(CGAL REQUIRED)
 if(CGAL_VERSION VERSION_LESS 5.5)
   message(FATAL_ERROR "CGAL 5.5 or later is needed; found ${CGAL_VERSION} in ${CGAL_DIR}")
@@ -17,8 +18,10 @@ endif()
 
 option(WITH_Eigen "Use Eigen" ON)
 if(WITH_Eigen)
-  find_package(Eigen3 3.3 QUIET NO_MODULE)
-  set(Eigen_FOUND ${Eigen3_FOUND})
+  find_package(Eigen3 QUIET NO_MODULE)
+  if(Eigen3_FOUND AND Eigen3_VERSION VERSION_GREATER_EQUAL 3.3)
+    set(Eigen_FOUND TRUE)
+  endif()
 endif()
 
 option(WITH_SuiteSparse "Use CHOLMOD in the program and the benchmarks" ON)
