@@ -22,6 +22,9 @@ struct Developed_faces
   std::array<std::size_t, 2> number_of_edges{}; // of the input, and intrinsic ones
   // For each halfedge the other one of its edge, -1 on the boundary.
   std::vector<std::int64_t> opposites;
+  // For each halfedge the vertex at which it starts.
+  std::vector<std::int64_t> sources;
+  std::vector<Attribute> vertex_data; // real, and linear on the intrinsic faces
   // For each intrinsic face its third corner, if its first halfedge goes from 0 to 1.
   std::vector<double> shapes;
   // For each face of the input, at its first corner: the intrinsic halfedge from which its first

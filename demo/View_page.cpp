@@ -135,6 +135,33 @@ std::array<std::size_t, 2> count_owners(const std::vector<std::int64_t>& owners)
   return result;
 }
 
+// Marked polygons of a common subdivision become intrinsic faces, and marked points are added to
+// those of the input.
+void move_to_developed(Surface_marks& marks, const Output_mesh& mesh, Developed_faces& developed)
+{
+  const auto& owners = std::get<0>(find_attribute(mesh.polygon_data, "intrinsic_face")->values);
+  for(std::int64_t& polygon : marks.polygons)
+    polygon = owners[static_cast<std::size_t>(polygon)];
+  std::vector<Point>& points = developed.input.points;
+  const auto added = [&](std::size_t i) {
+    points.push_back(mesh.points[i]);
+    return points.size() - 1;
+  };
+  for(std::int64_t& point : marks.points)
+    point = static_cast<std::int64_t>(added(static_cast<std::size_t>(point)));
+  Polygons lines;
+  for(const Polygons::Polygon& line : marks.lines) {
+    for(const std::size_t point : line)
+      lines.add_corner(added(point));
+    lines.close();
+  }
+  marks.lines = std::move(lines);
+  for(Attribute& a : developed.input.point_data) {
+    a.keep();
+    a.resize(points.size());
+  }
+}
+
 // The description of surfaces in JSON, with their numbers in arrays.
 class Surface_coder
 {
@@ -158,7 +185,7 @@ public:
       result["picture"] = image(surface);
     result["marks"] = Statistics::array();
     for(const Surface_marks& marks : surface.marks)
-      result["marks"].push_back(coded(surface.developed ? on_faces(marks, surface.mesh) : marks));
+      result["marks"].push_back(coded(marks));
     if(surface.developed)
       result["developed"] = coded(*surface.developed);
     return result;
@@ -311,6 +338,7 @@ private:
       {"edges", {{"input", faces.number_of_edges[0]}, {"intrinsic", faces.number_of_edges[1]}}},
       {"opposites", m_arrays.add_integers(once(faces.opposites))},
       {"shapes", m_arrays.add_singles(faces.shapes)},
+      {"values", values_at_sources(faces)},
       {"starts", m_arrays.add_integers(faces.starts)},
       {"first_edges", m_arrays.add_singles(faces.first_edges)}};
   }
@@ -325,13 +353,18 @@ private:
     return result;
   }
 
-  // Marked polygons of a common subdivision as intrinsic faces.
-  static Surface_marks on_faces(Surface_marks marks, const Output_mesh& mesh)
+  // For each attribute that of the source of each halfedge.
+  Statistics values_at_sources(const Developed_faces& faces)
   {
-    const auto& owners = std::get<0>(find_attribute(mesh.polygon_data, "intrinsic_face")->values);
-    for(std::int64_t& polygon : marks.polygons)
-      polygon = owners[static_cast<std::size_t>(polygon)];
-    return marks;
+    Statistics result = Statistics::object();
+    for(const Attribute& a : faces.vertex_data) {
+      const auto& values = std::get<1>(a.values);
+      std::vector<double> at_sources;
+      for(const std::int64_t v : faces.sources)
+        at_sources.push_back(values[static_cast<std::size_t>(v)]);
+      result[a.name] = m_arrays.add_reals(at_sources);
+    }
+    return result;
   }
 
   Page_arrays& m_arrays;
@@ -368,8 +401,12 @@ void View_page::set_image(Image_kind kind, std::vector<std::array<double, 3>> po
 
 void View_page::add_marks(Surface_marks marks)
 {
-  if(!marks.empty())
-    m_surfaces.back().marks.push_back(std::move(marks));
+  Shown_surface& surface = m_surfaces.back();
+  if(marks.empty())
+    return;
+  if(surface.developed)
+    move_to_developed(marks, surface.mesh, *surface.developed);
+  surface.marks.push_back(std::move(marks));
 }
 
 void View_page::add_angles(const std::string& name, const std::vector<double>& angles)

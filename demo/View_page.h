@@ -39,7 +39,7 @@ public:
   // The page draws these in place of the mesh of the last surface, a common subdivision.
   void set_developed(Developed_faces faces) { m_surfaces.back().developed = std::move(faces); }
 
-  // On the last surface. Nothing if there are none.
+  // On the last surface, after what it is developed from. Nothing if there are none.
   void add_marks(Surface_marks marks);
 
   // Adds the numbers of angles, in degrees, in intervals of five; negative ones do not count.

@@ -54,7 +54,7 @@ void add_common_options(CLI::App& command, Common_options& options)
   command.add_option("--picture", options.picture, "SVG or PNG file with a picture of the result");
   command.add_option(
     "--section", options.section,
-    "What the picture shows: a point (a vertex, face:a,b,c or x,y,z) and a radius");
+    "What the picture shows: a point (a vertex, FACE:a,b,c or x,y,z) and a radius");
   add_number(command, "--mollify", options.mollification,
              "Lengthen all edges until every triangle inequality has this slack, "
              "relative to the mean edge length",
@@ -211,7 +211,7 @@ void add_distance(CLI::App& app, Options& options)
   command
     .add_option("--source", own.sources,
                 "Point to which distances are measured, with several to the nearest: a vertex "
-                "counted from 0, face:a,b,c (barycentric), or x,y,z (nearest)")
+                "counted from 0, FACE:a,b,c (barycentric), or x,y,z (nearest)")
     ->allow_extra_args(false);
   command.add_option(
     "--curve", own.curve,
@@ -228,6 +228,7 @@ void add_distance(CLI::App& app, Options& options)
     "Time for which heat flows, in squared mean edge lengths; 1 by default, 4 with --signed",
     CLI::PositiveNumber);
   add_angle(command, own.refinement);
+  add_direct(command, options.common);
   command.add_flag("--exact-distance", own.is_shortest,
                    "Compute the lengths of shortest paths instead, up to rounding");
   add_neighbors(command, options.common);
@@ -237,7 +238,7 @@ void add_distance(CLI::App& app, Options& options)
 void add_path_points(CLI::App& command, Path_options& options)
 {
   command.add_option("--from", options.from,
-                     "Start: a vertex, face:a,b,c (barycentric), or x,y,z (nearest)");
+                     "Start: a vertex, FACE:a,b,c (barycentric), or x,y,z (nearest)");
   command.add_option("--to", options.to, "End, as the start");
   command.add_option("--via", options.via, "Vertex that the path passes before it is shortened")
     ->allow_extra_args(false);
@@ -271,7 +272,7 @@ void add_transfer(CLI::App& app, Options& options)
   Transfer_options& own = options.transfer;
   command.add_option("-o,--output", own.output, "Text file; - for standard output")->required();
   command.add_option("--points", own.points,
-                     "Text file of points, one in a line: a vertex, face:a,b,c (barycentric), or "
+                     "Text file of points, one in a line: a vertex, FACE:a,b,c (barycentric), or "
                      "x,y,z (nearest)");
   command.add_option("--data", own.data, "Text file of values at vertices: index value");
   command.add_flag("--back", own.is_back,

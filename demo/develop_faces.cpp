@@ -67,8 +67,10 @@ private:
 
   void add_face(IT::Halfedge_index h)
   {
-    for(const IT::Halfedge_index g : {h, m_mesh.next(h), m_mesh.prev(h)})
+    for(const IT::Halfedge_index g : {h, m_mesh.next(h), m_mesh.prev(h)}) {
       m_result.opposites.push_back(m_numbers[m_mesh.opposite(g).idx()]);
+      m_result.sources.push_back(static_cast<std::int64_t>(m_mesh.source(g).idx()));
+    }
     const Complex z = apex(h);
     m_result.shapes.insert(m_result.shapes.end(), {z.real(), z.imag()});
   }

@@ -72,7 +72,8 @@ std::int64_t checked_vertex(const std::string& text, const std::string& path,
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
   if(error == std::errc::invalid_argument || end != text.data() + text.size())
     throw Program_error("'" + text +
-                        "' is not a point of the mesh: give a vertex, face:a,b,c or x,y,z");
+                        "' is not a point of the mesh: give a vertex, FACE:a,b,c or x,y,z, such as 7, "
+                        "12:0.5,0.2,0.3 or 1,0,2.5");
   if(error != std::errc() || n < 0 || n > last)
     throw Program_error(path + ": there is no vertex " + text +
                         " to be a source; the vertices are 0 to " + std::to_string(last));
@@ -229,6 +230,17 @@ Output_mesh with_distances(Output_mesh mesh, std::vector<double> distances)
   return mesh;
 }
 
+// The subdivision with functions on the triangulation.
+Output_mesh with_functions(const std::vector<Attribute>& functions, const Subdivision& subdivision,
+                           const Triangulation& triangulation)
+{
+  Output_mesh result = subdivision_mesh(subdivision);
+  for(const Attribute& f : functions)
+    result.point_data.push_back(
+      {f.name, interpolated(std::get<1>(f.values).kept(), subdivision, triangulation)});
+  return result;
+}
+
 std::string summary_of_distances(Command_run& run)
 {
   const Statistics& s = run.statistics();
@@ -354,11 +366,7 @@ private:
     add_data(result, m_run.input().data);
     m_run.add_output(m_options.output, result, m_format);
     if(subdivision)
-      write_subdivision(
-        with_distances(subdivision_mesh(*subdivision),
-                       interpolated(on_triangulation(values, triangulation, m_run.input().covered),
-                                    *subdivision, triangulation)),
-        values, *subdivision, triangulation);
+      write_subdivision(values, *subdivision, triangulation);
     if(m_level_format)
       m_run.add_output(m_options.level_sets,
                        level_curves(triangulation, m_run.input().mesh, values, levels(values)),
@@ -379,15 +387,16 @@ private:
     return result;
   }
 
-  void write_subdivision(Output_mesh mesh, const std::vector<double>& values,
-                         const Subdivision& subdivision, const Triangulation& triangulation)
+  void write_subdivision(const std::vector<double>& values, const Subdivision& subdivision,
+                         const Triangulation& triangulation)
   {
+    std::vector<Attribute> functions{
+      {"distance", on_triangulation(values, triangulation, m_run.input().covered)}};
+    Output_mesh mesh = with_functions(functions, subdivision, triangulation);
     m_run.show([&](View_page& page) {
-      Output_mesh shown = mesh;
       if(are_errors_known(triangulation))
-        shown.point_data.push_back({"distance_error", interpolated(errors(values, triangulation),
-                                                                   subdivision, triangulation)});
-      show_sources(page, std::move(shown), subdivision, triangulation);
+        functions.push_back({"distance_error", errors(values, triangulation)});
+      show_sources(page, functions, subdivision, triangulation);
     });
     if(!m_subdivision_format)
       return;
@@ -413,9 +422,10 @@ private:
   }
 
   // Points and curves come after the points of the subdivision.
-  void show_sources(View_page& page, Output_mesh mesh, const Subdivision& subdivision,
-                    const Triangulation& triangulation)
+  void show_sources(View_page& page, const std::vector<Attribute>& functions,
+                    const Subdivision& subdivision, const Triangulation& triangulation)
   {
+    Output_mesh mesh = with_functions(functions, subdivision, triangulation);
     Surface_marks marks{"sources", false, {}, {}, vertex_sources_on(triangulation)};
     const auto add_point = [&](const Surface_location& p) {
       mesh.points.push_back(position(p, m_run.input().mesh));
@@ -429,6 +439,7 @@ private:
       marks.lines.close();
     }
     show(page, m_run, triangulation, subdivision, mesh);
+    develop_if_large(page, m_run, triangulation, subdivision, functions);
     page.add_marks(std::move(marks));
   }
 

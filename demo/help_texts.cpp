@@ -109,7 +109,7 @@ Examples:
   intrinsic path eight.off --homology -o loops.vtp --view loops.html)";
 
 const char* const transfer =
-  R"(With --points each line of the output has two places, face:a,b,c on the mesh and on the
+  R"(With --points each line of the output has two places, FACE:a,b,c on the mesh and on the
 intrinsic triangulation; with --back such lines are read. With --data the output has a value for
 each vertex of the other triangulation, in lines "index value": those of the piecewise linear
 function that is closest in the L2 norm, which has the same integral. Faces and vertices of the

@@ -40,7 +40,7 @@ std::vector<double> numbers(const std::string& list, const std::string& text)
   for(std::string word; std::getline(words, word, ',');) {
     const auto n = number(word);
     if(!n)
-      refuse(text, "'" + word + "' is not a number; give a vertex, face:a,b,c or x,y,z");
+      refuse(text, "'" + word + "' is not a number; give a vertex, FACE:a,b,c or x,y,z");
     result.push_back(*n);
   }
   return result;
@@ -172,7 +172,7 @@ Surface_location surface_point(const std::string& text, const Mesh& mesh)
   if(colon == std::string::npos && list.size() == 3)
     return Point_finder(mesh)(Point(list[0], list[1], list[2]));
   if(colon != std::string::npos || list.size() != 1)
-    refuse(text, "give a vertex, face:a,b,c or x,y,z");
+    refuse(text, "give a vertex, FACE:a,b,c or x,y,z, such as 7, 12:0.5,0.2,0.3 or 1,0,2.5");
   return at_vertex(Mesh::Vertex_index(static_cast<Mesh::size_type>(
                      index(list[0], mesh.number_of_vertices(), "vertices", text))),
                    mesh);
@@ -185,7 +185,7 @@ Surface_location face_point(const std::string& text, std::size_t number_of_faces
   const std::vector<double> list =
     numbers(colon == std::string::npos ? "" : text.substr(colon + 1), text);
   if(!face || list.size() != 3)
-    refuse(text, "give face:a,b,c");
+    refuse(text, "give FACE:a,b,c");
   return in_face(*face, list, number_of_faces, text);
 }
 
@@ -199,7 +199,7 @@ Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh)
     std::sqrt(CGAL::squared_distance(Point(list[0], list[1], list[2]), position(result, mesh)));
   if(const double tolerance = Point_finder(mesh).tolerance(); !(distance <= tolerance))
     refuse(text, "it is " + std::to_string(distance) + " away from it, more than " +
-                   std::to_string(tolerance) + "; choose one on it, or give face:a,b,c");
+                   std::to_string(tolerance) + "; choose one on it, or give FACE:a,b,c");
   return result;
 }
 

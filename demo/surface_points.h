@@ -16,12 +16,12 @@
 
 using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 
-// The point of the mesh that `text` stands for: a vertex by its index, "face:a,b,c" with
+// The point of the mesh that `text` stands for: a vertex by its index, "FACE:a,b,c" with
 // barycentric coordinates in the order of the corners of the face, or "x,y,z", the nearest point of
 // the mesh. Throws Program_error if it stands for none.
 Surface_location surface_point(const std::string& text, const Mesh& mesh);
 
-// The point "face:a,b,c" of a triangulation with so many faces. Throws Program_error if there is
+// The point "FACE:a,b,c" of a triangulation with so many faces. Throws Program_error if there is
 // none.
 Surface_location face_point(const std::string& text, std::size_t number_of_faces);
 

@@ -235,14 +235,19 @@ void show(View_page& page, Command_run& run, const Triangulation& triangulation,
 }
 
 void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
-                      const Subdivision& subdivision)
+                      const Subdivision& subdivision, std::vector<Attribute> vertex_data)
 {
   const bool is_large = subdivision.mesh().number_of_faces() > most_polygons;
   if(run.options().mollification > 0 || !(is_large || run.options().is_direct))
     return;
   if(auto faces = develop_faces(triangulation, run.input().mesh)) {
     faces->input.point_data.push_back({"curvature", curvatures(run)});
+    for(const Attribute& a : vertex_data) {
+      faces->input.point_data.push_back(a);
+      faces->input.point_data.back().resize(faces->input.points.size());
+    }
     add_input_data(run.input(), faces->input);
+    faces->vertex_data = std::move(vertex_data);
     page.set_developed(std::move(*faces));
   }
 }

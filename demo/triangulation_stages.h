@@ -94,10 +94,10 @@ void show(View_page& page, Command_run& run, const Triangulation& triangulation,
           const Subdivision& subdivision, Output_mesh mesh);
 
 // Lets the page draw the surface that was shown last without the subdivision, if that is large or
-// it is wanted; not if lengths were mollified, as the page takes those of the input from its
-// points.
+// it is wanted, with these functions on the triangulation; not if lengths were mollified, as the
+// page takes those of the input from its points.
 void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
-                      const Subdivision& subdivision);
+                      const Subdivision& subdivision, std::vector<Attribute> vertex_data = {});
 
 // Shows the common subdivision of the triangulation, which is made for that.
 void show(Command_run& run, const Triangulation& triangulation);

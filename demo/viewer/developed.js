@@ -2,15 +2,17 @@
 // develops the intrinsic faces between a corner of its face of the input and itself into the plane.
 // Halfedges 3 f, 3 f + 1 and 3 f + 2 are those of face f. See Developed_faces.h.
 
-import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
+import { DataTexture, FloatType, NearestFilter, RedFormat, RGBAFormat } from 'three';
 
 const width = 4096; // of the texture, a power of two
 const mostSteps = 4096;
 
 export const glsl = `
-  uniform highp sampler2D halfedges;
+  uniform highp sampler2D halfedges, sources;
 
-  vec4 halfedgeAt(int h) { return texelFetch(halfedges, ivec2(h % ${width}, h / ${width}), 0); }
+  ivec2 texel(int h) { return ivec2(h % ${width}, h / ${width}); }
+  vec4 halfedgeAt(int h) { return texelFetch(halfedges, texel(h), 0); }
+  float sourceAt(int h) { return texelFetch(sources, texel(h), 0).x; }
   int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   int prev(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
   float turn(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
@@ -48,6 +50,14 @@ export const glsl = `
     }
     corners = vec2[3](o, b, c);
     return h;
+  }
+
+  // The function on the face with these corners whose second side is h.
+  float valueAt(vec2 p, vec2 corners[3], int h) {
+    vec2 b = corners[1] - corners[0], c = corners[2] - corners[0], d = p - corners[0];
+    float value = sourceAt(prev(h));
+    return value + (turn(d, c) * (sourceAt(h) - value) + turn(b, d) * (sourceAt(next(h)) - value)) /
+      turn(b, c);
   }`;
 
 // From each halfedge to the other of its edge.
@@ -71,7 +81,8 @@ function rotated([x, y]) {
 
 export class Developed {
   constructor(description, arrays, points, corners) {
-    Object.assign(this, {description, arrays, points, corners, edges: description.edges, marked: []});
+    Object.assign(this, {description, arrays, points, corners, edges: description.edges, marked: [],
+      functions: {}, valueTextures: {}});
   }
 
   // What is read and computed when it is needed.
@@ -80,7 +91,7 @@ export class Developed {
     return this.opposite ??= oppositesOf(this.arrays.read(opposites), shapes.size / 2 * 3);
   }
   get data() { return this.halfedges ??= this.halfedgeData(); }
-  get texture() { return this.dataTexture ??= textureOf(this.data); }
+  get texture() { return this.dataTexture ??= textureOf(this.data, RGBAFormat); }
   get places() { return this.developments.places; }
   get starts() { return this.developments.starts; }
   get developments() { return this.faces ??= this.developFaces(); }
@@ -126,14 +137,30 @@ export class Developed {
 
   mark(faces) { this.marked.push(faces); }
 
-  // The intrinsic face at a point of a face of the input, by the weights of its corners.
+  // A function on the intrinsic triangulation: its values at the sources of halfedges.
+  hasFunction(name) { return name in this.description.values; }
+  valuesOf(name) { return this.functions[name] ??= this.arrays.read(this.description.values[name]); }
+  textureOfValues(name) {
+    return this.valueTextures[name] ??= textureOf(padded(this.valuesOf(name)), RedFormat);
+  }
+
+  // At a point of a face of the input, by the weights of its corners.
+  faceAt(face, weights) { return Math.floor(this.locate(face, weights).halfedge / 3); }
+  valueAt(name, face, weights) {
+    const {point, corners: [o, p, q], halfedge: h} = this.locate(face, weights);
+    const [b, c, d] = [p, q, point].map(x => minus(x, o)), values = this.valuesOf(name);
+    const [value, atB, atC] = [prev(h), h, next(h)].map(k => values[k]);
+    return value + (turn(d, c) * (atB - value) + turn(b, d) * (atC - value)) / turn(b, c);
+  }
+
+  // The corners of the intrinsic face there, and its second side.
   locate(face, weights) {
     const at = k => weights.reduce((sum, w, i) => sum + w * this.places[6 * face + 2 * i + k], 0);
     const p = [at(0), at(1)];
-    let h = this.starts[3 * face], b = [1, 0], c = this.apex([0, 0], b, h), steps = 0;
+    let h = this.starts[3 * face], o = [0, 0], b = [1, 0], c = this.apex(o, b, h), steps = 0;
     for(; steps < mostSteps && turn(c, p) > 0 && this.opposites[prev(h)] >= 0; ++steps) {
       h = this.opposites[prev(h)];
-      [b, c] = [c, this.apex([0, 0], c, h)];
+      [b, c] = [c, this.apex(o, c, h)];
     }
     h = next(h);
     for(; steps < mostSteps && turn(minus(c, b), minus(p, b)) < 0 && this.opposites[h] >= 0;
@@ -142,9 +169,9 @@ export class Developed {
       const d = this.apex(c, b, g);
       const isLeft = turn(d, p) > 0;
       h = isLeft ? prev(g) : next(g);
-      [b, c] = isLeft ? [d, c] : [b, d];
+      [o, b, c] = isLeft ? [b, d, c] : [c, b, d];
     }
-    return Math.floor(h / 3);
+    return {point: p, corners: [o, b, c], halfedge: h};
   }
 
   apex(a, b, h) {
@@ -153,8 +180,15 @@ export class Developed {
   }
 }
 
-function textureOf(data) {
-  const result = new DataTexture(data, width, data.length / 4 / width, RGBAFormat, FloatType);
+function padded(values) {
+  const result = new Float32Array(Math.ceil(values.length / width) * width);
+  result.set(values);
+  return result;
+}
+
+function textureOf(data, format) {
+  const size = format === RGBAFormat ? 4 : 1;
+  const result = new DataTexture(data, width, data.length / size / width, format, FloatType);
   result.minFilter = result.magFilter = NearestFilter;
   result.needsUpdate = true;
   return result;

@@ -66,16 +66,22 @@ const fragmentShader = `
     return mix(stops[i], stops[i + 1], t - float(i));
   }
 
-  float isoline(float x) {
+  // Where a value changes this much over a pixel.
+  float isoline(float x, float change) {
     float t = (x - low) / (high - low) * 20.;
-    float w = fwidth(t);
+    float w = change / (high - low) * 20.;
     return w > .5 ? 0. : 1. - smoothstep(.6 * w, 1.4 * w, abs(fract(t - .5) - .5));
+  }
+
+  vec3 colorWithLines(float x, float change) {
+    return mix(colorOf(x), vec3(.1), .55 * isolines * isoline(x, change));
   }
 
   #ifdef DEVELOPED
   uniform vec3 palette[6], colorOfLines[2], colorOfMarks;
   uniform float widthOfLines[2], marks;
   uniform int picked;
+  uniform bool isIntrinsic; // the value
   in vec2 vPlace;
   in vec3 vWeights;
   flat in int vStart, vFace;
@@ -112,7 +118,12 @@ const fragmentShader = `
     vec3 distances = vec3(0.);
     if(mode >= 4 || marks > 0. || size > 4.) {
       vec2 corners[3];
-      int f = locate(vStart, vPlace, corners) / 3;
+      int h = locate(vStart, vPlace, corners), f = h / 3;
+      if(mode == 3 && isIntrinsic) {
+        float x = valueAt(vPlace, corners, h);
+        color = colorWithLines(x, abs(valueAt(vPlace + dx, corners, h) - x) +
+          abs(valueAt(vPlace + dy, corners, h) - x));
+      }
       if(mode >= 4)
         color = colorOfFace(mode == 4 ? vFace : f);
       color = mix(color, colorOfMarks, marks * halfedgeAt(3 * f).w);
@@ -131,7 +142,7 @@ const fragmentShader = `
     if(mode == 2)
       return board(vLinear);
     if(mode == 3)
-      return mix(colorOf(vValue), vec3(.1), .55 * isolines * isoline(vValue));
+      return colorWithLines(vValue, fwidth(vValue));
     return base;
   }
 
@@ -150,7 +161,8 @@ const fragmentShader = `
 const vectorOf = color => new Vector3(...rgb(color));
 
 const developedUniforms = () => ({
-  halfedges: {value: null}, palette: {value: faces.map(vectorOf)}, picked: {value: -1},
+  halfedges: {value: null}, sources: {value: null}, isIntrinsic: {value: false},
+  palette: {value: faces.map(vectorOf)}, picked: {value: -1},
   colorOfLines: {value: [layers.input, layers.intrinsic].map(vectorOf)},
   widthOfLines: {value: [0, 0]}, marks: {value: 0}, colorOfMarks: {value: vectorOf(failure)}});
 
@@ -168,8 +180,9 @@ export function surfaceMaterial(isLit) {
 
 // Compiles what develops faces only while something of it is seen: it takes time at each pixel.
 export function updateDevelopment({surface: {developed}, pane, material}) {
-  const {mode, marks, picked, widthOfLines} = material.uniforms;
-  const isSeen = mode.value >= modes.inputFaces || picked.value >= 0 || marks.value > 0 ||
+  const {mode, marks, picked, widthOfLines, isIntrinsic} = material.uniforms;
+  const isColored = mode.value >= modes.inputFaces || mode.value === modes.value && isIntrinsic.value;
+  const isSeen = isColored || picked.value >= 0 || marks.value > 0 ||
     widthOfLines.value.some(width => width > 0);
   if(isSeen !== ('DEVELOPED' in material.defines)) {
     material.defines = isSeen ? {DEVELOPED: 1} : {};

@@ -23,16 +23,18 @@ function scaled(weights, factors) {
   return products.map(p => p / sum);
 }
 
-function valuesAt(surface, polygon, corners, weights) {
-  return Object.fromEntries(surface.fields.map(name =>
-    [name, surface.pointData[name] ? corners.reduce((sum, c, i) =>
-      sum + weights[i] * surface.pointData[name].values[surface.point(c)], 0)
-      : surface.polygonData[name].values[polygon]]));
+function valueAt(surface, name, polygon, corners, weights) {
+  if(surface.developed?.hasFunction(name))
+    return surface.developed.valueAt(name, polygon, weights);
+  if(!surface.pointData[name])
+    return surface.polygonData[name].values[polygon];
+  return corners.reduce((sum, c, i) =>
+    sum + weights[i] * surface.pointData[name].values[surface.point(c)], 0);
 }
 
 function facesOf(surface, polygon, weights) {
   if(surface.developed)
-    return {input: polygon, intrinsic: surface.developed.locate(polygon, weights)};
+    return {input: polygon, intrinsic: surface.developed.faceAt(polygon, weights)};
   return Object.fromEntries(surface.triangulations
     .filter(t => surface.polygonData[`${t}_face`])
     .map(t => [t, surface.polygonData[`${t}_face`].values[polygon]]));
@@ -62,7 +64,8 @@ export function locate({surface, pane, isPicture}, {triangle, point}) {
       picture: inPicture && unframed(inPicture.toArray(), surface),
       nearestVertex: nearestPoint(surface, corners, weights),
       faces: facesOf(surface, polygon, weights),
-      values: valuesAt(surface, polygon, corners, weights)}};
+      values: Object.fromEntries(surface.fields.map(
+        name => [name, valueAt(surface, name, polygon, corners, weights)]))}};
 }
 
 // In its own disk, if there are several.

@@ -174,6 +174,9 @@ export class Viewer {
       surface.fieldAttributes.set(name,
         new BufferAttribute(surface.atCorners(surface.pointData[name].values, 1), 1));
     pane.geometry.setAttribute('value', surface.fieldAttributes.get(name));
+    const isIntrinsic = surface.developed?.hasFunction(name) ?? false;
+    material.uniforms.isIntrinsic.value = isIntrinsic;
+    material.uniforms.sources.value = isIntrinsic ? surface.developed.textureOfValues(name) : null;
     const {low, high, stops} = this.scale(name);
     material.uniforms.low.value = low;
     material.uniforms.high.value = high;
@@ -222,17 +225,17 @@ export class Viewer {
         placesOf(surface, surface.pointData[name].values, isPicture), positions),
       colors.points[name] ?? colors.others, 10));
     for(const mark of surface.marks)
-      if(surface.developed)
-        material.uniforms.marks.value = this.state.shown[mark.name] ? 1 : 0;
-      else
-        this.showMark(mark, {surface, pane, isPicture});
+      this.showMark(mark, {surface, pane, isPicture});
+    if(surface.developed)
+      material.uniforms.marks.value = surface.marks.some(
+        mark => mark.polygons.length > 0 && this.state.shown[mark.name]) ? 1 : 0;
   }
 
   showMark(mark, {surface, pane, isPicture}) {
     const color = mark.is_failure ? colors.failure : colors.others;
     const isShown = this.state.shown[mark.name];
     const positions = isPicture ? surface.picture.positions : surface.points;
-    if(mark.polygons.length > 0)
+    if(mark.polygons.length > 0 && !surface.developed)
       pane.show(`${mark.name} faces`, isShown, () => overlay(surface, pane, mark.polygons, color));
     if(mark.lines.corners.length > 0 && !isPicture)
       pane.show(`${mark.name} lines`, isShown, () => lines(

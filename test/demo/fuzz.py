@@ -310,7 +310,7 @@ def arguments(dice, mesh, curve):
         result += dice.choice([[], ["--neighbors", "9"]])
     result += dice.choice([[], [], ["--view", "o.html", "--picture", picture],
                            ["--picture", picture, "--section", dice.choice(PLACES), dice.choice(NUMBERS)]])
-    if command in ("delaunay", "refine"):
+    if command in ("delaunay", "refine", "distance"):
         result += dice.choice([[], ["--direct"]])
     if dice.random() < 0.9:
         result += ["--stats", "o.json"]

@@ -140,7 +140,7 @@ done <<'TABLE'
 2 | --signed needs a --curve | distance flat.mesh.off --source 0 --signed -o a.ply
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
-2 | ; choose one on it, or give face:a,b,c | distance flat.mesh.off --source 0,0,9 -o a.ply
+2 | ; choose one on it, or give FACE:a,b,c | distance flat.mesh.off --source 0,0,9 -o a.ply
 2 | --exact-distance is for --source, not for --curve | distance flat.mesh.off --curve line.obj --exact-distance -o a.ply
 2 | away from the surface, more than | distance flat.mesh.off --curve far.obj -o a.ply
 2 | line 14 cannot be understood: an edge names a vertex that does not exist; there are 3 | distance flat.mesh.off --curve edge.ply -o a.ply
@@ -179,7 +179,7 @@ done <<'TABLE'
 2 | vertex 3 has no face | path apart.mesh.off --from 3 --to 1 -o a.obj
 2 | barycentric coordinates are not negative and sum up to 1 | path flat.mesh.off --from 0:1,1,1 --to 1 -o a.obj
 2 | the faces are 0 to 31 | path flat.mesh.off --from 99:1,0,0 --to 1 -o a.obj
-2 | give a vertex, face:a,b,c or x,y,z | path flat.mesh.off --from 0,1 --to 1 -o a.obj
+2 | give a vertex, FACE:a,b,c or x,y,z, such as 7, 12:0.5,0.2,0.3 or 1,0,2.5 | path flat.mesh.off --from 0,1 --to 1 -o a.obj
 2 | is not a vertex: --flips and --loop go from vertex to vertex | path flat.mesh.off --from .3,.1,0 --to 1 --flips -o a.obj
 2 | has no faces | path lonely.mesh.off --from 0 --to 1 -o a.obj
 2 | cannot be read | flatten flat.mesh.off -o a.obj --cones folder.off

@@ -61,7 +61,7 @@ says "'99999' is not a point of the mesh"
 printf '0,0,99\n' >wrong.mesh.txt
 expect 2 transfer sheared.mesh.off --points wrong.mesh.txt -o a.txt
 expect 2 transfer sheared.mesh.off --points wrong.mesh.txt --back -o a.txt
-says 'give face:a,b,c'
+says 'give FACE:a,b,c'
 printf '0 1\n1 2\n' >few.mesh.txt
 expect 2 transfer sheared.mesh.off --data few.mesh.txt -o a.txt
 says 'has values for 2 of 441 vertices'

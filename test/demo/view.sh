@@ -115,6 +115,33 @@ assert len(set(pages[0][3])) > 4
 PYTHON
 done
 
+# Distances are linear on intrinsic faces, with inserted vertices too: values at points that are picked
+# and colors are those on the subdivision. Sources are drawn.
+distances='print(Array.from({length: 400}, (_, i) => view.pick(310 + 44 * (i % 20), 20 + 38 * Math.floor(i / 20)))
+  .map(p => p ? `${p.values.distance}/${p.values.distance_error}` : "-").join(" "))'
+sources='share(0, ([r, g, b]) => Math.max(Math.abs(r - 20), Math.abs(g - 122), Math.abs(b - 90)) < 3) > 1e-5'
+measured()
+{
+  expect 0 distance "$@" -o a.ply --view page.html
+  page_shows page.html "$frame" 'view.setColor("field distance_error") === undefined' "$frame" "$distances" \
+    "$sources"
+}
+for call in 'slivers.mesh.off --source 7 --source 9:0.2,0.3,0.5' 'rough.mesh.off --source 0 --min-angle 28'; do
+  measured $call >subdivision.txt
+  measured $call --direct >direct.txt
+  python3 - "$call" <<'PYTHON' || fail "distance $call --direct"
+import sys
+old, new = [[line.split() for line in open(f"{name}.txt")] for name in ("subdivision", "direct")]
+for a, b in zip(old[:2], new[:2]):
+    share = sum(abs(int(x) - int(y)) < 12 for x, y in zip(a, b)) / len(a)
+    print(sys.argv[1], f"{share:.4f}")
+    assert len(a) == len(b) and share > .99, share
+values = [[float(x) for p in points[2] for x in p.split("/") if x != "-"] for points in (old, new)]
+assert len(values[0]) > 30 and max(values[0]) > 1
+assert max(abs(x - y) for x, y in zip(*values, strict=True)) < 1e-5
+PYTHON
+done
+
 # fan N: the edge between two points, with N points on either side, each of which is joined to the first:
 # the Delaunay triangulation crosses it about 2 N times.
 fan()
