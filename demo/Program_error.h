@@ -5,6 +5,7 @@
 #ifndef INTRINSIC_PROGRAM_ERROR_H
 #define INTRINSIC_PROGRAM_ERROR_H
 
+#include <exception>
 #include <stdexcept>
 
 // The input or the call is wrong: exit code 2. Any other exception is a failed computation: 1.
@@ -13,5 +14,9 @@ class Program_error : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+// Edges that were to be lengthened on trial are long enough.
+class Nothing_to_mollify : public std::exception
+{};
 
 #endif // INTRINSIC_PROGRAM_ERROR_H

@@ -57,12 +57,14 @@ void add_common_options(CLI::App& command, Common_options& options)
     "What the picture shows: a point (a vertex, FACE:a,b,c or x,y,z) and a radius");
   add_number(command, "--mollify", options.mollification,
              "Lengthen all edges until every triangle inequality has this slack, "
-             "relative to the mean edge length",
+             "relative to the mean edge length; done by itself where almost flat triangles leave "
+             "no other way to a result, but not with --exact or --strict",
              CLI::Range(1e-16, 1.));
   command.add_flag("--repair", options.is_repair_wanted,
                    "Repair defects of the mesh where possible and report it; indices may change");
   command.add_flag("--strict", options.is_strict,
-                   "Refuse faces that are not triangles; otherwise they are split");
+                   "Refuse faces that are not triangles, which are split otherwise; never change "
+                   "the lengths of edges");
 }
 
 void add_save(CLI::App& command, Common_options& options)

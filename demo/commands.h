@@ -44,8 +44,9 @@ struct Common_options
   std::string picture;                         // SVG or PNG
   std::pair<std::string, std::string> section; // of the picture: a point, empty for all; a radius
   double mollification = 0;
+  bool is_mollification_tried = false; // only if it changes lengths
   bool is_repair_wanted = false;
-  bool is_strict = false;              // faces must be triangles
+  bool is_strict = false;              // faces must be triangles, and keep their lengths
   bool is_direct = false;              // pages are drawn without a common subdivision
   std::size_t number_of_neighbors = 0; // in a cloud of points; zero if there must be faces
   bool is_exact = false;               // decisions about Delaunay edges, with a certificate

@@ -9,9 +9,10 @@
 #include "map_mesh.h"
 #include "triangulation_stages.h"
 
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -64,7 +65,7 @@ void check_status(const DCM::Discrete_conformal_map& map)
   std::ostringstream text;
   text << DCM::message(map.status()) << ": " << reason << ", with an error of curvatures of "
        << map.max_curvature_error() << " radians";
-  throw std::runtime_error(text.str());
+  throw CGAL::Intrinsic_triangulations::Numerical_error(text.str());
 }
 
 void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& map,

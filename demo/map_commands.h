@@ -45,7 +45,7 @@ Stages map_stages(bool has_cones);
 // Throws Program_error if the format has no texture coordinates.
 Mesh_format format_with_texture(const Output_options& options);
 
-// Throws std::runtime_error, with the errors that are left, if a map is not a success.
+// Throws Numerical_error, with the errors that are left, if a map is not a success.
 void check_status(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
 
 // Adds the range of the logarithmic scale factors, which vertices without faces have not, the

@@ -12,15 +12,18 @@
 
 #include <exception>
 #include <iostream>
+#include <string>
 
 namespace {
+
+using CGAL::Intrinsic_triangulations::Numerical_error;
 
 // Help and version are not errors.
 int exit_code(const CLI::App& app, const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : 2; }
 
-int report(const std::exception& e, int code, const char* advice = "")
+int report(const std::exception& e, int code)
 {
-  std::cerr << "intrinsic: " << e.what() << advice << '\n';
+  std::cerr << "intrinsic: " << e.what() << '\n';
   return code;
 }
 
@@ -53,20 +56,49 @@ int run_command(const CLI::App& app, const Options& options)
   return operators(options.common, options.operators);
 }
 
+// Whether the lengths of the edges may be changed, where triangles that are almost flat leave no
+// other way to a result.
+bool can_be_mollified(const Common_options& options)
+{
+  return !options.is_exact && !options.is_strict && options.mollification == 0;
+}
+
+// What rounding makes impossible is tried again with longer edges, if triangles are almost flat. If
+// that fails, too, the error is that of the surface as it is.
+int run_mollified_if_needed(const CLI::App& app, const Options& options)
+{
+  try {
+    return run_command(app, options);
+  } catch(const Numerical_error& e) {
+    if(!can_be_mollified(options.common))
+      throw;
+    std::string advice;
+    Options changed = options;
+    changed.common.is_mollification_tried = true;
+    for(const char* epsilon : {"1e-8", "1e-6"})
+      try {
+        changed.common.mollification = std::stod(epsilon);
+        const int result = run_command(app, changed);
+        std::cerr << options.common.input << ": computed with --mollify " << epsilon << ": "
+                  << e.what() << '\n';
+        return result;
+      } catch(const Numerical_error&) {
+        advice = std::string("; nor is there a result with --mollify ") + epsilon;
+      } catch(const Nothing_to_mollify&) {
+      }
+    throw Numerical_error(e.what() + advice);
+  }
+}
+
 int run(const CLI::App& app, const Options& options)
 {
   const Thread_limit limit(options.common.threads);
   try {
-    return run_command(app, options);
+    return run_mollified_if_needed(app, options);
   } catch(const Program_error& e) {
     return report(e, 2);
   } catch(const CGAL::Intrinsic_triangulations::Invalid_input& e) {
     return report(e, 2);
-  } catch(const CGAL::Intrinsic_triangulations::Numerical_error& e) {
-    return report(e, 1,
-                  options.common.mollification > 0
-                    ? ""
-                    : "; where triangles are almost flat, --mollify 1e-8 gives them an area");
   } catch(const std::exception& e) {
     return report(e, 1);
   }

@@ -4,6 +4,7 @@
 
 #include "triangulation_stages.h"
 
+#include "Program_error.h"
 #include "develop_faces.h"
 #include "kept_edges.h"
 
@@ -82,8 +83,13 @@ Edge_length_map edge_lengths(Command_run& run)
   Mesh& mesh = run.input().mesh;
   auto lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
   IT::compute_edge_lengths(mesh, lengths);
-  if(run.options().mollification > 0)
-    run.statistics()["added_length"] = IT::mollify(mesh, lengths, run.options().mollification);
+  if(run.options().mollification > 0) {
+    const double added = IT::mollify(mesh, lengths, run.options().mollification);
+    if(added == 0 && run.options().is_mollification_tried)
+      throw Nothing_to_mollify();
+    run.statistics()["mollification"] = run.options().mollification;
+    run.statistics()["added_length"] = added;
+  }
   return lengths;
 }
 

@@ -5,6 +5,7 @@
 // Refinement after simplification, and maps that are composed.
 
 #include "../Intrinsic_triangulations/hard_meshes.h"
+#include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "simplified_surfaces.h"
 
 #include <CGAL/Intrinsic_simplification/Composed_map.h>
@@ -213,6 +214,34 @@ TEST(Refine, takes_turns_with_simplification)
       const IS::Surface_subdivision<> subdivision(map,
                                                   IS::Surface_subdivision<>::Bends::of_all_edges);
       EXPECT_EQ(euler_characteristic(subdivision.mesh()), euler_characteristic(fine.mesh()));
+    }
+  }
+}
+
+// Coarse edges run side by side for long, around a tube or, through inserted vertices, in circles:
+// the subdivision ends and has the areas of both levels.
+TEST(Refine, subdivides_with_curves_that_do_not_separate)
+{
+  for(const unsigned int seed : {3u, 10u, 77u, 211u}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Mesh mesh = near_degenerate_mesh(seed).mesh;
+    Evolving_surface surface(mesh);
+    const Surface_level fine(surface);
+    simplify(surface, number_of_vertices(mesh.number_of_vertices() * 3 / 10 + 1));
+    IS::refine(surface, IS::parameters::minimum_angle(20).maximum_number_of_insertions(3000));
+    const Surface_level coarse(surface);
+    const IS::Surface_subdivision<> subdivision(Surface_map(surface, fine, coarse));
+    EXPECT_EQ(euler_characteristic(subdivision.mesh()), euler_characteristic(fine.mesh()));
+    for(const IS::Level side : {IS::Level::fine, IS::Level::coarse}) {
+      double parts = 0, whole = 0;
+      for(Face_index f : subdivision.mesh().faces())
+        parts += subdivision.signed_area(side, f);
+      const Surface_level& level = side == IS::Level::fine ? fine : coarse;
+      for(Face_index f : level.mesh().faces()) {
+        const auto [a, b, c] = IT::internal::side_lengths(level.mesh().halfedge(f), level);
+        whole += IT::quadrupled_area(a, b, c) / 4;
+      }
+      EXPECT_NEAR(parts, whole, 1e-7 * whole);
     }
   }
 }

@@ -84,10 +84,17 @@ expect 0 distance isolated.mesh.off --source 0 -o a.ply --repair
 distances a.ply 0 + + +
 rm a.* b.*
 
-# A face without area has no heat equation, unless it is mollified.
+# A face without area has no heat equation: its edges become longer, unless that is not allowed.
 off flat '0 0 0,1 0 0,2 0 0' '0 1 2'
-expect 1 distance flat.mesh.off --source 0 -o a.ply
-says '; where triangles are almost flat, --mollify 1e-8 gives them an area'
+expect 0 distance flat.mesh.off --source 0 -o a.ply --stats a.json
+says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero or out of range'
+claim "s = json('a.json')" 's.mollification == 1e-8' 'near(s.added_length, 4e-8 / 3, 1e-15)'
+rm a.*
+for option in --strict --exact; do
+  expect 1 distance flat.mesh.off --source 0 -o a.ply "$option"
+  says 'the area of face 0 is zero or out of range'
+  [ ! -e a.ply ] || fail 'a file after a failure'
+done
 expect 0 distance flat.mesh.off --source 0 -o - --mollify 1e-3
 expect 0 distance zero_length.mesh.off --source 0 -o - --mollify 1e-3
 expect 0 distance slivers.mesh.off --source 0 -o - --time-step 4

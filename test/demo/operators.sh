@@ -101,9 +101,12 @@ rm i_*
 
 # A face without area has no Laplacian, unless it is mollified. Nothing is written without it.
 off flat '0 0 0,1 0 0,2 0 0' '0 1 2'
-expect 1 operators flat.mesh.off --prefix f
-says '; where triangles are almost flat, --mollify 1e-8 gives them an area'
+expect 1 operators flat.mesh.off --prefix f --strict
+says 'the area of face 0 is zero or out of range'
 expect_files
+expect 0 operators flat.mesh.off --prefix f
+says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero or out of range'
+rm f_*
 expect 0 operators flat.mesh.off --prefix f --mollify 1e-3
 rm f_*
 

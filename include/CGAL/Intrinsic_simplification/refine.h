@@ -25,6 +25,7 @@ namespace CGAL::Intrinsic_simplification {
 namespace internal {
 
 // An intrinsic triangulation that is a level of a surface, with its constraints.
+// \throws Numerical_error if a triangle inequality fails: lengths of levels are rounded
 inline Evolving_surface::Triangulation constrained_triangulation(const Surface_level& level,
                                                                  const Intrinsic_surface& surface)
 {
@@ -33,9 +34,13 @@ inline Evolving_surface::Triangulation constrained_triangulation(const Surface_l
     is_constrained.push_back(surface.is_constrained(e) ? 1 : 0);
   const auto map = boost::make_function_property_map<Edge_index>(
     [&](Edge_index e) { return is_constrained[e] != 0; });
-  return Evolving_surface::Triangulation(
-    level.mesh(), Intrinsic_triangulations::parameters::edge_length_map(level.length_map())
-                    .edge_is_constrained_map(map));
+  try {
+    return Evolving_surface::Triangulation(
+      level.mesh(), Intrinsic_triangulations::parameters::edge_length_map(level.length_map())
+                      .edge_is_constrained_map(map));
+  } catch(const Intrinsic_triangulations::Invalid_input& e) {
+    throw Intrinsic_triangulations::Numerical_error(e.what());
+  }
 }
 
 } // namespace internal
@@ -55,6 +60,8 @@ inline Evolving_surface::Triangulation constrained_triangulation(const Surface_l
 /// \returns what has been done, how it ended, and the faces of the surface that violate the bounds,
 ///   with the reason
 /// \throws what `Intrinsic_triangulations::refine()` throws; after that the surface is valid
+/// \throws Intrinsic_triangulations::Numerical_error if rounding has left a face of the surface
+///         whose lengths violate the triangle inequality
 template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Intrinsic_triangulations::Refinement_result
 refine(Evolving_surface& surface, const NamedParameters& np = CGAL::parameters::default_values())

@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_simplification.h>
 
+#include <CGAL/Intrinsic_simplification/internal/maps/Crossing_order.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Curve_strands.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/Traced_curves.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
@@ -23,104 +24,6 @@ namespace CGAL::Intrinsic_simplification::internal {
 
 using Intrinsic_triangulations::first_halfedge;
 using Intrinsic_triangulations::is_first_halfedge;
-using Intrinsic_triangulations::opposite;
-
-// The order in which curves cross an edge. Curves that do not cross each other go on side by side
-// until they leave a face by different sides or corners: there their order is known, without any
-// numbers.
-class Crossing_order
-{
-public:
-  Crossing_order(const Traced_curves& traced, const Surface_map& map)
-    : m_strands(traced.pieces, traced.first_piece, map.coarse().mesh()), m_mesh(map.fine().mesh())
-  {}
-
-  // Compares the places on the first halfedge of an edge where two pieces end: negative if that of
-  // `a` is before that of `b`, zero if the curves never separate.
-  int compare(std::size_t a, std::size_t b) const
-  {
-    const Halfedge_index left = first_halfedge(Edge_index(side_of_end({a, true})));
-    const int result = compare_on_left(a, b, left);
-    return result != 0 ? result : -compare_on_left(a, b, opposite(left));
-  }
-
-private:
-  Halfedge_index side_of_end(const Strand& s) const
-  {
-    return internal::side_of_end(m_strands.piece(s).segment, m_strands.end(s), m_mesh);
-  }
-
-  // on the left of `h`, away from where a piece comes to its edge
-  Strand strand(std::size_t piece, Halfedge_index h) const
-  {
-    return side_of_end({piece, true}) == h ? Strand{piece, false} : Strand{piece + 1, true};
-  }
-
-  // compares the places on `h` where two pieces end, by the ways on its left
-  int compare_on_left(std::size_t a, std::size_t b, Halfedge_index h) const
-  {
-    const int result = compare_ahead(strand(a, h), strand(b, h), h, Turn::left);
-    return result != 0 ? result : compare_ahead(strand(a, h), strand(b, h), h, Turn::right);
-  }
-
-  // Where the curve leaves a face that it has entered by side `n`, counterclockwise: odd at
-  // corners, even at sides; zero if it bends back to that side.
-  std::size_t exit(const Strand& s, std::size_t n) const
-  {
-    const Face_point& p = m_strands.end(s);
-    return is_on_side(p) ? 2 * ((side_number(p) + 3 - n) % 3)
-                         : 2 * ((corner_number(p) + 2 - n) % 3) + 1;
-  }
-
-  // Goes on to where the way from side `n` leaves the face; whether it does. If the way has turned
-  // and comes back to this side by another curve, no curve lies between the two, and that one is
-  // followed.
-  bool leave_face(Strand& s, std::size_t n, Turn turn, std::size_t other) const
-  {
-    const Strand start = s;
-    while(m_strands.leave_face(s, turn)) {
-      if(exit(s, n) != 0)
-        return true;
-      if(s.piece == start.piece || m_strands.is_on_same_way(s, start))
-        return false;
-      if(s.piece == other)
-        return true;
-      s.is_forward = !s.is_forward;
-    }
-    return false;
-  }
-
-  // Compares the places where two curves enter the face of `h` by `h`. They go on at vertices
-  // inside of faces, but not for ever. A way that comes back by the other curve has that on the
-  // side to which it turns.
-  int compare_ahead(Strand a, Strand b, Halfedge_index h, Turn turn) const
-  {
-    const Strand start = a;
-    do {
-      const std::size_t n = Intrinsic_triangulations::side_number(h, m_mesh);
-      const std::size_t from_a = a.piece, from_b = b.piece;
-      if(!leave_face(a, n, turn, from_b) || !leave_face(b, n, turn, from_a))
-        return 0;
-      const std::size_t exit_a = exit(a, n), exit_b = exit(b, n);
-      if(exit_a == 0 || exit_b == 0)
-        return (turn == Turn::left ? 1 : -1) * (int(exit_a == 0) - int(exit_b == 0));
-      if(exit_a == exit_b && (is_at_corner(m_strands.end(a)) || ends(a) || ends(b)))
-        return 0;
-      if(exit_a != exit_b)
-        return exit_a > exit_b ? -1 : 1;
-      h = opposite(side_of_end(a));
-      m_strands.advance(a, turn);
-      m_strands.advance(b, turn);
-    } while(a.piece != start.piece && a.piece != b.piece);
-    return 0;
-  }
-
-  // whether the curve has come to a vertex on a boundary edge
-  bool ends(const Strand& s) const { return m_strands.is_last(s) && is_on_side(m_strands.end(s)); }
-
-  Curve_strands m_strands;
-  const Delta_complex& m_mesh;
-};
 
 // The marks on the edges of the fine level, in their order along these, and the pieces of the edges
 // of the coarse level between them. Vertices of a subdivision are those of the fine level, those
@@ -283,7 +186,7 @@ private:
     Marks& marks = traced.marks;
     order(marks, traced.pieces);
     std::vector<Curve_index> order = indices(marks.size());
-    const Crossing_order curves(traced, m_map);
+    Crossing_order curves(traced, m_map);
     const auto are_exchanged = [&](Curve_index x, Curve_index y) {
       return marks[x].edge == marks[y].edge && curves.compare(marks[x].piece, marks[y].piece) > 0;
     };
