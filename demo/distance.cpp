@@ -71,9 +71,10 @@ std::int64_t checked_vertex(const std::string& text, const std::string& path,
   std::int64_t n = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
   if(error == std::errc::invalid_argument || end != text.data() + text.size())
-    throw Program_error("'" + text +
-                        "' is not a point of the mesh: give a vertex, FACE:a,b,c or x,y,z, such as 7, "
-                        "12:0.5,0.2,0.3 or 1,0,2.5");
+    throw Program_error(
+      "'" + text +
+      "' is not a point of the mesh: give a vertex, FACE:a,b,c or x,y,z, such as 7, "
+      "12:0.5,0.2,0.3 or 1,0,2.5");
   if(error != std::errc() || n < 0 || n > last)
     throw Program_error(path + ": there is no vertex " + text +
                         " to be a source; the vertices are 0 to " + std::to_string(last));
