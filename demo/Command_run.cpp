@@ -55,7 +55,8 @@ void Command_run::read(const std::string& command, bool are_soups_allowed)
     tolerance.are_zero_lengths_allowed = m_options.mollification > 0;
     tolerance.are_soups_allowed = are_soups_allowed;
     tolerance.neighbors = m_options.number_of_neighbors;
-    m_input = read_input(m_options.input, tolerance, m_options.is_quiet);
+    const bool has_been_read = m_options.is_mollification_tried;
+    m_input = read_input(m_options.input, tolerance, m_options.is_quiet || has_been_read);
   }
   m_statistics = common_statistics(command, m_options.input, m_input.diagnosis);
   for(const auto& [what, count] : m_input.repairs)

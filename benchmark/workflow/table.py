@@ -10,9 +10,9 @@ import sys
 from pathlib import Path
 
 COLUMNS = ["mesh", "command", "outcome", "vertices", "faces", "euler_characteristic", "boundary_loops",
-           "components", "seconds", "peak_memory_bytes", "status", "flips", "ptolemy_flips", "min_angle_degrees",
-           "max_curvature_error", "max_cross_ratio_error", "flipped_triangles", "inserted_vertices",
-           "faces_below_bound", "coarse_vertices", "area_ratio", "message"]
+           "components", "seconds", "peak_memory_bytes", "status", "mollification", "flips",
+           "ptolemy_flips", "min_angle_degrees", "max_curvature_error", "max_cross_ratio_error",
+           "flipped_triangles", "inserted_vertices", "faces_below_bound", "coarse_vertices", "area_ratio", "message"]
 
 rows = []
 for path in sorted(Path(sys.argv[1]).glob("*/*.json")):
