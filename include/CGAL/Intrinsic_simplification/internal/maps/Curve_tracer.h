@@ -68,23 +68,54 @@ private:
     Route::Time time;
   };
 
+  // Where operations cut the curve over and over, pieces pile up in a face: then it goes step by
+  // step, and what is straight is joined in between.
   void carry_edge(Halfedge_index h)
   {
-    m_result.clear();
+    m_result.assign(1, whole_edge(h));
     m_is_bend.assign(2, 0);
-    m_stack.assign(1, start(h));
-    while(!m_stack.empty()) {
-      const Timed_segment s = m_stack.back();
-      m_stack.pop_back();
-      if(s.time == m_route.end().time())
-        m_result.push_back(s.segment);
-      else
-        carry(s);
+    Route::Time now = m_route.start().time(), step = m_route.length();
+    while(now != m_route.end().time()) {
+      const std::vector<Curve_segment> pieces = m_result;
+      const std::vector<char> is_bend = m_is_bend;
+      const Route::Time to = m_route.after(now, step);
+      const std::size_t most = at_once + pieces.size(), met = carry_pieces(now, to, most);
+      if(met <= most) {
+        now = to;
+        if(now != m_route.end().time())
+          join_inside_faces();
+        if(met < most / 4)
+          step *= 2;
+      } else {
+        m_result = pieces;
+        m_is_bend = is_bend;
+        step = (std::max)(step / 4, Route::Time(1));
+      }
     }
   }
 
+  // Carries the pieces one by one, and returns how many operations they have met: if that is more
+  // than `most`, they have not all come to the time `to`. Each meets an operation once at most.
+  std::size_t carry_pieces(Route::Time from, Route::Time to, std::size_t most)
+  {
+    m_stack.clear();
+    for(auto s = m_result.rbegin(); s != m_result.rend(); ++s)
+      m_stack.push_back(timed(*s, from));
+    m_result.clear();
+    std::size_t met = 0;
+    while(!m_stack.empty() && met <= most) {
+      const Timed_segment s = m_stack.back();
+      m_stack.pop_back();
+      if(m_route.is_at(s.time, to))
+        m_result.push_back(s.segment);
+      else if(++met <= most)
+        carry(s);
+    }
+    return met;
+  }
+
   // an edge and its reverse start in the same face
-  Timed_segment start(Halfedge_index h) const
+  Curve_segment whole_edge(Halfedge_index h) const
   {
     const Surface_level& level = m_route.start();
     const Delta_complex& mesh = level.mesh();
@@ -93,8 +124,7 @@ private:
       inner = opposite(inner);
     const std::size_t s = Intrinsic_triangulations::side_number(inner, mesh);
     const std::size_t from = inner == h ? s : (s + 1) % 3, to = inner == h ? (s + 1) % 3 : s;
-    return timed({level.surface_face(mesh.face(inner)), corner_point(from, 0), corner_point(to, 1)},
-                 level.time());
+    return {level.surface_face(mesh.face(inner)), corner_point(from, 0), corner_point(to, 1)};
   }
 
   static Face_point corner_point(std::size_t corner, std::size_t end)
@@ -229,10 +259,26 @@ private:
         *w = 0;
   }
 
-  // Joins what is straight: a point inside a face where the curve does not bend was on an edge
-  // once, and where the curve comes to a side and goes on in its face, it runs along the boundary.
-  // A piece that leads from a side back to the same side, or from a corner to itself, is there by
-  // rounding only.
+  // whether the curve goes on straight beyond `p`, which was on an edge once
+  bool is_straight_inside(const Face_point& p) const
+  {
+    return p.corners == inside && !m_is_bend[p.node];
+  }
+
+  void join_inside_faces()
+  {
+    std::size_t size = 0;
+    for(const Curve_segment& s : m_result)
+      if(size > 0 && is_straight_inside(m_result[size - 1].to))
+        m_result[size - 1].to = s.to;
+      else
+        m_result[size++] = s;
+    m_result.resize(size);
+  }
+
+  // Joins what is straight, inside faces and where the curve comes to a side and goes on in its
+  // face: there it runs along the boundary. A piece that leads from a side back to the same side,
+  // or from a corner to itself, is there by rounding only.
   void join_straight_pieces()
   {
     std::size_t size = 0;
@@ -244,8 +290,7 @@ private:
         m_result[size++] = m_result[n];
       const Curve_segment& last = m_result[size - 1];
       const bool is_end = n + 1 == m_result.size();
-      is_joint = (last.to.corners == inside && !m_is_bend[last.to.node]) ||
-                 (!is_end && stays_in_face(last, m_result[n + 1]));
+      is_joint = is_straight_inside(last.to) || (!is_end && stays_in_face(last, m_result[n + 1]));
       if(!is_joint && leads_back(last) && !(is_end && size == 1)) {
         --size;
         is_joint = is_pair(last.to.corners);
@@ -272,6 +317,7 @@ private:
   }
 
   static constexpr Corner_set inside = 7;
+  static constexpr std::size_t at_once = 1024; // operations that a curve may meet in one step
 
   Route m_route;
   std::vector<char> m_is_bend; // of each point

@@ -102,6 +102,21 @@ public:
                         : m_operations.previous(f, now, m_end.time());
   }
 
+  // the number of operations
+  Time length() const
+  {
+    return m_is_forward ? m_end.time() - m_start.time() : m_start.time() - m_end.time();
+  }
+
+  // returns the time after the next `n` operations, at most that of the end
+  Time after(Time t, Time n) const
+  {
+    return m_is_forward ? t + (std::min)(n, m_end.time() - t) : t - (std::min)(n, t - m_end.time());
+  }
+
+  // whether nothing is met between the time `t` and `end`
+  bool is_at(Time t, Time end) const { return m_is_forward ? t >= end : t <= end; }
+
   // calls `visit` with the operation that is met at time `t`, and returns the time after it
   template <typename Visit>
   Time pass(Time t, const Visit& visit) const
