@@ -98,23 +98,23 @@ private:
   // Two triangles are laid out from their common side `x`: each of their other corners on its own.
   // From either end of `x` they are seen with a relative error of 20 u, and the products that
   // determine on which side of the end the edge passes have 44 u; the length has 22 u of two sides.
+  // Products of sides are bounded by half of the sum of their squares.
   Straight_edge across(Halfedge_index x, double error) const
   {
-    const Halfedge_index o = opposite(x);
-    const auto apex = apex_ratios<double>(x, m_pair.input_metric(), m_pair.input()),
-               other = apex_ratios<double>(o, m_pair.input_metric(), m_pair.input());
-    const double x_length = side_length(x), square = x_length * x_length;
-    const double to_apex = side_length(m_input.prev(x)), from_apex = side_length(m_input.next(x)),
-                 to_other = side_length(m_input.next(o)), from_other = side_length(m_input.prev(o));
-    const double after_source = apex.from_source * other.across - other.from_target * apex.across,
-                 before_target = other.from_source * apex.across - apex.from_target * other.across;
+    const auto apex = apex_products<double>(x, m_pair.input_metric(), m_pair.input()),
+               other = apex_products<double>(opposite(x), m_pair.input_metric(), m_pair.input());
     constexpr double unit = 64 * Rounding<double>::unit();
-    const bool is_straight = after_source * square > unit * to_apex * to_other &&
-                             before_target * square > unit * from_apex * from_other;
-    const double along = apex.from_source + other.from_target, across = apex.across + other.across;
-    const double length = x_length * std::sqrt(along * along + across * across);
-    return {is_straight, unit * (to_apex + to_other) <= error * length
-                           ? length
+    const double inverse = 2 / (apex.square_pq + other.square_pq); // NaN if one is
+    const double at_source = apex.square_pr + other.square_qr,
+                 at_target = apex.square_qr + other.square_pr;
+    const double after_source = apex.with_pr * other.across - other.with_qr * apex.across,
+                 before_target = other.with_pr * apex.across - apex.with_qr * other.across;
+    const bool is_straight = after_source * inverse > unit / 2 * at_source &&
+                             before_target * inverse > unit / 2 * at_target;
+    const double along = apex.with_pr + other.with_qr, across = apex.across + other.across;
+    const double square = (along * along + across * across) * inverse;
+    return {is_straight, 2 * unit * unit * at_source <= error * error * square
+                           ? std::sqrt(square)
                            : std::numeric_limits<double>::quiet_NaN()};
   }
 

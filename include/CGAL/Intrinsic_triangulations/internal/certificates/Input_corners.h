@@ -19,6 +19,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -77,62 +79,91 @@ std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Metric& metr
           metric.points[mesh.target(mesh.next(h))]};
 }
 
-// The shortest sides, by their squares, whose products do not underflow. With Long_float none do.
+// Returns the square of pq, or NaN if products of the squares of three sides may underflow or overflow.
+// Those of Long_float never do.
 template <typename N>
-constexpr double least_square()
+N square_in_range(const N& pq, const N& pr, const N& qr)
 {
-  return std::is_floating_point_v<N> || std::is_same_v<N, Double_double> ? 1e-100 : 0;
+  constexpr bool is_bounded = std::is_floating_point_v<N> || std::is_same_v<N, Double_double>;
+  constexpr double least = is_bounded ? 1e-100 : 0,
+                   greatest = is_bounded ? 1e100 : std::numeric_limits<double>::infinity();
+  return (std::min)({pq, pr, qr}) > N(least) && (std::max)({pq, pr, qr}) < N(greatest)
+           ? pq
+           : N(std::numeric_limits<double>::quiet_NaN());
 }
 
-// The third corner r of a triangle pqr on the left of pq: from p and from q along pq, and across
-// it, divided by the length of pq.
+// The third corner r of a triangle pqr on the left of pq: scalar products of pq with pr and with qr,
+// the length of their vector product, and the squared lengths of the sides. That of pq is NaN if
+// products may leave the range of numbers.
+template <typename N>
+struct Apex_products
+{
+  N with_pr, with_qr, across;
+  N square_pq, square_pr, square_qr;
+};
+
+// Returns those of the triangle of the halfedge pq, from positions. Divided by the square of pq, the
+// products make vectors to r that are correct to a relative error of 20 u, for the rounding unit u,
+// however thin the triangle is: components of vectors have one of u, so that compared with the
+// product of both lengths a scalar product has 5 u, and the vector product with the shorter side at
+// r has 9 u; the quotients add 7 u.
+template <typename N>
+BOOST_FORCEINLINE Apex_products<N> apex_products(const Position& p, const Position& q,
+                                                 const Position& r)
+{
+  const auto pq = vector_between<N>(p, q), pr = vector_between<N>(p, r),
+             qr = vector_between<N>(q, r);
+  const N square_pq = dot(pq, pq), square_pr = dot(pr, pr), square_qr = dot(qr, qr);
+  const auto normal = cross(pq, square_pr < square_qr ? pr : qr);
+  return {N(dot(pq, pr)),
+          N(dot(pq, qr)),
+          N(sqrt(dot(normal, normal))),
+          square_in_range(square_pq, square_pr, square_qr),
+          square_pr,
+          square_qr};
+}
+
+// Returns those from lengths: no formula loses digits.
+template <typename N>
+BOOST_FORCEINLINE Apex_products<N> apex_products(const N& pq, const N& qr, const N& rp)
+{
+  const N half(0.5), square_pr(rp * rp), square_qr(qr * qr);
+  return {N(half * doubled_corner_product(qr, pq, rp)),
+          N(-half * doubled_corner_product(rp, pq, qr)),
+          N(half * sqrt(squared_quadrupled_area(pq, qr, rp))),
+          square_in_range(N(pq * pq), square_pr, square_qr),
+          square_pr,
+          square_qr};
+}
+
+// Returns those of the triangle on the left of `h`. \pre `metric` has no squared lengths
+template <typename N, typename Metric, typename Surface>
+Apex_products<N> apex_products(Halfedge_index h, const Metric& metric, const Surface& input)
+{
+  const Delta_complex& mesh = input.mesh();
+  if(!metric.points.empty())
+    return apex_products<N>(metric.points[mesh.source(h)], metric.points[mesh.target(h)],
+                            metric.points[mesh.target(mesh.next(h))]);
+  const auto length = [&](Halfedge_index x) { return N(input.length_map()[mesh.edge(x)]); };
+  return apex_products<N>(length(h), length(mesh.next(h)), length(mesh.prev(h)));
+}
+
+// r from p and from q along pq, and across it, divided by the length of pq
 template <typename N>
 struct Apex_ratios
 {
   N from_source, from_target, across;
 };
 
-// Returns those of the triangle of the halfedge pq, from positions; NaN if products may underflow.
-// Vectors to r that they make are correct to a relative error of 20 u, for the rounding unit u,
-// however thin the triangle is: components of vectors have one of u, so that compared with the
-// product of both lengths a scalar product has 5 u, and the vector product with the shorter side at
-// r has 9 u; the quotients add 7 u.
-template <typename N>
-Apex_ratios<N> apex_ratios(const Position& p, const Position& q, const Position& r)
-{
-  const auto pq = vector_between<N>(p, q), pr = vector_between<N>(p, r),
-             qr = vector_between<N>(q, r);
-  const N square_pq = dot(pq, pq), square_pr = dot(pr, pr), square_qr = dot(qr, qr);
-  const auto normal = cross(pq, square_pr < square_qr ? pr : qr);
-  const bool is_good = (std::min)({square_pq, square_pr, square_qr}) > N(least_square<N>());
-  const N inverse = is_good ? N(N(1) / square_pq) : N(std::numeric_limits<double>::quiet_NaN());
-  return {N(dot(pq, pr) * inverse), N(dot(pq, qr) * inverse),
-          N(sqrt(dot(normal, normal)) * inverse)};
-}
-
-// Returns those from lengths: no formula loses digits.
-template <typename N>
-Apex_ratios<N> apex_ratios(const N& pq, const N& qr, const N& rp)
-{
-  const N least = (std::min)({pq, qr, rp});
-  const bool is_good = least * least > N(least_square<N>());
-  const N inverse =
-    is_good ? N(N(1) / (N(2) * pq * pq)) : N(std::numeric_limits<double>::quiet_NaN());
-  return {N(doubled_corner_product(qr, pq, rp) * inverse),
-          N(-(doubled_corner_product(rp, pq, qr) * inverse)),
-          N(sqrt(squared_quadrupled_area(pq, qr, rp)) * inverse)};
-}
-
-// Returns those of the triangle on the left of `h`. \pre `metric` has no squared lengths
+// Returns those of the triangle on the left of `h`; NaN if products may leave the range of numbers.
+// \pre `metric` has no squared lengths
 template <typename N, typename Metric, typename Surface>
 Apex_ratios<N> apex_ratios(Halfedge_index h, const Metric& metric, const Surface& input)
 {
-  const Delta_complex& mesh = input.mesh();
-  if(!metric.points.empty())
-    return apex_ratios<N>(metric.points[mesh.source(h)], metric.points[mesh.target(h)],
-                          metric.points[mesh.target(mesh.next(h))]);
-  const auto length = [&](Halfedge_index x) { return N(input.length_map()[mesh.edge(x)]); };
-  return apex_ratios<N>(length(h), length(mesh.next(h)), length(mesh.prev(h)));
+  const auto products = apex_products<N>(h, metric, input);
+  const N inverse = N(1) / products.square_pq;
+  return {N(products.with_pr * inverse), N(products.with_qr * inverse),
+          N(products.across * inverse)};
 }
 
 // Corners up to an error that is a few units of roundoff of their absolute value, however thin the

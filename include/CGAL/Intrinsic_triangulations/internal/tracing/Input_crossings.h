@@ -53,9 +53,14 @@ public:
     : m_marks(number_crossings(coordinates, mesh, concurrency)), m_crossing(m_marks.size())
   {
     for_each_in_chunks<Edge_index>(concurrency, mesh, [&](Edge_index e) {
-      if(count(e) > 0)
-        for(Halfedge_index h : {first_halfedge(e), opposite(first_halfedge(e))})
-          record_curves(mesh.prev(h), coordinates, mesh, spokes);
+      const Halfedge_index h = first_halfedge(e), o = opposite(h);
+      if(count(e) == 1 && coordinates.curves_leaving(h, mesh) == 1 &&
+         coordinates.curves_leaving(o, mesh) == 1) {
+        // its curve crosses nothing else: either end will do
+        m_crossing[m_marks(h, 0)] = coordinates.spoke_in_corner(mesh.prev(h), 0, mesh, spokes);
+      } else if(count(e) > 0)
+        for(Halfedge_index side : {h, o})
+          record_curves(mesh.prev(side), coordinates, mesh, spokes);
     });
   }
 
