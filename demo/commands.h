@@ -130,8 +130,8 @@ struct Path_options : Output_options
   std::optional<std::pair<double, double>> straightest; // degrees and length
 };
 
-// Finds a shortest path, a geodesic or a loop, a straightest path, or the loops of a homology basis,
-// and writes them as lines. Returns the exit code.
+// Finds a shortest path, a geodesic or a loop, a straightest path, or the loops of a homology
+// basis, and writes them as lines. Returns the exit code.
 int path(const Common_options& common, const Path_options& options);
 
 struct Transfer_options

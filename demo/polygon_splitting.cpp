@@ -114,8 +114,8 @@ std::vector<Corners> triangles_of(const Flat_points& points)
   return inner_faces(triangulation);
 }
 
-// Empty if CGAL finds none, or if there are so many points that the search would take minutes: it is
-// cubic if the faces of a Delaunay triangulation in space are not enough.
+// Empty if CGAL finds none, or if there are so many points that the search would take minutes: it
+// is cubic if the faces of a Delaunay triangulation in space are not enough.
 std::vector<Corners> triangles_of_hole(const std::vector<Point>& points)
 {
   std::vector<CGAL::Triple<int, int, int>> patch;

@@ -156,7 +156,8 @@ TEST(Doubled_surface, copies_some_faces)
 
 // ---- Energies ----
 
-// Half of the energy of the whole double and its derivatives, where scale factors are far from zero.
+// Half of the energy of the whole double and its derivatives, where scale factors are far from
+// zero.
 template <template <typename> class Triangle>
 void check_energy(unsigned int seed)
 {

@@ -226,8 +226,8 @@ TEST(Certify_ideal_Delaunay, of_the_empty_surface)
 using Real_100 = boost::multiprecision::cpp_bin_float_100;
 using Ideal_traits_100 = IT::Ideal_geometry_traits<Real_100>;
 
-// The places of edges of T^A on edges of T^B, from the lengths of T^A: these are flipped to those of
-// T^B, over whose faces the edges of T^A are straight.
+// The places of edges of T^A on edges of T^B, from the lengths of T^A: these are flipped to those
+// of T^B, over whose faces the edges of T^A are straight.
 class Traced_places
 {
   using Vector_100 = std::array<Real_100, 2>;

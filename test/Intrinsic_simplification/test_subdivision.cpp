@@ -346,8 +346,8 @@ Mesh sides_of_cube(unsigned int set)
   return mesh;
 }
 
-// Midpoints of coarse edges, where refinement inserts vertices, are removed vertices up to rounding:
-// several coarse edges come to one of these, and run through it.
+// Midpoints of coarse edges, where refinement inserts vertices, are removed vertices up to
+// rounding: several coarse edges come to one of these, and run through it.
 TEST(Subdivision, where_inserted_vertices_are_removed_ones)
 {
   for(unsigned int set = 1; set < 64; ++set)

@@ -19,9 +19,9 @@
 // Meshes at the limits of `double`: needles and caps down to 1e-16 of an edge, vertices as near as
 // the rounding of their coordinates, faces of zero area. They have 20 to 3000 faces, are manifold
 // and oriented, and no two vertices coincide, so that none have distance zero on the surface. None
-// has a long and narrow channel, on which large angles would need as many faces as it is longer than
-// wide: teeth are less than a row, struts and stretched surfaces are not thinner than 1/100, but
-// flattened.
+// has a long and narrow channel, on which large angles would need as many faces as it is longer
+// than wide: teeth are less than a row, struts and stretched surfaces are not thinner than 1/100,
+// but flattened.
 namespace Test_surfaces {
 
 // Numbers that depend on the seed alone, not on the standard library.

@@ -147,8 +147,8 @@ inline Soup random_part(int kind, CGAL::Random& random)
   }
 }
 
-// Books of three to seven pages, Moebius bands and bipyramids, that touch in vertices; some faces twice
-// or three times; without orientation.
+// Books of three to seven pages, Moebius bands and bipyramids, that touch in vertices; some faces
+// twice or three times; without orientation.
 inline Soup random_soup(unsigned int seed)
 {
   CGAL::Random random(seed);
@@ -163,7 +163,8 @@ inline Soup random_soup(unsigned int seed)
   return result;
 }
 
-// Takes faces away from a manifold mesh and puts as many elsewhere, so that it is no surface any more.
+// Takes faces away from a manifold mesh and puts as many elsewhere, so that it is no surface any
+// more.
 class Mesh_spoiler
 {
 public:
@@ -256,8 +257,8 @@ private:
   std::vector<std::size_t> m_kept, m_taken; // faces
 };
 
-// A manifold mesh of which every eighth face is elsewhere: at edges that have up to seven faces then,
-// on top of other faces, at vertices only, or in Moebius bands; without orientation.
+// A manifold mesh of which every eighth face is elsewhere: at edges that have up to seven faces
+// then, on top of other faces, at vertices only, or in Moebius bands; without orientation.
 inline Soup spoiled(const Mesh& mesh, unsigned int seed) { return Mesh_spoiler(mesh, seed)(8); }
 
 } // namespace Test_surfaces

@@ -415,8 +415,8 @@ TEST(Exact_Delaunay, certified_on_hard_meshes)
 
 const auto exactly = IT::parameters::exact_decisions(true);
 
-// With exact decisions the result is certified, and the stored lengths do not deny it; without, flipping
-// ends, with edges that are wrong by rounding.
+// With exact decisions the result is certified, and the stored lengths do not deny it; without,
+// flipping ends, with edges that are wrong by rounding.
 void expect_certified_in_double(const Mesh& mesh)
 {
   Triangulation by_lengths(mesh), t(mesh);
@@ -542,8 +542,8 @@ TEST(Exact_Delaunay, double_is_certified_whatever_it_starts_from)
 
 typedef boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>> Long_real;
 
-// A random diamond that is convex; thin by up to `digits` decimals. The apices need not lie above the
-// base.
+// A random diamond that is convex; thin by up to `digits` decimals. The apices need not lie above
+// the base.
 std::array<std::array<double, 2>, 4> convex_diamond(Portable_random& random, double digits)
 {
   const auto thin = [&] { return std::pow(10, -digits * random.get_double(0, 1)); };
@@ -613,8 +613,8 @@ TEST(Exact_Delaunay, certificate_agrees_with_the_signs_of_all_edges)
 
 // ---- Planes ----
 
-// The triangulation of a mesh by its exact squared lengths: without positions triangles are laid out
-// one by one, over rational numbers.
+// The triangulation of a mesh by its exact squared lengths: without positions triangles are laid
+// out one by one, over rational numbers.
 Exact_triangulation by_squares(const Exact_triangulation& t, const Mesh& mesh)
 {
   Delta_complex copy = t.input_mesh();

@@ -92,8 +92,8 @@ double length_of_gradient(const Triangulation& t, Face_index f, const std::vecto
   return std::hypot(along, across) * a * y / 2;
 }
 
-// The lengths of all level sets integrate to that of the gradient (coarea formula). Between values at
-// vertices they are linear in the level.
+// The lengths of all level sets integrate to that of the gradient (coarea formula). Between values
+// at vertices they are linear in the level.
 TEST(Level_set, lengths)
 {
   for(const Named_mesh& m : meshes()) {

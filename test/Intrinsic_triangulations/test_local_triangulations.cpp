@@ -67,8 +67,9 @@ std::vector<Point> sphere(std::size_t n)
   return points;
 }
 
-// In the plane, rows of inner points are those of the one Delaunay triangulation: each triangle comes
-// three times. Flips would part them, for obtuse ones lie on each other like the sides of a pillow.
+// In the plane, rows of inner points are those of the one Delaunay triangulation: each triangle
+// comes three times. Flips would part them, for obtuse ones lie on each other like the sides of a
+// pillow.
 TEST(Local_triangulations, agree_in_the_plane)
 {
   CGAL::Random random(1);

@@ -100,8 +100,8 @@ private:
   std::vector<std::array<Place, 3>> m_corners;
 };
 
-// The part in a triangle of the line at height `y`, from the left to the right or back; as weights of
-// its corners.
+// The part in a triangle of the line at height `y`, from the left to the right or back; as weights
+// of its corners.
 bool crossing(const std::array<Place, 3>& p, double y, bool is_to_the_right,
               std::array<std::array<double, 3>, 2>& ends)
 {

@@ -221,9 +221,9 @@ TEST(Shortest_paths, on_hard_meshes)
   }
 }
 
-// Compares with unfolding in many digits, unless that takes more than `bound` faces, and returns whether
-// it has. Lengths of `double` determine distances on flat faces up to half of these digits; all others
-// agree to the last.
+// Compares with unfolding in many digits, unless that takes more than `bound` faces, and returns
+// whether it has. Lengths of `double` determine distances on flat faces up to half of these digits;
+// all others agree to the last.
 bool is_as_in_many_digits(const Named_mesh& m, std::size_t source, std::size_t bound)
 {
   SCOPED_TRACE(m.name + ", from " + std::to_string(source));
@@ -252,7 +252,8 @@ TEST(Shortest_paths, on_hard_meshes_as_in_many_digits)
   EXPECT_GT(compared, 30u);
 }
 
-// Paths that pass vertices within rounding, very near to their start, or several vertices at one place.
+// Paths that pass vertices within rounding, very near to their start, or several vertices at one
+// place.
 TEST(Shortest_paths, that_pass_vertices_within_rounding)
 {
   for(const auto& [seed, source] :

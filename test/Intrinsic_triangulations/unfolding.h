@@ -100,7 +100,8 @@ private:
         }
   }
 
-  // The face of `h`, from `a` on the left to `b`, seen from 0 between the directions `right` and `left`.
+  // The face of `h`, from `a` on the left to `b`, seen from 0 between the directions `right` and
+  // `left`.
   void unfold(Halfedge_index h, const Place& a, const Place& b, const Place& right,
               const Place& left)
   {

@@ -26,8 +26,8 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Exact_Euclidean_geometry_traits<>>;
 
-// A tube of n by n (an even number) quadrangles, with columns that come as close as rounding allows: `width` to the
-// power of n.
+// A tube of n by n (an even number) quadrangles, with columns that come as close as rounding
+// allows: `width` to the power of n.
 Mesh tube(std::size_t n, double width)
 {
   Mesh mesh;

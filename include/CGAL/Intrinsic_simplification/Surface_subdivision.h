@@ -161,8 +161,8 @@ public:
   }
 
 private:
-  // Where a vertex is on the first halfedge of an edge of the coarse level that runs through it, with
-  // an edge that is a part of that one and has an end at the vertex.
+  // Where a vertex is on the first halfedge of an edge of the coarse level that runs through it,
+  // with an edge that is a part of that one and has an end at the vertex.
   struct Place_on_edge
   {
     Vertex_index v;

@@ -219,8 +219,8 @@ private:
 ///
 /// Complexity: \f$O(n \log n)\f$ for each round, and shortening. There are few rounds for each
 /// length, since disjoint curves are cut in one round. A search is not repeated near vertices where
-/// one has found nothing; so searches reach each vertex a few times in a round, unless there are many
-/// curves of about the length of the bound.
+/// one has found nothing; so searches reach each vertex a few times in a round, unless there are
+/// many curves of about the length of the bound.
 inline std::size_t pinch_handles(Surface_surgery& surface, double maximum_length,
                                  Cutting_curves curves = Cutting_curves::geodesics)
 {

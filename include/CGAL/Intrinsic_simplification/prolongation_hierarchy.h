@@ -30,8 +30,8 @@ namespace CGAL::Intrinsic_simplification {
 /// Complexity: as `simplify()` and `prolongation_matrix()`. Memory: two levels at a time besides
 /// the result.
 /// \param surface the surface, which is as coarse as the last level afterwards
-/// \param number_of_vertices the hierarchy ends at a level with at most this number of vertices, or when no vertex can be
-///   removed any more
+/// \param number_of_vertices the hierarchy ends at a level with at most this number of vertices, or
+///   when no vertex can be removed any more
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded,
 ///         Intrinsic_triangulations::Numerical_error and
 ///         Intrinsic_triangulations::Overflow_error as `simplify()` and `Surface_map`

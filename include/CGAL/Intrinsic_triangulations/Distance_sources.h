@@ -28,8 +28,8 @@ class Heat_distance;
 
 namespace internal {
 
-// The data of a vertex about a source in one of its faces: the integral of its hat function over the
-// source, and the distance within the face.
+// The data of a vertex about a source in one of its faces: the integral of its hat function over
+// the source, and the distance within the face.
 template <typename FT>
 struct Vertex_and_source
 {

@@ -156,8 +156,8 @@ public:
   }
 
   /// returns the crossing of the line with inner edge `m`, not before `least` on the line. Where
-  /// both run along each other, any point that they share is correct, but not a point that only one of
-  /// them has.
+  /// both run along each other, any point that they share is correct, but not a point that only one
+  /// of them has.
   /// \pre `finish()` has been called
   Crossing crossing(std::size_t m, const FT& least = FT(0)) const
   {

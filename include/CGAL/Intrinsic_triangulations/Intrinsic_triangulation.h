@@ -111,8 +111,8 @@ public:
   ///     \cgalParamDefault{unused}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{mollification}
-  ///     \cgalParamDescription{the slack that `mollify()` gives to all triangle inequalities, relative
-  ///       to the mean edge length; 0 for none}
+  ///     \cgalParamDescription{the slack that `mollify()` gives to all triangle inequalities,
+  ///       relative to the mean edge length; 0 for none}
   ///     \cgalParamType{convertible to `FT`}
   ///     \cgalParamDefault{0}
   ///   \cgalParamNEnd
@@ -130,8 +130,8 @@ public:
   /// Complexity: linear.
   /// \throws Invalid_input if a face is not a triangle, an edge has no face, a vertex has more than
   ///         one umbrella, a length is not positive and finite, or the triangle inequality fails in
-  ///         a face: with exact traits and without positions, exactly; lengths of type `double` that
-  ///         exceed it by rounding are shortened to those of a flat triangle
+  ///         a face: with exact traits and without positions, exactly; lengths of type `double`
+  ///         that exceed it by rounding are shortened to those of a flat triangle
   template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Intrinsic_triangulation(const Graph& g,
                                    const NamedParameters& np = CGAL::parameters::default_values())

@@ -326,7 +326,8 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, too;
 ///       lengths are then correct to a relative error of \f$2^{-40}\f$. A sign that involves more
-///       than two independent square roots, and that 512 bits cannot tell from zero, counts as zero}
+///       than two independent square roots, and that 512 bits cannot tell from zero, counts as
+///       zero}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

@@ -36,7 +36,8 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// Complexity: linear in the edges crossed, with a logarithm of the crossings on each edge that the
 /// path crosses. In a face of \f$T_1\f$ with inserted vertices: linear in the edges of \f$T_2\f$
-/// that the line through the path crosses there, and for an end inside the face as `point_across()`.
+/// that the line through the path crosses there, and for an end inside the face as
+/// `point_across()`.
 /// \throws Invalid_input if two consecutive places that are not both vertices share no face
 template <typename Traits>
 Surface_path<typename Traits::FT> path_across(const Correspondence<Traits>& correspondence,

@@ -110,8 +110,8 @@ private:
   }
 
   // Follows both curves until they separate, or have come to where they were before: they go on at
-  // vertices inside of faces. A way that comes back by the other curve has that on the side to which
-  // it turns.
+  // vertices inside of faces. A way that comes back by the other curve has that on the side to
+  // which it turns.
   int follow(Strand a, Strand b, Halfedge_index h, Turn turn)
   {
     const Strand start = a;

@@ -83,8 +83,8 @@ public:
     return m_pair.part_of_input_edge(h).length(m_pair.input_length_map());
   }
 
-  // Returns the angle at the source of `h` in its face, between 0 and pi, up to about `error`: where
-  // it is near to one of them, rounding can make the corner clockwise.
+  // Returns the angle at the source of `h` in its face, between 0 and pi, up to about `error`:
+  // where it is near to one of them, rounding can make the corner clockwise.
   double rounded_angle(Halfedge_index h, double error = certified_length_error()) const
   {
     const auto absolute_value = [](const std::complex<double>& corner) { return std::abs(corner); };

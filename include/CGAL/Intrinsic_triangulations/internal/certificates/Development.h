@@ -76,7 +76,8 @@ public:
 
   typedef boost::container::small_vector<Placed_side, 4> Placed_sides;
 
-  // An edge of T2 from the origin, with the sides of T1 that it crosses, each up to a positive factor.
+  // An edge of T2 from the origin, with the sides of T1 that it crosses, each up to a positive
+  // factor.
   struct Strip
   {
     Placed_side first;
@@ -174,8 +175,8 @@ public:
   }
 
 private:
-  // Returns where `h` ends if its first triangle lies at `side`, and appends the sides of T1 that it
-  // crosses to `crossed`, if there are any.
+  // Returns where `h` ends if its first triangle lies at `side`, and appends the sides of T1 that
+  // it crosses to `crossed`, if there are any.
   Complex end(Halfedge_index h, Placed_side side, Placed_sides* crossed = nullptr) const
   {
     const Delta_complex& mesh = m_pair.mesh();

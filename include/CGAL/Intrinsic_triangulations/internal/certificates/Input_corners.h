@@ -79,8 +79,8 @@ std::array<Position, 3> corners_of_triangle(Halfedge_index h, const Metric& metr
           metric.points[mesh.target(mesh.next(h))]};
 }
 
-// Returns the square of pq, or NaN if products of the squares of three sides may underflow or overflow.
-// Those of Long_float never do.
+// Returns the square of pq, or NaN if products of the squares of three sides may underflow or
+// overflow. Those of Long_float never do.
 template <typename N>
 N square_in_range(const N& pq, const N& pr, const N& qr)
 {
@@ -92,9 +92,9 @@ N square_in_range(const N& pq, const N& pr, const N& qr)
            : N(std::numeric_limits<double>::quiet_NaN());
 }
 
-// The third corner r of a triangle pqr on the left of pq: scalar products of pq with pr and with qr,
-// the length of their vector product, and the squared lengths of the sides. That of pq is NaN if
-// products may leave the range of numbers.
+// The third corner r of a triangle pqr on the left of pq: scalar products of pq with pr and with
+// qr, the length of their vector product, and the squared lengths of the sides. That of pq is NaN
+// if products may leave the range of numbers.
 template <typename N>
 struct Apex_products
 {
@@ -102,11 +102,11 @@ struct Apex_products
   N square_pq, square_pr, square_qr;
 };
 
-// Returns those of the triangle of the halfedge pq, from positions. Divided by the square of pq, the
-// products make vectors to r that are correct to a relative error of 20 u, for the rounding unit u,
-// however thin the triangle is: components of vectors have one of u, so that compared with the
-// product of both lengths a scalar product has 5 u, and the vector product with the shorter side at
-// r has 9 u; the quotients add 7 u.
+// Returns those of the triangle of the halfedge pq, from positions. Divided by the square of pq,
+// the products make vectors to r that are correct to a relative error of 20 u, for the rounding
+// unit u, however thin the triangle is: components of vectors have one of u, so that compared with
+// the product of both lengths a scalar product has 5 u, and the vector product with the shorter
+// side at r has 9 u; the quotients add 7 u. Inlined, those of two triangles are computed at once.
 template <typename N>
 BOOST_FORCEINLINE Apex_products<N> apex_products(const Position& p, const Position& q,
                                                  const Position& r)
@@ -272,8 +272,8 @@ private:
   Recent_values<Complex> m_corner;
 };
 
-// Returns the squared lengths of the sides of the triangle of `h`, beginning with `h`, up to a common
-// factor: coordinates and lengths are made whole numbers, which need no common denominators.
+// Returns the squared lengths of the sides of the triangle of `h`, beginning with `h`, up to a
+// common factor: coordinates and lengths are made whole numbers, which need no common denominators.
 template <typename K, typename Metric, typename Surface>
 std::array<K, 3> squared_sides(Halfedge_index h, const Metric& metric, const Surface& input)
 {
@@ -304,9 +304,9 @@ Sign area_sign(Halfedge_index h, const Metric& metric, const Surface& input)
   return CGAL::sign(Corner_products<K>(squared_sides<K>(h, metric, input)).squared_quadrupled_area);
 }
 
-// Corners of numbers with square roots, exactly, for one decision. They are not divided by the squared
-// length of their side: a position is one up to a positive factor. With positions, faces side by side
-// in one plane make one face, all vertices of which are placed at once.
+// Corners of numbers with square roots, exactly, for one decision. They are not divided by the
+// squared length of their side: a position is one up to a positive factor. With positions, faces
+// side by side in one plane make one face, all vertices of which are placed at once.
 template <typename K, typename Metric, typename Surface>
 class Exact_corners
 {

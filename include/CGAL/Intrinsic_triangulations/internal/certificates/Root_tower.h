@@ -27,8 +27,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns the root of `x` >= 0, if it is a whole number that can be found: `x` has to be in the range
-// of `double`. Each step finds as many digits as that has.
+// Returns the root of `x` >= 0, if it is a whole number that can be found: `x` has to be in the
+// range of `double`. Each step finds as many digits as that has.
 template <typename R>
 std::optional<R> whole_root(const R& x)
 {
@@ -47,8 +47,8 @@ std::optional<R> whole_root(const R& x)
 }
 
 // Returns the root of `x` >= 0, if it is in `K` and can be found: of fractions this is decided, by
-// roots of integers, which are rounded down; of dyadic numbers whole roots are found; in other fields
-// only 0 and 1 are.
+// roots of integers, which are rounded down; of dyadic numbers whole roots are found; in other
+// fields only 0 and 1 are.
 template <typename K>
 std::optional<K> root_in(const K& x)
 {
@@ -87,8 +87,8 @@ public:
     K factor;
   };
 
-  // Returns a multiple of the root of `square`, which is added to the ring unless it is a multiple of
-  // one that is there; nothing if there are too many.
+  // Returns a multiple of the root of `square`, which is added to the ring unless it is a multiple
+  // of one that is there; nothing if there are too many.
   std::optional<Multiple> root(const K& square)
   {
     if(const auto r = root_in(square))

@@ -95,7 +95,8 @@ double scale_to_integers(std::array<Position, n>& points)
   return std::ldexp(1., std::clamp(-last, 2 - limit, limit - 1));
 }
 
-// Returns (x - y) * unit for a power of two, without exact numbers if it is a number of type `double`.
+// Returns (x - y) * unit for a power of two, without exact numbers if it is a number of type
+// `double`.
 template <typename R>
 R scaled_difference(double x, double y, double unit)
 {

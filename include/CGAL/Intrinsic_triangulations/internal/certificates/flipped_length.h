@@ -93,10 +93,10 @@ private:
 
   double heights() const { return m_k.height + m_l.height + 2 * m_root; }
 
-  // Returns a bound for the product of both parts of ij, times that of the heights. The place where kl
-  // cuts ij divides the distance of the feet in the ratio of the heights: it changes by the error of
-  // the feet and by that of this ratio times their distance. If this can bring it outside of ij, one
-  // of a_i and a_j becomes negative, and its products with a_k and a_l count twice.
+  // Returns a bound for the product of both parts of ij, times that of the heights. The place where
+  // kl cuts ij divides the distance of the feet in the ratio of the heights: it changes by the
+  // error of the feet and by that of this ratio times their distance. If this can bring it outside
+  // of ij, one of a_i and a_j becomes negative, and its products with a_k and a_l count twice.
   double cut_parts(double thinness) const
   {
     const double cut = std::abs(m_k.foot * m_root + m_l.foot * m_k.height) /

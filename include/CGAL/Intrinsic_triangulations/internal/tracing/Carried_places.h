@@ -17,9 +17,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The places of a path on a triangulation, as they are found. A straight path does not cross the edges
-// that start at a vertex which it leaves, or to which it comes; where rounding has it do so, these
-// crossings are left out.
+// The places of a path on a triangulation, as they are found. A straight path does not cross the
+// edges that start at a vertex which it leaves, or to which it comes; where rounding has it do so,
+// these crossings are left out.
 template <typename FT>
 class Carried_places
 {

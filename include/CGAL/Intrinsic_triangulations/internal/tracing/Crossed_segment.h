@@ -16,8 +16,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns the place between two places on an edge, with weights that are not negative; the middle if
-// both are zero.
+// Returns the place between two places on an edge, with weights that are not negative; the middle
+// if both are zero.
 template <typename FT>
 FT place_between(const FT& a, const FT& b, const FT& weight_of_a, const FT& weight_of_b)
 {
@@ -25,8 +25,8 @@ FT place_between(const FT& a, const FT& b, const FT& weight_of_a, const FT& weig
   return (1 - t) * a + t * b;
 }
 
-// A straight segment in a face, in barycentric coordinates, and where it crosses others on the way to
-// its end.
+// A straight segment in a face, in barycentric coordinates, and where it crosses others on the way
+// to its end.
 template <typename FT>
 class Crossed_segment
 {
@@ -59,8 +59,8 @@ public:
     return square > 0 ? FT(dot(m_from, m_to, m_from, p) / square) : FT(0);
   }
 
-  // Returns where it crosses the segment from `a` to `b`, from 0 to 1. Crossings are in order: where
-  // the two segments are on one line up to rounding, it is next to the crossing before.
+  // Returns where it crosses the segment from `a` to `b`, from 0 to 1. Crossings are in order:
+  // where the two segments are on one line up to rounding, it is next to the crossing before.
   FT next_crossing_on(const Coordinates& a, const Coordinates& b)
   {
     const FT t = line_on(a, b), s = along(point_between(a, b, t));

@@ -28,12 +28,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Finds a straight segment in a face of T1 on T2, where the face may contain vertices of T2.
 //
-// Each vertex of T2 and each crossing on the sides of the face is on the left or on the right of the
-// line through the segment. The line crosses the pieces of edges of T2 with one end on either side:
-// from region to region these lead from where it enters the face to where it leaves, whatever
+// Each vertex of T2 and each crossing on the sides of the face is on the left or on the right of
+// the line through the segment. The line crosses the pieces of edges of T2 with one end on either
+// side: from region to region these lead from where it enters the face to where it leaves, whatever
 // rounding says about vertices inside. Then the regions before the segment and after it are left
-// out. Those of its ends depend on the ends alone, so that a path does not tear there: what rounding
-// leaves between them and the line is bridged.
+// out. Those of its ends depend on the ends alone, so that a path does not tear there: what
+// rounding leaves between them and the line is bridged.
 template <typename Traits>
 class Input_face_segment
 {

@@ -145,8 +145,8 @@ private:
     return result;
   }
 
-  // returns the points of a face where a place is: two if the face meets itself and the path does not
-  // cross its edge there
+  // returns the points of a face where a place is: two if the face meets itself and the path does
+  // not cross its edge there
   Points points(const Place& p, Face_index f, Halfedge_index h, bool is_end) const
   {
     Points result{point(p, f, h)};

@@ -114,8 +114,9 @@ private:
   Side m_side;
 };
 
-// Returns where the halfedge `h` of T1, no border halfedge, goes on on T2 at the begin of one of its
-// parts: the last spoke at or clockwise from it. Complexity: linear in the degree of the vertex there.
+// Returns where the halfedge `h` of T1, no border halfedge, goes on on T2 at the begin of one of
+// its parts: the last spoke at or clockwise from it. Complexity: linear in the degree of the vertex
+// there.
 template <typename Traits>
 Halfedge_index spoke_at_part(Halfedge_index h, Delta_complex::size_type part,
                              const Correspondence<Traits>& correspondence)
