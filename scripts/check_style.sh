@@ -3,8 +3,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Fails if a source file is not formatted as .clang-format says; says where. Exits with 77, which means
-# skipped, with other versions of clang-format than the one below: each breaks some lines elsewhere.
+# Fails if a source file is not formatted as .clang-format says, or has a line of more than 100
+# columns, which it leaves in comments; says where. Exits with 77, which means skipped, with other
+# versions of clang-format than the one below: each breaks some lines elsewhere.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 version=14
@@ -12,5 +13,10 @@ clang-format --version | grep -q "version $version\." || {
   echo "check_style: needs clang-format $version"
   exit 77
 }
-find include demo test examples benchmark \( -name '*.h' -o -name '*.cpp' \) -print0 |
+sources=(include demo test examples benchmark)
+find "${sources[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format --dry-run -Werror
+if LC_ALL=C.UTF-8 grep -rnE --include='*.h' --include='*.cpp' '^.{101}' "${sources[@]}"; then
+  echo "check_style: lines of more than 100 columns"
+  exit 1
+fi

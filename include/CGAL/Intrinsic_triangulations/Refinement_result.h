@@ -43,9 +43,9 @@ inline const char* to_string(Refinement_status status)
 /// returns how many vertices `refine()` may insert unless it is given another number. If
 /// circumradii are bounded, that is 10,000,000. Otherwise it is 1,000,000 plus 20 for each face of
 /// \f$T_1\f$, with angles of more than 30 degrees, where refinement need not end, 100,000 plus as
-/// many, and never more than 10,000,000. Refinements of ordinary meshes to 32 degrees that end insert
-/// fewer than 8 vertices for each face; a narrow tube or strip takes as many as it is longer than
-/// wide, up to a factor.
+/// many, and never more than 10,000,000. Refinements of ordinary meshes to 32 degrees that end
+/// insert fewer than 8 vertices for each face; a narrow tube or strip takes as many as it is longer
+/// than wide, up to a factor.
 /// \param faces the number of faces of \f$T_1\f$
 /// \param minimum_angle the least angle, in degrees
 /// \param maximum_circumradius the greatest circumradius
