@@ -6,6 +6,9 @@
 # CHOLMOD's factorizations. Used by the build, and by the installed package when an application asks
 # for it.
 
+include(CheckCXXSourceCompiles)
+include(CMakePushCheckState)
+
 find_path(SuiteSparse_INCLUDE_DIR suitesparse/cholmod.h)
 find_library(CHOLMOD_LIBRARY cholmod)
 mark_as_advanced(SuiteSparse_INCLUDE_DIR CHOLMOD_LIBRARY)
@@ -19,5 +22,16 @@ if(SuiteSparse_INCLUDE_DIR AND CHOLMOD_LIBRARY)
       ${SuiteSparse_INCLUDE_DIR})
     target_compile_definitions(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE
       CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD)
+    # the threads of CHOLMOD, which are held back, are those of the OpenMP of g++
+    cmake_push_check_state(RESET)
+    set(CMAKE_REQUIRED_LIBRARIES gomp)
+    check_cxx_source_compiles("#include <omp.h>
+      int main() { omp_set_max_active_levels(0); }" CGAL_INTRINSIC_TRIANGULATIONS_HAS_GOMP)
+    cmake_pop_check_state()
+    if(CGAL_INTRINSIC_TRIANGULATIONS_HAS_GOMP)
+      target_link_libraries(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE gomp)
+      target_compile_definitions(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE
+        CGAL_INTRINSIC_TRIANGULATIONS_USE_GOMP)
+    endif()
   endif()
 endif()

@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -43,7 +44,10 @@ std::vector<std::string> fields(const std::string& line)
   std::vector<const char*> arguments;
   for(const std::string& text : call)
     arguments.push_back(text.c_str());
-  std::exit(run_program(static_cast<int>(arguments.size()), arguments.data()));
+  const int code = run_program(static_cast<int>(arguments.size()), arguments.data());
+  std::cout.flush();
+  std::fflush(nullptr);
+  std::_Exit(code); // under the address sanitizer, std::exit() takes a quarter of the time of a run
 }
 
 int run(const std::vector<std::string>& call)

@@ -12,6 +12,9 @@
 #include <Eigen/SparseCore>
 
 #include <suitesparse/cholmod.h>
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_GOMP
+#include <omp.h>
+#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -19,6 +22,21 @@
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// As long as it lives, regions of OpenMP that are begun by this thread have one thread.
+class One_thread_of_OpenMP
+{
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_GOMP
+public:
+  One_thread_of_OpenMP() { omp_set_max_active_levels(0); }
+  ~One_thread_of_OpenMP() { omp_set_max_active_levels(m_levels); }
+  One_thread_of_OpenMP(const One_thread_of_OpenMP&) = delete;
+  One_thread_of_OpenMP& operator=(const One_thread_of_OpenMP&) = delete;
+
+private:
+  int m_levels = omp_get_max_active_levels();
+#endif
+};
 
 // CHOLMOD's workspace and settings.
 class Cholmod_workspace
@@ -29,7 +47,11 @@ public:
     cholmod_start(&m_common);
     m_common.supernodal = CHOLMOD_AUTO;
     // operations per entry: where both kinds take equally long, with OpenBLAS
-    m_common.supernodal_switch = 60;
+    m_common.supernodal_switch = 80;
+    // Supernodes with up to so many columns are merged, with some zeros more: each of them begins
+    // regions of OpenMP, which cost time even with one thread.
+    m_common.nrelax[1] = 32;
+    m_common.nrelax[2] = 96;
     m_common.final_ll = 1; // the other form does not find out whether a matrix is positive
     m_common.quick_return_if_not_posdef = 1;
     m_common.print = 0;
@@ -51,9 +73,11 @@ public:
     return factor;
   }
 
-  // Returns false if the matrix is not positive definite.
+  // Returns false if the matrix is not positive definite. CHOLMOD would wake four threads for each
+  // supernode, whatever the machine has; with surfaces they cost more time than they save.
   bool factorize(cholmod_sparse matrix, cholmod_factor* factor)
   {
+    [[maybe_unused]] const One_thread_of_OpenMP one_thread;
     cholmod_factorize(&matrix, factor, &m_common);
     check();
     return m_common.status == CHOLMOD_OK;
