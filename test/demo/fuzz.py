@@ -439,7 +439,8 @@ def main():
     parser.add_argument("--server", action="store_true")
     options = parser.parse_args()
     options.prepare = None if is_sanitized(options.program) else limit_memory
-    sanitizer = "exitcode=99:detect_leaks=0:max_allocation_size_mb=2000:malloc_context_size=4:print_stacktrace=1"
+    sanitizer = ("exitcode=99:detect_leaks=0:max_allocation_size_mb=2000:"
+                 "malloc_context_size=4:print_stacktrace=1")
     options.environment = dict(os.environ, ASAN_OPTIONS=sanitizer, UBSAN_OPTIONS=sanitizer)
     options.run_program = (Server if options.server else Process)(options)
     if not os.path.isdir(f"{options.data}/meshes"):
