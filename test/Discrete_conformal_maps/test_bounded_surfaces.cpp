@@ -4,6 +4,7 @@
 
 #include "bounded_surfaces.h"
 
+#include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Symmetric_energy.h>
@@ -86,20 +87,67 @@ TEST(Bounded_surface, hyperbolic_metric_with_geodesic_boundary)
   }
 }
 
+// A disk whose boundary has `n` edges, one or two, in which vertices are inserted.
+Sides disk_with_few_corners(int n, std::size_t insertions, unsigned int seed)
+{
+  Sides faces{{1, 2, -1}};
+  int edges = 2;
+  if(n == 2) {
+    faces = {{1, 3, -2}, {2, 4, -1}};
+    edges = 4;
+  }
+  CGAL::Random random(seed);
+  for(std::size_t i = 0; i < insertions; ++i) {
+    const auto k = std::size_t(random.get_int(0, int(faces.size())));
+    const auto [x, y, z] = faces[k];
+    const int p = ++edges, q = ++edges,
+              r = ++edges; // from the targets of x, z and y to the new one
+    faces[k] = {x, p, -q};
+    faces.push_back({y, r, -p});
+    faces.push_back({z, q, -r});
+  }
+  return faces;
+}
+
 // The center of mass decides which polyhedron it is.
+void check_hemisphere(const Bounded_surface& s)
+{
+  const auto map = DCM::map_to_sphere(s.half, length_parameter(s.half_length));
+  const auto whole = DCM::map_to_sphere(s.whole, length_parameter(s.whole_length));
+  ASSERT_EQ(map.status(), DCM::Map_status::success);
+  ASSERT_EQ(whole.status(), DCM::Map_status::success);
+  EXPECT_TRUE(map.certificate().is_convex());
+  EXPECT_LT(DCM::max_cross_ratio_error(map), 1e-9);
+  for(Vertex_index v : s.half.vertices()) {
+    EXPECT_NEAR(map.log_scale(v), whole.log_scale(s.whole_vertex[v]), 1e-8) << v;
+    EXPECT_EQ(map.position(v)[2] == 0, s.is_on_boundary(v));
+    EXPECT_GE(map.position(v)[2], 0);
+  }
+  for(Vertex_index v : map.ideal().mesh().vertices()) {
+    const auto p = map.position(v), q = map.position(map.input_vertex(v));
+    EXPECT_EQ(p[2], v == map.input_vertex(v) ? q[2] : -q[2]);
+    EXPECT_TRUE(p[0] == q[0] && p[1] == q[1]);
+  }
+}
+
 TEST(Bounded_surface, hemisphere)
 {
-  for(unsigned int seed = 1; seed <= 6; ++seed) {
+  for(unsigned int seed = 1; seed <= number_of_surfaces(12); ++seed) {
     SCOPED_TRACE(seed);
-    const Bounded_surface s(
-      seed % 2 == 0 ? plate_with_square_holes(0) : surface_with_holes(0, 1, seed), seed);
-    const auto map = DCM::map_to_sphere(s.half, length_parameter(s.half_length));
-    const auto whole = DCM::map_to_sphere(s.whole, length_parameter(s.whole_length));
-    ASSERT_EQ(map.status(), DCM::Map_status::success);
-    ASSERT_EQ(whole.status(), DCM::Map_status::success);
-    for(Vertex_index v : s.half.vertices())
-      EXPECT_NEAR(map.log_scale(v), whole.log_scale(s.whole_vertex[v]), 1e-8) << v;
+    check_hemisphere(Bounded_surface(
+      seed % 2 == 0 ? plate_with_square_holes(0) : surface_with_holes(0, 1, seed), seed));
   }
+}
+
+// On a boundary with one or two vertices no two are left to find the axis by.
+TEST(Bounded_surface, hemisphere_with_few_corners)
+{
+  for(unsigned int seed = 1; seed <= number_of_surfaces(12); ++seed)
+    for(int n : {1, 2}) {
+      SCOPED_TRACE(seed);
+      check_hemisphere(
+        Bounded_surface(disk_with_few_corners(n, 2 + seed * seed % 149, seed), seed));
+    }
 }
 
 // ---- The part of the double that there is ----
@@ -118,6 +166,7 @@ TEST(Bounded_surface, the_inside_of_a_surface_is_not_copied)
   problem.complete();
   EXPECT_EQ(problem.front().size(), 2 * n - 160);
   EXPECT_FALSE(has_border(problem.triangulation().mesh()));
+  EXPECT_LT(DCM::map_to_sphere(mesh).ideal().mesh().number_of_vertices(), n + n / 2);
 }
 
 // A copy of some faces: every face of the copy has the sides of the one that it copies.

@@ -75,13 +75,16 @@ void check_map(const Spherical_conformal_map& map)
   }
 }
 
-// The center of mass, each vertex with a third of its faces.
+// The center of mass, each vertex with a third of its faces. The mirror images of those of a disk
+// leave it in the mirror plane.
 double distance_from_center(const Spherical_conformal_map& map)
 {
   const Delta_complex& mesh = map.Delaunay().input_mesh();
   Position sum{0, 0, 0};
   double total = 0;
   for(Face_index f : mesh.faces()) {
+    if(!map.is_front(f))
+      continue;
     const auto side = IT::sides(f, mesh);
     const double a = map.Delaunay().input_length(mesh.edge(side[0])),
                  b = map.Delaunay().input_length(mesh.edge(side[1])),
@@ -92,6 +95,8 @@ double distance_from_center(const Spherical_conformal_map& map)
       for(std::size_t k = 0; k < 3; ++k)
         sum[k] += area / 3 * map.position(mesh.target(h))[k];
   }
+  if(map.is_disk())
+    sum[2] = 0;
   return distance(sum, {0, 0, 0}) / total;
 }
 

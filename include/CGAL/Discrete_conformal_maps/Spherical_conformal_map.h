@@ -30,14 +30,14 @@ class Sphere_mapping;
 /// the correspondence of each to the next, scale factors, and positions on the unit sphere (Section
 /// 4.4).
 ///
-/// \f$T^A\f$ is the input. A disk is doubled: the faces of its second copy follow those of the
-/// input, and so do edges and vertices; the boundary is shared. \f$T^B\f$ is the intrinsic Delaunay
-/// triangulation of \f$T^A\f$. \f$T^C\f$ has the same ideal polyhedron as \f$T^B\f$, and its faces
-/// are those of a convex polyhedron with vertices on the unit sphere, whose lengths are
-/// \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This polyhedron is unique up to Moebius transformations. It is
-/// the one in which the vertices, each with a third of the area of its faces in the input as mass,
-/// have their center of mass in the center of the sphere; so it is unique up to rotations. The
-/// vertex from which the sphere was unfolded has the position (0, 0, -1).
+/// \f$T^A\f$ is the input. A disk is doubled, as far as edges across the boundary reach (see
+/// `Discrete_conformal_map`); beyond that, all is the mirror image of the other half. \f$T^B\f$ is
+/// the intrinsic Delaunay triangulation of \f$T^A\f$. \f$T^C\f$ has the same ideal polyhedron as
+/// \f$T^B\f$, and its faces are those of a convex polyhedron with vertices on the unit sphere,
+/// whose lengths are \f$e^{(u_i+u_j)/2}\ell_{ij}\f$. This polyhedron is unique up to Moebius
+/// transformations. It is the one in which the vertices, each with a third of the area of its faces
+/// in the input as mass, have their center of mass in the center of the sphere; so it is unique up
+/// to rotations. The vertex from which the sphere was unfolded has the position (0, 0, -1).
 ///
 /// The image of a disk is the upper hemisphere, and its boundary is on the equator; a vertex of the
 /// boundary has the position (-1, 0, 0).

@@ -113,21 +113,22 @@ private:
     return result;
   }
 
-  // the first good result, or else the best
+  // The first good result, or else the best. Results with different copies of a disk cannot be
+  // compared: unless the first is good, they have all of it.
   Unfolded_sphere unfold()
   {
-    std::optional<Unfolded_sphere> best;
     const std::vector<Vertex_index> vertices = candidates();
     // vertices far apart in the order of areas are most likely far apart on the surface
     const std::size_t stride = 1 + vertices.size() / (4 * maximum_number_of_trials);
-    for(std::size_t i = 0; i < vertices.size() && i < maximum_number_of_trials * stride;
-        i += stride) {
-      Unfolded_sphere next(m_problem, m_mass, vertices[i], m_visitor);
-      if(!best || next < *best)
+    std::optional<Unfolded_sphere> best;
+    best.emplace(m_problem, m_mass, vertices.front(), m_visitor);
+    if(!best->is_good() && m_problem.complete())
+      best.emplace(m_problem, m_mass, vertices.front(), m_visitor);
+    for(std::size_t i = stride;
+        !best->is_good() && i < vertices.size() && i < maximum_number_of_trials * stride;
+        i += stride)
+      if(Unfolded_sphere next(m_problem, m_mass, vertices[i], m_visitor); next < *best)
         best.emplace(std::move(next));
-      if(best->is_good())
-        break;
-    }
     if(!best->is_laid_out())
       throw Intrinsic_triangulations::Numerical_error(
         std::string("the scale factors of the sphere have not been found: ") +
@@ -164,6 +165,8 @@ private:
                   r = at(mesh.source(side[2]));
       bool is_good = predicates.orientation(p, q, r, center) > 0;
       for(Halfedge_index h : side) {
+        if(mesh.is_border(Edge_index(h)))
+          continue;
         const Point beyond = at(mesh.target(mesh.next(mesh.opposite(h))));
         is_good = is_good && predicates.orientation(p, q, r, beyond) >= 0;
       }

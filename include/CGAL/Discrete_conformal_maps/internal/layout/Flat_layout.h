@@ -16,6 +16,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_triangle.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,7 +67,13 @@ public:
   std::complex<double> position(Halfedge_index h) const { return to_complex(united(h)); }
 
   // in all digits
-  std::array<FT, 2> exact_position(Halfedge_index h) const { return {united(h).x, united(h).y}; }
+  const Vector& exact_position(Halfedge_index h) const { return united(h); }
+
+  // the vector of `h` in its face, without the errors of positions \pre the layout is incremental
+  Vector side(Halfedge_index h) const { return length(h) * m_direction[h.idx()]; }
+
+  // of errors of `side(h)`
+  double weight(Halfedge_index h) const { return static_cast<double>(1 / (length(h) * length(h))); }
 
 private:
   const FT& length(Halfedge_index h) const { return m_length[Edge_index(h).idx()]; }
@@ -136,30 +144,35 @@ private:
     for(const Cut_graph::Step& step : cut.steps())
       if(!step.entry.is_valid())
         shift.hold(point(m_mesh.halfedge(step.face)));
-    want_what_fits(cut, shift);
+    const Eigen::VectorXd x = what_fits(cut, &Vector::x), y = what_fits(cut, &Vector::y);
     if(std::is_same<FT, double>::value)
       std::vector<Vector>().swap(m_direction); // the factor comes in its place
     shift.factorize(order.refined(m_vertex));
-    move(shift.solve());
+    move(shift.solve(x), &Vector::x);
+    move(shift.solve(y), &Vector::y);
     // with more digits than shifts have, what the first has left
-    if(!std::is_same<FT, double>::value) {
-      want_what_fits(cut, shift);
-      move(shift.solve());
-    }
+    if(!std::is_same<FT, double>::value)
+      for(const auto coordinate : {&Vector::x, &Vector::y})
+        move(shift.solve(what_fits(cut, coordinate)), coordinate);
   }
 
-  void want_what_fits(const Cut_graph& cut, Least_squares_shift& shift) const
+  // the right side for the changes that are missing
+  Eigen::VectorXd what_fits(const Cut_graph& cut, FT Vector::*coordinate) const
   {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(m_united.size()));
     for_each_side(cut, [&](Halfedge_index h) {
       const Halfedge_index n = m_mesh.next(h);
-      shift.want(point(h), point(n), weight(h), to_complex(side(h) - (united(n) - united(h))));
+      const FT present = united(n).*coordinate - united(h).*coordinate;
+      Least_squares_shift::want(result, point(h), point(n), weight(h),
+                                static_cast<double>(side(h).*coordinate - present));
     });
+    return result;
   }
 
-  void move(const std::vector<std::complex<double>>& by)
+  void move(const Eigen::VectorXd& by, FT Vector::*coordinate)
   {
     for(std::size_t i = 0; i < m_united.size(); ++i)
-      m_united[i] = m_united[i] + Vector{FT(by[i].real()), FT(by[i].imag())};
+      m_united[i].*coordinate += FT(by[Eigen::Index(i)]);
   }
 
   template <typename Function>
@@ -169,8 +182,6 @@ private:
       for(Halfedge_index h : Intrinsic_triangulations::sides(step.face, m_mesh))
         function(h);
   }
-
-  double weight(Halfedge_index h) const { return static_cast<double>(1 / (length(h) * length(h))); }
 
   void improve_charts(const Cut_graph& cut, const Shared_order& order)
   {
@@ -222,8 +233,6 @@ private:
     }
     return m_number[i];
   }
-
-  Vector side(Halfedge_index h) const { return length(h) * m_direction[h.idx()]; }
 
   const Vector& united(Halfedge_index h) const { return m_united[std::size_t(point(h))]; }
 

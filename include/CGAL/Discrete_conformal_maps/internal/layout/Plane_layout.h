@@ -10,64 +10,116 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Cut_graph.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Half_plane_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // The positions of the vertices of a sphere in the plane, one vertex of it at infinity. `length`
-// has the lengths of edges in the plane; the remaining surface is flat (Section 4.4.5).
+// has the lengths of edges in the plane; the remaining surface is flat (Section 4.4.5). A doubled
+// disk, as far as it is there, has its axis on the real line, with the disk above it.
 template <typename FT>
 class Plane_layout
 {
+  typedef Plane_vector<FT> Vector;
+
 public:
   typedef std::array<FT, 2> Point;
 
-  // `order` is that of the vertices
   Plane_layout(const Delta_complex& mesh, const std::vector<FT>& length, Vertex_index at_infinity,
-               const Shared_order& order)
-    : m_mesh(mesh), m_length(length), m_at_infinity(at_infinity), m_position(mesh.num_vertices())
+               const Doubled_problem& problem)
+    : m_mesh(mesh),
+      m_length(length),
+      m_at_infinity(at_infinity),
+      m_problem(problem),
+      m_position(mesh.num_vertices())
   {
-    const std::vector<char> is_used = finite_faces();
+    const std::vector<char> is_used = faces_in_plane();
     if(std::count(is_used.begin(), is_used.end(), 1) > 0)
-      lay_out_faces(is_used, order);
+      lay_out_faces(is_used);
     else
       lay_out_edges();
   }
 
   // that of the vertex at infinity has no meaning
-  const std::vector<Point>& positions() const { return m_position; }
-
-private:
-  std::vector<char> finite_faces() const
+  std::vector<Point> positions() const
   {
-    std::vector<char> result(m_mesh.num_faces(), 1);
-    for(Halfedge_index h : m_mesh.halfedges())
-      if(m_mesh.target(h) == m_at_infinity)
-        result[m_mesh.face(h).idx()] = 0;
+    std::vector<Point> result;
+    for(const std::optional<Vector>& p : m_position)
+      result.push_back(p ? Point{p->x, p->y} : Point{FT(0), FT(0)});
     return result;
   }
 
-  void lay_out_faces(const std::vector<char>& is_used, const Shared_order& order)
+private:
+  // The finite faces that can be reached from a vertex inside the surface itself: all but some
+  // copies, where more copies would be needed to reach them.
+  std::vector<char> faces_in_plane() const
+  {
+    std::vector<char> is_finite(m_mesh.num_faces(), 1), is_reached(is_finite.size(), 0);
+    for(Halfedge_index h : m_mesh.halfedges())
+      if(m_mesh.target(h) == m_at_infinity && !m_mesh.is_border(h))
+        is_finite[m_mesh.face(h).idx()] = 0;
+    std::vector<Face_index> waiting;
+    const auto reach = [&](Face_index f) {
+      if(is_finite[f.idx()] && !std::exchange(is_reached[f.idx()], 1))
+        waiting.push_back(f);
+    };
+    for(Halfedge_index h : m_mesh.halfedges())
+      if(is_inside(m_mesh.target(h)))
+        reach(m_mesh.face(h));
+    if(waiting.empty())
+      return is_finite;
+    while(!waiting.empty()) {
+      const Face_index f = waiting.back();
+      waiting.pop_back();
+      for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_mesh))
+        if(const Halfedge_index o = m_mesh.opposite(h); !m_mesh.is_border(o))
+          reach(m_mesh.face(o));
+    }
+    return is_reached;
+  }
+
+  bool is_inside(Vertex_index v) const
+  {
+    return v.idx() < m_problem.size() && !m_problem.is_on_boundary(v);
+  }
+
+  void lay_out_faces(const std::vector<char>& is_used)
   {
     std::vector<char> is_wall(m_mesh.num_edges()), is_terminal(m_mesh.num_vertices(), 0);
     std::vector<double> rounded(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges()) {
-      const Halfedge_index h = m_mesh.halfedge(e);
       rounded[e.idx()] = static_cast<double>(m_length[e.idx()]);
-      is_wall[e.idx()] =
-        !is_used[m_mesh.face(h).idx()] || !is_used[m_mesh.face(m_mesh.opposite(h)).idx()];
+      for(const Halfedge_index h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
+        is_wall[e.idx()] |= m_mesh.is_border(h) || !is_used[m_mesh.face(h).idx()];
       if(is_wall[e.idx()])
-        is_terminal[m_mesh.source(h).idx()] = is_terminal[m_mesh.target(h).idx()] = 1;
+        is_terminal[m_mesh.vertex(e, 0).idx()] = is_terminal[m_mesh.vertex(e, 1).idx()] = 1;
     }
     const Cut_graph cut(m_mesh, rounded, is_wall, is_used, is_terminal);
-    const Flat_layout<FT> layout(m_mesh, m_length, cut, order);
+    const bool is_whole = m_problem.has_no_copies();
+    const Flat_layout<FT> layout(m_mesh, m_length, cut, *m_problem.order(),
+                                 is_whole ? Layout::least_squares : Layout::incremental);
     for(Halfedge_index h : m_mesh.halfedges())
-      if(is_used[m_mesh.face(h).idx()])
+      if(!m_mesh.is_border(h) && is_used[m_mesh.face(h).idx()])
         m_position[m_mesh.source(h).idx()] = layout.exact_position(h);
+    if(!is_whole) {
+      Half_plane_layout<FT> symmetric(m_mesh, m_problem, m_position);
+      symmetric.distribute_errors(cut, layout);
+      take(symmetric);
+    }
+  }
+
+  void take(const Half_plane_layout<FT>& layout)
+  {
+    for(Vertex_index v : m_mesh.vertices())
+      m_position[v.idx()] = layout.position(v);
   }
 
   // No face remains: a path of edges, from one end to the other, on a line.
@@ -76,11 +128,13 @@ private:
     FT x(0);
     Halfedge_index h = first_edge_of_path();
     while(h.is_valid()) {
-      m_position[m_mesh.source(h).idx()] = {x, FT(0)};
+      m_position[m_mesh.source(h).idx()] = Vector{x, FT(0)};
       x += m_length[Edge_index(h).idx()];
-      m_position[m_mesh.target(h).idx()] = {x, FT(0)};
+      m_position[m_mesh.target(h).idx()] = Vector{x, FT(0)};
       h = after_on_path(h);
     }
+    if(!m_problem.has_no_copies())
+      take(Half_plane_layout<FT>(m_mesh, m_problem, m_position));
   }
 
   Halfedge_index first_edge_of_path() const
@@ -110,7 +164,8 @@ private:
   const Delta_complex& m_mesh;
   const std::vector<FT>& m_length;
   Vertex_index m_at_infinity;
-  std::vector<Point> m_position;
+  const Doubled_problem& m_problem;
+  std::vector<std::optional<Vector>> m_position;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

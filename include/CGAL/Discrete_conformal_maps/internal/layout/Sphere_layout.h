@@ -11,12 +11,9 @@
 #include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Stereographic_triangulation.h>
-#include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -32,19 +29,13 @@ public:
   typedef std::array<FT, 2> Point;
 
   // `length` has the lengths in the plane of the edges of `mesh`; `mass` are those of the vertices
-  // of the surface itself. A doubled surface becomes symmetric with regard to the real line, with
-  // the surface above it.
+  // of the surface itself. A doubled disk has its axis on the real line, with the disk above it.
   Sphere_layout(const Delta_complex& mesh, const std::vector<FT>& length, Vertex_index at_infinity,
                 const std::vector<double>& mass, const Doubled_problem& problem)
     : m_problem(problem),
       m_at_infinity(at_infinity),
-      m_position(Plane_layout<FT>(mesh, length, at_infinity, *problem.expanded_order()).positions())
+      m_position(Plane_layout<FT>(mesh, length, at_infinity, problem).positions())
   {
-    for(Vertex_index v : mesh.vertices())
-      if(problem.is_on_boundary(v) && v != at_infinity)
-        m_axis.push_back(v);
-    if(!m_axis.empty())
-      make_symmetric();
     center(mass);
     for(Vertex_index v : mesh.vertices())
       if(mesh.is_isolated(v))
@@ -65,49 +56,6 @@ public:
 private:
   Point& at(Vertex_index v) { return m_position[v.idx()]; }
 
-  // Turns the plane about `origin`, which becomes the origin, such that `direction` becomes that of
-  // the real line.
-  void move(const Point& origin, const Point& direction)
-  {
-    for(Point& p : m_position) {
-      const FT x = p[0] - origin[0], y = p[1] - origin[1];
-      p = {x * direction[0] + y * direction[1], y * direction[0] - x * direction[1]};
-    }
-  }
-
-  static FT square_distance(const Point& p, const Point& q)
-  {
-    return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
-  }
-
-  Vertex_index farthest_on_axis(Vertex_index from)
-  {
-    return *std::max_element(m_axis.begin(), m_axis.end(), [&](Vertex_index v, Vertex_index w) {
-      return square_distance(at(v), at(from)) < square_distance(at(w), at(from));
-    });
-  }
-
-  void make_symmetric()
-  {
-    using std::sqrt;
-    const Vertex_index a = farthest_on_axis(m_axis.front()), b = farthest_on_axis(a);
-    const Point origin = at(a), end = at(b);
-    if(const FT norm = sqrt(square_distance(origin, end)); norm > 0)
-      move(origin, {(end[0] - origin[0]) / norm, (end[1] - origin[1]) / norm});
-    for(Vertex_index v : m_axis)
-      at(v)[1] = 0;
-    FT height(0);
-    for(Vertex_index v : m_problem.surface().vertices())
-      height += m_problem.is_on_boundary(v) ? FT(0) : at(v)[1];
-    if(height < 0)
-      move({FT(0), FT(0)}, {FT(-1), FT(0)});
-    for(std::size_t w = m_problem.size(); w < m_position.size(); ++w) {
-      Point &p = at(m_problem.front()[w]), &q = m_position[w];
-      p = {(p[0] + q[0]) / 2, (p[1] - q[1]) / 2};
-      q = {p[0], -p[1]};
-    }
-  }
-
   // The mirror images of vertices have mass, too.
   void center(std::vector<double> mass)
   {
@@ -122,13 +70,12 @@ private:
     m_scale = center.height();
     for(Point& p : m_position)
       p = {(p[0] - center.base()[0]) / m_scale,
-           (m_axis.empty() ? FT(p[1] - center.base()[1]) : p[1]) / m_scale};
+           (m_problem.has_no_copies() ? FT(p[1] - center.base()[1]) : p[1]) / m_scale};
   }
 
   const Doubled_problem& m_problem;
   Vertex_index m_at_infinity;
   std::vector<Point> m_position;
-  std::vector<Vertex_index> m_axis; // the boundary of the input
   FT m_scale = FT(1);
   std::vector<Halfedge_index> m_flips;
   Convexity_certificate m_certificate;

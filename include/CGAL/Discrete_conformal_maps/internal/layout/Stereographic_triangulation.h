@@ -23,7 +23,8 @@ namespace CGAL::Discrete_conformal_maps::internal {
 
 // A triangulated sphere with vertices in the plane and one at infinity: the stereographic
 // projection of an inscribed polyhedron. It can be made exactly Delaunay, which is convex on the
-// sphere.
+// sphere. Of a symmetric one, there may be only as much of one half as is reached by edges from
+// the other; beyond its border, it is the mirror image of the other.
 template <typename FT>
 class Stereographic_triangulation
 {
@@ -91,9 +92,11 @@ private:
   const Point& at(Vertex_index v) const { return m_position[v.idx()]; }
 
   // Whether the edge ij of the faces ijk and jil is concave from outside: whether l is inside the
-  // circle ijk.
+  // circle ijk. A border has the mirror image of another edge beside it, and is not.
   bool is_concave(Halfedge_index h) const
   {
+    if(m_mesh.is_border(Edge_index(h)))
+      return false;
     const Halfedge_index o = m_mesh.opposite(h);
     return in_circle({m_mesh.target(o), m_mesh.target(h), m_mesh.target(m_mesh.next(h)),
                       m_mesh.target(m_mesh.next(o))}) > 0;

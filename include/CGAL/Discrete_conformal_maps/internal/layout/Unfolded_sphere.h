@@ -102,19 +102,40 @@ private:
     if(!(m_angle_error <= tolerance::layout_angle &&
          m_minimization.gradient_error <= tolerance::layout_angle))
       return;
-    m_problem.complete();
-    Partially_decorated_surface<FT> surface(m_problem.triangulation().mesh(),
-                                            m_problem.triangulation().length_map(), m_at_infinity);
-    surface.scale(m_problem.expanded(scale.values()));
-    if(std::is_same<FT, double>::value)
-      lay_out<double>(surface, scale);
-    if(!is_good())
-      lay_out<Extended>(surface, scale);
+    do {
+      Partially_decorated_surface<FT> surface(
+        m_problem.triangulation().mesh(), m_problem.triangulation().length_map(), m_at_infinity);
+      surface.scale(m_problem.expanded(scale.values()));
+      m_flips = surface.flips();
+      if(!m_problem.has_exceeded(m_flips))
+        lay_out(surface, scale);
+    } while(has_deepened());
+  }
+
+  bool has_deepened()
+  {
+    if(!m_problem.has_exceeded(m_flips))
+      return false;
+    m_problem.deepen(m_flips);
+    return true;
+  }
+
+  // in `double` if that is enough
+  template <typename FT>
+  void lay_out(const Partially_decorated_surface<FT>& surface,
+               const Spherical_scale_factors<FT>& scale)
+  {
+    if(std::is_same<FT, double>::value) {
+      lay_out_in<double>(surface, scale);
+      if(is_good())
+        return;
+    }
+    lay_out_in<Extended>(surface, scale);
   }
 
   template <typename Position_FT, typename FT>
-  void lay_out(const Partially_decorated_surface<FT>& surface,
-               const Spherical_scale_factors<FT>& scale)
+  void lay_out_in(const Partially_decorated_surface<FT>& surface,
+                  const Spherical_scale_factors<FT>& scale)
   {
     const Delta_complex& mesh = surface.mesh();
     std::vector<Position_FT> length;

@@ -27,7 +27,7 @@ double length_cross_ratio(Halfedge_index h, const Delta_complex& mesh, const Len
 
 // The greatest relative error of a length cross ratio of points in the plane, and one at infinity,
 // whose distances are all the same. `length` gives what the length of an edge should be, up to
-// scale factors.
+// scale factors. An edge of a border has none.
 template <typename FT, typename Length>
 double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Length& length,
                                            const std::vector<std::array<FT, 2>>& position,
@@ -45,6 +45,8 @@ double max_stereographic_cross_ratio_error(const Delta_complex& mesh, const Leng
   }
   double result = 0;
   for(Edge_index e : mesh.edges()) {
+    if(mesh.is_border(e))
+      continue;
     const Halfedge_index h = mesh.halfedge(e);
     const auto in_plane = [&](Halfedge_index x) { return distance[Edge_index(x).idx()]; };
     const auto ideal = [&](Halfedge_index x) { return length(Edge_index(x)); };

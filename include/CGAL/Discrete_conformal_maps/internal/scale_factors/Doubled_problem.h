@@ -205,13 +205,15 @@ public:
     }
   }
 
-  // Copies all of the surface.
-  void complete()
+  // Copies all of the surface. Returns whether that is more than before.
+  bool complete()
   {
     for(Face_index f : m_half.faces())
       m_has_copy[f.idx()] = m_has_boundary[m_components[m_half.target(m_half.halfedge(f)).idx()]];
-    if(!m_seams.empty())
-      build();
+    if(m_seams.empty())
+      return false;
+    build();
+    return true;
   }
 
   // the vertices where scale factors are prescribed

@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HALF_PLANE_LAYOUT_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HALF_PLANE_LAYOUT_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Cut_graph.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Least_squares_shift.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// The positions of the vertices of a doubled disk in the plane, one vertex of the boundary at
+// infinity: the others of the boundary are on the real line, the disk is above it, and copies are
+// mirror images. So there are unknowns at the vertices of the disk only.
+template <typename FT>
+class Half_plane_layout
+{
+public:
+  typedef Plane_vector<FT> Vector;
+
+  // `unfolded` has the positions anywhere in the plane, of copies as far as they are known.
+  // Distances stay as they are.
+  Half_plane_layout(const Delta_complex& mesh, const Doubled_problem& problem,
+                    const std::vector<std::optional<Vector>>& unfolded)
+    : m_mesh(mesh), m_problem(problem), m_position(problem.size(), Vector{FT(0), FT(0)})
+  {
+    find_axis(unfolded);
+    for(std::size_t v = 0; v < m_position.size(); ++v)
+      if(unfolded[v])
+        m_position[v] = turned(*unfolded[v] - m_origin);
+    FT height(0);
+    for(const Vector& p : m_position)
+      height += p.y;
+    if(height < 0)
+      turn_around();
+    for(Vertex_index v : problem.surface().vertices())
+      if(problem.is_on_boundary(v))
+        m_position[v.idx()].y = 0;
+  }
+
+  // The sum over all sides of faces of the double of the squared change of the side, from that of
+  // `unfolded`, relative to its length, becomes least among symmetric positions.
+  void distribute_errors(const Cut_graph& cut, const Flat_layout<FT>& unfolded)
+  {
+    for(const auto coordinate : {&Vector::x, &Vector::y})
+      fit(cut, unfolded, coordinate);
+  }
+
+  Vector position(Vertex_index v) const
+  {
+    const Vector& p = m_position[m_problem.front(v).idx()];
+    return is_copy(v) ? conj(p) : p;
+  }
+
+private:
+  bool is_copy(Vertex_index v) const { return v.idx() >= m_problem.size(); }
+
+  Vector turned(const Vector& v) const { return conj(m_direction) * v; }
+
+  void turn_around()
+  {
+    m_direction = FT(-1) * m_direction;
+    for(Vector& p : m_position)
+      p = FT(-1) * p;
+  }
+
+  // By two points of it that are far apart, or by a vertex and its mirror image.
+  void find_axis(const std::vector<std::optional<Vector>>& unfolded)
+  {
+    std::vector<Vector> on_axis;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(unfolded[v] && m_problem.is_on_boundary(Vertex_index(Delta_complex::size_type(v))))
+        on_axis.push_back(*unfolded[v]);
+    if(on_axis.size() > 1) {
+      m_origin = farthest(on_axis, on_axis.front());
+      set_direction(farthest(on_axis, m_origin) - m_origin);
+      return;
+    }
+    Vector across{FT(0), FT(0)};
+    for(std::size_t w = m_problem.size(); w < unfolded.size(); ++w)
+      if(const auto& p = unfolded[m_problem.front()[w].idx()], &q = unfolded[w];
+         p && q && norm(*p - *q) > norm(across)) {
+        across = *p - *q;
+        m_origin = FT(0.5) * (*p + *q);
+      }
+    set_direction({across.y, -across.x});
+  }
+
+  static const Vector& farthest(const std::vector<Vector>& points, const Vector& from)
+  {
+    return *std::max_element(points.begin(), points.end(), [&](const Vector& p, const Vector& q) {
+      return norm(p - from) < norm(q - from);
+    });
+  }
+
+  void set_direction(const Vector& v)
+  {
+    using std::sqrt;
+    if(const FT length = sqrt(norm(v)); length > 0)
+      m_direction = FT(1 / length) * v;
+  }
+
+  // Mirror images have the same abscissa and the opposite ordinate.
+  int sign(Vertex_index v, FT Vector::*coordinate) const
+  {
+    return is_copy(v) && coordinate == &Vector::y ? -1 : 1;
+  }
+
+  void fit(const Cut_graph& cut, const Flat_layout<FT>& unfolded, FT Vector::*coordinate)
+  {
+    Least_squares_shift shift(m_position.size(), 3 * cut.steps().size());
+    for_each_side(cut, unfolded, coordinate, [&](int i, int j, double weight, double, int signs) {
+      shift.add(i, j, weight, signs);
+    });
+    if(coordinate == &Vector::x)
+      shift.hold(front(m_mesh.source(m_mesh.halfedge(cut.steps().front().face))));
+    else
+      for(Vertex_index v : m_problem.surface().vertices())
+        if(m_problem.is_on_boundary(v))
+          shift.hold(front(v));
+    shift.factorize(m_problem.order());
+    // with more digits than a shift has, a second one
+    for(int i = 0; i < (std::is_same<FT, double>::value ? 1 : 2); ++i) {
+      Eigen::VectorXd wanted = Eigen::VectorXd::Zero(Eigen::Index(m_position.size()));
+      for_each_side(cut, unfolded, coordinate,
+                    [&](int i, int j, double weight, double change, int signs) {
+                      Least_squares_shift::want(wanted, i, j, weight, change, signs);
+                    });
+      const Eigen::VectorXd by = shift.solve(wanted);
+      for(std::size_t v = 0; v < m_position.size(); ++v)
+        m_position[v].*coordinate += FT(by[Eigen::Index(v)]);
+    }
+  }
+
+  // Calls `function(i, j, weight, change, s)` for each side of a face: `x[j] - s * x[i]`, where x
+  // are the coordinates at the vertices of the disk, should change by `change`.
+  template <typename Function>
+  void for_each_side(const Cut_graph& cut, const Flat_layout<FT>& unfolded, FT Vector::*coordinate,
+                     const Function& function) const
+  {
+    for(const Cut_graph::Step& step : cut.steps())
+      for(Halfedge_index h : Intrinsic_triangulations::sides(step.face, m_mesh)) {
+        const Vertex_index v = m_mesh.source(h), w = m_mesh.target(h);
+        const int at_source = sign(v, coordinate), at_target = sign(w, coordinate);
+        const FT change = (turned(unfolded.side(h)) - (position(w) - position(v))).*coordinate;
+        function(front(v), front(w), m_problem.part(step.face) * unfolded.weight(h),
+                 at_target * static_cast<double>(change), at_source * at_target);
+      }
+  }
+
+  int front(Vertex_index v) const { return static_cast<int>(m_problem.front(v).idx()); }
+
+  const Delta_complex& m_mesh;
+  const Doubled_problem& m_problem;
+  Vector m_origin{FT(0), FT(0)}, m_direction{FT(1), FT(0)}; // of the real line
+  std::vector<Vector> m_position;                           // of the vertices of the disk
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_HALF_PLANE_LAYOUT_H
