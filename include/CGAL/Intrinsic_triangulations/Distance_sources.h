@@ -23,10 +23,10 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-template <typename FT>
-class Heat_distance;
-
 namespace internal {
+
+template <typename FT>
+class Heat_method;
 
 // The data of a vertex about a source in one of its faces: the integral of its hat function over
 // the source, and the distance within the face.
@@ -118,7 +118,7 @@ public:
   }
 
 private:
-  friend class Heat_distance<FT>;
+  friend class internal::Heat_method<FT>;
 
   Surface_view<Length_map_of<Surface>> m_surface;
   std::vector<internal::Source_part<FT>> m_parts;

@@ -10,25 +10,22 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
-#include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 
-#include <Eigen/Dense>
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
+#include <optional>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -79,14 +76,10 @@ public:
   explicit Heat_distance(const Surface& surface,
                          const NamedParameters& np = CGAL::parameters::default_values())
     : m_flow(surface, np),
-      m_mean_length(internal::time_steps(surface, FT(1), m_flow.components())),
-      m_gradient(gradient_matrix(surface)),
-      m_divergence(divergence_matrix(surface)),
-      m_poisson(surface, m_flow.order())
-  {
-    for(FT& length : m_mean_length)
-      length = CGAL::sqrt(length);
-  }
+      m_method(surface),
+      m_poisson(
+        Method::poisson_solver(surface, m_flow.order(), boost::static_property_map<bool>(false)))
+  {}
 
   /// computes the distance of every vertex to the nearest source. It is exactly zero at the sources
   /// and infinite on a component without a source; elsewhere it can be below zero by an error of
@@ -98,10 +91,7 @@ public:
   template <typename VertexRange>
   Vector distances(const VertexRange& sources) const
   {
-    std::vector<Part> parts;
-    for(Vertex_index v : sources)
-      parts.push_back(Part::at_vertex(v));
-    return distances_from(parts);
+    return distances_from(m_method.values_at(sources));
   }
 
   /// computes the distance of every vertex to one source. Complexity: linear in the size of the
@@ -116,104 +106,30 @@ public:
   template <typename Surface>
   Vector distances(const Distance_sources<Surface>& sources) const
   {
-    return distances_from(sources.m_parts);
+    return distances_from(m_method.values_of(sources));
   }
 
 private:
-  typedef internal::Source_part<FT> Part;
+  typedef internal::Heat_method<FT> Method;
 
-  // What the sources determine directly.
-  struct Source_values
+  Vector distances_from(const typename Method::Source_values& sources) const
   {
-    Vector moments;           // of the heat
-    Vector distance;          // infinite where it is not known
-    bool are_several = false; // on some component
-
-    bool is_known(Eigen::Index v) const { return distance[v] < infinity(); }
-  };
-
-  static FT infinity() { return std::numeric_limits<FT>::infinity(); }
-
-  std::size_t component(Eigen::Index v) const
-  {
-    return m_flow.components()[static_cast<std::size_t>(v)];
-  }
-
-  Vector distances_from(const std::vector<Part>& parts) const
-  {
-    const Source_values sources = values_of(parts);
-    const Vector descent = unit_descent(m_flow.spread_everywhere(sources.moments));
-    const Vector moments = -(m_divergence * descent);
-    Vector result = sources.are_several ? with_known(sources).solve(moments, sources.distance)
-                                        : m_poisson.solve(moments);
-    subtract_error_at_sources(result, sources);
-    return result;
-  }
-
-  // On a curve, there is as much heat as with a vertex for each mean edge length.
-  Source_values values_of(const std::vector<Part>& parts) const
-  {
-    const Eigen::Index n = m_flow.rates().size();
-    Source_values result{Vector::Zero(n), Vector::Constant(n, infinity())};
-    std::vector<char> has_source(m_flow.components().size(), 0);
-    for(const Part& part : parts) {
-      if(part.is_vertex() && result.distance[part.vertex().idx()] == 0)
-        continue;
-      const std::size_t c = component(part.vertex().idx());
-      const FT unit = part.length > 0 ? m_mean_length[c] : FT(1);
-      for(const auto& [v, moment, distance] : part.corners) {
-        result.moments[v.idx()] += moment / unit;
-        result.distance[v.idx()] = (std::min)(result.distance[v.idx()], distance);
-      }
-      result.are_several = result.are_several || has_source[c] || part.length > 0;
-      has_source[c] = 1;
-    }
-    return result;
-  }
-
-  // against the gradient of the heat, of length one; zero where the gradient is
-  Vector unit_descent(const Vector& heat) const
-  {
-    Vector field = -(m_gradient * heat);
-    for(Eigen::Index i = 0; i < field.size(); i += 2)
-      if(const FT norm = std::hypot(field[i], field[i + 1]); norm > 0)
-        field.template segment<2>(i) /= norm;
-    return field;
-  }
-
-  Poisson_solver<FT> with_known(const Source_values& sources) const
-  {
-    return Poisson_solver<FT>(m_poisson,
-                              boost::make_function_property_map<Vertex_index>(
-                                [&](Vertex_index v) { return sources.is_known(v.idx()); }));
-  }
-
-  // Where there are several sources on a component, the values there are known already.
-  void subtract_error_at_sources(Vector& distance, const Source_values& sources) const
-  {
-    std::vector<FT> error(m_flow.components().size(), FT(0)), weight = error;
-    for(Eigen::Index v = 0; v < distance.size(); ++v)
-      if(sources.is_known(v)) {
-        error[component(v)] += sources.moments[v] * (distance[v] - sources.distance[v]);
-        weight[component(v)] += sources.moments[v];
-      }
-    // without a source, all distances become infinite
-    for(Eigen::Index v = 0; v < distance.size(); ++v)
-      if(const std::size_t c = component(v); weight[c] > 0)
-        distance[v] -= error[c] / weight[c];
-      else
-        distance[v] = infinity();
+    const Vector moments = m_method.moments(m_flow.spread_everywhere(sources.moments));
+    const Vector distance =
+      sources.are_several
+        ? Poisson_solver<FT>(m_poisson, sources.prescribed()).solve(moments, sources.distance)
+        : m_poisson.solve(moments);
+    return m_method.without_error_at_sources(distance, sources);
   }
 
   internal::Heat_flow<FT> m_flow;
-  std::vector<FT> m_mean_length; // of the edges of each component
-  Eigen::SparseMatrix<FT> m_gradient, m_divergence;
+  Method m_method;
   Poisson_solver<FT> m_poisson;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// computes the geodesic distance of every vertex to the nearest source (see `Heat_distance`).
-/// Complexity: two sparse Cholesky factorizations.
+/// Complexity: two sparse Cholesky factorizations, one after the other in the same memory.
 /// \param surface a model of `IntrinsicSurface`
 /// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Curve_segment`, a range of one
 ///        of these, such as a `Surface_curve`, or `Distance_sources`
@@ -224,9 +140,18 @@ template <typename Surface, typename Sources,
 auto heat_distance(const Surface& surface, const Sources& sources,
                    const NamedParameters& np = CGAL::parameters::default_values())
 {
+  typedef Length_of<Surface> FT;
   Distance_sources<Surface> all(surface);
   all.add(sources);
-  return Heat_distance<Length_of<Surface>>(surface, np).distances(all);
+  std::optional<internal::Heat_flow<FT>> flow(std::in_place, surface, np);
+  const internal::Heat_method<FT> method(surface);
+  const auto values = method.values_of(all);
+  const auto moments = method.moments(flow->spread_everywhere(values.moments));
+  const internal::Elimination_order order = flow->order();
+  flow.reset(); // the other factor comes in its place
+  const auto poisson =
+    internal::Heat_method<FT>::poisson_solver(surface, order, values.prescribed());
+  return method.without_error_at_sources(poisson.solve(moments, values.distance), values);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -24,8 +24,10 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
 template <typename FT>
-class Heat_distance;
+class Heat_method;
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// solves \f$-\Delta u = f\f$ on a triangulated surface for one right-hand side after the other;
@@ -91,24 +93,28 @@ public:
   Vector solve(const Vector& moments) const { return solve(moments, Vector::Zero(m_area.size())); }
 
 private:
-  friend class Heat_distance<FT>;
+  friend class internal::Heat_method<FT>;
 
   typedef Eigen::SparseMatrix<FT> Matrix;
 
   // in an order of elimination for all vertices
-  template <typename Surface>
-  Poisson_solver(const Surface& surface, const internal::Elimination_order& order)
-    : Poisson_solver(internal::Mesh_components(surface.mesh()), cotan_laplacian(surface),
+  template <typename Surface, typename VertexIsFixedMap>
+  Poisson_solver(const Surface& surface, const internal::Elimination_order& order,
+                 const VertexIsFixedMap& is_fixed)
+    : Poisson_solver(surface, cotan_laplacian(surface), order, is_fixed)
+  {}
+
+  template <typename Surface, typename VertexIsFixedMap>
+  Poisson_solver(const Surface& surface, const Matrix& laplacian,
+                 const internal::Elimination_order& order, const VertexIsFixedMap& is_fixed)
+    : Poisson_solver(internal::Mesh_components(surface.mesh()), laplacian,
                      lumped_mass_matrix(surface).diagonal(),
-                     std::vector<char>(surface.mesh().num_vertices(), 0), order)
+                     fixed_vertices(surface.mesh().num_vertices(), is_fixed), order)
   {}
 
   template <typename Surface, typename VertexIsFixedMap>
   Poisson_solver(const Surface& surface, const Matrix& laplacian, const VertexIsFixedMap& is_fixed)
-    : Poisson_solver(internal::Mesh_components(surface.mesh()), laplacian,
-                     lumped_mass_matrix(surface).diagonal(),
-                     fixed_vertices(surface.mesh().num_vertices(), is_fixed),
-                     internal::fill_reducing_order(laplacian))
+    : Poisson_solver(surface, laplacian, internal::fill_reducing_order(laplacian), is_fixed)
   {}
 
   Poisson_solver(const internal::Mesh_components& components, const Matrix& laplacian,
