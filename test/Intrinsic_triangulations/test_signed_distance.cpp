@@ -256,6 +256,7 @@ TEST(Distance_sources, points_on_curved_surfaces)
       }
       paths.run();
       const Values computed = IT::heat_distance(surface, sources);
+      EXPECT_EQ(computed, IT::Heat_distance<>(surface).distances(sources));
       double error = 0, sum = 0;
       for(Vertex_index v : surface.mesh().vertices()) {
         error += std::abs(computed[v.idx()] - paths.distance(v));
