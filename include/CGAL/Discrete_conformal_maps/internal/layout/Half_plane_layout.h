@@ -122,12 +122,12 @@ private:
     return is_copy(v) && coordinate == &Vector::y ? -1 : 1;
   }
 
+  // With more digits than a shift has, there is a second one.
   void fit(const Cut_graph& cut, const Flat_layout<FT>& unfolded, FT Vector::*coordinate)
   {
     Least_squares_shift shift(m_position.size(), 3 * cut.steps().size());
-    for_each_side(cut, unfolded, coordinate, [&](int i, int j, double weight, double, int signs) {
-      shift.add(i, j, weight, signs);
-    });
+    for_each_side(cut, unfolded, coordinate,
+                  [&](const Side& s) { shift.add(s.from, s.to, s.weight, s.sign); });
     if(coordinate == &Vector::x)
       shift.hold(front(m_mesh.source(m_mesh.halfedge(cut.steps().front().face))));
     else
@@ -135,21 +135,25 @@ private:
         if(m_problem.is_on_boundary(v))
           shift.hold(front(v));
     shift.factorize(m_problem.order());
-    // with more digits than a shift has, a second one
     for(int i = 0; i < (std::is_same<FT, double>::value ? 1 : 2); ++i) {
       Eigen::VectorXd wanted = Eigen::VectorXd::Zero(Eigen::Index(m_position.size()));
-      for_each_side(cut, unfolded, coordinate,
-                    [&](int i, int j, double weight, double change, int signs) {
-                      Least_squares_shift::want(wanted, i, j, weight, change, signs);
-                    });
+      for_each_side(cut, unfolded, coordinate, [&](const Side& s) {
+        Least_squares_shift::want(wanted, s.from, s.to, s.weight, s.change, s.sign);
+      });
       const Eigen::VectorXd by = shift.solve(wanted);
       for(std::size_t v = 0; v < m_position.size(); ++v)
         m_position[v].*coordinate += FT(by[Eigen::Index(v)]);
     }
   }
 
-  // Calls `function(i, j, weight, change, s)` for each side of a face: `x[j] - s * x[i]`, where x
-  // are the coordinates at the vertices of the disk, should change by `change`.
+  // Of a side of a face, `x[to] - sign * x[from]` should change by `change`, where x are the
+  // coordinates at the vertices of the disk.
+  struct Side
+  {
+    int from, to, sign;
+    double weight, change;
+  };
+
   template <typename Function>
   void for_each_side(const Cut_graph& cut, const Flat_layout<FT>& unfolded, FT Vector::*coordinate,
                      const Function& function) const
@@ -159,8 +163,9 @@ private:
         const Vertex_index v = m_mesh.source(h), w = m_mesh.target(h);
         const int at_source = sign(v, coordinate), at_target = sign(w, coordinate);
         const FT change = (turned(unfolded.side(h)) - (position(w) - position(v))).*coordinate;
-        function(front(v), front(w), m_problem.part(step.face) * unfolded.weight(h),
-                 at_target * static_cast<double>(change), at_source * at_target);
+        function(Side{front(v), front(w), at_source * at_target,
+                      m_problem.part(step.face) * unfolded.weight(h),
+                      at_target * static_cast<double>(change)});
       }
   }
 
