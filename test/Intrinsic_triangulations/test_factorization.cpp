@@ -15,6 +15,7 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
 #include <complex>
 #include <limits>
 #include <vector>
@@ -116,6 +117,52 @@ TYPED_TEST(Cholesky_factorization, finds_a_matrix_that_is_not_positive)
   TypeParam cholesky;
   cholesky.analyze(matrix);
   EXPECT_FALSE(cholesky.factorize(matrix));
+}
+
+// On a grid, 1 - c A with adjacencies A and a small c: what a corner spreads to a vertex is the
+// number of shortest paths, each with a factor c for an edge, up to a relative c^2. Much of the
+// factor is subnormal.
+TYPED_TEST(Cholesky_factorization, solves_where_entries_decay)
+{
+  typedef typename TypeParam::Matrix::Scalar Scalar;
+  const int n = 100;
+  const double c = 1e-20;
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  for(int i = 0; i < n * n; ++i) {
+    entries.emplace_back(i, i, Scalar(1));
+    for(const int j : {i % n > 0 ? i - 1 : i, i >= n ? i - n : i})
+      if(j < i)
+        entries.emplace_back(j, i, Scalar(-c));
+  }
+  typename TypeParam::Matrix matrix(n * n, n * n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  TypeParam cholesky;
+  cholesky.analyze(matrix);
+  ASSERT_TRUE(cholesky.factorize(matrix));
+  const Vector<Scalar> x = cholesky.solve(Vector<Scalar>::Unit(n * n, 0));
+  Vector<double> paths = Vector<double>::Ones(n);
+  for(int row = 0; row < 8; ++row)
+    for(int i = 0; i < 8; ++i) {
+      if(row > 0 && i > 0)
+        paths[i] += paths[i - 1];
+      const double exact = paths[i] * std::pow(c, row + i);
+      EXPECT_LE(std::abs(x[row * n + i] - exact), 1e-14 * exact) << row << ' ' << i;
+    }
+}
+
+TYPED_TEST(Cholesky_factorization, leaves_subnormal_numbers)
+{
+  typedef typename TypeParam::Matrix::Scalar Scalar;
+  CGAL::Random random(6);
+  auto matrix = definite_matrix<Scalar>(500, random);
+  volatile double least = std::numeric_limits<double>::min();
+  for(const bool is_positive : {true, false}) {
+    TypeParam cholesky;
+    cholesky.analyze(matrix);
+    EXPECT_EQ(cholesky.factorize(matrix), is_positive);
+    EXPECT_GT(least / 2, 0);
+    matrix.coeffRef(50, 50) = -1;
+  }
 }
 
 template <typename Scalar>

@@ -9,11 +9,16 @@
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
+#include <CGAL/FPU.h>
+
 #include <Eigen/SparseCore>
 
 #include <suitesparse/cholmod.h>
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_GOMP
 #include <omp.h>
+#endif
+#ifdef CGAL_HAS_SSE2
+#include <pmmintrin.h>
 #endif
 
 #include <algorithm>
@@ -35,6 +40,22 @@ public:
 
 private:
   int m_levels = omp_get_max_active_levels();
+#endif
+};
+
+// As long as it lives, this thread takes subnormal numbers for zero. Where entries of a factor
+// decay with distance, as with heat, many are subnormal, which slows processors down.
+class Subnormals_as_zero
+{
+#ifdef CGAL_HAS_SSE2
+public:
+  Subnormals_as_zero() { _mm_setcsr(m_state | _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON); }
+  ~Subnormals_as_zero() { _mm_setcsr(m_state); }
+  Subnormals_as_zero(const Subnormals_as_zero&) = delete;
+  Subnormals_as_zero& operator=(const Subnormals_as_zero&) = delete;
+
+private:
+  unsigned m_state = _mm_getcsr();
 #endif
 };
 
@@ -78,6 +99,7 @@ public:
   bool factorize(cholmod_sparse matrix, cholmod_factor* factor)
   {
     [[maybe_unused]] const One_thread_of_OpenMP one_thread;
+    [[maybe_unused]] const Subnormals_as_zero subnormals;
     cholmod_factorize(&matrix, factor, &m_common);
     check();
     return m_common.status == CHOLMOD_OK;
