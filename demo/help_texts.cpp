@@ -153,8 +153,8 @@ Values of --boundary, which must follow MESH:
                   boundary as possible with a sum of angles of at least nine tenths of that of the
                   four sharpest vertices
   disk            the boundary of each component is mapped to a circle
-Rectangles and disks are for components with one boundary; they have no cones unless --cones is
-given.
+Rectangles and disks are for components with one boundary. They have no cones unless --cones is
+given, as handles require, and then only inside.
 
 A FILE has lines "index value": the index of a vertex, from 0, and radians or a logarithm. What
 follows a # is a comment. Vertices that are not listed have curvature zero: they are flat inside,

@@ -95,6 +95,25 @@ double area(const std::vector<Complex>& p)
 
 // ---- Claims ----
 
+// Cones lie inside, scale factors are within the bound there, and curvatures on the boundary are
+// those of `condition`.
+void expect_cones_inside(const Planar_conformal_map& map, const Mesh& mesh, Conditions condition,
+                         double bound)
+{
+  EXPECT_EQ(map.status(), DCM::Map_status::success);
+  EXPECT_FALSE(map.cones().empty());
+  for(Vertex_index v : mesh.vertices())
+    if(!mesh.is_border(v)) {
+      condition[v] = Vertex_condition();
+      EXPECT_LE(std::abs(log_scale(map, v)), bound) << v;
+    }
+  for(Vertex_index v : map.cones()) {
+    EXPECT_FALSE(mesh.is_border(v)) << v;
+    condition[v] = Vertex_condition::log_scale(0);
+  }
+  check_conditions(map, Triangulation(mesh).mesh(), condition, 1e-9);
+}
+
 // A closed path that turns around once (Gauss-Bonnet), by pi / 2 at the corners and nowhere else.
 void expect_rectangle(const Flat_boundary& boundary, const std::vector<Vertex_index>& corners)
 {
@@ -268,6 +287,18 @@ TEST(Flatten_to_rectangle, keeps_conditions_inside)
   expect_refused([&] { DCM::flatten_to_rectangle(mesh, corners); }, "Euler characteristic");
 }
 
+TEST(Flatten_to_rectangle, keeps_cones_inside)
+{
+  const Mesh mesh = punctured(embedded_torus(9, 8), {0, 1, 2, 3});
+  const std::vector<Vertex_index> corners = DCM::rectangle_corners(mesh);
+  Conditions condition(mesh.number_of_vertices(), Vertex_condition());
+  for(Vertex_index v : corners)
+    condition[v] = Vertex_condition::curvature(pi / 2);
+  for(const double bound : {5., 1., .6})
+    expect_cones_inside(DCM::flatten_to_rectangle(mesh, corners, np::maximum_log_scale(bound)),
+                        mesh, condition, bound);
+}
+
 TEST(Flatten_to_rectangle, names_what_is_wrong)
 {
   const Mesh mesh = random_disk(3);
@@ -392,6 +423,27 @@ TEST(Flatten_to_disk, takes_components)
     expect_circle(b);
   expect_refused([] { DCM::flatten_to_disk(punctured(embedded_torus(6, 5), {0})); },
                  "Euler characteristic");
+}
+
+// With cones, the boundary need not close up in the plane, but it turns as a circle does.
+TEST(Flatten_to_disk, keeps_cones_inside)
+{
+  const Mesh mesh = punctured(embedded_torus(9, 8), {0, 1, 2, 3});
+  const IT::Intrinsic_triangulation<> input(mesh);
+  for(const double bound : {1., .6}) {
+    const Planar_conformal_map map = DCM::flatten_to_disk(mesh, np::maximum_log_scale(bound));
+    const std::vector<double> length = DCM::internal::flat_boundary_lengths(map);
+    Conditions condition(mesh.number_of_vertices(), Vertex_condition());
+    for(const auto& loop : DCM::internal::single_boundary_loops(input.mesh(), 3, "a circle")) {
+      std::vector<double> side;
+      for(Halfedge_index h : loop)
+        side.push_back(length[input.mesh().edge(h).idx()]);
+      const std::vector<double> angle = DCM::internal::circle_angles(side);
+      for(std::size_t i = 0; i < loop.size(); ++i)
+        condition[input.mesh().source(loop[i])] = Vertex_condition::curvature(angle[i]);
+    }
+    expect_cones_inside(map, mesh, condition, bound);
+  }
 }
 
 TEST(Flatten_to_disk, says_how_it_failed)

@@ -48,6 +48,9 @@ public:
   // by the vertices of the input
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
 
+  // The boundary has the shape that is prescribed.
+  void keep_cones_inside() { m_scale.keep_cones_inside(); }
+
   // Cones are placed for a finite `bound` of scale factors, at the first call before the others.
   template <typename Minimizer>
   void find_scale_factors(const Minimizer& minimizer, double bound)

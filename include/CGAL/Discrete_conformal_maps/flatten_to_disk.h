@@ -109,15 +109,14 @@ private:
 /// \param np the parameters of `flatten()`, and
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_condition_map}
-///     \cgalParamDescription{what is prescribed at each vertex inside; with cones there need not be
-///       a circle}
+///     \cgalParamDescription{what is prescribed at each vertex inside}
 ///     \cgalParamType{a readable property map with a vertex of `g` as key and `Vertex_condition` as
 ///       value}
 ///     \cgalParamDefault{curvature zero}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
-///     \cgalParamDescription{as for `flatten()`; cones are also placed on the boundary, which has
-///       corners there, or is not a circle}
+///     \cgalParamDescription{as for `flatten()`, for the vertices inside: none of the boundary
+///       becomes a cone}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
@@ -132,7 +131,7 @@ private:
 /// \returns a map with one of the statuses of `flatten()`; if a minimization fails, the map that it
 ///   gave
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
-///   does: a component with handles has no disk unless a condition inside gives it a cone
+///   does: a component with handles has no disk without cones inside
 /// \throws Intrinsic_triangulations::Numerical_error if the boundary has not become a circle in
 ///   that number of iterations, or where numbers have not enough digits
 /// \throws Intrinsic_triangulations::Overflow_error where integers have not enough digits
@@ -148,6 +147,7 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
   internal::Circular_boundary boundary(input);
   boundary.prescribe([&](Vertex_index v, const auto& c) { conditions[v.idx()] = c; });
   const auto solve = [&](auto& problem, auto& flattening, const auto& find) {
+    flattening.keep_cones_inside();
     double change = 0;
     for(std::size_t i = 0; i < rounds; ++i) {
       find();

@@ -100,13 +100,14 @@ rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::
 ///   vertices are allowed
 /// \param corners four vertices on the boundary of each component, in any order, such as those that
 ///   `rectangle_corners()` returns
-/// \param np the parameters of `flatten()`; a `vertex_condition_map` applies to vertices inside,
-///   and `maximum_log_scale` is infinity if it is not given: cones may lie on the boundary
+/// \param np the parameters of `flatten()`; a `vertex_condition_map` and a `maximum_log_scale`,
+///   which is infinity if it is not given, apply to vertices inside: none of the boundary becomes a
+///   cone
 ///
 /// Complexity and status: those of `flatten()`.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, if `corners` are not
 ///   four vertices on each boundary, or as `flatten()` does: a component with handles has no
-///   rectangle unless a condition inside gives it a cone
+///   rectangle without cones inside
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
 ///   where numbers have not enough digits
 template <typename Graph, typename VertexRange,
@@ -125,7 +126,11 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
   internal::set_rectangles(conditions, is_corner, input.mesh());
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             std::numeric_limits<double>::infinity(), np);
+                             std::numeric_limits<double>::infinity(), np,
+                             [](auto&, auto& flattening, const auto& find) {
+                               flattening.keep_cones_inside();
+                               find();
+                             });
 }
 
 } // namespace CGAL::Discrete_conformal_maps

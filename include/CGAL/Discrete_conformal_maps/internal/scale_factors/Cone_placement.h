@@ -47,13 +47,13 @@ public:
 
   const Vector& estimate() const { return m_estimate; }
 
-  // the vertex of component `c` with the greatest estimate
-  std::size_t worst(std::size_t c) const
+  // the vertex of component `c` with the greatest estimate, of those that are candidates
+  std::size_t worst(std::size_t c, const std::vector<char>& is_candidate) const
   {
     std::size_t result = 0;
     double greatest = -1;
     for(std::size_t v = 0; v < std::size_t(m_estimate.size()); ++v)
-      if(m_components[v] == c && std::abs(m_estimate[index(v)]) > greatest) {
+      if(m_components[v] == c && is_candidate[v] && std::abs(m_estimate[index(v)]) > greatest) {
         greatest = std::abs(m_estimate[index(v)]);
         result = v;
       }

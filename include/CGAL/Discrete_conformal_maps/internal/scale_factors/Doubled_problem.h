@@ -451,7 +451,8 @@ private:
     text << "the curvatures prescribed on component " << component << " sum up to " << std::abs(own)
          << " radians " << (own > 0 ? "more" : "less")
          << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
-         << (has_fixed ? ": more than vertices with prescribed scale factors can have" : "");
+         << (has_fixed ? ": more than vertices with prescribed scale factors can have"
+                       : ": a cone can have the difference");
     return text.str();
   }
 

@@ -27,8 +27,16 @@ class Flat_scale_factors : public Scale_factors<Flat_triangle>
 public:
   explicit Flat_scale_factors(Doubled_problem& problem)
     : Scale_factors<Flat_triangle>(problem, Vector::Zero(Eigen::Index(problem.size()))),
-      m_problem(problem)
+      m_problem(problem),
+      m_may_be_cone(problem.size(), 1)
   {}
+
+  // From now on the boundary has no cones, and no bound on its scale factors.
+  void keep_cones_inside()
+  {
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      m_may_be_cone[v] = !m_problem.is_on_boundary(vertex(v));
+  }
 
   const std::vector<Vertex_index>& cones() const { return m_cones; }
 
@@ -44,7 +52,7 @@ public:
     place_first_cones(placement, bound);
     placement.estimate(balanced(energy.gradient()));
     for(std::size_t c; (c = worst_component(placement.estimate(), bound)) != none;) {
-      const std::size_t v = placement.worst(c);
+      const std::size_t v = placement.worst(c, m_may_be_cone);
       placement.add(v);
       add_cone(v);
     }
@@ -55,16 +63,25 @@ public:
   // it has.
   bool add_cone_if_beyond(double bound)
   {
-    Eigen::Index v = 0;
-    if(values().size() == 0 || extents().maxCoeff(&v) <= bound ||
-       m_problem.is_fixed()[std::size_t(v)])
+    const Vector extent = extents();
+    std::size_t worst = none;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_may_be_cone[v] &&
+         (worst == none || extent[Eigen::Index(v)] > extent[Eigen::Index(worst)]))
+        worst = v;
+    if(worst == none || extent[Eigen::Index(worst)] <= bound || m_problem.is_fixed()[worst])
       return false;
-    add_cone(std::size_t(v));
+    add_cone(worst);
     return true;
   }
 
 private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  static Vertex_index vertex(std::size_t v)
+  {
+    return Vertex_index(static_cast<Delta_complex::size_type>(v));
+  }
 
   // How far scale factors are from zero. Where none are prescribed, zero may come to be anywhere
   // between the least and the greatest: then the distance from the farther of both.
@@ -98,9 +115,8 @@ private:
 
   void add_cone(std::size_t v)
   {
-    const Vertex_index cone(static_cast<Delta_complex::size_type>(v));
-    m_problem.set_condition(cone, Vertex_condition::log_scale(0));
-    m_cones.push_back(cone);
+    m_problem.set_condition(vertex(v), Vertex_condition::log_scale(0));
+    m_cones.push_back(vertex(v));
   }
 
   // The estimate is the first step of Newton's method from scale factors of zero: if the slope of
@@ -167,15 +183,18 @@ private:
         const double u = estimate[Eigen::Index(v)];
         sum += m_problem.number_of_copies(v) * u;
         count += m_problem.number_of_copies(v);
+        if(!m_may_be_cone[v])
+          continue;
         if(least == none || u < estimate[Eigen::Index(least)])
           least = v;
         if(greatest == none || u > estimate[Eigen::Index(greatest)])
           greatest = v;
       }
+    if(least == none || count <= 1)
+      return;
     const double below = sum / count - estimate[Eigen::Index(least)],
                  above = estimate[Eigen::Index(greatest)] - sum / count;
-    if(count > 1 &&
-       (Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound)) {
+    if(Doubled_problem::needed_cones(excess) > 0 || (std::max)(below, above) > bound) {
       placement.add_first(above > below ? greatest : least);
       add_cone(above > below ? greatest : least);
     }
@@ -189,7 +208,7 @@ private:
     for(std::size_t v = 0; v < m_problem.size(); ++v) {
       const std::size_t c = m_problem.components()[v];
       const double u = std::abs(estimate[Eigen::Index(v)]);
-      if(fixed[c] > 0 &&
+      if(m_may_be_cone[v] && fixed[c] > 0 &&
          (u > bound || (u > 0 && fixed[c] < Doubled_problem::needed_cones(excess[c]))))
         return c;
     }
@@ -197,6 +216,7 @@ private:
   }
 
   Doubled_problem& m_problem;
+  std::vector<char> m_may_be_cone;
   std::vector<Vertex_index> m_cones;
 };
 

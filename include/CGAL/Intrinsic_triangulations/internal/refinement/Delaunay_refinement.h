@@ -285,12 +285,15 @@ private:
   }
 
   // Splits the edge that hides the circumcenter of `f`. This need not change `f`, but its turn
-  // comes again.
+  // comes again. The circle is empty: a short edge beyond other faces can be no chord of it that
+  // hides the center, and rounded lengths would split it and its neighbors without end.
   void split_fixed(Halfedge_index h, Face_index f)
   {
     if(!m_inserter.can_be_split(h))
       throw Numerical_error("both sides of the edge are in one face");
     const FT radius = m_tri.length(m_mesh.edge(h));
+    if(!is_exact && m_mesh.face(h) != f && radius <= m_walk.closeness())
+      throw Numerical_error("the edge is shorter than a circumcenter is precise");
     const Vertex_index m = m_inserter.split_edge(h, FT(1) / 2);
     m_changed.push_back(f);
     add_vertex(m);
