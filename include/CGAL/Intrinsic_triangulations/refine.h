@@ -232,6 +232,21 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
   return result.status != Refinement_status::no_room;
 }
 
+// The same, where flips that rounding may lead in circles are a doubt.
+template <typename Traits, typename Bounds, typename Visitor>
+bool refine_with_limited_flips(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
+                               const Refinement_limits& limits, Visitor& visitor,
+                               bool stops_in_doubt, Refinement_result& result)
+{
+  try {
+    return refine_by_lengths(tri, bounds, limits, visitor, stops_in_doubt, result);
+  } catch(const Flip_limit_exceeded&) {
+    if(!stops_in_doubt)
+      throw;
+    return false;
+  }
+}
+
 // goes on from `tri` with exact decisions
 template <typename Traits, typename Bounds, typename Visitor>
 Refinement_result refine_exactly(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
@@ -273,7 +288,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
     if(flips.are_anew)
       return refine_exactly(tri, bounds, limits, visitor, result);
   [[maybe_unused]] const bool is_certain =
-    refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
+    refine_with_limited_flips(tri, bounds, limits, visitor, can_be_exact, result);
   if constexpr(has_metric<Traits>())
     if(!is_certain && can_be_exact) {
       reset_with_vertices(tri, given);
@@ -355,7 +370,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
 ///     \cgalParamDescription{the number of flips that are allowed before the first insertion, and
-///       after each}
+///       after each; there, a thousand for each edge at most}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{as for `make_Delaunay()`}
 ///   \cgalParamNEnd

@@ -346,15 +346,17 @@ private:
     note_change(m_mesh.face(m_mesh.opposite(h)));
   }
 
-  // Rounded lengths could lead in circles, hence the limit.
+  // Rounded lengths could lead in circles, hence the limit: a thousand flips for each edge are more
+  // than some vertices make necessary.
   void restore_Delaunay()
   {
     const std::size_t before = m_result->flips;
+    const std::size_t limit = (std::min)(m_limits.flips, std::size_t(1000) * m_mesh.num_edges());
     while(!m_stack.empty()) {
       const Edge_index e = m_stack.pop();
       if(m_mesh.is_removed(e) || m_inserter.is_Delaunay(e))
         continue;
-      if(m_result->flips - before == m_limits.flips)
+      if(m_result->flips - before == limit)
         throw Flip_limit_exceeded(
           "not Delaunay after an insertion and as many flips as are allowed");
       const Halfedge_index h = m_mesh.halfedge(e);
