@@ -190,19 +190,6 @@ std::vector<double> on_triangulation(const std::vector<double>& values,
   return result;
 }
 
-// A vertex is reachable or not like the ends of its edge: both have a distance, or neither.
-std::vector<double> interpolated(const std::vector<double>& values, const Subdivision& subdivision,
-                                 const Triangulation& triangulation)
-{
-  std::vector<double> result(subdivision.mesh().number_of_vertices());
-  IT::interpolate(IT::Side::intrinsic, subdivision,
-                  boost::make_iterator_property_map(values.begin(),
-                                                    get(boost::vertex_index, triangulation.mesh())),
-                  boost::make_iterator_property_map(result.begin(),
-                                                    get(boost::vertex_index, subdivision.mesh())));
-  return result;
-}
-
 // A vertex by its index.
 Statistics description(const Sources& sources)
 {
@@ -231,14 +218,14 @@ Output_mesh with_distances(Output_mesh mesh, std::vector<double> distances)
   return mesh;
 }
 
-// The subdivision with functions on the triangulation.
-Output_mesh with_functions(const std::vector<Attribute>& functions, const Subdivision& subdivision,
-                           const Triangulation& triangulation)
+// The subdivision with functions on the triangulation. A vertex is reachable or not like the ends
+// of its edge: both have a distance, or neither.
+Output_mesh with_functions(const std::vector<Attribute>& functions, const Subdivision& subdivision)
 {
   Output_mesh result = subdivision_mesh(subdivision);
   for(const Attribute& f : functions)
     result.point_data.push_back(
-      {f.name, interpolated(std::get<1>(f.values).kept(), subdivision, triangulation)});
+      {f.name, interpolated(IT::Side::intrinsic, std::get<1>(f.values).kept(), subdivision)});
   return result;
 }
 
@@ -393,7 +380,7 @@ private:
   {
     std::vector<Attribute> functions{
       {"distance", on_triangulation(values, triangulation, m_run.input().covered)}};
-    Output_mesh mesh = with_functions(functions, subdivision, triangulation);
+    Output_mesh mesh = with_functions(functions, subdivision);
     m_run.show([&](View_page& page) {
       if(are_errors_known(triangulation))
         functions.push_back({"distance_error", errors(values, triangulation)});
@@ -426,7 +413,7 @@ private:
   void show_sources(View_page& page, const std::vector<Attribute>& functions,
                     const Subdivision& subdivision, const Triangulation& triangulation)
   {
-    Output_mesh mesh = with_functions(functions, subdivision, triangulation);
+    Output_mesh mesh = with_functions(functions, subdivision);
     Surface_marks marks{"sources", false, {}, {}, vertex_sources_on(triangulation)};
     const auto add_point = [&](const Surface_location& p) {
       mesh.points.push_back(position(p, m_run.input().mesh));

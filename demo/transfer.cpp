@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -86,7 +87,7 @@ public:
       const Correspondence correspondence(triangulation);
       m_options.data.empty() ? transfer_points(correspondence) : transfer_data(correspondence);
     });
-    show(m_run, triangulation);
+    show(triangulation);
     m_run.timed("write", [&] {
       m_run.add_output(m_options.output, m_text.take());
       save(m_run, triangulation);
@@ -123,6 +124,7 @@ private:
       const Mesh& mesh = m_run.input().mesh;
       error = (std::max)(
         error, std::sqrt(CGAL::squared_distance(position(on_input, mesh), position(again, mesh))));
+      m_points.push_back(on_input);
       write(m_text, on_input);
       m_text << ' ';
       write(m_text, m_options.is_back ? here : there);
@@ -161,6 +163,8 @@ private:
     const Eigen::VectorXd back = IT::transfer_function(correspondence, other(), there);
     for(Eigen::Index v = 0; v < there.size(); ++v)
       m_text << static_cast<std::size_t>(v) << ' ' << there[v] << '\n';
+    m_function.assign(here.begin(), here.end());
+    m_transferred_function.assign(there.begin(), there.end());
     Statistics& s = m_run.statistics();
     s["values"] = here.size();
     s["transferred_values"] = there.size();
@@ -170,9 +174,40 @@ private:
     m_summary = std::to_string(there.size()) + " values";
   }
 
+  // ---- The page ----
+
+  // Points come after those of the subdivision. Pages of large meshes have one function.
+  void show(const Triangulation& triangulation)
+  {
+    m_run.show([&](View_page& page) {
+      const Subdivision subdivision = subdivide(m_run, triangulation);
+      Output_mesh mesh = subdivision_mesh(subdivision);
+      std::vector<Attribute> intrinsic;
+      if(!m_options.data.empty()) {
+        const auto add = [&](const char* name, IT::Side side, const std::vector<double>& values) {
+          mesh.point_data.push_back({name, interpolated(side, values, subdivision)});
+          if(side == IT::Side::intrinsic)
+            intrinsic.push_back({name, values});
+        };
+        add("function", m_side, m_function);
+        add("transferred_function", other(), m_transferred_function);
+      }
+      Surface_marks marks{"points", false, {}, {}, {}};
+      for(const Surface_location& p : m_points) {
+        marks.points.push_back(static_cast<std::int64_t>(mesh.points.size()));
+        mesh.points.push_back(position(p, m_run.input().mesh));
+      }
+      ::show(page, m_run, triangulation, subdivision, std::move(mesh));
+      develop_if_large(page, m_run, triangulation, subdivision, std::move(intrinsic));
+      page.add_marks(std::move(marks));
+    });
+  }
+
   const Transfer_options& m_options;
   IT::Side m_side; // of what is given
   Command_run m_run;
+  std::vector<Surface_location> m_points; // on the input
+  std::vector<double> m_function, m_transferred_function;
   Text m_text;
   std::string m_summary;
 };

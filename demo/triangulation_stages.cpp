@@ -223,17 +223,22 @@ std::vector<double> curvatures(Command_run& run)
   return result;
 }
 
+std::vector<double> interpolated(IT::Side side, const std::vector<double>& values,
+                                 const Subdivision& subdivision)
+{
+  const auto map = [&](auto first) {
+    return boost::make_iterator_property_map(first, get(boost::vertex_index, subdivision.mesh()));
+  };
+  std::vector<double> result(subdivision.mesh().number_of_vertices());
+  IT::interpolate(side, subdivision, map(values.begin()), map(result.begin()));
+  return result;
+}
+
 void show(View_page& page, Command_run& run, const Triangulation& triangulation,
           const Subdivision& subdivision, Output_mesh mesh)
 {
-  const std::vector<double> at_vertices = curvatures(run);
-  std::vector<double> values(subdivision.mesh().number_of_vertices());
-  IT::interpolate(IT::Side::input, subdivision,
-                  boost::make_iterator_property_map(at_vertices.begin(),
-                                                    get(boost::vertex_index, run.input().mesh)),
-                  boost::make_iterator_property_map(values.begin(),
-                                                    get(boost::vertex_index, subdivision.mesh())));
-  mesh.point_data.push_back({"curvature", std::move(values)});
+  mesh.point_data.push_back(
+    {"curvature", interpolated(IT::Side::input, curvatures(run), subdivision)});
   add_input_data(run.input(), subdivision, mesh);
   page.add_surface("surface", mesh);
   show_angles(page, "input", run.input().mesh, edge_lengths(run));

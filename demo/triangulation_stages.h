@@ -88,6 +88,10 @@ void describe(Command_run& run, const Triangulation& triangulation);
 // The stages "trace" and "subdivide": the common subdivision in space, its size in the statistics.
 Subdivision subdivide(Command_run& run, const Triangulation& triangulation);
 
+// A function that is linear on the faces of one side, at the vertices of the subdivision.
+std::vector<double> interpolated(CGAL::Intrinsic_triangulations::Side side,
+                                 const std::vector<double>& values, const Subdivision& subdivision);
+
 // Shows a subdivision on the page, with the curvature of the input, and histograms of the angles of
 // the input and of the triangulation.
 void show(View_page& page, Command_run& run, const Triangulation& triangulation,

@@ -48,6 +48,16 @@ result refine joint.off -o out.ply
 screenshot Intrinsic_triangulations viewer_refine
 result path elephant.off -o out.obj --from 0 --to 2000
 screenshot Intrinsic_triangulations viewer_path
+result uniformize knot1.off -o out.ply
+screenshot Intrinsic_triangulations viewer_uniformize
+awk 'NF == 3 && NR > 2 && n < 2904 { print n++, sin(18 * $1) }' "$meshes/cow.off" >values.txt
+result transfer cow.off -o out.txt --data values.txt --min-angle 25
+screenshot Intrinsic_triangulations viewer_transfer
+result operators cow.off --prefix out
+screenshot Intrinsic_triangulations viewer_operators 'view.setColor("field curvature") === undefined' \
+  'view.set({isolines: false}) === undefined'
+"$program" view "$meshes/elephant.off" "$meshes/cow.off" -o page.html
+screenshot Intrinsic_triangulations viewer_view
 "$program" info "$meshes/blobby-shuffled.off" --view page.html >info.txt || true
 screenshot Intrinsic_triangulations viewer_info
 "$program" delaunay "$meshes/cow.off" -o out.ply --quiet --section 100 0.05 \

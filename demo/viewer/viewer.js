@@ -97,7 +97,7 @@ export class Viewer {
 
   initialState() {
     const shown = {};
-    const isCalm = this.isFlattened || this.hasSphere || this.fields.includes('distance');
+    const isCalm = this.isFlattened || this.hasSphere || this.mainField !== undefined;
     for(const layer of this.layers)
       shown[layer] = this.countParts(layer) <= mostShown &&
         (layer === 'is_seam' || layer === 'coarse' || !isCalm && !this.layers.includes('coarse'));
@@ -106,11 +106,16 @@ export class Viewer {
     return {color: this.initialColor(), shown, squares: 16, isolines: true};
   }
 
+  // that the command has computed
+  get mainField() {
+    return ['distance', 'transferred_function'].find(name => this.fields.includes(name));
+  }
+
   initialColor() {
     if(this.isFlattened)
       return 'projective';
-    if(this.fields.includes('distance'))
-      return 'field distance';
+    if(this.mainField !== undefined)
+      return `field ${this.mainField}`;
     if(this.hasSphere)
       return 'field log_scale';
     return this.layers.includes('coarse') ? 'faces coarse' : 'plain';

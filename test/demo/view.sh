@@ -185,6 +185,26 @@ page_shows page.html 'view.viewer.state.color === "field distance"' \
     return p >= 49 || close(pointData.distance.values[p] - error, Math.hypot(x, y), 1e-5) })' \
   'view.viewer.marks[0].points.join() === "0"'
 
+# A function that is linear in the plane, on either triangulation, and points.
+awk 'NR > 2 && NF == 3 { print NR - 3, 3 * $1 - 2 * $2 + 1 }' flat.mesh.off >values.mesh.txt
+for options in "" "--min-angle 40 --max-insertions 50"; do
+  expect 0 transfer flat.mesh.off --data values.mesh.txt -o a.txt --view page.html $options
+  page_shows page.html 'view.viewer.state.color === "field transferred_function"' \
+    '[[.1, .2, 0], [.6, .5, 0], [.9, .3, 0]].every(([x, y, z]) => {
+      const {values} = clickAt([x, y, z]);
+      return close(values.function, 3 * x - 2 * y + 1, .02) &&
+        close(values.transferred_function, 3 * x - 2 * y + 1, .02) })'
+  expect 0 transfer flat.mesh.off --data a.txt --back -o b.txt --view page.html $options
+  page_shows page.html 'close(clickAt([.6, .5, 0]).values.transferred_function, 1.8, .02)'
+done
+printf '3\n0:0.2,0.3,0.5\n' >points.mesh.txt
+expect 0 transfer flat.mesh.off --points points.mesh.txt -o a.txt --view page.html
+page_shows page.html 'view.viewer.marks.length === 1' 'view.viewer.marks[0].points.length === 2' \
+  'view.viewer.state.color === "plain"'
+expect 0 transfer flat.mesh.off --points a.txt --back -o b.txt --view page.html
+page_shows page.html 'view.viewer.marks[0].points.length === 2'
+rm a.* b.*
+
 # A flat square in the plane is the square; points are found from either side.
 expect 0 flatten flat.mesh.off -o a.obj --view page.html
 page_shows page.html 'view.viewer.views.length === 2' 'view.viewer.hasTexture' \
