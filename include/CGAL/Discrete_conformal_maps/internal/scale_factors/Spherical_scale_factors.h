@@ -30,6 +30,7 @@ template <typename FT>
 class Spherical_scale_factors
 {
   typedef Eigen::VectorXd Vector;
+  typedef Symmetric_energy<Spherical_energy<FT>> Energy;
 
 public:
   // A disk has its vertex at infinity on the boundary: then there are shortest geodesics within it.
@@ -37,10 +38,6 @@ public:
   Spherical_scale_factors(Doubled_problem& problem, Vertex_index at_infinity)
     : m_problem(problem),
       m_at_infinity(at_infinity),
-      m_energy(problem, problem.triangulation(),
-               [at_infinity](const Doubled_problem::Triangulation& t) {
-                 return Spherical_energy<FT>(t.mesh(), t.length_map(), at_infinity);
-               }),
       m_bound(Peacock_triangulation<FT>(problem.triangulation().mesh(),
                                         problem.triangulation().length_map(), at_infinity)
                 .distances())
@@ -61,16 +58,7 @@ public:
   // the others, the slope of the energy is like a root. No number may be close enough to where it
   // vanishes, and the bound leaves as much as the root of a rounding unit in the gradient, before
   // which all else in it is lost; but the sum of angles need not be full there.
-  double angle_error() const
-  {
-    double result = 0;
-    for(std::size_t v = 0; v < m_u.size(); ++v)
-      if(m_u[v] != m_bound[v]) {
-        const double error = std::abs(m_energy.gradient()[Eigen::Index(v)]) / m_problem.part(v);
-        result = error <= result ? result : error; // keeps NaN
-      }
-    return result;
-  }
+  double angle_error() const { return m_angle_error; }
 
   // Starts from scale factors of another precision instead of a guess.
   template <typename Other>
@@ -83,13 +71,18 @@ public:
   // Minimizes the energy under the bounds, beyond a sufficient gradient if possible. Rounding to
   // `double` limits only how far a step can change the scale factors: where they have more digits,
   // a second run finds these. Where they have not, a second run leaves vertices at their bounds:
-  // see `angle_error()`.
+  // see `angle_error()`. The energy does not outlive the minimization: a layout needs its memory.
   template <typename Visitor>
   void minimize(double tolerance, Visitor& visitor)
   {
-    run(tolerance, false, visitor);
+    Energy energy(m_problem, m_problem.triangulation(),
+                  [v = m_at_infinity](const Doubled_problem::Triangulation& t) {
+                    return Spherical_energy<FT>(t.mesh(), t.length_map(), v);
+                  });
+    run(energy, tolerance, false, visitor);
     if(!is_rounded || m_result.status != Minimization_status::converged)
-      run(tolerance, is_rounded, visitor);
+      run(energy, tolerance, is_rounded, visitor);
+    m_angle_error = angle_error(energy.gradient());
   }
 
 private:
@@ -99,7 +92,7 @@ private:
   static constexpr bool is_rounded = std::is_same<FT, double>::value;
 
   template <typename Visitor>
-  void run(double tolerance, bool stays_at_bounds, Visitor& visitor)
+  void run(Energy& energy, double tolerance, bool stays_at_bounds, Visitor& visitor)
   {
     Vector lower(Eigen::Index(m_u.size())), x(lower.size());
     const std::vector<FT> origin = is_rounded ? std::vector<FT>(m_u.size(), FT(0)) : m_u;
@@ -110,10 +103,10 @@ private:
       x[Eigen::Index(i)] = static_cast<double>(m_u[i] - origin[i]);
       domain.is_fixed.push_back(is_fixed(v) || (stays_at_bounds && m_u[i] == m_bound[i]));
     }
-    m_energy.set_origin(origin);
+    energy.set_origin(origin);
     const Minimization_result last =
-      Bounded_Newton_minimizer(tolerance, iteration_limit)(m_energy, x, lower, domain, visitor);
-    take(x, lower);
+      Bounded_Newton_minimizer(tolerance, iteration_limit)(energy, x, lower, domain, visitor);
+    take(energy, x, lower);
     add_result(last);
   }
 
@@ -125,12 +118,23 @@ private:
   }
 
   // at the bounds to the bit
-  void take(const Vector& x, const Vector& lower)
+  void take(const Energy& energy, const Vector& x, const Vector& lower)
   {
     for(std::size_t v = 0; v < m_u.size(); ++v) {
       const Eigen::Index i = Eigen::Index(v);
-      m_u[v] = x[i] == lower[i] ? m_bound[v] : m_energy.scale_factor(v);
+      m_u[v] = x[i] == lower[i] ? m_bound[v] : energy.scale_factor(v);
     }
+  }
+
+  double angle_error(const Vector& gradient) const
+  {
+    double result = 0;
+    for(std::size_t v = 0; v < m_u.size(); ++v)
+      if(m_u[v] != m_bound[v]) {
+        const double error = std::abs(gradient[Eigen::Index(v)]) / m_problem.part(v);
+        result = error <= result ? result : error; // keeps NaN
+      }
+    return result;
   }
 
   // As if the neighbors of the vertex at infinity remained, with scale factors as even as possible.
@@ -160,9 +164,9 @@ private:
 
   Doubled_problem& m_problem;
   Vertex_index m_at_infinity;
-  Symmetric_energy<Spherical_energy<FT>> m_energy;
   std::vector<FT> m_bound, m_u;
   Minimization_result m_result;
+  double m_angle_error = 0;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal
