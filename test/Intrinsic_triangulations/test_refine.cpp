@@ -318,6 +318,7 @@ TEST(Refine, stopped_by_the_visitor)
   for(std::size_t limit = 1; limit <= all; ++limit) {
     check_stopped<std::runtime_error>(t, limit);
     check_stopped<IT::Numerical_error>(t, limit);
+    check_stopped<IT::Flip_limit_exceeded>(t, limit);
   }
 }
 

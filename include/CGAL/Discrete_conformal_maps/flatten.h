@@ -62,7 +62,7 @@ public:
     m_problem.check();
     m_visitor.start(Flattening_stage::optimize);
     do
-      m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
+      m_scale.minimize(m_scale.ending_beyond(bound, minimizer), tolerance::curvature, m_visitor);
     while(is_bounded && m_scale.status() != Map_status::not_converged &&
           m_scale.add_cone_if_beyond(bound));
     m_map.m_cones = m_scale.cones();

@@ -34,10 +34,13 @@ class Circular_boundary
 public:
   // The angles of circles with the lengths that the boundary has on the surface come first.
   explicit Circular_boundary(const Surface& surface)
-    : m_mesh(surface.mesh()),
-      m_loops(single_boundary_loops(m_mesh, 3, "a circle")),
-      m_angle(Vector::Zero(Eigen::Index(m_mesh.num_vertices())))
   {
+    const Delta_complex& mesh = surface.mesh();
+    for(const Boundary_loop& loop : single_boundary_loops(mesh, 3, "a circle")) {
+      m_circles.emplace_back();
+      for(Halfedge_index h : loop)
+        m_circles.back().push_back({mesh.source(h), mesh.edge(h)});
+    }
     m_angle = angles([&](Edge_index e) { return surface.length(e); });
   }
 
@@ -45,11 +48,10 @@ public:
   template <typename Set>
   void prescribe(const Set& set) const
   {
-    for(const Boundary_loop& loop : m_loops)
-      for(Halfedge_index h : loop) {
-        const Vertex_index v = m_mesh.source(h);
-        set(v, Vertex_condition::curvature(m_angle[Eigen::Index(v.idx())]));
-      }
+    Eigen::Index i = 0;
+    for(const Circle& circle : m_circles)
+      for(const Side& side : circle)
+        set(side.source, Vertex_condition::curvature(m_angle[i++]));
   }
 
   // Moves the angles towards those of circles with the lengths of the image, and returns the
@@ -65,26 +67,29 @@ public:
   }
 
 private:
-  std::size_t mesh_index(Halfedge_index h) const { return m_mesh.source(h).idx(); }
+  struct Side
+  {
+    Vertex_index source;
+    Edge_index edge;
+  };
+  typedef std::vector<Side> Circle;
 
   template <typename Length>
   Vector angles(const Length& length) const
   {
-    Vector result = m_angle;
-    for(const Boundary_loop& loop : m_loops) {
+    std::vector<double> result;
+    for(const Circle& circle : m_circles) {
       std::vector<double> lengths;
-      for(Halfedge_index h : loop)
-        lengths.push_back(length(m_mesh.edge(h)));
+      for(const Side& side : circle)
+        lengths.push_back(length(side.edge));
       const std::vector<double> angle = circle_angles(lengths);
-      for(std::size_t i = 0; i < loop.size(); ++i)
-        result[Eigen::Index(mesh_index(loop[i]))] = angle[i];
+      result.insert(result.end(), angle.begin(), angle.end());
     }
-    return result;
+    return Eigen::Map<const Vector>(result.data(), Eigen::Index(result.size()));
   }
 
-  Delta_complex m_mesh; // the surface itself need not stay
-  std::vector<Boundary_loop> m_loops;
-  Vector m_angle; // of each vertex; zero inside
+  std::vector<Circle> m_circles;
+  Vector m_angle; // at the source of each side
   Fixed_point_acceleration m_acceleration;
 };
 

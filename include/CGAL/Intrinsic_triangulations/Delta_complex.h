@@ -134,6 +134,14 @@ void for_each_spoke(Vertex_index v, const Surface_mesh<P>& mesh, const Visit& vi
 
 namespace internal {
 
+// Returns the connectivity alone, with the numbers of all elements.
+inline Delta_complex without_maps(const Delta_complex& mesh)
+{
+  Delta_complex result(mesh);
+  result.remove_all_property_maps();
+  return result;
+}
+
 template <typename P>
 void set_triangle(Halfedge_index a, Halfedge_index b, Halfedge_index c, Face_index f,
                   Surface_mesh<P>& mesh)

@@ -188,21 +188,21 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
 }
 
 // Flips to Delaunay with certainty, or else with lengths that are computed afresh, and returns
-// whether that was possible.
+// whether that was possible. \throws Flip_limit_exceeded, unless that is one more doubt
 template <typename Traits, typename Visitor>
 bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
-                       Refinement_result& result)
+                       bool stops_in_doubt, Refinement_result& result)
 {
   if constexpr(has_metric<Traits>()) {
     const Certain_flips flips = flip_with_certainty(tri, limit, 1e9, visitor, Concurrency());
     result.flips += flips.number;
-    check_flip_limit(flips.end == Certain_flips::End::limit);
+    check_flip_limit(flips.end == Certain_flips::End::limit && !stops_in_doubt);
     return flips.end == Certain_flips::End::Delaunay;
   } else {
     tri.recompute_lengths();
     const Flipping_result flips = flip_by_lengths(tri, limit, 100, visitor);
     result.flips += flips.flips;
-    check_flip_limit(!flips.is_Delaunay && flips.flips == limit);
+    check_flip_limit(!flips.is_Delaunay && flips.flips == limit && !stops_in_doubt);
     return flips.is_Delaunay;
   }
 }
@@ -220,7 +220,7 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
     if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_in_doubt, result) &&
        stops_in_doubt)
       return false;
-    if(!is_flipped_afresh(tri, limits.flips, visitor, result)) {
+    if(!is_flipped_afresh(tri, limits.flips, visitor, stops_in_doubt, result)) {
       if(stops_in_doubt)
         return false;
       throw Numerical_error("rounding of the lengths keeps the refinement from becoming Delaunay");
@@ -230,21 +230,6 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
       break;
   }
   return result.status != Refinement_status::no_room;
-}
-
-// The same, where flips that rounding may lead in circles are a doubt.
-template <typename Traits, typename Bounds, typename Visitor>
-bool refine_with_limited_flips(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
-                               const Refinement_limits& limits, Visitor& visitor,
-                               bool stops_in_doubt, Refinement_result& result)
-{
-  try {
-    return refine_by_lengths(tri, bounds, limits, visitor, stops_in_doubt, result);
-  } catch(const Flip_limit_exceeded&) {
-    if(!stops_in_doubt)
-      throw;
-    return false;
-  }
 }
 
 // goes on from `tri` with exact decisions
@@ -288,7 +273,7 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
     if(flips.are_anew)
       return refine_exactly(tri, bounds, limits, visitor, result);
   [[maybe_unused]] const bool is_certain =
-    refine_with_limited_flips(tri, bounds, limits, visitor, can_be_exact, result);
+    refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
   if constexpr(has_metric<Traits>())
     if(!is_certain && can_be_exact) {
       reset_with_vertices(tri, given);

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -24,6 +25,8 @@ struct Minimization_limits
 {
   double gradient_tolerance;
   std::size_t iterations;
+  // says of a point, and of the length of the step that has led there, whether that is enough
+  std::function<bool(const Eigen::VectorXd&, double)> is_enough = nullptr;
 };
 
 // The way of an energy from point to point. The best one is always in the caller's hands.
@@ -78,9 +81,11 @@ public:
   }
   bool has_converged() const { return m_norm <= tolerance(); }
 
+  bool is_at_best() const { return m_point == m_best; }
+
   void move_to_best()
   {
-    if(m_point != m_best)
+    if(!is_at_best())
       move_to(Eigen::VectorXd(m_best));
   }
 

@@ -40,9 +40,19 @@ public:
     return (*this)(energy, u, domain, Default_minimization_visitor());
   }
 
+  // The same, but once Newton's method converges quadratically, it ends where `is_enough(point,
+  // step length)` holds.
+  template <typename Is_enough>
+  Iterative_minimizer ending_where(const Is_enough& is_enough) const
+  {
+    Iterative_minimizer result = *this;
+    result.m_limits.is_enough = is_enough;
+    return result;
+  }
+
 protected:
   Iterative_minimizer(double gradient_tolerance, std::size_t maximum_number_of_iterations)
-    : m_limits{gradient_tolerance, maximum_number_of_iterations}
+    : m_limits{gradient_tolerance, maximum_number_of_iterations, nullptr}
   {
     CGAL_precondition(gradient_tolerance >= 0);
   }

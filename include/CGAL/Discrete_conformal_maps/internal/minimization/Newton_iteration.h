@@ -54,6 +54,8 @@ private:
     if(const std::optional<Status> end = m_descent.start())
       return *end;
     while(!m_descent.has_converged()) {
+      if(is_enough())
+        return Status::converged;
       if(m_iterations == m_descent.limits().iterations)
         return Status::iteration_limit;
       if(const std::optional<Status> end = iterate())
@@ -80,6 +82,14 @@ private:
       return end;
     m_visitor.after_iteration(++m_iterations, m_descent.norm(), m_step * m_direction.length());
     return leads_nowhere() ? std::optional(Status::rounding_limit) : std::nullopt;
+  }
+
+  // Damped steps, and those that do not make the gradient smaller, are not yet near the minimum.
+  bool is_enough() const
+  {
+    const Minimization_limits& limits = m_descent.limits();
+    return limits.is_enough && m_iterations > 0 && !m_direction.is_damped() &&
+           m_descent.is_at_best() && limits.is_enough(m_descent.point(), m_direction.length());
   }
 
   // whether some steps in a row were no more than rounding of each variable, although none was

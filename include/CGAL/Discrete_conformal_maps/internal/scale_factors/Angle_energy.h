@@ -88,6 +88,28 @@ public:
     return m_Hessian;
   }
 
+  // The second derivative along x is the sum over all edges that remain of
+  //   weight ((x_i - x_j)^2 + tanh^2 (x_i + x_j)^2).
+  // This adds its coefficients in the column of `v` to a list; several can have the same row.
+  template <typename Entries>
+  void collect_column(Vertex_index v, Entries& entries) const
+  {
+    if(mesh().is_isolated(v))
+      return;
+    double diagonal = 0;
+    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+      if(!derived().is_remaining(Edge_index(h)))
+        return;
+      const Vertex_index w = mesh().target(h);
+      const auto tanh2 =
+        static_cast<double>(Triangle::squared_tanh(m_surface.scaled_length(Edge_index(h))));
+      if(w != v)
+        entries.emplace_back(static_cast<int>(w.idx()), (tanh2 - 1) * weight(h));
+      diagonal += (w == v ? 2 * tanh2 : 1 + tanh2) * weight(h);
+    });
+    entries.emplace_back(static_cast<int>(v.idx()), diagonal);
+  }
+
 protected:
   // with `is_fixed` if faces may violate the triangle inequality
   Angle_energy(Surface surface, bool is_fixed)
@@ -170,27 +192,6 @@ private:
   double weight(Halfedge_index h) const
   {
     return (m_cotangent[h.idx()] + m_cotangent[opposite(h).idx()]) / 2;
-  }
-
-  // The second derivative along x is the sum over all edges that remain of
-  //   weight ((x_i - x_j)^2 + tanh^2 (x_i + x_j)^2).
-  template <typename Entries>
-  void collect_column(Vertex_index v, Entries& entries) const
-  {
-    if(mesh().is_isolated(v))
-      return;
-    double diagonal = 0;
-    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
-      if(!derived().is_remaining(Edge_index(h)))
-        return;
-      const Vertex_index w = mesh().target(h);
-      const auto tanh2 =
-        static_cast<double>(Triangle::squared_tanh(m_surface.scaled_length(Edge_index(h))));
-      if(w != v)
-        entries.emplace_back(static_cast<int>(w.idx()), (tanh2 - 1) * weight(h));
-      diagonal += (w == v ? 2 * tanh2 : 1 + tanh2) * weight(h);
-    });
-    entries.emplace_back(static_cast<int>(v.idx()), diagonal);
   }
 
   bool m_is_fixed;

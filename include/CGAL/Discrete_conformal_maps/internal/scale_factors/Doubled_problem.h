@@ -60,7 +60,7 @@ public:
                   Flipping flipping, bool has_exact_flips = false)
     : m_flipping(flipping),
       m_has_exact_flips(has_exact_flips),
-      m_half(half.mesh()),
+      m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(has_exact_flips ? std::vector<std::array<double, 3>>() : half.input_metric().points),
       m_components(m_half),
       m_has_boundary(m_components.size(), 0),
@@ -116,6 +116,18 @@ public:
   // it is
   const std::vector<Vertex_index>& front() const { return m_front; }
   Vertex_index front(Vertex_index v) const { return m_front[v.idx()]; }
+
+  // For each vertex of the triangulation another one with the same front, until there are no more:
+  // from a vertex of the surface, they lead to all its copies.
+  std::vector<Vertex_index> next_copies() const
+  {
+    std::vector<Vertex_index> result(m_front.size());
+    for(std::size_t v = size(); v < m_front.size(); ++v) {
+      result[v] = result[m_front[v].idx()];
+      result[m_front[v].idx()] = Vertex_index(Delta_complex::size_type(v));
+    }
+    return result;
+  }
 
   bool is_on_boundary(Vertex_index v) const
   {

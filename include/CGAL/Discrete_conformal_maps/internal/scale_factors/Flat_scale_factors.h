@@ -63,16 +63,24 @@ public:
   // it has.
   bool add_cone_if_beyond(double bound)
   {
-    const Vector extent = extents();
-    std::size_t worst = none;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(m_may_be_cone[v] &&
-         (worst == none || extent[Eigen::Index(v)] > extent[Eigen::Index(worst)]))
-        worst = v;
-    if(worst == none || extent[Eigen::Index(worst)] <= bound || m_problem.is_fixed()[worst])
-      return false;
-    add_cone(worst);
-    return true;
+    const std::size_t v = vertex_beyond(bound, values());
+    if(v != none)
+      add_cone(v);
+    return v != none;
+  }
+
+  // `minimizer`, but it ends where the scale factors of the minimum, which is not as far away as
+  // half of Newton's last step, are certainly out of bounds: there a cone can be added.
+  auto ending_beyond(double bound, const Newton_minimizer& minimizer) const
+  {
+    return minimizer.ending_where([this, bound](const Vector& change, double step) {
+      return step < bound / 10 && vertex_beyond(bound + step / 2, values() + change) != none;
+    });
+  }
+  template <typename Minimizer>
+  const Minimizer& ending_beyond(double, const Minimizer& minimizer) const
+  {
+    return minimizer;
   }
 
 private:
@@ -83,22 +91,34 @@ private:
     return Vertex_index(static_cast<Delta_complex::size_type>(v));
   }
 
+  // the vertex with the greatest of these scale factors, if it is out of bounds and can be a cone
+  std::size_t vertex_beyond(double bound, const Vector& scale) const
+  {
+    const Vector extent = extents(scale);
+    std::size_t worst = none;
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(m_may_be_cone[v] &&
+         (worst == none || extent[Eigen::Index(v)] > extent[Eigen::Index(worst)]))
+        worst = v;
+    const bool is_beyond = worst != none && extent[Eigen::Index(worst)] > bound;
+    return is_beyond && !m_problem.is_fixed()[worst] ? worst : none;
+  }
+
   // How far scale factors are from zero. Where none are prescribed, zero may come to be anywhere
   // between the least and the greatest: then the distance from the farther of both.
-  Vector extents() const
+  Vector extents(const Vector& scale) const
   {
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
     std::vector<double> least(fixed.size(), 0), greatest(fixed.size(), 0);
     const auto component = [&](Eigen::Index v) { return m_problem.components()[std::size_t(v)]; };
-    for(Eigen::Index v = 0; v < values().size(); ++v)
+    for(Eigen::Index v = 0; v < scale.size(); ++v)
       if(const std::size_t c = component(v); fixed[c] == 0) {
-        least[c] = (std::min)(least[c], values()[v]);
-        greatest[c] = (std::max)(greatest[c], values()[v]);
+        least[c] = (std::min)(least[c], scale[v]);
+        greatest[c] = (std::max)(greatest[c], scale[v]);
       }
-    Vector result(values().size());
+    Vector result(scale.size());
     for(Eigen::Index v = 0; v < result.size(); ++v)
-      result[v] =
-        (std::max)(values()[v] - least[component(v)], greatest[component(v)] - values()[v]);
+      result[v] = (std::max)(scale[v] - least[component(v)], greatest[component(v)] - scale[v]);
     return result;
   }
 

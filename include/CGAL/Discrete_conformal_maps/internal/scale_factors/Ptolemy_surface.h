@@ -25,7 +25,7 @@ public:
   // `length` is a readable property map of positive lengths
   template <typename EdgeLengthMap>
   Ptolemy_surface(const Delta_complex& mesh, const EdgeLengthMap& length)
-    : m_mesh(mesh), m_length(mesh.num_edges())
+    : m_mesh(Intrinsic_triangulations::internal::without_maps(mesh)), m_length(mesh.num_edges())
   {
     for(Edge_index e : mesh.edges())
       m_length[e.idx()] = FT(get(length, e));

@@ -96,33 +96,51 @@ public:
   const Vector& gradient() const { return m_gradient; }
   double gradient_error() const { return m_energy->gradient_error(); }
 
-  // The columns of vertices of the surface, with those of copies added to the rows. Ties between
-  // faces across the boundary are not broken symmetrically, where entries vanish.
+  // The columns of vertices of the surface, with those of copies added to the rows, and half of it
+  // transposed: ties between faces across the boundary are not broken symmetrically, where entries
+  // vanish.
   const Matrix& Hessian() const
   {
     if(m_problem.has_no_copies())
       return m_energy->Hessian();
     if(!m_has_Hessian) {
-      const Matrix& all = m_energy->Hessian();
-      Matrix folded;
+      const std::vector<Vertex_index> next = m_problem.next_copies();
       Intrinsic_triangulations::internal::assemble_in_chunks(
         m_problem.concurrency(), size(), size(),
         [&](std::size_t v, auto& entries) {
-          const auto column = Eigen::Index(v);
-          for(Matrix::InnerIterator i(all, column); i; ++i)
-            entries.emplace_back(int(front(i.row())), i.value() * m_part[column]);
+          this->collect_column(Vertex_index(Delta_complex::size_type(v)), next, entries);
         },
-        folded);
-      m_Hessian = (folded + Matrix(folded.transpose())) / 2;
+        m_Hessian);
+      make_symmetric(m_Hessian);
     }
     m_has_Hessian = true;
     return m_Hessian;
   }
 
 private:
-  Eigen::Index front(Eigen::Index v) const
+  // Rounding of the sums below depends on the order of their terms.
+  static void make_symmetric(Matrix& matrix)
   {
-    return Eigen::Index(m_problem.front()[std::size_t(v)].idx());
+    for(Eigen::Index column = 0; column < matrix.cols(); ++column)
+      for(Matrix::InnerIterator i(matrix, column); i && i.row() < column; ++i)
+        matrix.coeffRef(column, i.row()) = i.value();
+  }
+
+  template <typename Entries>
+  void collect_column(Vertex_index v, const std::vector<Vertex_index>& next, Entries& entries) const
+  {
+    Entries column;
+    for(Vertex_index w = v; w.is_valid(); w = next[w.idx()]) {
+      column.clear();
+      m_energy->collect_column(w, column);
+      for(const auto& [row, entry] : column) {
+        if(w == v)
+          entries.emplace_back(int(m_problem.front()[std::size_t(row)].idx()),
+                               m_part[Eigen::Index(v.idx())] * entry / 2);
+        if(std::size_t(row) < size())
+          entries.emplace_back(row, m_part[row] * entry / 2);
+      }
+    }
   }
 
   bool has_deepened()

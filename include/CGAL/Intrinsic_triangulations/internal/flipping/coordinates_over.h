@@ -17,14 +17,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns the connectivity alone, with the numbers of all elements.
-inline Delta_complex without_maps(const Delta_complex& mesh)
-{
-  Delta_complex result(mesh);
-  result.remove_all_property_maps();
-  return result;
-}
-
 inline bool has_same_faces(const Delta_complex& a, const Delta_complex& b)
 {
   if(a.number_of_vertices() != b.number_of_vertices() || a.number_of_edges() != b.number_of_edges())

@@ -98,7 +98,7 @@ public:
         result.status = Refinement_status::insertion_limit;
         break;
       }
-      refine(c);
+      refine(c, stops_in_doubt);
     }
     return !m_is_in_doubt;
   }
@@ -155,17 +155,21 @@ private:
            (c.has_bad_shape ? has_bad_shape(c.face) : side_to_split(c.face).is_valid());
   }
 
-  // A face stays as it is where rounded numbers leave no room for the new vertex. Exceptions of the
-  // visitor go on to the caller.
-  void refine(const Candidate& c)
+  // A face stays as it is where rounded numbers leave no room for the new vertex. After flips that
+  // rounding may have led in circles, this is the end. Those of the visitor go on to the caller.
+  void refine(const Candidate& c, bool stops_in_doubt)
   {
     try {
       c.has_bad_shape ? insert_circumcenter(c.face) : make_simplicial(c.face);
+      return;
     } catch(const Numerical_error&) {
       if(m_is_visited)
         throw;
-      m_is_in_doubt = true;
+    } catch(const Flip_limit_exceeded&) {
+      if(m_is_visited || !stops_in_doubt)
+        throw;
     }
+    m_is_in_doubt = true;
   }
 
   template <typename Call>
