@@ -156,7 +156,8 @@ private:
   }
 
   // A face stays as it is where rounded numbers leave no room for the new vertex. After flips that
-  // rounding may have led in circles, this is the end. Those of the visitor go on to the caller.
+  // rounding may have led in circles there is no going on. Exceptions of the visitor go on to the
+  // caller.
   void refine(const Candidate& c, bool stops_in_doubt)
   {
     try {
