@@ -169,6 +169,15 @@ private:
 
 inline Used_faces used_faces(const Planar_conformal_map& map) { return Used_faces(map); }
 
+// the greatest distance from the origin
+inline double size_of(const Planar_conformal_map& map)
+{
+  double result = 0;
+  for(Halfedge_index h : mesh_C(map).halfedges())
+    result = (std::max)(result, std::abs(map.position(h)));
+  return result;
+}
+
 inline double log_scale(const Planar_conformal_map& map, std::size_t v)
 {
   return map.log_scale(Vertex_index(static_cast<Delta_complex::size_type>(v)));

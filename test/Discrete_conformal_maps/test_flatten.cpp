@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -313,6 +314,66 @@ TEST(Flatten, places_cones_where_they_are_needed)
       for(Vertex_index v : mesh.vertices())
         EXPECT_LE(std::abs(map.log_scale(v)), bound);
     }
+}
+
+// Newton's method, to the minimum before each cone.
+struct Newton_to_the_minimum
+{
+  template <typename Energy, typename Visitor>
+  DCM::Minimization_result operator()(Energy& energy, Eigen::VectorXd& x,
+                                      const DCM::Minimization_domain& domain,
+                                      Visitor&& visitor) const
+  {
+    return DCM::Newton_minimizer()(energy, x, domain, visitor);
+  }
+};
+
+struct Minimization_counter : DCM::Default_flattening_visitor
+{
+  void after_iteration(std::size_t iteration, double, double) { minimizations += iteration == 1; }
+  std::size_t minimizations = 0;
+};
+
+// How far the scale factor of a cone is from zero without it and those after it; how far all are
+// from each other if there is none before it.
+double extent_without(const Triangulation& t, const std::vector<Vertex_index>& cones, std::size_t k)
+{
+  Conditions condition(t.mesh().number_of_vertices());
+  for(std::size_t i = 0; i < k; ++i)
+    condition[cones[i]] = Vertex_condition::log_scale(0);
+  const Planar_conformal_map map = flatten(t, condition);
+  if(k > 0)
+    return std::abs(map.log_scale(cones[k]));
+  double result = 0;
+  for(Vertex_index v : t.mesh().vertices())
+    result = (std::max)(result, std::abs(map.log_scale(v) - map.log_scale(cones[0])));
+  return result;
+}
+
+// All cones but those of the estimate, of which each takes one minimization more, are out of bounds
+// where the energy without them is least.
+TEST(Flatten, adds_cones_before_the_minimum_that_are_needed_there)
+{
+  std::vector<Triangulation> surfaces;
+  for(const Named_triangulation& s : closed_surfaces())
+    surfaces.push_back(s.triangulation);
+  for(unsigned int seed = 0; seed < 20; ++seed)
+    surfaces.push_back(Triangulation(random_sphere(200, seed)));
+  std::size_t added = 0, steps = 0, steps_to_minima = 0;
+  for(const Triangulation& t : surfaces)
+    for(const double bound : {0.25, 0.5, 1., 2.}) {
+      const std::vector<double> length = lengths_of(t);
+      const auto np = length_parameter(length).maximum_log_scale(bound);
+      Minimization_counter counter;
+      const Planar_conformal_map map = DCM::flatten(t.mesh(), np.visitor(std::ref(counter)));
+      for(std::size_t n = 1; n < counter.minimizations; ++n, ++added)
+        EXPECT_GT(extent_without(t, map.cones(), map.cones().size() - n), bound);
+      steps += map.minimization().iterations;
+      steps_to_minima +=
+        DCM::flatten(t.mesh(), np.minimizer(Newton_to_the_minimum())).minimization().iterations;
+    }
+  EXPECT_GT(added, 50u);
+  EXPECT_LT(steps, steps_to_minima);
 }
 
 TEST(Flatten, flattens_every_component)

@@ -49,23 +49,13 @@ double laid_out_length(const Planar_conformal_map& map, Halfedge_index h)
   return std::abs(map.position(mesh_C(map).next(h)) - map.position(h));
 }
 
-// the greatest coordinate
-double extent(const Planar_conformal_map& map)
-{
-  double result = 0;
-  for(Halfedge_index h : mesh_C(map).halfedges())
-    if(map.is_laid_out(mesh_C(map).face(h)))
-      result = (std::max)(result, std::abs(map.position(h)));
-  return result;
-}
-
 // The length cross ratios of the faces in the plane are those of the ideal polyhedron. Returns the
 // greatest relative error, beyond what rounding of coordinates makes of short edges.
 double worst_cross_ratio(const Planar_conformal_map& map)
 {
   const Delta_complex& mesh = mesh_C(map);
   const Used_faces is_used = used_faces(map);
-  const double rounding = 16 * std::numeric_limits<double>::epsilon() * extent(map);
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * size_of(map);
   double worst = 0;
   for(Edge_index e : mesh.edges()) {
     const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);

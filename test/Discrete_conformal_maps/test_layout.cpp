@@ -149,14 +149,6 @@ Sample random_point(const Planar_conformal_map& map, Face_index f, CGAL::Random&
   return result;
 }
 
-double size_of(const Planar_conformal_map& map)
-{
-  double result = 0;
-  for(Halfedge_index h : mesh_C(map).halfedges())
-    result = (std::max)(result, std::abs(map.position(h)));
-  return result;
-}
-
 // the place on the face beyond an edge of T^A
 Location beyond_edge(const Planar_conformal_map& map, const Location& p, Halfedge_index h)
 {

@@ -187,23 +187,21 @@ bool insert_vertices(Intrinsic_triangulation<Traits>& tri, const Bounds& bounds,
   return is_certain;
 }
 
-// Flips to Delaunay with certainty, or else with lengths that are computed afresh, and returns
-// whether that was possible. \throws Flip_limit_exceeded, unless that is one more doubt
+// Flips to Delaunay with certainty, or else with lengths that are computed afresh.
 template <typename Traits, typename Visitor>
-bool is_flipped_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit, Visitor& visitor,
-                       bool stops_in_doubt, Refinement_result& result)
+Certain_flips::End flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
+                               Visitor& visitor, Refinement_result& result)
 {
+  typedef Certain_flips::End End;
   if constexpr(has_metric<Traits>()) {
     const Certain_flips flips = flip_with_certainty(tri, limit, 1e9, visitor, Concurrency());
     result.flips += flips.number;
-    check_flip_limit(flips.end == Certain_flips::End::limit && !stops_in_doubt);
-    return flips.end == Certain_flips::End::Delaunay;
+    return flips.end;
   } else {
     tri.recompute_lengths();
     const Flipping_result flips = flip_by_lengths(tri, limit, 100, visitor);
     result.flips += flips.flips;
-    check_flip_limit(!flips.is_Delaunay && flips.flips == limit && !stops_in_doubt);
-    return flips.is_Delaunay;
+    return flips.is_Delaunay ? End::Delaunay : flips.flips == limit ? End::limit : End::bent;
   }
 }
 
@@ -220,9 +218,11 @@ bool refine_by_lengths(Intrinsic_triangulation<Traits>& tri, const Bounds& bound
     if(!insert_vertices<false>(tri, bounds, limits, visitor, stops_in_doubt, result) &&
        stops_in_doubt)
       return false;
-    if(!is_flipped_afresh(tri, limits.flips, visitor, stops_in_doubt, result)) {
+    const Certain_flips::End end = flip_afresh(tri, limits.flips, visitor, result);
+    if(end != Certain_flips::End::Delaunay) {
       if(stops_in_doubt)
         return false;
+      check_flip_limit(end == Certain_flips::End::limit);
       throw Numerical_error("rounding of the lengths keeps the refinement from becoming Delaunay");
     }
     if(!note_remaining(tri, bounds, result) || result.insertions + result.flips == before ||

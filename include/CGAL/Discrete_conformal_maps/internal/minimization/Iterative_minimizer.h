@@ -52,7 +52,7 @@ public:
 
 protected:
   Iterative_minimizer(double gradient_tolerance, std::size_t maximum_number_of_iterations)
-    : m_limits{gradient_tolerance, maximum_number_of_iterations, nullptr}
+    : m_limits{gradient_tolerance, maximum_number_of_iterations}
   {
     CGAL_precondition(gradient_tolerance >= 0);
   }

@@ -91,35 +91,29 @@ private:
     return Vertex_index(static_cast<Delta_complex::size_type>(v));
   }
 
-  // the vertex with the greatest of these scale factors, if it is out of bounds and can be a cone
+  // The vertex whose scale factor is farthest from zero, if that is out of bounds and it can be a
+  // cone. Where none are prescribed, zero may come to be anywhere between the least and the greatest:
+  // then it is the distance from the farther of both.
   std::size_t vertex_beyond(double bound, const Vector& scale) const
-  {
-    const Vector extent = extents(scale);
-    std::size_t worst = none;
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      if(m_may_be_cone[v] &&
-         (worst == none || extent[Eigen::Index(v)] > extent[Eigen::Index(worst)]))
-        worst = v;
-    const bool is_beyond = worst != none && extent[Eigen::Index(worst)] > bound;
-    return is_beyond && !m_problem.is_fixed()[worst] ? worst : none;
-  }
-
-  // How far scale factors are from zero. Where none are prescribed, zero may come to be anywhere
-  // between the least and the greatest: then the distance from the farther of both.
-  Vector extents(const Vector& scale) const
   {
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
     std::vector<double> least(fixed.size(), 0), greatest(fixed.size(), 0);
-    const auto component = [&](Eigen::Index v) { return m_problem.components()[std::size_t(v)]; };
-    for(Eigen::Index v = 0; v < scale.size(); ++v)
-      if(const std::size_t c = component(v); fixed[c] == 0) {
-        least[c] = (std::min)(least[c], scale[v]);
-        greatest[c] = (std::max)(greatest[c], scale[v]);
+    for(std::size_t v = 0; v < m_problem.size(); ++v)
+      if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0) {
+        least[c] = (std::min)(least[c], scale[Eigen::Index(v)]);
+        greatest[c] = (std::max)(greatest[c], scale[Eigen::Index(v)]);
       }
-    Vector result(scale.size());
-    for(Eigen::Index v = 0; v < result.size(); ++v)
-      result[v] = (std::max)(scale[v] - least[component(v)], greatest[component(v)] - scale[v]);
-    return result;
+    std::size_t worst = none;
+    double farthest = bound;
+    for(std::size_t v = 0; v < m_problem.size(); ++v) {
+      const std::size_t c = m_problem.components()[v];
+      const double u = scale[Eigen::Index(v)], extent = (std::max)(u - least[c], greatest[c] - u);
+      if(m_may_be_cone[v] && extent > farthest) {
+        farthest = extent;
+        worst = v;
+      }
+    }
+    return worst == none || m_problem.is_fixed()[worst] ? none : worst;
   }
 
   // the vertices with prescribed scale factors, and one of every component without any
