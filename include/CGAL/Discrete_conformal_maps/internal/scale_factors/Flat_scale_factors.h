@@ -92,8 +92,8 @@ private:
   }
 
   // The vertex whose scale factor is farthest from zero, if that is out of bounds and it can be a
-  // cone. Where none are prescribed, zero may come to be anywhere between the least and the greatest:
-  // then it is the distance from the farther of both.
+  // cone. Where none are prescribed, zero may come to be anywhere between the least and the
+  // greatest: then it is the distance from the farther of both.
   std::size_t vertex_beyond(double bound, const Vector& scale) const
   {
     const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
