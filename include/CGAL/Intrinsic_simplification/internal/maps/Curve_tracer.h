@@ -68,48 +68,53 @@ private:
     Route::Time time;
   };
 
-  // Where operations cut the curve over and over, pieces pile up in a face: then it goes step by
-  // step, and what is straight is joined in between.
+  // Where operations cut the curve over and over, pieces pile up in a face. So it goes in steps of
+  // about as many operations as there are pieces, and what is straight is joined in between.
   void carry_edge(Halfedge_index h)
   {
-    m_result.assign(1, whole_edge(h));
     m_is_bend.assign(2, 0);
-    Route::Time now = m_route.start().time(), step = m_route.length();
-    while(now != m_route.end().time()) {
-      const std::vector<Curve_segment> pieces = m_result;
-      const std::vector<char> is_bend = m_is_bend;
-      const Route::Time to = m_route.after(now, step);
-      const std::size_t most = at_once + pieces.size(), met = carry_pieces(now, to, most);
-      if(met <= most) {
-        now = to;
-        if(now != m_route.end().time())
-          join_inside_faces();
-        if(met < most / 4)
-          step *= 2;
-      } else {
-        m_result = pieces;
-        m_is_bend = is_bend;
+    m_carried.assign(1, timed(whole_edge(h), m_route.start().time()));
+    Route::Time step = m_route.length();
+    for(Route::Time now = earliest(); now != m_route.end().time(); now = earliest()) {
+      const std::size_t most = at_once + m_carried.size();
+      const std::size_t met = carry_pieces(m_route.after(now, step), most);
+      join_inside_faces();
+      if(met == most)
         step = (std::max)(step / 4, Route::Time(1));
-      }
+      else if(met < most / 4)
+        step *= 2;
     }
+    m_result.clear();
+    for(const Timed_segment& s : m_carried)
+      m_result.push_back(s.segment);
   }
 
-  // Carries the pieces one by one, and returns how many operations they have met: if that is more
-  // than `most`, they have not all come to the time `to`. Each meets an operation once at most.
-  std::size_t carry_pieces(Route::Time from, Route::Time to, std::size_t most)
+  // the time of the operation that is met next
+  Route::Time earliest() const
   {
-    m_stack.clear();
-    for(auto s = m_result.rbegin(); s != m_result.rend(); ++s)
-      m_stack.push_back(timed(*s, from));
-    m_result.clear();
+    Route::Time result = m_route.end().time();
+    for(const Timed_segment& s : m_carried)
+      if(m_route.is_at(result, s.time))
+        result = s.time;
+    return result;
+  }
+
+  // Carries the pieces one by one to the time `to` or until they have met `most` operations, and
+  // returns how many they have met.
+  std::size_t carry_pieces(Route::Time to, std::size_t most)
+  {
+    m_stack.assign(m_carried.rbegin(), m_carried.rend());
+    m_carried.clear();
     std::size_t met = 0;
-    while(!m_stack.empty() && met <= most) {
+    while(!m_stack.empty()) {
       const Timed_segment s = m_stack.back();
       m_stack.pop_back();
-      if(m_route.is_at(s.time, to))
-        m_result.push_back(s.segment);
-      else if(++met <= most)
+      if(met == most || m_route.is_at(s.time, to)) {
+        m_carried.push_back(s);
+      } else {
+        ++met;
         carry(s);
+      }
     }
     return met;
   }
@@ -265,15 +270,17 @@ private:
     return p.corners == inside && !m_is_bend[p.node];
   }
 
+  // pieces that meet the same operation next are in their face at the same time
   void join_inside_faces()
   {
     std::size_t size = 0;
-    for(const Curve_segment& s : m_result)
-      if(size > 0 && is_straight_inside(m_result[size - 1].to))
-        m_result[size - 1].to = s.to;
+    for(const Timed_segment& s : m_carried)
+      if(size > 0 && is_straight_inside(m_carried[size - 1].segment.to) &&
+         m_carried[size - 1].time == s.time)
+        m_carried[size - 1].segment.to = s.segment.to;
       else
-        m_result[size++] = s;
-    m_result.resize(size);
+        m_carried[size++] = s;
+    m_carried.resize(size);
   }
 
   // Joins what is straight, inside faces and where the curve comes to a side and goes on in its
@@ -317,11 +324,11 @@ private:
   }
 
   static constexpr Corner_set inside = 7;
-  static constexpr std::size_t at_once = 1024; // operations that a curve may meet in one step
+  static constexpr std::size_t at_once = 16; // in a step, beside one operation for each piece
 
   Route m_route;
   std::vector<char> m_is_bend; // of each point
-  std::vector<Timed_segment> m_stack;
+  std::vector<Timed_segment> m_carried, m_stack;
   std::vector<Curve_segment> m_parts; // of the segment that is being carried
   std::vector<Curve_segment> m_result;
 };
