@@ -4,8 +4,6 @@
 
 #include "flat_mesh.h"
 
-#include "map_mesh.h"
-
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
@@ -17,6 +15,9 @@ namespace DCM = CGAL::Discrete_conformal_maps;
 
 namespace {
 
+using DCM::Edge_index;
+using DCM::Face_index;
+using DCM::Halfedge_index;
 using DCM::Layer;
 using DCM::Vertex_index;
 
@@ -31,83 +32,65 @@ std::complex<double> position(const DCM::Hyperbolic_conformal_map& map,
   return map.to_disk(z);
 }
 
+// whether the two faces of an edge of the subdivision are apart in the plane
 template <class Map>
-class Flat_mesh_builder : Map_mesh_builder
+bool is_seam(const Map& map, const Map_front& front, Edge_index e)
+{
+  const Edge_index c = front.subdivision().parent_edge(Layer::C, e);
+  const Halfedge_index h = front.mesh().halfedge(e);
+  return c.is_valid() && map.is_seam(c) && front.has(h) && front.has(front.mesh().opposite(h));
+}
+
+template <class Map>
+class Flat_mesh_builder
 {
 public:
-  Flat_mesh_builder(const Map& map, const Mesh& input, bool is_homogeneous)
-    : Map_mesh_builder(map, input), m_map(map), m_corner(mesh().number_of_halfedges(), none)
+  Flat_mesh_builder(const Map& map, const Map_front& front, bool is_homogeneous)
+    : m_map(map), m_front(front), m_corner(mesh().number_of_halfedges(), Polygons::none)
   {
     m_result.texture.dimension = is_homogeneous ? 3 : 2;
   }
 
   Output_mesh build(const std::vector<Mesh::Vertex_index>& cones)
   {
-    for(const Vertex_index v : vertices())
-      m_result.points.push_back(input_point(v));
-    for(const Face_index f : faces())
+    m_result.points = m_front.input_points();
+    for(const Face_index f : m_front.faces())
       add_polygon(f);
-    add_edges();
+    m_front.add_parents("flat", m_result);
     add_point_data(cones);
-    add_parent_edges("flat_edge");
     m_result.edge_data.push_back(
-      attribute("is_seam", edges(), [&](Edge_index e) { return std::int64_t(is_seam(e)); }));
-    add_parent_faces("flat_face");
+      m_front.of_edges("is_seam", [&map = m_map, &front = m_front](Edge_index e) {
+        return std::int64_t(is_seam(map, front, e));
+      }));
     return std::move(m_result);
   }
 
-  Eigen::SparseMatrix<double> interpolation_matrix() const
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    for(std::size_t row = 0; row < vertices().size(); ++row) {
-      const auto add = [&](Mesh::Vertex_index v, double weight) {
-        if(weight != 0)
-          entries.emplace_back(int(row), int(v.idx()), weight);
-      };
-      if(is_of_input(vertices()[row]))
-        add(Mesh::Vertex_index(vertices()[row].idx()), 1);
-      else
-        for_each_corner(vertices()[row], add);
-    }
-    Eigen::SparseMatrix<double> result(Eigen::Index(vertices().size()),
-                                       Eigen::Index(input().number_of_vertices()));
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-  }
-
 private:
-  // ---- Points ----
+  const Map_front::Any_map::Subdivision::Mesh& mesh() const { return m_front.mesh(); }
 
-  double log_scale(Vertex_index v) const
-  {
-    if(is_of_input(v))
-      return m_map.log_scale(v);
-    double result = 0;
-    for_each_corner(v, [&](Mesh::Vertex_index x, double w) {
-      result += w * m_map.log_scale(Vertex_index(x.idx()));
-    });
-    return result;
-  }
+  // ---- Points ----
 
   void add_point_data(const std::vector<Mesh::Vertex_index>& cones)
   {
     std::vector<char> is_cone(mesh().number_of_vertices(), 0);
     for(const Mesh::Vertex_index v : cones)
       is_cone[v] = 1;
-    add_input_vertices();
-    m_result.point_data.push_back(attribute(
-      "is_cone", vertices(), [&](Vertex_index v) { return std::int64_t(is_cone[v.idx()]); }));
-    m_result.point_data.push_back(
-      attribute("log_scale", vertices(), [&](Vertex_index v) { return log_scale(v); }));
+    m_result.point_data.push_back(attribute("is_cone", m_front.vertices(), [&](Vertex_index v) {
+      return std::int64_t(is_cone[v.idx()]);
+    }));
+    std::vector<double> scale;
+    for(const Mesh::Vertex_index v : m_front.input().vertices())
+      scale.push_back(m_map.log_scale(Vertex_index(v.idx())));
+    m_result.point_data.push_back({"log_scale", m_front.interpolated(scale)});
   }
 
   // ---- Polygons ----
 
   void add_polygon(Face_index f)
   {
-    m_result.polygons.push_back(polygon(f));
+    m_result.polygons.push_back(m_front.polygon(f));
     for(const Halfedge_index h : CGAL::halfedges_around_face(mesh().halfedge(f), mesh())) {
-      if(m_corner[h.idx()] == none)
+      if(m_corner[h.idx()] == Polygons::none)
         add_coordinates(h);
       m_result.texture.polygons.add_corner(m_corner[h.idx()]);
     }
@@ -121,25 +104,21 @@ private:
     Halfedge_index first = h;
     while(!is_open(first) && mesh().prev(mesh().opposite(first)) != h)
       first = mesh().prev(mesh().opposite(first));
-    for(Halfedge_index x = first; m_corner[x.idx()] == none; x = mesh().opposite(mesh().next(x))) {
-      m_corner[x.idx()] = m_result.texture.coordinates.size();
+    for(Halfedge_index x = first; m_corner[x.idx()] == Polygons::none;
+        x = mesh().opposite(mesh().next(x))) {
+      m_corner[x.idx()] = static_cast<Polygons::Index>(m_result.texture.coordinates.size());
       if(is_open(mesh().next(x)))
         break;
     }
-    m_result.texture.coordinates.push_back(coordinates(subdivision().location(Layer::C, first)));
+    m_result.texture.coordinates.push_back(
+      coordinates(m_front.subdivision().location(Layer::C, first)));
   }
 
   // whether the faces of `h` are not beside each other in the plane
   bool is_open(Halfedge_index h) const
   {
-    return is_seam(mesh().edge(h)) || !is_front(h) || !is_front(mesh().opposite(h));
-  }
-
-  bool is_seam(Edge_index e) const
-  {
-    const Edge_index c = subdivision().parent_edge(Layer::C, e);
-    const Halfedge_index h = mesh().halfedge(e);
-    return c.is_valid() && m_map.is_seam(c) && is_front(h) && is_front(mesh().opposite(h));
+    return is_seam(m_map, m_front, mesh().edge(h)) || !m_front.has(h) ||
+           !m_front.has(mesh().opposite(h));
   }
 
   std::array<double, 3> coordinates(const DCM::Discrete_conformal_map::Face_location& on_C) const
@@ -152,7 +131,9 @@ private:
   }
 
   const Map& m_map;
-  std::vector<std::size_t> m_corner; // coordinates at the target of each halfedge
+  const Map_front& m_front;
+  std::vector<Polygons::Index> m_corner; // coordinates at the target of each halfedge
+  Output_mesh m_result;
 };
 
 // Whether the height of the triangle is more than rounding of the coordinates of its points.
@@ -188,22 +169,36 @@ void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
 
 } // namespace
 
-Output_mesh flat_mesh(const DCM::Planar_conformal_map& map, const Mesh& input,
+Output_mesh flat_mesh(const DCM::Planar_conformal_map& map, const Map_front& front,
                       const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
 {
-  return Flat_mesh_builder(map, input, is_homogeneous).build(cones);
+  return Flat_mesh_builder(map, front, is_homogeneous).build(cones);
 }
 
-Output_mesh flat_mesh(const DCM::Hyperbolic_conformal_map& map, const Mesh& input,
+Output_mesh flat_mesh(const DCM::Hyperbolic_conformal_map& map, const Map_front& front,
                       const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
 {
-  return Flat_mesh_builder(map, input, is_homogeneous).build(cones);
+  return Flat_mesh_builder(map, front, is_homogeneous).build(cones);
 }
 
-Eigen::SparseMatrix<double> interpolation_matrix(const DCM::Planar_conformal_map& map,
-                                                 const Mesh& input)
+Eigen::SparseMatrix<double> interpolation_matrix(const Map_front& front)
 {
-  return Flat_mesh_builder(map, input, false).interpolation_matrix();
+  std::vector<Eigen::Triplet<double>> entries;
+  for(std::size_t row = 0; row < front.vertices().size(); ++row) {
+    const auto add = [&](Mesh::Vertex_index v, double weight) {
+      if(weight != 0)
+        entries.emplace_back(int(row), int(v.idx()), weight);
+    };
+    const Vertex_index v = front.vertices()[row];
+    if(front.is_of_input(v))
+      add(Mesh::Vertex_index(v.idx()), 1);
+    else
+      front.for_each_corner(v, add);
+  }
+  Eigen::SparseMatrix<double> result(Eigen::Index(front.vertices().size()),
+                                     Eigen::Index(front.input().number_of_vertices()));
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
 }
 
 std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh)

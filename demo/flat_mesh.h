@@ -5,6 +5,7 @@
 #ifndef INTRINSIC_FLAT_MESH_H
 #define INTRINSIC_FLAT_MESH_H
 
+#include "Map_front.h"
 #include "Output_mesh.h"
 #include "Statistics.h"
 
@@ -27,20 +28,18 @@
 // In the edges and faces of the input, these have their indices; those of the other two are of the
 // double, if there is a boundary.
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
-                      const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
+                      const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);
 
 // As `flat_mesh()`, for a map to the hyperbolic plane: homogeneous coordinates are those of Klein's
 // disk, positions those in the Poincare disk.
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
-                      const Mesh& input, const std::vector<Mesh::Vertex_index>& cones,
+                      const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);
 
 // The weights of the vertices of the input (columns) in those of the same mesh (rows): functions
 // that are linear on the faces of the input are interpolated by it.
-Eigen::SparseMatrix<double>
-interpolation_matrix(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
-                     const Mesh& input);
+Eigen::SparseMatrix<double> interpolation_matrix(const Map_front& front);
 
 // The polygons that have a triangle that is flipped in the plane, as `describe_triangles()` counts
 // them.

@@ -10,7 +10,6 @@
 #include "flat_mesh.h"
 #include "flattening_conditions.h"
 #include "map_commands.h"
-#include "map_mesh.h"
 #include "matrix_market.h"
 #include "triangulation_stages.h"
 
@@ -80,7 +79,7 @@ public:
       certify(map);
     m_run.timed("write", [&] {
       if(!m_options.matrix.empty())
-        m_run.add_output(m_options.matrix, matrix_market(interpolation_matrix(map, mesh()),
+        m_run.add_output(m_options.matrix, matrix_market(interpolation_matrix({map, mesh()}),
                                                          Matrix_symmetry::GENERAL));
     });
     finish(m_run, m_options, m_format, map, m_visitor.iterations, cones(map));
@@ -206,13 +205,14 @@ void finish(Command_run& run, const Texture_options& options, Mesh_format format
 {
   check_status(map);
   run.timed("write", [&] {
-    Output_mesh result = flat_mesh(map, run.input().mesh, cones, options.is_homogeneous);
+    const Map_front front(map, run.input().mesh);
+    Output_mesh result = flat_mesh(map, front, cones, options.is_homogeneous);
     describe(run, map, result, iterations, cones.size());
     run.show([&](View_page& page) {
-      show(page, run, map, flat_mesh(map, run.input().mesh, cones, true), Image_kind::plane);
+      show(page, run, map, front, flat_mesh(map, front, cones, true), Image_kind::plane);
       page.add_marks({"flipped triangles", true, flipped_polygons(result), {}, {}});
     });
-    add_input_data(run.input(), map, result);
+    add_input_data(run.input(), front, result);
     run.add_output(options.output, result, format);
   });
   run.finish(flat_summary(run.statistics()));

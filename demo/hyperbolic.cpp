@@ -10,7 +10,6 @@
 #include "flat_mesh.h"
 #include "flattening_conditions.h"
 #include "map_commands.h"
-#include "map_mesh.h"
 #include "triangulation_stages.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
@@ -65,10 +64,9 @@ Statistics description(const DCM::Fuchsian_group& group)
   return result;
 }
 
-void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map,
+void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map, const Map_front& front,
               const std::vector<Mesh::Vertex_index>& cones)
 {
-  const Mesh& mesh = run.input().mesh;
   Statistics& statistics = run.statistics();
   statistics["cones"] = cones.size();
   statistics["iterations"] = map.minimization().iterations;
@@ -78,9 +76,9 @@ void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map,
   statistics["area"] = map.area();
   statistics["radius"] = map.radius();
   // edges are straight in Klein's disk
-  const Output_mesh straight = flat_mesh(map, mesh, cones, true);
+  const Output_mesh straight = flat_mesh(map, front, cones, true);
   describe_triangles(statistics, straight);
-  describe_sizes(statistics, map, mesh, straight);
+  describe_sizes(statistics, map, front.input(), straight);
   statistics["groups"] = Statistics::array();
   for(std::size_t c = 0; c < map.number_of_components(); ++c)
     statistics["groups"].push_back(description(map.group(c)));
@@ -115,12 +113,11 @@ std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conf
 // Texture coordinates are those of Klein's disk, where the map is projective; the picture is in
 // Poincare's.
 void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map& map,
-                  const std::vector<Mesh::Vertex_index>& cones, int depth)
+                  const Map_front& front, const std::vector<Mesh::Vertex_index>& cones, int depth)
 {
-  const Mesh& mesh = run.input().mesh;
-  const Output_mesh straight = flat_mesh(map, mesh, cones, true);
-  show(page, run, map, straight, Image_kind::disk);
-  page.set_image(Image_kind::disk, positions_in_disks(map, flat_mesh(map, mesh, cones, false)));
+  const Output_mesh straight = flat_mesh(map, front, cones, true);
+  show(page, run, map, front, straight, Image_kind::disk);
+  page.set_image(Image_kind::disk, positions_in_disks(map, flat_mesh(map, front, cones, false)));
   page.set_outlines(disk_outlines(map, depth));
   page.add_marks({"flipped triangles", true, flipped_polygons(straight), {}, {}});
 }
@@ -132,11 +129,12 @@ void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format for
 {
   check_status(map);
   run.timed("write", [&] {
-    describe(run, map, cones);
-    Output_mesh result = flat_mesh(map, run.input().mesh, cones, options.is_homogeneous);
-    add_input_data(run.input(), map, result);
+    const Map_front front(map, run.input().mesh);
+    describe(run, map, front, cones);
+    Output_mesh result = flat_mesh(map, front, cones, options.is_homogeneous);
+    add_input_data(run.input(), front, result);
     run.add_output(options.output, result, format);
-    run.show([&](View_page& page) { show_in_disk(page, run, map, cones, options.depth); });
+    run.show([&](View_page& page) { show_in_disk(page, run, map, front, cones, options.depth); });
     if(!options.picture.empty())
       run.add_output(options.picture, disk_picture(map, options.depth));
   });

@@ -6,7 +6,6 @@
 
 #include "Program_error.h"
 #include "map_distortion.h"
-#include "map_mesh.h"
 #include "triangulation_stages.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -90,12 +89,12 @@ void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& m
 }
 
 void show(View_page& page, Command_run& run, const DCM::Discrete_conformal_map& map,
-          Output_mesh mesh, Image_kind kind)
+          const Map_front& front, Output_mesh mesh, Image_kind kind)
 {
   const Mesh& input = run.input().mesh;
-  mesh.point_data.push_back({"curvature", interpolated(map, input, curvatures(run))});
+  mesh.point_data.push_back({"curvature", front.interpolated(curvatures(run))});
   add_distortion(mesh, kind);
-  add_input_data(run.input(), map, mesh);
+  add_input_data(run.input(), front, mesh);
   page.add_surface("surface", mesh);
   show_angles(page, "input", input, edge_lengths(run));
   show_angles(page, "intrinsic", map.Delaunay().mesh(), map.Delaunay().length_map());

@@ -6,6 +6,7 @@
 #define INTRINSIC_MAP_COMMANDS_H
 
 #include "Command_run.h"
+#include "Map_front.h"
 #include "Mesh_writer.h"
 #include "Output_mesh.h"
 #include "Statistics.h"
@@ -58,8 +59,8 @@ void describe_sizes(Statistics& statistics,
 // and the distortion of the map, and histograms of the angles of the input and its intrinsic
 // Delaunay triangulation.
 void show(View_page& page, Command_run& run,
-          const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, Output_mesh mesh,
-          Image_kind kind);
+          const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, const Map_front& front,
+          Output_mesh mesh, Image_kind kind);
 
 // The ends of the commands: check the map, add it to the outputs in `format` and its properties to
 // the statistics, and finish the run. Throw std::runtime_error if the map is not as it must be.

@@ -7,7 +7,6 @@
 #include "Command_run.h"
 #include "Mesh_writer.h"
 #include "map_commands.h"
-#include "map_mesh.h"
 #include "sphere_mesh.h"
 #include "triangulation_stages.h"
 
@@ -63,20 +62,20 @@ std::string spherical_summary(const Statistics& s)
 
 // The surface is that of the input, with the sphere as its picture.
 void show_on_sphere(View_page& page, Command_run& run, const DCM::Spherical_conformal_map& map,
-                    const Output_mesh& on_sphere)
+                    const Map_front& front, const Output_mesh& on_sphere)
 {
   Output_mesh mesh = on_sphere;
   std::vector<std::array<double, 3>> positions;
   for(const Point& p : on_sphere.points)
     positions.push_back({p.x(), p.y(), p.z()});
-  mesh.points = input_points(map, run.input().mesh);
+  mesh.points = front.input_points();
   std::vector<double> scales;
   for(const Mesh::Vertex_index v : run.input().mesh.vertices())
     scales.push_back(map.log_scale(DCM::Vertex_index(v.idx())));
   for(Attribute& a : mesh.point_data)
     if(a.name == "log_scale")
-      a.values = interpolated(map, run.input().mesh, scales);
-  show(page, run, map, mesh, Image_kind::sphere);
+      a.values = front.interpolated(scales);
+  show(page, run, map, front, mesh, Image_kind::sphere);
   page.set_image(Image_kind::sphere, std::move(positions));
 }
 
@@ -87,10 +86,11 @@ void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
 {
   check_status(map);
   run.timed("write", [&] {
-    Output_mesh result = sphere_mesh(map, run.input().mesh);
+    const Map_front front(map, run.input().mesh);
+    Output_mesh result = sphere_mesh(map, front);
     describe(run, map, result);
-    run.show([&](View_page& page) { show_on_sphere(page, run, map, result); });
-    add_input_data(run.input(), map, result);
+    run.show([&](View_page& page) { show_on_sphere(page, run, map, front, result); });
+    add_input_data(run.input(), front, result);
     run.add_output(options.output, result, format);
     if(!options.precise.empty())
       run.add_output(options.precise, precise_positions(map, run.input().mesh));

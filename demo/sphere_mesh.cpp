@@ -4,11 +4,10 @@
 
 #include "sphere_mesh.h"
 
-#include "map_mesh.h"
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <limits>
+#include <memory>
 #include <sstream>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -17,39 +16,50 @@ namespace {
 
 using DCM::Vertex_index;
 
-class Sphere_mesh_builder : Map_mesh_builder
+// Of each vertex of the subdivision, if it belongs to the input.
+std::vector<std::array<double, 4>> homogeneous_coordinates(const DCM::Spherical_conformal_map& map,
+                                                           const Map_front& front)
 {
+  std::vector<std::array<double, 4>> result(front.mesh().number_of_vertices());
+  for(const Map_front::Halfedge_index h : front.mesh().halfedges())
+    if(front.has(h))
+      result[front.mesh().target(h).idx()] =
+        map.homogeneous_coordinates(front.subdivision().location(DCM::Layer::C, h));
+  return result;
+}
+
+class Sphere_mesh_builder
+{
+  typedef DCM::Spherical_conformal_map Map;
+
 public:
-  Sphere_mesh_builder(const DCM::Spherical_conformal_map& map, const Mesh& input)
-    : Map_mesh_builder(map, input), m_map(map), m_homogeneous(mesh().number_of_vertices())
+  Sphere_mesh_builder(const Map& map, const Map_front& front)
+    : m_map(map),
+      m_front(front),
+      m_homogeneous(std::make_shared<const std::vector<std::array<double, 4>>>(
+        homogeneous_coordinates(map, front)))
   {
     if(map.is_disk())
       m_result.texture.dimension = 2;
-    for(const Halfedge_index h : mesh().halfedges())
-      if(is_front(h))
-        m_homogeneous[mesh().target(h).idx()] =
-          map.homogeneous_coordinates(subdivision().location(DCM::Layer::C, h));
   }
 
   Output_mesh build()
   {
-    for(const Vertex_index v : vertices())
+    m_result.points.reserve(m_front.vertices().size());
+    for(const Vertex_index v : m_front.vertices())
       add_point(v);
-    for(const Face_index f : faces())
+    for(const Map_front::Face_index f : m_front.faces())
       add_polygon(f);
-    add_edges();
+    m_front.add_parents("sphere", m_result);
     add_point_data();
-    add_parent_edges("sphere_edge");
-    add_parent_faces("sphere_face");
     return std::move(m_result);
   }
 
 private:
-  typedef DCM::Spherical_conformal_map Map;
-
   void add_point(Vertex_index v)
   {
-    const auto p = is_of_input(v) ? m_map.position(v) : Map::project(m_homogeneous[v.idx()]);
+    const auto p =
+      m_front.is_of_input(v) ? m_map.position(v) : Map::project((*m_homogeneous)[v.idx()]);
     m_result.points.emplace_back(p[0], p[1], p[2]);
     if(m_map.is_disk()) {
       const auto z = Map::to_plane(p);
@@ -57,40 +67,44 @@ private:
     }
   }
 
-  void add_polygon(Face_index f)
+  void add_polygon(Map_front::Face_index f)
   {
-    m_result.polygons.push_back(polygon(f));
+    m_result.polygons.push_back(m_front.polygon(f));
     if(m_map.is_disk())
-      m_result.texture.polygons.push_back(polygon(f));
+      m_result.texture.polygons.push_back(m_front.polygon(f));
   }
 
   void add_point_data()
   {
     std::vector<Attribute>& data = m_result.point_data;
-    add_input_vertices();
-    data.push_back(attribute("log_scale", vertices(), [&](Vertex_index v) {
-      return is_of_input(v) ? m_map.log_scale(v) : 0;
-    }));
+    const auto scale = [&map = m_map, &front = m_front](Vertex_index v) {
+      return front.is_of_input(v) ? map.log_scale(v) : 0;
+    };
+    data.push_back(m_front.of_vertices("log_scale", scale));
     const char* const input_names[] = {"input_x", "input_y", "input_z"};
     for(int c = 0; c < 3; ++c)
-      data.push_back(
-        attribute(input_names[c], vertices(), [&](Vertex_index v) { return input_point(v)[c]; }));
+      data.push_back(m_front.of_vertices(
+        input_names[c], [&front = m_front, c](Vertex_index v) { return front.input_point(v)[c]; }));
     const char* const names[] = {"homogeneous_x", "homogeneous_y", "homogeneous_z",
                                  "homogeneous_w"};
     for(std::size_t c = 0; c < 4; ++c)
       data.push_back(
-        attribute(names[c], vertices(), [&](Vertex_index v) { return m_homogeneous[v.idx()][c]; }));
+        m_front.of_vertices(names[c], [homogeneous = m_homogeneous, c](Vertex_index v) {
+          return (*homogeneous)[v.idx()][c];
+        }));
   }
 
   const Map& m_map;
-  std::vector<std::array<double, 4>> m_homogeneous; // of each vertex
+  const Map_front& m_front;
+  std::shared_ptr<const std::vector<std::array<double, 4>>> m_homogeneous; // of each vertex
+  Output_mesh m_result;
 };
 
 } // namespace
 
-Output_mesh sphere_mesh(const DCM::Spherical_conformal_map& map, const Mesh& input)
+Output_mesh sphere_mesh(const DCM::Spherical_conformal_map& map, const Map_front& front)
 {
-  return Sphere_mesh_builder(map, input).build();
+  return Sphere_mesh_builder(map, front).build();
 }
 
 std::string precise_positions(const DCM::Spherical_conformal_map& map, const Mesh& input)

@@ -5,6 +5,7 @@
 #ifndef INTRINSIC_SPHERE_MESH_H
 #define INTRINSIC_SPHERE_MESH_H
 
+#include "Map_front.h"
 #include "Output_mesh.h"
 
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
@@ -19,7 +20,7 @@
 // - of an edge and of a face: the edges and faces of the three triangulations of which it is a
 // part. Of a disk, the texture is its image in the unit disk.
 Output_mesh sphere_mesh(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
-                        const Mesh& input);
+                        const Map_front& front);
 
 // Lines "index x y z", with all digits that the map has, for each vertex of the input.
 std::string precise_positions(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,

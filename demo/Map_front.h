@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_MAP_MESH_H
-#define INTRINSIC_MAP_MESH_H
+#ifndef INTRINSIC_MAP_FRONT_H
+#define INTRINSIC_MAP_FRONT_H
 
 #include "Input_mesh.h"
 #include "Output_mesh.h"
@@ -15,35 +15,36 @@
 #include <vector>
 
 // The common subdivision of the three triangulations of a map, as far as it belongs to the input.
-// The vertices of the input come first. This is what the meshes of all kinds of maps have in
-// common.
-class Map_mesh_builder
+// The vertices of the input come first. Map, input and this must be there as long as attributes
+// from here.
+class Map_front
 {
-protected:
+public:
   typedef CGAL::Discrete_conformal_maps::Discrete_conformal_map Any_map;
   typedef CGAL::Discrete_conformal_maps::Edge_index Edge_index;
   typedef CGAL::Discrete_conformal_maps::Face_index Face_index;
   typedef CGAL::Discrete_conformal_maps::Halfedge_index Halfedge_index;
   typedef CGAL::Discrete_conformal_maps::Vertex_index Vertex_index;
 
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  Map_mesh_builder(const Any_map& map, const Mesh& input);
+  Map_front(const Any_map& map, const Mesh& input);
 
   const Any_map::Subdivision& subdivision() const { return m_map.subdivision(); }
   const Any_map::Subdivision::Mesh& mesh() const { return m_map.subdivision().mesh(); }
   const Mesh& input() const { return m_input; }
 
-  // ---- The part that belongs to the input ----
+  // ---- Its elements ----
 
   const std::vector<Vertex_index>& vertices() const { return m_vertices; }
   const std::vector<Edge_index>& edges() const { return m_edges; }
   const std::vector<Face_index>& faces() const { return m_faces; }
 
-  bool is_front(Halfedge_index h) const;
+  bool has(Halfedge_index h) const { return m_map.is_front(h); }
 
   // The second copy of a vertex has a greater number.
   bool is_of_input(Vertex_index v) const { return v.idx() < m_input.number_of_vertices(); }
+
+  // The places of the corners of a face among the vertices.
+  std::vector<Polygons::Index> polygon(Face_index f) const;
 
   // ---- The place in the input ----
 
@@ -65,40 +66,52 @@ protected:
   Point input_point(Vertex_index v) const;
   CGAL::Intrinsic_triangulations::Vertex_weights<double> input_weights(Vertex_index v) const;
 
-  // ---- The result ----
+  // The points of its vertices on the input.
+  std::vector<Point> input_points() const;
 
-  std::vector<Polygons::Index> polygon(Face_index f) const;
-  void add_edges();
-  void add_input_vertices();
-  // `name` is that of the last triangulation
-  void add_parent_edges(const std::string& name);
-  void add_parent_faces(const std::string& name);
+  // Of values at the vertices of the input, linear on its faces, those at these vertices.
+  std::vector<double> interpolated(const std::vector<double>& values) const;
 
-  Output_mesh m_result;
+  // ---- A mesh of it ----
+
+  // One value for each vertex or edge, computed when it is asked for.
+  template <class Value>
+  Attribute of_vertices(const std::string& name, const Value& value) const
+  {
+    return of_elements(name, m_vertices, value);
+  }
+  template <class Value>
+  Attribute of_edges(const std::string& name, const Value& value) const
+  {
+    return of_elements(name, m_edges, value);
+  }
+
+  // Adds edges, and of each element which ones of the triangulations it is a part of: of a vertex
+  // that of the input, of an edge and a face those of all three, of which `last` is the name of the
+  // last.
+  void add_parents(const std::string& last, Output_mesh& mesh) const;
 
 private:
+  template <class Element, class Value>
+  static Attribute of_elements(const std::string& name, const std::vector<Element>& elements,
+                               const Value& value)
+  {
+    typedef decltype(value(Element())) Number;
+    return {name, Values<Number>(elements.size(),
+                                 [&elements, value](std::size_t i) { return value(elements[i]); })};
+  }
+
   void choose_elements();
 
   const Any_map& m_map;
   const Mesh& m_input;
-  std::vector<Polygons::Index> m_number; // in the result, of each vertex
+  std::vector<Polygons::Index> m_number; // among the vertices, of each one of the subdivision
   std::vector<Vertex_index> m_vertices;
   std::vector<Edge_index> m_edges;
   std::vector<Face_index> m_faces;
 };
 
-// Where the vertices of the mesh of a map are in the input.
-std::vector<Point> input_points(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
-                                const Mesh& input);
+// Adds the data of the input, interpolated as they are there.
+void add_input_data(const Input_mesh& input, const Map_front& front, Output_mesh& mesh);
 
-// The values at the vertices of the mesh of a map of a function that is linear on the faces of the
-// input.
-std::vector<double> interpolated(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
-                                 const Mesh& input, const std::vector<double>& values);
-
-// Adds the data of the input to the mesh of a map.
-void add_input_data(const Input_mesh& input,
-                    const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
-                    Output_mesh& mesh);
-
-#endif // INTRINSIC_MAP_MESH_H
+#endif // INTRINSIC_MAP_FRONT_H
