@@ -37,7 +37,7 @@ Stages map_stages(bool has_cones)
   using Stage = DCM::Flattening_stage;
   Stages result;
   for(const Stage stage :
-      {Stage::cones, Stage::optimize, Stage::trace, Stage::subdivide, Stage::layout})
+      {Stage::cones, Stage::optimize, Stage::layout, Stage::trace, Stage::subdivide})
     if(has_cones || stage != Stage::cones)
       result.emplace_back(name_of(stage));
   return result;

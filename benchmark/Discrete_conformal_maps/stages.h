@@ -36,8 +36,8 @@ inline constexpr const char* largest_surface = "100000";
 // ---- Times ----
 
 // The first stage is before those of `flatten()`: the intrinsic Delaunay triangulation.
-inline constexpr std::array<const char*, 6> stage_names{"Delaunay", "cones",  "optimize",
-                                                        "trace",    "subdiv", "layout"};
+inline constexpr std::array<const char*, 6> stage_names{"Delaunay", "cones", "optimize",
+                                                        "layout",   "trace", "subdiv"};
 
 // Seconds of CPU time.
 struct Stopwatch : DCM::Default_flattening_visitor

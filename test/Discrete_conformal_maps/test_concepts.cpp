@@ -139,8 +139,8 @@ TEST(Concepts, flattening_visitor)
   const auto map = DCM::flatten(
     octahedron(), DCM::parameters::vertex_condition_map(four_cones()).visitor(std::ref(visitor)));
   typedef DCM::Flattening_stage Stage;
-  EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
-                                                Stage::layout, Stage::subdivide}));
+  EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::layout,
+                                                Stage::trace, Stage::subdivide}));
   EXPECT_EQ(visitor.steps, map.minimization().iterations);
   EXPECT_GT(visitor.steps, 0u);
 }

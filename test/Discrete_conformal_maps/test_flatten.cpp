@@ -525,8 +525,8 @@ TEST(Flatten, visitor_sees_all_stages_and_steps)
   Recording_visitor visitor;
   const Planar_conformal_map map =
     DCM::flatten(random_sphere(40, 1), CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
-                                                Stage::layout, Stage::subdivide}));
+  EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::layout,
+                                                Stage::trace, Stage::subdivide}));
   EXPECT_EQ(visitor.steps, map.minimization().iterations);
   EXPECT_GT(visitor.steps, 0u);
 }
@@ -573,7 +573,7 @@ TEST(Flatten, exceptions_of_visitors_leave)
                  std::runtime_error);
   };
   for(const Stage stage :
-      {Stage::cones, Stage::optimize, Stage::trace, Stage::subdivide, Stage::layout})
+      {Stage::cones, Stage::optimize, Stage::layout, Stage::trace, Stage::subdivide})
     stop(stage, false);
   stop(Stage::layout, true);
 }

@@ -14,13 +14,13 @@
 class FlatteningVisitor
 {
 public:
-  /// is called when a stage of the work begins, once for each stage and in their order. What
-  /// happens before the first, the making of \f$T^B\f$, has no stage. `after_iteration()` is called
-  /// in `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only; where the minimization is
+  /// is called when a stage of the work begins, in their order. What happens before the first, the
+  /// making of \f$T^B\f$, has no stage. `after_iteration()` is called in
+  /// `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only; where the minimization is
   /// repeated (after a further cone, or in extended precision), iterations are counted from one
-  /// again. On a surface without boundary, `flatten()` has the layout before the subdivision, which
-  /// takes less memory. In `CGAL::Discrete_conformal_maps::map_to_sphere()` the stages of
-  /// optimization and layout come first, and more than once if the first result is not good. An
-  /// exception leaves `flatten()`.
+  /// again. On a surface with boundary, `flatten()` traces and subdivides before the layout too, to
+  /// see what belongs to the surface, and then again: what is made does not have to wait in memory.
+  /// In `CGAL::Discrete_conformal_maps::map_to_sphere()` the stages of optimization and layout come
+  /// more than once if the first result is not good. An exception leaves `flatten()`.
   void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
 };

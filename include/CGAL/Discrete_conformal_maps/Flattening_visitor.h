@@ -17,9 +17,9 @@ enum class Flattening_stage
 {
   cones,     ///< cones are placed, for a map to the plane
   optimize,  ///< scale factors are computed
+  layout,    ///< faces are laid out
   trace,     ///< the triangulations are traced over each other
-  subdivide, ///< their common subdivision is made
-  layout     ///< faces are laid out
+  subdivide  ///< their common subdivision is made
 };
 
 /// \ingroup PkgDiscreteConformalMapsFlat

@@ -79,17 +79,11 @@ public:
   Planar_conformal_map finish(Layout layout)
   {
     m_layout = layout;
-    m_visitor.start(Flattening_stage::trace);
-    m_builder.trace(m_scale);
+    m_builder.flip(m_scale);
     m_map.m_has_layout = m_scale.has_layout();
-    // The factor of the layout and the subdivision need not be there at the same time.
-    if(m_problem.has_no_copies()) {
-      lay_out();
-      subdivide();
-    } else {
-      subdivide();
-      lay_out();
-    }
+    find_walls();
+    lay_out();
+    subdivide();
     if(m_map.m_has_layout) {
       arrange_charts();
       if(m_map.status() == Map_status::success && has_collapsed_face())
@@ -103,6 +97,8 @@ private:
 
   void subdivide()
   {
+    m_visitor.start(Flattening_stage::trace);
+    m_builder.trace();
     m_visitor.start(Flattening_stage::subdivide);
     m_builder.subdivide();
   }
@@ -110,7 +106,6 @@ private:
   void lay_out()
   {
     m_visitor.start(Flattening_stage::layout);
-    find_walls();
     if(!m_map.m_has_layout)
       leave_out();
     else if(m_scale.is_extended())
@@ -120,13 +115,15 @@ private:
               area_correction());
   }
 
-  // On a doubled surface, only edges of T^C with a part inside the input are passed.
+  // On a doubled surface, only edges of T^C with a part inside the input are passed. The subdivision
+  // that tells is made again after the layout: both at a time would take the most memory of all.
   void find_walls()
   {
     m_is_wall.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
     m_map.m_is_laid_out.assign(mesh().num_faces(), m_problem.has_no_copies() ? 1 : 0);
     if(m_problem.has_no_copies())
       return;
+    subdivide();
     const auto& subdivision = m_map.subdivision();
     for(Edge_index e : subdivision.mesh().edges())
       if(const Edge_index c = subdivision.parent_edge(Layer::C, e); c.is_valid())
@@ -136,6 +133,7 @@ private:
     for(Face_index f : subdivision.mesh().faces())
       if(m_map.is_front(subdivision.parent_face(Layer::A, f)))
         m_map.m_is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
+    m_builder.drop_traces_and_subdivision();
   }
 
   // the vertices around which faces do not close up: those with prescribed values, and ends of

@@ -43,10 +43,11 @@ public:
   Spherical_conformal_map run()
   {
     const Unfolded_sphere sphere = unfold();
-    m_visitor.start(Flattening_stage::trace);
+    m_builder.flip(sphere.flips());
     m_builder.set_scale_factors(sphere);
-    m_builder.trace(sphere.flips());
     set_positions(sphere);
+    m_visitor.start(Flattening_stage::trace);
+    m_builder.trace();
     m_visitor.start(Flattening_stage::subdivide);
     m_builder.subdivide();
     return std::move(m_map);

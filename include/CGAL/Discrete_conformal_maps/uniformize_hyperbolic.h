@@ -68,13 +68,14 @@ public:
 
   Hyperbolic_conformal_map finish()
   {
-    m_visitor.start(Flattening_stage::trace);
     m_problem.complete();
-    m_builder.trace(m_scale);
-    m_visitor.start(Flattening_stage::subdivide);
-    m_builder.subdivide();
+    m_builder.flip(m_scale);
     m_visitor.start(Flattening_stage::layout);
     lay_out();
+    m_visitor.start(Flattening_stage::trace);
+    m_builder.trace();
+    m_visitor.start(Flattening_stage::subdivide);
+    m_builder.subdivide();
     return std::move(m_map);
   }
 

@@ -61,25 +61,44 @@ public:
   // Takes the triangulation of the problem, and makes it ideal Delaunay with the scale factors, of
   // which `scale` has the values at the vertices of the surface itself.
   template <typename Scale_factors>
-  void trace(const Scale_factors& scale)
+  void flip(const Scale_factors& scale)
   {
-    const std::vector<Halfedge_index> flips = m_problem.scaled(scale.values()).flips();
+    flip(m_problem.scaled(scale.values()).flips());
     set_scale_factors(scale);
-    trace(flips);
   }
 
   // Takes the triangulation of the problem, and makes these flips.
-  void trace(const std::vector<Halfedge_index>& flips)
+  void flip(const std::vector<Halfedge_index>& flips)
   {
     take_triangulation();
-    replay(flips);
-    correspond();
+    for(Halfedge_index h : flips)
+      m_data.bc.flip(h);
+    m_flips = flips;
+    m_data.number_of_flips[2] = flips.size();
+  }
+
+  // of T^A and T^B, and of T^B and T^C
+  void trace()
+  {
+    m_data.correspondence_ab =
+      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab, concurrency());
+    m_data.correspondence_bc = std::make_unique<
+      Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(
+      m_data.bc, concurrency());
   }
 
   void subdivide()
   {
     m_data.subdivision = std::make_unique<Discrete_conformal_map::Subdivision>(
       *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency());
+  }
+
+  // until they are needed again
+  void drop_traces_and_subdivision()
+  {
+    m_data.subdivision.reset();
+    m_data.correspondence_ab.reset();
+    m_data.correspondence_bc.reset();
   }
 
   const std::vector<double>& log_scale() const { return m_data.log_scale; }
@@ -119,23 +138,6 @@ private:
     m_data.bc = Discrete_conformal_map::Ideal_triangulation(
       m_data.ab.mesh(),
       Intrinsic_triangulations::parameters::edge_length_map(m_data.ab.length_map()));
-  }
-
-  void correspond()
-  {
-    m_data.number_of_flips[2] = m_flips.size();
-    m_data.correspondence_ab =
-      std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab, concurrency());
-    m_data.correspondence_bc = std::make_unique<
-      Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(
-      m_data.bc, concurrency());
-  }
-
-  void replay(const std::vector<Halfedge_index>& flips)
-  {
-    for(Halfedge_index h : flips)
-      m_data.bc.flip(h);
-    m_flips = flips;
   }
 
   Doubled_problem& m_problem;

@@ -69,10 +69,6 @@ public:
     m_common.supernodal = CHOLMOD_AUTO;
     // operations per entry: where both kinds take equally long, with OpenBLAS
     m_common.supernodal_switch = 80;
-    // Supernodes with up to so many columns are merged, with some zeros more: each of them begins
-    // regions of OpenMP, which cost time even with one thread.
-    m_common.nrelax[1] = 32;
-    m_common.nrelax[2] = 96;
     m_common.final_ll = 1; // the other form does not find out whether a matrix is positive
     m_common.quick_return_if_not_posdef = 1;
     m_common.print = 0;
