@@ -15,11 +15,11 @@ namespace CGAL::Discrete_conformal_maps {
 /// a part of the work of `flatten()`, `uniformize_hyperbolic()` or `map_to_sphere()`.
 enum class Flattening_stage
 {
-  cones,     ///< cones are placed, for a map to the plane
-  optimize,  ///< scale factors are computed
-  layout,    ///< faces are laid out
-  trace,     ///< the triangulations are traced over each other
-  subdivide  ///< their common subdivision is made
+  cones,    ///< cones are placed, for a map to the plane
+  optimize, ///< scale factors are computed
+  layout,   ///< faces are laid out
+  trace,    ///< the triangulations are traced over each other
+  subdivide ///< their common subdivision is made
 };
 
 /// \ingroup PkgDiscreteConformalMapsFlat
