@@ -91,7 +91,7 @@ private:
     m_size = 0;
   }
 
-  static constexpr std::size_t piece = std::size_t(1) << 19;
+  static constexpr std::size_t piece = std::size_t(1) << 16;
 
   std::ostream* m_stream = nullptr;
   std::string m_buffer;

@@ -53,9 +53,10 @@ public:
 
   Output_mesh build(const std::vector<Mesh::Vertex_index>& cones)
   {
-    m_result.points = m_front.input_points();
     for(const Face_index f : m_front.faces())
       add_polygon(f);
+    m_corner = std::vector<Polygons::Index>(); // all else comes in its place
+    m_result.points = m_front.input_points();
     m_front.add_parents("flat", m_result);
     add_point_data(cones);
     m_result.edge_data.push_back(

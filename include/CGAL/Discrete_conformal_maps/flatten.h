@@ -83,6 +83,7 @@ public:
     m_map.m_has_layout = m_scale.has_layout();
     find_walls();
     lay_out();
+    m_problem.drop_surface();
     subdivide();
     if(m_map.m_has_layout) {
       arrange_charts();
@@ -115,8 +116,8 @@ private:
               area_correction());
   }
 
-  // On a doubled surface, only edges of T^C with a part inside the input are passed. The subdivision
-  // that tells is made again after the layout: both at a time would take the most memory of all.
+  // On a doubled surface, only edges of T^C with a part inside the input are passed. The
+  // subdivision that tells is made again after the layout: a factor beside it takes most memory.
   void find_walls()
   {
     m_is_wall.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);

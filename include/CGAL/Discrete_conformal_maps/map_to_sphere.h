@@ -42,10 +42,8 @@ public:
 
   Spherical_conformal_map run()
   {
-    const Unfolded_sphere sphere = unfold();
-    m_builder.flip(sphere.flips());
-    m_builder.set_scale_factors(sphere);
-    set_positions(sphere);
+    take(unfold());
+    m_problem.drop_surface();
     m_visitor.start(Flattening_stage::trace);
     m_builder.trace();
     m_visitor.start(Flattening_stage::subdivide);
@@ -137,8 +135,10 @@ private:
     return std::move(*best);
   }
 
-  void set_positions(const Unfolded_sphere& sphere)
+  void take(const Unfolded_sphere& sphere)
   {
+    m_builder.flip(sphere.flips());
+    m_builder.set_scale_factors(sphere);
     m_map.m_at_infinity = sphere.vertex_at_infinity();
     m_map.m_in_plane = sphere.positions();
     m_map.m_certificate = sphere.certificate();

@@ -228,6 +228,14 @@ public:
     return true;
   }
 
+  // Gives the memory of the surface back: from now on there are components and conditions only.
+  void drop_surface()
+  {
+    m_half = Delta_complex();
+    m_point = std::vector<std::array<double, 3>>();
+    m_length = std::vector<double>();
+  }
+
   // the vertices where scale factors are prescribed
   const std::vector<char>& is_fixed() const { return m_is_fixed; }
   // the scale factor where it is prescribed
