@@ -141,7 +141,7 @@ expect 0 flatten slivers.mesh.off -o a.ply --stats statistics.json
 expected='command input vertices edges faces euler_characteristic boundary_loops components cones '
 expected+='iterations status max_curvature_error max_cross_ratio_error flipped_triangles '
 expected+='degenerate_triangles log_scale_min log_scale_max log_scale_square_sum flips ptolemy_flips '
-expected+='subdivision vertices edges faces seconds read build cones optimize trace layout subdivide '
+expected+='subdivision vertices edges faces seconds read build cones optimize layout trace subdivide '
 expected+='write peak_memory_bytes'
 has_keys statistics.json $expected
 is_conformal statistics.json
