@@ -88,23 +88,44 @@ std::vector<double> Map_front::interpolated(const std::vector<double>& values) c
   return result;
 }
 
-void Map_front::add_parents(const std::string& last, Output_mesh& mesh) const
+Eigen::SparseMatrix<double> Map_front::interpolation_matrix() const
 {
-  mesh.edges.reserve(m_edges.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for(std::size_t row = 0; row < m_vertices.size(); ++row) {
+    const auto add = [&](Mesh::Vertex_index v, double weight) {
+      if(weight != 0)
+        entries.emplace_back(int(row), int(v.idx()), weight);
+    };
+    const Vertex_index v = m_vertices[row];
+    if(is_of_input(v))
+      add(Mesh::Vertex_index(v.idx()), 1);
+    else
+      for_each_corner(v, add);
+  }
+  Eigen::SparseMatrix<double> result(Eigen::Index(m_vertices.size()),
+                                     Eigen::Index(m_input.number_of_vertices()));
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+void Map_front::add_parents(const std::string& last, Output_mesh& result) const
+{
+  result.edges.reserve(m_edges.size());
   for(const Edge_index e : m_edges)
-    mesh.edges.push_back(
-      {m_number[this->mesh().vertex(e, 0).idx()], m_number[this->mesh().vertex(e, 1).idx()]});
-  mesh.point_data.push_back(of_vertices(
-    "input_vertex", [this](Vertex_index v) { return is_of_input(v) ? number_of(v) : -1; }));
+    result.edges.push_back(
+      {m_number[mesh().vertex(e, 0).idx()], m_number[mesh().vertex(e, 1).idx()]});
+  result.point_data.push_back(
+    attribute_on_demand("input_vertex", m_vertices,
+                        [this](Vertex_index v) { return is_of_input(v) ? number_of(v) : -1; }));
   const std::pair<Layer, std::string> layers[] = {
     {Layer::A, "input"}, {Layer::B, "intrinsic"}, {Layer::C, last}};
   for(const auto& [parent, name] : layers) {
-    mesh.edge_data.push_back(
-      of_elements(name + "_edge", m_edges, [this, layer = parent](Edge_index e) {
+    result.edge_data.push_back(
+      attribute_on_demand(name + "_edge", m_edges, [this, layer = parent](Edge_index e) {
         return number_of(subdivision().parent_edge(layer, e));
       }));
-    mesh.polygon_data.push_back(
-      of_elements(name + "_face", m_faces, [this, layer = parent](Face_index f) {
+    result.polygon_data.push_back(
+      attribute_on_demand(name + "_face", m_faces, [this, layer = parent](Face_index f) {
         return number_of(subdivision().parent_face(layer, f));
       }));
   }

@@ -10,6 +10,8 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 
+#include <Eigen/SparseCore>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -72,35 +74,17 @@ public:
   // Of values at the vertices of the input, linear on its faces, those at these vertices.
   std::vector<double> interpolated(const std::vector<double>& values) const;
 
-  // ---- A mesh of it ----
+  // The weights of the vertices of the input (columns) in those at these vertices (rows).
+  Eigen::SparseMatrix<double> interpolation_matrix() const;
 
-  // One value for each vertex or edge, computed when it is asked for.
-  template <class Value>
-  Attribute of_vertices(const std::string& name, const Value& value) const
-  {
-    return of_elements(name, m_vertices, value);
-  }
-  template <class Value>
-  Attribute of_edges(const std::string& name, const Value& value) const
-  {
-    return of_elements(name, m_edges, value);
-  }
+  // ---- A mesh of it ----
 
   // Adds edges, and of each element which ones of the triangulations it is a part of: of a vertex
   // that of the input, of an edge and a face those of all three, of which `last` is the name of the
   // last.
-  void add_parents(const std::string& last, Output_mesh& mesh) const;
+  void add_parents(const std::string& last, Output_mesh& result) const;
 
 private:
-  template <class Element, class Value>
-  static Attribute of_elements(const std::string& name, const std::vector<Element>& elements,
-                               const Value& value)
-  {
-    typedef decltype(value(Element())) Number;
-    return {name, Values<Number>(elements.size(),
-                                 [&elements, value](std::size_t i) { return value(elements[i]); })};
-  }
-
   void choose_elements();
 
   const Any_map& m_map;

@@ -104,6 +104,14 @@ Attribute attribute_on_demand(const std::string& name, std::size_t n, const Valu
   return {name, Values<Number>(n, number)};
 }
 
+// As `attribute()`, but values are computed when they are asked for; `range` must be there as long.
+template <class Range, class Value>
+Attribute attribute_on_demand(const std::string& name, const Range& range, const Value& value)
+{
+  return attribute_on_demand<Polygons::Index>(
+    name, range.size(), [&range, value](Polygons::Index i) { return value(range[i]); });
+}
+
 // Of an element of a mesh; -1 for none.
 template <class Index>
 std::int64_t number_of(Index i)

@@ -59,8 +59,8 @@ public:
     m_result.points = m_front.input_points();
     m_front.add_parents("flat", m_result);
     add_point_data(cones);
-    m_result.edge_data.push_back(
-      m_front.of_edges("is_seam", [&map = m_map, &front = m_front](Edge_index e) {
+    m_result.edge_data.push_back(attribute_on_demand(
+      "is_seam", m_front.edges(), [&map = m_map, &front = m_front](Edge_index e) {
         return std::int64_t(is_seam(map, front, e));
       }));
     return std::move(m_result);
@@ -180,26 +180,6 @@ Output_mesh flat_mesh(const DCM::Hyperbolic_conformal_map& map, const Map_front&
                       const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
 {
   return Flat_mesh_builder(map, front, is_homogeneous).build(cones);
-}
-
-Eigen::SparseMatrix<double> interpolation_matrix(const Map_front& front)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  for(std::size_t row = 0; row < front.vertices().size(); ++row) {
-    const auto add = [&](Mesh::Vertex_index v, double weight) {
-      if(weight != 0)
-        entries.emplace_back(int(row), int(v.idx()), weight);
-    };
-    const Vertex_index v = front.vertices()[row];
-    if(front.is_of_input(v))
-      add(Mesh::Vertex_index(v.idx()), 1);
-    else
-      front.for_each_corner(v, add);
-  }
-  Eigen::SparseMatrix<double> result(Eigen::Index(front.vertices().size()),
-                                     Eigen::Index(front.input().number_of_vertices()));
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
 }
 
 std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh)

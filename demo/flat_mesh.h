@@ -12,8 +12,6 @@
 #include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 
-#include <Eigen/SparseCore>
-
 #include <vector>
 
 // The common subdivision of the three triangulations of a map, as far as it belongs to the input,
@@ -36,10 +34,6 @@ Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Planar_conformal_map&
 Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
                       const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
                       bool is_homogeneous);
-
-// The weights of the vertices of the input (columns) in those of the same mesh (rows): functions
-// that are linear on the faces of the input are interpolated by it.
-Eigen::SparseMatrix<double> interpolation_matrix(const Map_front& front);
 
 // The polygons that have a triangle that is flipped in the plane, as `describe_triangles()` counts
 // them.

@@ -79,8 +79,9 @@ public:
       certify(map);
     m_run.timed("write", [&] {
       if(!m_options.matrix.empty())
-        m_run.add_output(m_options.matrix, matrix_market(interpolation_matrix({map, mesh()}),
-                                                         Matrix_symmetry::GENERAL));
+        m_run.add_output(
+          m_options.matrix,
+          matrix_market(Map_front(map, mesh()).interpolation_matrix(), Matrix_symmetry::GENERAL));
     });
     finish(m_run, m_options, m_format, map, m_visitor.iterations, cones(map));
   }

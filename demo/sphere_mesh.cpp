@@ -80,18 +80,18 @@ private:
     const auto scale = [&map = m_map, &front = m_front](Vertex_index v) {
       return front.is_of_input(v) ? map.log_scale(v) : 0;
     };
-    data.push_back(m_front.of_vertices("log_scale", scale));
+    data.push_back(attribute_on_demand("log_scale", m_front.vertices(), scale));
     const char* const input_names[] = {"input_x", "input_y", "input_z"};
     for(int c = 0; c < 3; ++c)
-      data.push_back(m_front.of_vertices(
-        input_names[c], [&front = m_front, c](Vertex_index v) { return front.input_point(v)[c]; }));
+      data.push_back(attribute_on_demand(
+        input_names[c], m_front.vertices(),
+        [&front = m_front, c](Vertex_index v) { return front.input_point(v)[c]; }));
     const char* const names[] = {"homogeneous_x", "homogeneous_y", "homogeneous_z",
                                  "homogeneous_w"};
     for(std::size_t c = 0; c < 4; ++c)
-      data.push_back(
-        m_front.of_vertices(names[c], [homogeneous = m_homogeneous, c](Vertex_index v) {
-          return (*homogeneous)[v.idx()][c];
-        }));
+      data.push_back(attribute_on_demand(
+        names[c], m_front.vertices(),
+        [homogeneous = m_homogeneous, c](Vertex_index v) { return (*homogeneous)[v.idx()][c]; }));
   }
 
   const Map& m_map;

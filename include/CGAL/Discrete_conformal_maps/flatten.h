@@ -81,10 +81,11 @@ public:
     m_layout = layout;
     m_builder.flip(m_scale);
     m_map.m_has_layout = m_scale.has_layout();
-    find_walls();
+    if(m_map.m_has_layout)
+      find_walls();
     lay_out();
     m_problem.drop_surface();
-    subdivide();
+    m_builder.subdivide(m_visitor);
     if(m_map.m_has_layout) {
       arrange_charts();
       if(m_map.status() == Map_status::success && has_collapsed_face())
@@ -95,14 +96,6 @@ public:
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
-
-  void subdivide()
-  {
-    m_visitor.start(Flattening_stage::trace);
-    m_builder.trace();
-    m_visitor.start(Flattening_stage::subdivide);
-    m_builder.subdivide();
-  }
 
   void lay_out()
   {
@@ -124,7 +117,7 @@ private:
     m_map.m_is_laid_out.assign(mesh().num_faces(), m_problem.has_no_copies() ? 1 : 0);
     if(m_problem.has_no_copies())
       return;
-    subdivide();
+    m_builder.subdivide(m_visitor);
     const auto& subdivision = m_map.subdivision();
     for(Edge_index e : subdivision.mesh().edges())
       if(const Edge_index c = subdivision.parent_edge(Layer::C, e); c.is_valid())
@@ -134,7 +127,7 @@ private:
     for(Face_index f : subdivision.mesh().faces())
       if(m_map.is_front(subdivision.parent_face(Layer::A, f)))
         m_map.m_is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
-    m_builder.drop_traces_and_subdivision();
+    m_builder.drop_subdivision();
   }
 
   // the vertices around which faces do not close up: those with prescribed values, and ends of

@@ -44,10 +44,7 @@ public:
   {
     take(unfold());
     m_problem.drop_surface();
-    m_visitor.start(Flattening_stage::trace);
-    m_builder.trace();
-    m_visitor.start(Flattening_stage::subdivide);
-    m_builder.subdivide();
+    m_builder.subdivide(m_visitor);
     return std::move(m_map);
   }
 

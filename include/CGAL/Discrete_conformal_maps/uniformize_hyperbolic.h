@@ -72,10 +72,7 @@ public:
     m_builder.flip(m_scale);
     m_visitor.start(Flattening_stage::layout);
     lay_out();
-    m_visitor.start(Flattening_stage::trace);
-    m_builder.trace();
-    m_visitor.start(Flattening_stage::subdivide);
-    m_builder.subdivide();
+    m_builder.subdivide(m_visitor);
     return std::move(m_map);
   }
 

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
@@ -68,33 +69,32 @@ public:
   }
 
   // Takes the triangulation of the problem, and makes these flips.
-  void flip(const std::vector<Halfedge_index>& flips)
+  void flip(std::vector<Halfedge_index> flips)
   {
     take_triangulation();
     for(Halfedge_index h : flips)
       m_data.bc.flip(h);
-    m_flips = flips;
     m_data.number_of_flips[2] = flips.size();
+    m_flips = std::move(flips);
   }
 
-  // of T^A and T^B, and of T^B and T^C
-  void trace()
+  // Traces T^A and T^B, and T^B and T^C, over each other, and makes their common subdivision.
+  template <typename Visitor>
+  void subdivide(Visitor& visitor)
   {
+    visitor.start(Flattening_stage::trace);
     m_data.correspondence_ab =
       std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab, concurrency());
     m_data.correspondence_bc = std::make_unique<
       Intrinsic_triangulations::Correspondence<Discrete_conformal_map::Ideal_traits>>(
       m_data.bc, concurrency());
-  }
-
-  void subdivide()
-  {
+    visitor.start(Flattening_stage::subdivide);
     m_data.subdivision = std::make_unique<Discrete_conformal_map::Subdivision>(
       *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency());
   }
 
-  // until they are needed again
-  void drop_traces_and_subdivision()
+  // Gives the memory of all that back until it is needed again.
+  void drop_subdivision()
   {
     m_data.subdivision.reset();
     m_data.correspondence_ab.reset();

@@ -324,7 +324,7 @@ private:
   }
 
   static constexpr Corner_set inside = 7;
-  static constexpr std::size_t at_once = 16; // in a step, beside one operation for each piece
+  static constexpr std::size_t at_once = 16; // operations in a step, beside one for each piece
 
   Route m_route;
   std::vector<char> m_is_bend; // of each point
