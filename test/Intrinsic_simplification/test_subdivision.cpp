@@ -316,14 +316,15 @@ TEST(Subdivision, keeps_isolated_vertices)
   expect_mapped(subdivision, map);
 }
 
-// Polygons without area are where edges coincide.
+// Polygons without area are where edges coincide, up to the rounding of places that have been
+// carried through dozens of operations.
 void expect_no_negative_areas(const Subdivision& subdivision, Level side)
 {
   const double total = total_area(subdivision.level(side));
   double sum = 0;
   for(Face_index f : subdivision.mesh().faces()) {
     const double part = subdivision.signed_area(side, f);
-    EXPECT_GT(part, -1e-14 * total);
+    EXPECT_GT(part, -2e-14 * total);
     sum += part;
   }
   EXPECT_NEAR(sum, total, 1e-8 * total);

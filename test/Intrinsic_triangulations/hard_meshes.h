@@ -390,6 +390,17 @@ inline Named_mesh hard_mesh(std::uint64_t seed)
   return {family.name, toss(random) ? turned_apart(mesh, random) : mesh};
 }
 
+// Seeds of hard meshes of every family; those of 960,000 and more have vertices nearer to each
+// other than the rounding of the lengths around them, where an edge turns by any angle.
+inline std::vector<std::uint64_t> seeds_of_flat_meshes()
+{
+  std::vector<std::uint64_t> result{960011, 960023, 960028, 960032, 960033,
+                                    960044, 960045, 960056, 960057};
+  for(std::uint64_t seed = 0; seed < 2 * hard_families.size(); ++seed)
+    result.push_back(seed);
+  return result;
+}
+
 } // namespace Test_surfaces
 
 #endif // INTRINSIC_TRIANGULATIONS_TEST_HARD_MESHES_H

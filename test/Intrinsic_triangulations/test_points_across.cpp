@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "hard_meshes.h"
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/point_across.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -368,6 +370,21 @@ TEST(Point_across, boundary_stays_boundary)
 }
 
 // Where regions are thinner than rounding, a point must still not move along them.
+void expect_the_same_place_after_there_and_back(const Mesh& mesh, unsigned int seed)
+{
+  Triangulation t(mesh);
+  IT::make_Delaunay(t);
+  const Correspondence c(t);
+  const Flat_faces input(Side::input, t);
+  double farthest = 0;
+  for(const Location& p : sample(input.mesh(), 100, seed)) {
+    const Location back = IT::point_across(c, Side::intrinsic, IT::point_across(c, Side::input, p));
+    farthest = (std::max)(farthest, CGAL::squared_distance(place_in_space(p, input, mesh),
+                                                           place_in_space(back, input, mesh)));
+  }
+  EXPECT_LT(std::sqrt(farthest) / longest_input_edge(t), 1e-8);
+}
+
 TEST(Point_across, there_and_back_between_near_coincident_vertices)
 {
   for(double distance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
@@ -375,21 +392,19 @@ TEST(Point_across, there_and_back_between_near_coincident_vertices)
       for(const Named_mesh& m : meshes()) {
         SCOPED_TRACE(m.name + ", seed " + std::to_string(seed) + ", " +
                      std::to_string(-std::log10(distance)) + " digits");
-        const Mesh mesh = with_near_coincident_vertices(m.mesh, distance, seed);
-        Triangulation t(mesh);
-        IT::make_Delaunay(t);
-        const Correspondence c(t);
-        const Flat_faces input(Side::input, t);
-        double farthest = 0;
-        for(const Location& p : sample(input.mesh(), 100, seed)) {
-          const Location back =
-            IT::point_across(c, Side::intrinsic, IT::point_across(c, Side::input, p));
-          farthest =
-            (std::max)(farthest, CGAL::squared_distance(place_in_space(p, input, mesh),
-                                                        place_in_space(back, input, mesh)));
-        }
-        EXPECT_LT(std::sqrt(farthest) / longest_input_edge(t), 1e-8);
+        expect_the_same_place_after_there_and_back(
+          with_near_coincident_vertices(m.mesh, distance, seed), seed);
       }
+}
+
+TEST(Point_across, there_and_back_on_hard_meshes)
+{
+  for(std::uint64_t seed : seeds_of_flat_meshes()) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = hard_mesh(seed).mesh;
+    for(unsigned int sample_seed = 0; sample_seed < 10; ++sample_seed)
+      expect_the_same_place_after_there_and_back(mesh, sample_seed);
+  }
 }
 
 } // namespace Test_points_across

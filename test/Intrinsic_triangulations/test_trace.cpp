@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "hard_meshes.h"
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -360,6 +362,30 @@ TEST(Crossings_on_demand, are_those_that_are_traced)
         check(h);
   }
   EXPECT_GT(asked, 1000u);
+}
+
+// The places of a crossing on its two edges are one point, up to the height of faces whose area is
+// rounding.
+TEST(Trace, places_on_both_edges_of_hard_meshes)
+{
+  for(std::uint64_t seed : seeds_of_flat_meshes()) {
+    SCOPED_TRACE(seed);
+    Triangulation t(hard_mesh(seed).mesh);
+    IT::make_Delaunay(t);
+    const Correspondence c(t);
+    const Real size = Flat_faces(Side::input, t).longest_edge();
+    for(Side side : both_sides)
+      for(Halfedge_index h : c.mesh(side).halfedges()) {
+        const Trace trace = IT::trace_edge(side, h, c);
+        check_order(side, h, trace);
+        const Real length = Flat_faces(side, t).length(h);
+        const std::vector<Real> pieces = lengths_of_pieces(side, trace, t);
+        for(std::size_t k = 0; k < pieces.size(); ++k)
+          EXPECT_NEAR(double(pieces[k] / size),
+                      double((on(side, trace[k + 1]).t - on(side, trace[k]).t) * length / size),
+                      1e-7);
+      }
+  }
 }
 
 } // namespace Test_trace

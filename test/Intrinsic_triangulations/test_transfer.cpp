@@ -4,12 +4,15 @@
 
 #ifdef CGAL_EIGEN3_ENABLED
 
+#include "hard_meshes.h"
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -234,6 +237,43 @@ TEST(Transfer, isolated_vertices_keep_their_values)
   EXPECT_GT(IT::make_Delaunay(t), 0u);
   const Values f = random_values(mesh.number_of_vertices(), 3);
   EXPECT_EQ(IT::transfer_function(Correspondence(t), Side::input, f)[alone.idx()], f[alone.idx()]);
+}
+
+// Areas that are rounding are others on either side. Functions stay bounded nevertheless, by far
+// less than by the ratio of areas, and constants stay.
+TEST(Transfer, functions_on_hard_meshes_stay_bounded)
+{
+  for(std::uint64_t seed : seeds_of_flat_meshes()) {
+    SCOPED_TRACE(seed);
+    Triangulation t(hard_mesh(seed).mesh);
+    IT::make_Delaunay(t);
+    const Correspondence c(t);
+    const auto n = t.mesh().number_of_vertices();
+    for(Side side : both_sides) {
+      EXPECT_LT(largest(IT::transfer_function(c, side, random_values(n, 4))), 4);
+      const Values one = Values::Constant(static_cast<Eigen::Index>(n), 1);
+      EXPECT_LT(largest(IT::transfer_function(c, side, one) - one), 1e-6);
+    }
+  }
+}
+
+// A fan over a straight line has no area.
+TEST(Transfer, vertices_without_area_get_the_value_there)
+{
+  Mesh mesh = embedded_torus(5, 4);
+  const std::array<Vertex_index, 4> on_line{
+    mesh.add_vertex(Point(9, 0, 0)), mesh.add_vertex(Point(10, 0, 0)),
+    mesh.add_vertex(Point(11, 0, 0)), mesh.add_vertex(Point(13, 0, 0))};
+  mesh.add_face(on_line[0], on_line[1], on_line[2]);
+  mesh.add_face(on_line[0], on_line[2], on_line[3]);
+  Triangulation t(mesh);
+  IT::make_Delaunay(t);
+  const Values f = random_values(mesh.number_of_vertices(), 3);
+  for(Side side : both_sides) {
+    const Values g = IT::transfer_function(Correspondence(t), side, f);
+    for(Vertex_index v : on_line)
+      EXPECT_EQ(g[v.idx()], f[v.idx()]);
+  }
 }
 
 } // namespace Test_transfer

@@ -9,7 +9,7 @@
 /// inserted into the intrinsic triangulation. Barycentric coordinates are linear along geodesics: a
 /// crossing of `Geodesic_strip` has no scale.
 ///
-/// The geodesics of `Geodesic_strip` start and end at such points too. It has three more functions:
+/// The geodesics of `Geodesic_strip` start and end at such points too. It has five more functions:
 /// - `void start(const FT& ai, const FT& ij, const FT& ja, const std::array<FT, 3>& p)` starts at
 ///   the point of the triangle \f$aij\f$ with barycentric coordinates `p`, which belong to \f$a\f$,
 ///   \f$i\f$,
@@ -20,7 +20,11 @@
 ///   \f$i\f$;
 /// - `Crossing crossing(std::size_t m, const FT& least) const` returns the crossing with inner edge
 ///   `m`, not before `least` on the geodesic. Where triangles have no area, both can run along each
-///   other: then it is a point that they share.
+///   other: then it is a point that they share;
+/// - `FT along_edge(std::size_t m, const FT& s) const` returns the place on inner edge `m` closest
+///   to the point at `s` on the geodesic;
+/// - `FT along_line(std::size_t m, const FT& t) const` returns the place on the geodesic closest to
+///   the point at `t` on inner edge `m`.
 ///
 /// \cgalRefines{IntrinsicGeometryTraits}
 ///

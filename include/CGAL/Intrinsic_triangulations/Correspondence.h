@@ -16,9 +16,14 @@
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Part_starts.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -314,9 +319,8 @@ private:
         trace(Edge_index(static_cast<size_type>(e)), starts, tracer,
               chunks[begin / internal::chunk_size]);
     });
-    internal::for_each_in_chunks<Edge_index>(concurrency, m_tri.mesh(),
-                                             [this](Edge_index e) { order_along_intrinsic(e); });
-    order_along_input(chunks, concurrency);
+    number_along_input(chunks, concurrency);
+    settle_places(concurrency);
   }
 
   // Each part but the first starts where another ends.
@@ -344,12 +348,17 @@ private:
   void record(const internal::Part_of_edge<FT>& part, Halfedge_index input,
               const internal::Edge_tracer<Traits>& tracer, Chunk& chunk)
   {
+    const bool is_certain = tracer.has_length(part.length(m_tri.input_length(Edge_index(input))));
     for(std::size_t m = 0; m < tracer.size(); ++m) {
       const auto& c = tracer.crossing(m);
       const auto& position = tracer.position(m);
       const size_type id = m_on_intrinsic(c.halfedge, static_cast<size_type>(c.number));
-      m_records[id] = {directed_as(c.halfedge, input), Edge_index(c.halfedge), 0,
-                       part(position.along_line), edge_point(c.halfedge, position.along_edge).t};
+      Record& r = m_records[id] = {directed_as(c.halfedge, input), Edge_index(c.halfedge), 0,
+                                   unknown(), unknown()};
+      if(is_certain) {
+        r.s = part(position.along_line);
+        r.t = edge_point(c.halfedge, position.along_edge).t;
+      }
       if constexpr(internal::Has_scale<Traits>::value)
         m_scale[id] = position.scale;
       chunk.crossings.push_back(id);
@@ -357,7 +366,7 @@ private:
   }
 
   // Numbers crossings and pieces from the first chunk on.
-  void order_along_input(const std::vector<Chunk>& chunks, Concurrency concurrency)
+  void number_along_input(const std::vector<Chunk>& chunks, Concurrency concurrency)
   {
     std::vector<size_type> first{0}, first_piece{0};
     for(const Chunk& chunk : chunks) {
@@ -367,7 +376,11 @@ private:
     internal::for_each_chunk(
       concurrency, m_tri.input_mesh().num_edges(), [&](std::size_t begin, std::size_t end) {
         const std::size_t c = begin / internal::chunk_size;
-        order_along_input(chunks[c].crossings, first[c]);
+        size_type order = first[c];
+        for(size_type id : chunks[c].crossings) {
+          m_records[id].order = order;
+          m_order_on_input[order++] = id;
+        }
         const auto parts_before = [this](std::size_t e) {
           return m_part_numbers.before(Edge_index(static_cast<size_type>(e)));
         };
@@ -378,50 +391,111 @@ private:
       });
   }
 
-  // Rounding may move a crossing, but never past another.
-  void order_along_input(const std::vector<size_type>& crossings, size_type first)
+  // ---- Order ----
+
+  // the place on an edge of a crossing that is still to be found there
+  static FT unknown() { return FT(-1); }
+
+  Record& on_intrinsic(Edge_index e, size_type p)
   {
-    const Record* last = nullptr;
-    for(size_type id : crossings) {
-      Record& r = m_records[id];
-      if(last != nullptr && Edge_index(last->input) == Edge_index(r.input))
-        r.s = (std::max)(r.s, last->s);
-      last = &r;
-      r.order = first;
-      m_order_on_input[first++] = id;
-    }
+    return m_records[m_on_intrinsic.before(e) + p];
   }
 
-  // Rounding may move a crossing, but never past another.
-  void order_along_intrinsic(Edge_index e)
+  // Rounding may move a crossing along an edge, but never past another. At faces without area,
+  // edges run along each other: there, what would be moved by more than rounding is moved on both
+  // its edges, which ends after few rounds; if not, it is moved on one.
+  void settle_places(Concurrency concurrency)
   {
-    FT t(0), moved(0);
-    for(size_type p = 0; p < m_on_intrinsic.size(e); ++p) {
-      const size_type id = m_on_intrinsic.before(e) + p;
-      moved = (std::max)(moved, FT(t - m_records[id].t));
-      m_records[id].t = t = (std::max)(m_records[id].t, t);
-    }
-    if constexpr(internal::Has_distance<Traits>::value)
-      if(moved > rounding_unit<FT>())
-        place_along_intrinsic(e);
+    constexpr bool has_distance = internal::Has_distance<Traits>::value;
+    if constexpr(has_distance)
+      for_each_disorder(concurrency, [this](Edge_index e) { place_along_intrinsic(e); });
+    for(int rounds = has_distance ? 32 : 0;
+        !order_along_input(rounds > 0 ? rounding_unit<FT>() : FT(1), concurrency); --rounds)
+      if constexpr(has_distance)
+        for_each_disorder(concurrency, [this](Edge_index e) { move_along_intrinsic(e); });
+    internal::for_each_in_chunks<Edge_index>(concurrency, m_tri.mesh(), [this](Edge_index e) {
+      FT t(0);
+      for(size_type p = 0; p < m_on_intrinsic.size(e); ++p)
+        on_intrinsic(e, p).t = t = (std::max)(on_intrinsic(e, p).t, t);
+    });
   }
 
-  // Edges of T1 at a face without area can run along `e`, and each crosses it where rounding says.
-  // Laid out in one strip, they cross it in order.
+  // Calls `mend(e)` for the edges of T2 along which crossings are out of order by more than
+  // rounding.
+  template <typename Function>
+  void for_each_disorder(Concurrency concurrency, const Function& mend)
+  {
+    internal::for_each_in_chunks<Edge_index>(concurrency, m_tri.mesh(), [&](Edge_index e) {
+      FT t(0);
+      for(size_type p = 0; p < m_on_intrinsic.size(e); ++p) {
+        const FT& place = on_intrinsic(e, p).t;
+        if(t - place > rounding_unit<FT>())
+          return mend(e);
+        t = (std::max)(t, place);
+      }
+    });
+  }
+
+  // Returns whether no crossing is moved by more than `tolerance`. Others are to be found again on
+  // their edges of T2.
+  bool order_along_input(const FT& tolerance, Concurrency concurrency)
+  {
+    std::atomic<bool> result(true);
+    internal::for_each_in_chunks<Edge_index>(concurrency, m_tri.input_mesh(), [&](Edge_index e) {
+      FT s(0);
+      const size_type first = part(e, 0).first;
+      for(size_type p = 0; p < number_of_crossings(Side::input, e); ++p) {
+        Record& r = m_records[m_order_on_input[first + p]];
+        if(s - r.s > tolerance) {
+          r.t = unknown();
+          result = false;
+        }
+        r.s = s = (std::max)(r.s, s);
+      }
+    });
+    return result;
+  }
+
+  // Finds crossings in the strip of T1 along `e`. Lengths of T1 are not rounded.
   void place_along_intrinsic(Edge_index e)
   {
-    const size_type first = m_on_intrinsic.before(e), n = number_of_crossings(Side::intrinsic, e);
-    typename Traits::Geodesic_strip strip;
-    const auto exit = [&](std::size_t m) { return opposite(m_records[first + m].input); };
-    if(!m_tri.traits().is_length_object()(m_tri.lay_out(strip, first_halfedge(e), exit, n)))
-      return;
     FT t(0);
-    for(size_type m = 0; m < n; ++m) {
+    for_each_in_strip(e, [&](const auto& strip, std::size_t m, Record& r) {
       const auto position = strip.crossing(m, t);
-      Record& r = m_records[first + m];
       r.t = t = position.along_line;
       r.s = edge_point(opposite(r.input), position.along_edge).t;
-    }
+    });
+  }
+
+  // Finds crossings whose place on `e` is unknown, and moves those that are out of order.
+  void move_along_intrinsic(Edge_index e)
+  {
+    FT t(0);
+    for_each_in_strip(e, [&](const auto& strip, std::size_t m, Record& r) {
+      const Halfedge_index exit = opposite(r.input);
+      if(r.t < 0)
+        r.t = strip.along_line(m, edge_point(exit, r.s).t);
+      if(r.t < t) {
+        r.t = t;
+        r.s = edge_point(exit, strip.along_edge(m, t)).t;
+      }
+      t = r.t;
+    });
+  }
+
+  template <typename Function>
+  void for_each_in_strip(Edge_index e, const Function& f)
+  {
+    const size_type n = m_on_intrinsic.size(e);
+    typename Traits::Geodesic_strip strip;
+    const auto exit = [&](std::size_t m) {
+      return opposite(on_intrinsic(e, static_cast<size_type>(m)).input);
+    };
+    if(!CGAL::is_finite(m_tri.lay_out(strip, first_halfedge(e), exit, n)))
+      throw Numerical_error("the strip of edge " + std::to_string(e.idx()) +
+                            " has no finite length");
+    for(size_type m = 0; m < n; ++m)
+      f(strip, m, on_intrinsic(e, m));
   }
 
   const Triangulation& m_tri;

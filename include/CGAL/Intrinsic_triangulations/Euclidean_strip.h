@@ -69,9 +69,10 @@ public:
   void start(const FT& ai, const FT& ij, const FT& ja)
   {
     m_edges.clear();
-    m_direction = Vector{-cosine(ai, ij, ja), sine(ai, ij, ja)};
-    m_edges.push_back({Vector{ai, FT(0)}, ja > 0 ? ja * Vector{cosine(ai, ja, ij), sine(ai, ja, ij)}
-                                                 : Vector{FT(0), FT(0)}});
+    m_direction = Vector{-corner_cosine(ja, ai, ij), corner_sine(ja, ai, ij)};
+    m_edges.push_back(
+      {Vector{ai, FT(0)}, ja > 0 ? ja * Vector{corner_cosine(ij, ai, ja), corner_sine(ij, ai, ja)}
+                                 : Vector{FT(0), FT(0)}});
     set_first_ways(ai, ja);
   }
 
@@ -164,36 +165,40 @@ public:
     const Segment& edge = m_edges[m];
     const FT right = -cross(m_end, edge.source), left = cross(m_end, edge.target);
     const FT t = right > 0 ? (left > 0 ? right / (right + left) : FT(1)) : FT(0);
-    const Vector ij = edge.target - edge.source;
-    const FT s = dot(m_end, edge.source + t * ij) / m_squared_length;
-    const FT on_line = (std::max)(clamped(s), least);
-    if(!(CGAL::abs(on_line - s) > rounding_unit<FT>()))
+    const FT s = projected(edge, t), on_line = (std::max)(clamped(s), least);
+    if(m_squared_length > 0 && !(CGAL::abs(on_line - s) > rounding_unit<FT>()))
       return {on_line, t};
-    return {on_line, clamped(dot(on_line * m_end - edge.source, ij) / dot(ij, ij))};
+    return {on_line, along_edge(m, on_line)};
+  }
+
+  /// returns the place on inner edge `m` that is closest to the point at `along_line` on the line.
+  /// \pre `finish()` has been called
+  FT along_edge(std::size_t m, const FT& along_line) const
+  {
+    const Segment& edge = m_edges[m];
+    const Vector ij = edge.target - edge.source;
+    const FT square = dot(ij, ij);
+    return square > 0 ? clamped(dot(along_line * m_end - edge.source, ij) / square) : FT(0);
+  }
+
+  /// returns the place on the line that is closest to the point at `along_edge` on inner edge `m`.
+  /// \pre `finish()` has been called
+  FT along_line(std::size_t m, const FT& along_edge) const
+  {
+    return clamped(projected(m_edges[m], along_edge));
   }
 
 private:
-  // of the corner between the sides `p` and `q`
-  static FT cosine(const FT& p, const FT& q, const FT& opposite)
-  {
-    return doubled_corner_product(opposite, p, q) / (2 * p * q);
-  }
-
-  static FT sine(const FT& p, const FT& q, const FT& opposite)
-  {
-    return quadrupled_area(p, q, opposite) / (2 * p * q);
-  }
-
   // of i->l in the triangle jil
   Vector direction_at_source(const FT& ij, const FT& jl, const FT& li) const
   {
-    return m_direction.turned(cosine(li, ij, jl), -sine(li, ij, jl));
+    return m_direction.turned(corner_cosine(jl, li, ij), -corner_sine(jl, li, ij));
   }
 
   // of l->j in the triangle jil
   Vector direction_to_target(const FT& ij, const FT& jl, const FT& li) const
   {
-    return m_direction.turned(cosine(ij, jl, li), sine(ij, jl, li));
+    return m_direction.turned(corner_cosine(li, ij, jl), corner_sine(li, ij, jl));
   }
 
   // of a point with these distances from the ends of the last edge
@@ -218,6 +223,15 @@ private:
     if(is_nearer_to_source(jl, li))
       return li > 0 ? edge.source + li * direction_at_source(ij, jl, li) : edge.source;
     return jl > 0 ? edge.target - jl * direction_to_target(ij, jl, li) : edge.target;
+  }
+
+  // the place on the line, or beyond its ends, of the point at `t` on an edge; the start of a line
+  // without length
+  FT projected(const Segment& edge, const FT& t) const
+  {
+    return m_squared_length > 0
+             ? FT(dot(m_end, edge.source + t * (edge.target - edge.source)) / m_squared_length)
+             : FT(0);
   }
 
   void set_first_ways(const FT& to_source, const FT& to_target)

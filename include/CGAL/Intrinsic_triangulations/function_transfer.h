@@ -17,6 +17,8 @@
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 
+#include <CGAL/property_map.h>
+
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -84,17 +86,16 @@ Corner_matrix<FT> rows(const Barycentric_coordinates<FT>& a, const Barycentric_c
   return m;
 }
 
-// The integrals of products of barycentric coordinates of both triangulations over a region,
-// relative to the area of the face.
+// The integrals over a region of products of barycentric coordinates of both triangulations,
+// relative to the area of the face of the triangulation that `map` maps from: corners for rows.
 template <typename FT>
-Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& region)
+Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& map)
 {
   Corner_matrix<FT> sum = Corner_matrix<FT>::Zero();
-  for(std::size_t c = 1; c + 1 < region.size(); ++c) {
-    const FT area = orientation(region.corner(0), region.corner(c), region.corner(c + 1));
-    sum += area *
-           integrals_of_products<FT>(rows(region.corner(0), region.corner(c), region.corner(c + 1)),
-                                     rows(region.image(0), region.image(c), region.image(c + 1)));
+  for(std::size_t c = 1; c + 1 < map.size(); ++c) {
+    const FT area = orientation(map.corner(0), map.corner(c), map.corner(c + 1));
+    sum += area * integrals_of_products<FT>(rows(map.corner(0), map.corner(c), map.corner(c + 1)),
+                                            rows(map.image(0), map.image(c), map.image(c + 1)));
   }
   return sum;
 }
@@ -110,6 +111,35 @@ void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_ind
     for(std::size_t b = 0; b < 3; ++b)
       assembly.add(row_mesh.source(row[a]), column_mesh.source(column[b]),
                    values(static_cast<int>(a), static_cast<int>(b)));
+}
+
+// Returns the integrals of products of hat functions of `side` (rows) and of the other
+// triangulation (columns), with the areas of faces of `side`. Where the other's are rounding, its
+// hat functions still sum up to one.
+template <typename Traits>
+Eigen::SparseMatrix<typename Traits::FT>
+mixed_mass_matrix(Side side, const Correspondence<Traits>& correspondence, Concurrency concurrency)
+{
+  typedef typename Traits::FT FT;
+  typedef Correspondence_marks<Traits> Marks;
+  const auto& tri = correspondence.triangulation();
+  const Delta_complex &mesh = correspondence.mesh(side),
+                      &other_mesh = correspondence.mesh(other(side));
+  const auto add_face = [&](Face_index f, Sparse_assembly<FT>& assembly) {
+    const Marks marks(Side::intrinsic, f, correspondence);
+    const Face_map<FT, Marks> face_map(marks, tri.input_mesh());
+    for(std::size_t m = 0; m < face_map.regions().size(); ++m) {
+      const auto [input_face, map] = face_map.region_map(m);
+      const bool is_on_input = side == Side::input;
+      const Face_index row_face = is_on_input ? input_face : f;
+      add_at_corners<FT>(row_face, mesh, is_on_input ? f : input_face, other_mesh,
+                         Face_metric<FT>(row_face, tri.surface(side)).area() *
+                           integrals_on_region(is_on_input ? map.inverse() : map),
+                         assembly);
+    }
+  };
+  return assembled_by_faces<FT>(concurrency, tri.mesh(), add_face)
+    .matrix(mesh.number_of_vertices(), other_mesh.number_of_vertices());
 }
 
 } // namespace internal
@@ -135,56 +165,57 @@ Eigen::SparseMatrix<typename Traits::FT>
 mixed_mass_matrix(const Correspondence<Traits>& correspondence,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  typedef typename Traits::FT FT;
-  typedef internal::Correspondence_marks<Traits> Marks;
-  const auto& tri = correspondence.triangulation();
-  const auto add_face = [&](Face_index f, internal::Sparse_assembly<FT>& assembly) {
-    const Marks marks(Side::intrinsic, f, correspondence);
-    const internal::Face_map<FT, Marks> face_map(marks, tri.input_mesh());
-    const FT area = internal::Face_metric<FT>(f, tri).area();
-    for(std::size_t m = 0; m < face_map.regions().size(); ++m) {
-      const auto [input_face, region] = face_map.region_map(m);
-      internal::add_at_corners<FT>(f, tri.mesh(), input_face, tri.input_mesh(),
-                                   area * internal::integrals_on_region(region), assembly);
-    }
-  };
-  return internal::assembled_by_faces<FT>(internal::concurrency_of(np), tri.mesh(), add_face)
-    .matrix(tri.mesh().number_of_vertices(), tri.input_mesh().number_of_vertices());
+  return internal::mixed_mass_matrix(Side::intrinsic, correspondence, internal::concurrency_of(np));
 }
+
+namespace internal {
+
+// Returns the values at the vertices of the other triangulation of a function that is linear on the
+// faces of `from`.
+template <typename Traits>
+Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>
+values_at_vertices(const Intrinsic_triangulation<Traits>& tri, Side from,
+                   const Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>& values)
+{
+  if(from == Side::intrinsic)
+    return values.head(tri.input_mesh().number_of_vertices());
+  Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1> result(tri.mesh().number_of_vertices());
+  interpolate(tri, CGAL::make_property_map(values.data()), CGAL::make_property_map(result.data()));
+  return result;
+}
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// finds the function that is linear on the faces of the other triangulation and closest, in the
 /// \f$L^2\f$ norm, to one that is linear on the faces of `from`. It has the same integral, and is
-/// the function itself where that is possible. An isolated vertex keeps its value. Complexity:
-/// linear in the faces and crossings, and a sparse Cholesky factorization.
+/// the function itself where that is possible. A vertex without faces, or whose faces all have zero
+/// area, gets the value of the function there. Complexity: linear in the faces and crossings, and a
+/// sparse Cholesky factorization.
 /// \param correspondence the crossings of both
 /// \param from the triangulation on whose faces `values` is linear
 /// \param values the values at the vertices
-/// \throws Numerical_error if the mass matrix cannot be factorized, as happens when all faces at a
-///         vertex have zero area
+/// \throws Numerical_error if the mass matrix cannot be factorized since areas are out of range
 template <typename Traits>
 Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>
 transfer_function(const Correspondence<Traits>& correspondence, Side from,
                   const Eigen::Matrix<typename Traits::FT, Eigen::Dynamic, 1>& values)
 {
   typedef typename Traits::FT FT;
+  typedef Eigen::Matrix<FT, Eigen::Dynamic, 1> Vector;
   typedef Eigen::SparseMatrix<FT> Matrix;
   const auto& tri = correspondence.triangulation();
   const Side to = internal::other(from);
   Matrix mass = mass_matrix(tri.surface(to));
-  Matrix mixed = mixed_mass_matrix(correspondence);
-  if(from == Side::intrinsic)
-    mixed = Matrix(mixed.transpose());
-  Eigen::Matrix<FT, Eigen::Dynamic, 1> moments = mixed * values;
-  for(Vertex_index v : tri.input_mesh().vertices())
-    if(tri.input_mesh().is_isolated(v)) {
-      const int i = static_cast<int>(v.idx());
-      mass.coeffRef(i, i) = FT(1);
-      moments[i] = values[i];
-    }
+  Vector moments =
+    internal::mixed_mass_matrix(to, correspondence, internal::Concurrency()) * values;
+  const Vector is_massless =
+    mass.diagonal().unaryExpr([](const FT& m) { return FT(m == 0 ? 1 : 0); });
+  mass += Matrix(is_massless.asDiagonal());
+  moments += is_massless.cwiseProduct(internal::values_at_vertices(tri, from, values));
   const Eigen::SimplicialLDLT<Matrix> factorization(mass);
   if(factorization.info() != Eigen::Success || !(factorization.vectorD().minCoeff() > 0))
-    throw Numerical_error("the mass matrix is singular: all faces at a vertex have zero area");
+    throw Numerical_error("the mass matrix cannot be factorized: areas are out of range");
   return factorization.solve(moments);
 }
 

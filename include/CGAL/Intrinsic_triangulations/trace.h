@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
+#include <CGAL/Intrinsic_triangulations/trace_edge.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,6 +44,7 @@ struct Scaled_trace
 
   std::vector<Trace_point<FT>> points;
   std::vector<FT> scales; // empty where all are 1
+  bool is_certain = true; // whether strips are as long as the edge
 };
 
 // Finds where the edge of `h` starts on T2 at its vertex `v`: the first half of Algorithm 1. It
@@ -85,6 +87,8 @@ Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& t
     last = tracer.last_spoke();
   }
   const Part_of_edge<FT> part = part_of_edge(h, v, mesh.target(last), tri);
+  if(!start.is_shared() && !tracer.has_length(part.length(tri.input_length(Edge_index(h)))))
+    trace.is_certain = false;
   for(std::size_t m = 0; !start.is_shared() && m < tracer.size(); ++m) {
     const auto& position = tracer.position(m);
     trace.add({{h, part(position.along_line)}, {tracer.crossing(m).halfedge, position.along_edge}},
@@ -123,6 +127,8 @@ Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
                                         const Intrinsic_triangulation<Traits>& tri)
 {
   auto trace = trace_first_halfedge(first_halfedge(Edge_index(h)), tri);
+  if(!trace.is_certain)
+    return {trace_edge(Side::input, h, Correspondence<Traits>(tri)), {}, true};
   if(!is_first_halfedge(h))
     reverse_trace(trace, tri);
   return trace;
@@ -137,8 +143,9 @@ Scaled_trace<Traits> scaled_input_trace(Halfedge_index h,
 ///   included; the places on `h` never decrease. At a crossing the halfedge of \f$T_2\f$ is the one
 ///   through which `h` leaves a face. At the ends, and at inserted vertices, it is one that starts
 ///   or ends there. The sequence of crossed edges is exact; their places are rounded.
-/// Complexity: linear in the crossings, and in the degree of the source in \f$T_2\f$. To trace many
-/// edges use `Correspondence`, which is linear in all crossings.
+/// Complexity: linear in the crossings, and in the degree of the source in \f$T_2\f$; where lengths
+/// of \f$T_2\f$ are too short against rounding, that of `Correspondence`. To trace many edges use
+/// that, which is linear in all crossings.
 /// \throws Numerical_error if the layout has no positive finite length
 template <typename Traits>
 std::vector<Trace_point<typename Traits::FT>>
@@ -182,9 +189,9 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
     tri.lay_out(
       strip, h, [&](std::size_t m) { return exits[m]; }, exits.size());
   for(std::size_t m = 0; m < exits.size(); ++m) {
-    const auto position = strip.crossing(m);
-    const FT t = (std::max)(position.along_line, trace.points.back().on_intrinsic.t);
-    trace.add({{exits[m], position.along_edge}, {h, t}}, 1 / scale_of<Traits>(position));
+    const auto position = crossing_not_before<Traits>(trace.points.back().on_intrinsic.t, m, strip);
+    trace.add({{exits[m], position.along_edge}, {h, position.along_line}},
+              1 / scale_of<Traits>(position));
   }
   trace.add({reversed_if_valid(tri.start_on_spoke(o), tri.input_mesh()), {h, FT(1)}});
   return trace;

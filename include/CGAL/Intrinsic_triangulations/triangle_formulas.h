@@ -90,6 +90,24 @@ FT doubled_corner_product(const FT& a, const FT& b, const FT& c)
   return shorter * shorter + scaled_foot(a, (std::max)(b, c));
 }
 
+/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// returns the cosine of the corner opposite to side `a` of the triangle with sides `a`, `b`, `c`.
+/// Where rounding has spoiled the triangle inequality, the corner is flat or zero.
+template <typename FT>
+FT corner_cosine(const FT& a, const FT& b, const FT& c)
+{
+  const FT cosine = doubled_corner_product(a, b, c) / (2 * b * c);
+  return cosine < -1 ? FT(-1) : cosine > 1 ? FT(1) : cosine;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// returns the sine of the corner opposite to side `a` of the triangle with sides `a`, `b`, `c`.
+template <typename FT>
+FT corner_sine(const FT& a, const FT& b, const FT& c)
+{
+  return quadrupled_area(b, c, a) / (2 * b * c);
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGLE_FORMULAS_H

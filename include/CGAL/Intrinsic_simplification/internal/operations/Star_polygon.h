@@ -106,10 +106,8 @@ private:
   // turned by the angle between the sides a and b
   static Plane_point turned(const Plane_point& p, double a, double b, double opposite)
   {
-    namespace IT = Intrinsic_triangulations;
-    const double scale = 1 / (2 * a * b);
-    const double cosine = IT::doubled_corner_product(opposite, a, b) * scale;
-    const double sine = IT::quadrupled_area(opposite, a, b) * scale;
+    const double cosine = Intrinsic_triangulations::corner_cosine(opposite, a, b);
+    const double sine = Intrinsic_triangulations::corner_sine(opposite, a, b);
     return {cosine * p.x - sine * p.y, cosine * p.y + sine * p.x};
   }
 

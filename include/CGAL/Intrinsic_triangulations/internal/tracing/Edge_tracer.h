@@ -10,6 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,6 +38,9 @@ struct Part_of_edge
 {
   FT begin, end;
 
+  // returns its length on a halfedge of length `whole`
+  FT length(const FT& whole) const { return (end - begin) * whole; }
+
   // returns the place at a part `t` of the way
   FT operator()(const FT& t) const { return (std::min)(FT(begin + t * (end - begin)), end); }
 };
@@ -45,6 +51,22 @@ Part_of_edge<typename Traits::FT> part_of_edge(Halfedge_index h, Vertex_index v,
                                                const Intrinsic_triangulation<Traits>& tri)
 {
   return {tri.place_along(h, v), 1 - tri.place_along(tri.input_mesh().opposite(h), w)};
+}
+
+// Returns crossing `m` of a strip. The order along the line is known: rounding may move a crossing,
+// but never past the one before, which is at `least`.
+template <typename Traits>
+typename Traits::Geodesic_strip::Crossing
+crossing_not_before(const typename Traits::FT& least, std::size_t m,
+                    const typename Traits::Geodesic_strip& strip)
+{
+  if constexpr(Has_distance<Traits>::value)
+    return strip.crossing(m, least);
+  else {
+    auto result = strip.crossing(m);
+    result.along_line = (std::max)(result.along_line, least);
+    return result;
+  }
 }
 
 // Follows edges of T1 over T2, first through the crossings (Algorithm 2), then along the straight
@@ -87,6 +109,16 @@ public:
     return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(m_crossings.back().halfedge)));
   }
 
+  // Returns whether the strip is as long as the curve. Rounding of lengths of T2 can turn a strip
+  // around a vertex from which another is no farther than rounding.
+  bool has_length([[maybe_unused]] const FT& length) const
+  {
+    if constexpr(Has_distance<Traits>::value && is_rounded<FT>())
+      return CGAL::abs(m_strip.length() - length) <= path_tolerance<FT>() * length;
+    else
+      return true;
+  }
+
   // Returns the barycentric coordinates of that crossing along the curve (they never decrease) and
   // along the halfedge.
   const typename Traits::Geodesic_strip::Crossing& position(std::size_t m) const
@@ -95,7 +127,6 @@ public:
   }
 
 private:
-  // The order along the curve is known: rounding may move a crossing, but never past another.
   void recover_positions()
   {
     if(!m_tri.traits().is_length_object()(m_strip.length()))
@@ -103,12 +134,9 @@ private:
                             std::to_string(first_vertex().idx()) +
                             " has no positive finite length");
     m_positions.clear();
-    FT along_line(0);
-    for(std::size_t m = 0; m < size(); ++m) {
-      m_positions.push_back(m_strip.crossing(m));
-      FT& s = m_positions.back().along_line;
-      along_line = s = (std::max)(along_line, s);
-    }
+    for(std::size_t m = 0; m < size(); ++m)
+      m_positions.push_back(
+        crossing_not_before<Traits>(m == 0 ? FT(0) : m_positions.back().along_line, m, m_strip));
   }
 
   Vertex_index first_vertex() const
