@@ -31,7 +31,7 @@ DCM::Spherical_conformal_map mapped(Command_run& run)
                               .visitor(std::ref(visitor)));
 }
 
-void describe(Command_run& run, const DCM::Spherical_conformal_map& map, const Output_mesh& result)
+void describe(Command_run& run, const DCM::Spherical_conformal_map& map)
 {
   Statistics& statistics = run.statistics();
   statistics["disk"] = map.is_disk();
@@ -46,7 +46,6 @@ void describe(Command_run& run, const DCM::Spherical_conformal_map& map, const O
   statistics["lost_in_output"] = map.lost_in_output();
   statistics["max_inscribed_error"] = map.max_inscribed_error();
   statistics["bound_violations"] = map.bound_violations();
-  describe_sizes(statistics, map, run.input().mesh, result);
 }
 
 std::string spherical_summary(const Statistics& s)
@@ -86,9 +85,10 @@ void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
 {
   check_status(map);
   run.timed("write", [&] {
+    describe(run, map);
     const Map_front front(map, run.input().mesh);
     Output_mesh result = sphere_mesh(map, front);
-    describe(run, map, result);
+    describe_sizes(run.statistics(), map, run.input().mesh, result);
     run.show([&](View_page& page) { show_on_sphere(page, run, map, front, result); });
     add_input_data(run.input(), front, result);
     run.add_output(options.output, result, format);

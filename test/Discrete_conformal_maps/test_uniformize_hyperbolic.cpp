@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../Intrinsic_triangulations/more_generators.h"
+#include "../Intrinsic_triangulations/near_degenerate_meshes.h"
 #include "flat_maps.h"
 
 #include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
@@ -409,11 +410,13 @@ TEST(Uniformize_hyperbolic, symmetric_surfaces_get_symmetric_metrics)
 }
 
 // In a row of handles, errors grow exponentially with the distance from the middle: 115 digits are
-// not enough for a hundred of them.
+// enough for a hundred of them, but not for two hundred.
 TEST(Uniformize_hyperbolic, the_status_says_what_has_failed)
 {
   EXPECT_EQ(DCM::uniformize_hyperbolic(plate_with_holes(20)).status(), DCM::Map_status::success);
-  const Hyperbolic_conformal_map large = DCM::uniformize_hyperbolic(straight_plate_with_holes(120));
+  EXPECT_EQ(DCM::uniformize_hyperbolic(straight_plate_with_holes(100)).status(),
+            DCM::Map_status::success);
+  const Hyperbolic_conformal_map large = DCM::uniformize_hyperbolic(straight_plate_with_holes(200));
   EXPECT_EQ(large.minimization().status, DCM::Minimization_status::converged);
   EXPECT_GT(large.max_gluing_error(), 1e-9);
   EXPECT_EQ(large.status(), DCM::Map_status::not_glued);
@@ -421,6 +424,23 @@ TEST(Uniformize_hyperbolic, the_status_says_what_has_failed)
     plate_with_holes(2), DCM::parameters::minimizer(DCM::Newton_minimizer(1e-13, 1)));
   EXPECT_EQ(stopped.minimization().status, DCM::Minimization_status::iteration_limit);
   EXPECT_EQ(stopped.status(), DCM::Map_status::not_converged);
+}
+
+// What is Delaunay with rounded scale factors is not so with more digits: the faces of these
+// surfaces close up only if edges are flipped again.
+TEST(Uniformize_hyperbolic, near_degenerate_surfaces_close_up)
+{
+  for(const unsigned int seed : {970007u, 970015u, 970051u}) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = near_degenerate_mesh(seed).mesh;
+    const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(mesh);
+    EXPECT_EQ(map.status(), DCM::Map_status::success);
+    EXPECT_LE(map.max_gluing_error(), 1e-9);
+    ASSERT_EQ(map.number_of_components(), 1u);
+    const auto euler = static_cast<long>(mesh.number_of_vertices() + mesh.number_of_faces()) -
+                       static_cast<long>(mesh.number_of_edges());
+    check_group(map.group(0), static_cast<std::size_t>(1 - euler / 2));
+  }
 }
 
 // Any triangulation of the same surface with the same vertices, from few flips to a thorough mix.

@@ -27,7 +27,6 @@ using Intrinsic_triangulations::Correspondence;
 using Intrinsic_triangulations::Delta_complex;
 using Intrinsic_triangulations::Edge_index;
 using Intrinsic_triangulations::Face_index;
-using Intrinsic_triangulations::Face_location;
 using Intrinsic_triangulations::Halfedge_index;
 using Intrinsic_triangulations::Side;
 using Intrinsic_triangulations::Surface_place;
@@ -140,7 +139,7 @@ public:
   /// \pre `h` is not a border halfedge
   std::array<FT, 3> coordinates(Layer layer, Halfedge_index h) const
   {
-    return layer == Layer::C ? m_on_C[h.idx()].second : Base::coordinates(layer, h);
+    return layer == Layer::C ? m_on_C[h.idx()] : Base::coordinates(layer, h);
   }
 
   /// returns `v` as a convex combination of one vertex of `layer`, or of the corners of a face.
@@ -170,7 +169,8 @@ private:
       return result;
     for(Halfedge_index h : CGAL::halfedges_around_target(v, this->mesh()))
       if(!result.along.is_valid() && !this->mesh().is_border(h))
-        result = {this->parent_halfedge(Layer::C, this->mesh().next(h)), m_on_C[h.idx()]};
+        result = {this->parent_halfedge(Layer::C, this->mesh().next(h)),
+                  this->location(Layer::C, h)};
     auto& b = result.location.second;
     const FT sum = b[0] + b[1] + b[2];
     for(FT& x : b)
@@ -188,7 +188,7 @@ private:
 
   size_type m_first_crossing_of_bc, m_first_crossing_of_ac;
   std::array<std::vector<Surface_place<FT>>, 2> m_place; // of each vertex, on A and B
-  std::vector<Face_location<FT>> m_on_C;                 // of the target of each halfedge
+  std::vector<std::array<FT, 3>> m_on_C; // the coordinates of the target of each halfedge
 };
 
 } // namespace CGAL::Discrete_conformal_maps

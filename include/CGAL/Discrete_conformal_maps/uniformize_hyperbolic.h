@@ -83,15 +83,14 @@ private:
   void lay_out()
   {
     note_cones();
-    const std::vector<double> length = m_builder.scaled_lengths(
-      std::vector<double>(m_scale.values().begin(), m_scale.values().end()));
-    const Tree_cotree cut(mesh(), crossing_lengths(mesh(), length), m_is_cone);
-    set_components(cut);
-    double error = m_scale.is_extended() ? 1 : lay_out(length, cut);
+    double error = 1;
+    if(!m_scale.is_extended())
+      error = lay_out(m_builder.scaled_lengths(
+        std::vector<double>(m_scale.values().begin(), m_scale.values().end())));
     if(error > tolerance::gluing && tolerance::extended_gain * error <= tolerance::gluing)
-      error = lay_out_with_more_digits<Extended>(cut);
+      error = lay_out_with_more_digits<Extended>();
     if(!(error <= tolerance::gluing))
-      lay_out_with_more_digits<More_extended>(cut);
+      lay_out_with_more_digits<More_extended>();
     if(m_map.status() == Map_status::success && !(m_map.max_gluing_error() <= tolerance::gluing))
       m_builder.set_status(Map_status::not_glued);
   }
@@ -104,16 +103,18 @@ private:
       m_is_cone[v] |= target[Eigen::Index(v)] != 0;
   }
 
+  // What is Delaunay with rounded scale factors has another metric with precise ones.
   template <typename FT>
-  double lay_out_with_more_digits(const Tree_cotree& cut)
+  double lay_out_with_more_digits()
   {
     const std::vector<FT> u = m_scale.template refine<FT>(m_map.Delaunay(), m_visitor);
     m_builder.set_scale_factors(m_scale);
-    return lay_out(m_builder.scaled_lengths(u), cut);
+    return lay_out(m_builder.flip_again(u));
   }
 
   void set_components(const Tree_cotree& cut)
   {
+    m_map.m_component.clear();
     for(Face_index f : mesh().faces())
       m_map.m_component.push_back(cut.component(f));
     m_map.m_groups.resize(cut.number_of_components());
@@ -124,10 +125,16 @@ private:
       m_has_cone[m_map.component(mesh().face(h))] |= m_is_cone[mesh().source(h).idx()];
   }
 
-  // Returns the error of what must be the identity.
+  // Returns the error of what must be the identity. `length` has sinh(x/2) for all edges with
+  // lengths x.
   template <typename FT>
-  double lay_out(const std::vector<FT>& length, const Tree_cotree& cut)
+  double lay_out(const std::vector<FT>& length)
   {
+    std::vector<double> rounded_length;
+    for(const FT& l : length)
+      rounded_length.push_back(static_cast<double>(l));
+    const Tree_cotree cut(mesh(), crossing_lengths(mesh(), rounded_length), m_is_cone);
+    set_components(cut);
     const Hyperbolic_layout<FT> layout(mesh(), length, cut);
     set_positions(layout, cut);
     set_gluings(layout, cut);

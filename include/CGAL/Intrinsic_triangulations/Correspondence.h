@@ -456,7 +456,8 @@ private:
     return result;
   }
 
-  // Finds crossings in the strip of T1 along `e`. Lengths of T1 are not rounded.
+  // Finds crossings in the strip of T1 along `e`: its lengths define the surface, while those of T2
+  // are rounded.
   void place_along_intrinsic(Edge_index e)
   {
     FT t(0);

@@ -71,11 +71,27 @@ public:
   // Takes the triangulation of the problem, and makes these flips.
   void flip(std::vector<Halfedge_index> flips)
   {
-    take_triangulation();
-    for(Halfedge_index h : flips)
-      m_data.bc.flip(h);
-    m_data.number_of_flips[2] = flips.size();
-    m_flips = std::move(flips);
+    m_data.input_vertex = m_problem.front();
+    m_data.ab = std::move(m_problem.triangulation());
+    m_data.number_of_flips[1] = m_problem.number_of_flips();
+    set_flips(std::move(flips));
+  }
+
+  // Makes T^C ideal Delaunay with more precise scale factors, those at the vertices of the surface
+  // itself. Returns its scaled lengths.
+  template <typename FT>
+  std::vector<FT> flip_again(const std::vector<FT>& u)
+  {
+    std::vector<FT> all;
+    for(Vertex_index v : m_data.input_vertex)
+      all.push_back(u[v.idx()]);
+    Penner_surface<FT> surface(m_data.ab.mesh(), m_data.ab.length_map(), m_problem.flipping());
+    surface.scale(all);
+    set_flips(surface.flips());
+    std::vector<FT> result;
+    for(Edge_index e : mesh().edges())
+      result.push_back(surface.scaled_length(e));
+    return result;
   }
 
   // Traces T^A and T^B, and T^B and T^C, over each other, and makes their common subdivision.
@@ -130,14 +146,15 @@ public:
   }
 
 private:
-  void take_triangulation()
+  void set_flips(std::vector<Halfedge_index> flips)
   {
-    m_data.input_vertex = m_problem.front();
-    m_data.ab = std::move(m_problem.triangulation());
-    m_data.number_of_flips[1] = m_problem.number_of_flips();
     m_data.bc = Discrete_conformal_map::Ideal_triangulation(
       m_data.ab.mesh(),
       Intrinsic_triangulations::parameters::edge_length_map(m_data.ab.length_map()));
+    for(Halfedge_index h : flips)
+      m_data.bc.flip(h);
+    m_data.number_of_flips[2] = flips.size();
+    m_flips = std::move(flips);
   }
 
   Doubled_problem& m_problem;

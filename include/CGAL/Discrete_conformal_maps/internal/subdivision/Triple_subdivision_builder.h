@@ -217,6 +217,13 @@ public:
   }
 
 private:
+  // a halfedge and the faces of A and C on its left
+  struct Linked
+  {
+    Halfedge_index halfedge;
+    Face_index face_of_A, face_of_C;
+  };
+
   static Layer layer(std::size_t family) { return Builder::layer(family); }
   static Halfedge_index opposite(Halfedge_index h) { return Builder::opposite(h); }
 
@@ -279,10 +286,9 @@ private:
   void add_parts()
   {
     auto part = static_cast<size_type>(m_builder.m_first[m_face].faces);
-    for(const auto& [h, face_of_A] : m_linked)
+    for(const auto& [h, face_of_A, face_of_C] : m_linked)
       if(m_mesh.face(h) == m_mesh.null_face())
-        m_result.set_face(Face_index(part++), h,
-                          {face_of_A, m_face, m_result.m_on_C[h.idx()].first});
+        m_result.set_face(Face_index(part++), h, {face_of_A, m_face, face_of_C});
   }
 
   // At the target of `in`, `out` is the next halfedge around the face on their left.
@@ -291,8 +297,9 @@ private:
     m_mesh.set_next(in, out);
     if(is_last)
       m_builder.place(Layer::A, m_mesh.target(in)) = on_A_and_C[0];
-    m_result.m_on_C[in.idx()] = on_A_and_C[1].location;
-    m_linked.push_back({in, on_A_and_C[0].location.first});
+    const auto& [face_of_C, on_C] = on_A_and_C[1].location;
+    m_result.m_on_C[in.idx()] = on_C;
+    m_linked.push_back({in, on_A_and_C[0].location.first, face_of_C});
   }
 
   void link_side(std::size_t s)
@@ -391,7 +398,7 @@ private:
   internal::Face_chords<FT> m_chords; // of the face at hand, as all that follows
   Face_index m_face;
   std::vector<size_type> m_first_piece;
-  std::vector<std::pair<Halfedge_index, Face_index>> m_linked; // and the face of A on its left
+  std::vector<Linked> m_linked;
 };
 
 } // namespace CGAL::Discrete_conformal_maps
