@@ -195,6 +195,20 @@ TEST(Circle_angles, are_those_of_inscribed_polygons)
     }
 }
 
+// The hypotenuse of a right triangle is a diameter (Thales), where half an arc is the arc sine of
+// one.
+TEST(Circle_angles, are_those_of_right_triangles)
+{
+  CGAL::Random random(6);
+  for(int i = 0; i < 1000; ++i) {
+    const double a = random.get_double(0.1, 1), b = random.get_double(0.1, 1);
+    const std::vector<double> expected{pi - std::atan(b / a), pi / 2, pi - std::atan(a / b)},
+      angle = DCM::internal::circle_angles({a, b, std::hypot(a, b)});
+    for(std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(angle[k], expected[k], 1e-14);
+  }
+}
+
 // ---- Rectangles ----
 
 // Longer on one side, turned and with other numbers of cells.

@@ -60,7 +60,7 @@ public:
   {
     const Vector image = angles([&](Edge_index e) { return length[e.idx()]; });
     const double change = (image - m_angle).lpNorm<Eigen::Infinity>();
-    const Vector next = m_acceleration.next(m_angle, image);
+    const Vector next = closed(m_acceleration.next(m_angle, image));
     // pi and above are too great for a boundary
     m_angle = (next.array() < boost::math::constants::pi<double>()).all() ? next : image;
     return change;
@@ -86,6 +86,19 @@ private:
       result.insert(result.end(), angle.begin(), angle.end());
     }
     return Eigen::Map<const Vector>(result.data(), Eigen::Index(result.size()));
+  }
+
+  // Scales the angles of each circle so that they sum up to a whole turn: combinations of many of
+  // them lose digits.
+  Vector closed(Vector angle) const
+  {
+    Eigen::Index begin = 0;
+    for(const Circle& circle : m_circles) {
+      auto own = angle.segment(begin, Eigen::Index(circle.size()));
+      own *= boost::math::constants::two_pi<double>() / own.sum();
+      begin += own.size();
+    }
+    return angle;
   }
 
   std::vector<Circle> m_circles;

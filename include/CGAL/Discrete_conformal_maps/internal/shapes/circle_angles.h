@@ -42,7 +42,8 @@ inline std::vector<double> circle_angles(const std::vector<double>& length)
   const bool is_outside = excess(half_arcs(high, false)) < 0;
   for(double x; x = (low + high) / 2, low < x && x < high;)
     ((excess(half_arcs(x, is_outside)) > 0) != is_outside ? high : low) = x;
-  const std::vector<double> arcs = half_arcs(high, is_outside);
+  std::vector<double> arcs = half_arcs(high, is_outside);
+  arcs[longest] -= excess(arcs); // if that is near a diameter, its arc has half of the digits
   std::vector<double> result(n);
   for(std::size_t i = 0; i < n; ++i)
     result[i] = arcs[i] + arcs[(i + n - 1) % n];
