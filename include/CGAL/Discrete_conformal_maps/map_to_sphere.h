@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -125,10 +126,13 @@ private:
         i += stride)
       if(Unfolded_sphere next(m_problem, m_mass, vertices[i], m_visitor); next < *best)
         best.emplace(std::move(next));
-    if(!best->is_laid_out())
-      throw Intrinsic_triangulations::Numerical_error(
-        std::string("the scale factors of the sphere have not been found: ") +
-        to_string(best->result().status));
+    if(!best->is_laid_out()) {
+      std::ostringstream text;
+      text << "the scale factors of the sphere have not been found: "
+           << to_string(best->result().status) << ", with an error of angles of "
+           << best->max_curvature_error() << " radians";
+      throw Intrinsic_triangulations::Numerical_error(text.str());
+    }
     return std::move(*best);
   }
 
