@@ -227,7 +227,8 @@ void add_distance(CLI::App& app, Options& options)
   add_exact(command, options.common);
   add_number(
     command, "--time-step", own.time_step_factor,
-    "Time for which heat flows, in squared mean edge lengths; 1 by default, 4 with --signed",
+    "Time for which heat flows, in squared mean edge lengths; by default 1, 4 with --signed, or "
+    "16 times as much as often as it takes to reach everything",
     CLI::PositiveNumber);
   add_angle(command, own.refinement);
   add_direct(command, options.common);

@@ -134,26 +134,25 @@ std::vector<double> lengths_of_shortest_paths(const Triangulation& triangulation
 
 template <class Surface>
 std::vector<double> heat_distances(const Surface& surface, const Sources& sources,
-                                   const Distance_options& options)
+                                   double time_step_factor)
 {
   IT::Distance_sources<Surface> all(surface);
   for(const std::int64_t v : sources.vertices)
     all.add(Sources::vertex(v));
   all.add(sources.points);
   all.add(sources.curve);
-  const auto values = IT::heat_distance(
-    surface, all, IT::parameters::time_step_factor(options.time_step_factor.value_or(1)));
+  const auto values =
+    IT::heat_distance(surface, all, IT::parameters::time_step_factor(time_step_factor));
   std::vector<double> result(values.begin(), values.end());
   std::transform(result.begin(), result.end(), result.begin(), presentable);
   return result;
 }
 
 std::vector<double> signed_distances(const Triangulation& triangulation, const Sources& sources,
-                                     const Distance_options& options)
+                                     double time_step_factor)
 {
-  const auto values = IT::signed_heat_distance(
-    triangulation.intrinsic(), sources.curve,
-    IT::parameters::time_step_factor(options.time_step_factor.value_or(4)));
+  const auto values = IT::signed_heat_distance(triangulation.intrinsic(), sources.curve,
+                                               IT::parameters::time_step_factor(time_step_factor));
   for(Eigen::Index v = 0; v < values.size(); ++v)
     if(!std::isfinite(values[v]))
       throw Program_error("vertex " + std::to_string(v) +
@@ -162,19 +161,37 @@ std::vector<double> signed_distances(const Triangulation& triangulation, const S
   return {values.begin(), values.end()};
 }
 
-// At the vertices of the input, then at inserted ones.
-std::vector<double> distances(const Triangulation& triangulation,
-                              const std::optional<Covered_soup>& covered, const Sources& sources,
-                              const Distance_options& options)
+std::vector<double> distances_by_heat(const Triangulation& triangulation,
+                                      const std::optional<Covered_soup>& covered,
+                                      const Sources& sources, bool are_signed,
+                                      double time_step_factor)
 {
-  if(options.is_signed)
-    return signed_distances(triangulation, sources, options);
-  if(options.is_shortest)
-    return lengths_of_shortest_paths(triangulation, sources);
+  if(are_signed)
+    return signed_distances(triangulation, sources, time_step_factor);
   const auto surface = triangulation.intrinsic();
   return covered ? heat_distances(IT::Tufted_surface<>(covered->cover, surface, covered->share()),
-                                  sources, options)
-                 : heat_distances(surface, sources, options);
+                                  sources, time_step_factor)
+                 : heat_distances(surface, sources, time_step_factor);
+}
+
+// At the vertices of the input, then at inserted ones. Unless a time is given, heat flows for as
+// long as it takes to reach everything: where some edges are far shorter than others, the standard
+// is too short.
+std::vector<double> distances(const Triangulation& triangulation,
+                              const std::optional<Covered_soup>& covered, const Sources& sources,
+                              const Distance_options& options, Statistics& statistics)
+{
+  if(options.is_shortest)
+    return lengths_of_shortest_paths(triangulation, sources);
+  constexpr double greatest_factor = 1e12;
+  for(double factor = options.time_step_factor.value_or(options.is_signed ? 4 : 1);; factor *= 16)
+    try {
+      statistics["time_step_factor"] = factor;
+      return distances_by_heat(triangulation, covered, sources, options.is_signed, factor);
+    } catch(const IT::Underflow_error&) {
+      if(options.time_step_factor || factor > greatest_factor)
+        throw;
+    }
 }
 
 // At the vertices of the triangulation.
@@ -269,7 +286,7 @@ public:
     const std::vector<double> values = m_run.timed("solve", [&] {
       read_curve_if_wanted(triangulation);
       return distances(triangulation, m_run.input().covered,
-                       sources_across(m_sources, triangulation), m_options);
+                       sources_across(m_sources, triangulation), m_options, m_run.statistics());
     });
     describe_distances(m_run.statistics(), m_options, m_sources, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);

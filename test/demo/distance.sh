@@ -46,7 +46,8 @@ claim "m = ply('a.ply')" \
 cp "$shipped" slivers.mesh.off
 expect 0 distance slivers.mesh.off --source 7 -o - --subdivision b.vtp --stats statistics.json
 expected='command input vertices edges faces euler_characteristic boundary_loops components flips '
-expected+='is_delaunay shared_edges crossings edge_length_sum min_angle_degrees sources max_distance '
+expected+='is_delaunay shared_edges crossings edge_length_sum min_angle_degrees time_step_factor '
+expected+='sources max_distance '
 expected+='unreachable_vertices subdivision vertices edges faces seconds read build flip solve trace '
 expected+='subdivide write peak_memory_bytes'
 has_keys statistics.json $expected
@@ -98,6 +99,23 @@ done
 expect 0 distance flat.mesh.off --source 0 -o - --mollify 1e-3
 expect 0 distance zero_length.mesh.off --source 0 -o - --mollify 1e-3
 expect 0 distance slivers.mesh.off --source 0 -o - --time-step 4
+
+# Heat that a thousand short edges let flow for a short time does not reach the end of a strip of
+# long ones; it flows for longer then, unless a time is given.
+python3 - > strip.mesh.off << 'end'
+columns = [i / 1000 for i in range(3000)] + [3 + i for i in range(400)]
+print('OFF\n%d %d 0' % (2 * len(columns), 2 * len(columns) - 2))
+for x in columns:
+    print('%.17g 0 0\n%.17g 0.001 0' % (x, x))
+for i in range(0, 2 * len(columns) - 2, 2):
+    print('3 %d %d %d\n3 %d %d %d' % (i, i + 2, i + 1, i + 1, i + 2, i + 3))
+end
+expect 0 distance strip.mesh.off --source 0 -o a.ply --stats a.json
+claim "s = json('a.json')" 's.time_step_factor > 1' 'near(s.max_distance, 402, 4)'
+rm a.*
+expect 1 distance strip.mesh.off --source 0 -o a.ply --time-step 1
+says 'no heat reaches vertex'
+says 'a greater time step factor is needed'
 
 # Wrong calls.
 expect 2 distance slivers.mesh.off -o a.ply

@@ -38,6 +38,14 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsExceptions
+/// heat is below the range of its number type somewhere: it must flow for a longer time.
+class Underflow_error : public Numerical_error
+{
+public:
+  using Numerical_error::Numerical_error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsExceptions
 /// a normal coordinate would exceed the range of its integer type; nothing was changed.
 class Overflow_error : public Error
 {

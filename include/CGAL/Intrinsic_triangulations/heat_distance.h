@@ -86,7 +86,7 @@ public:
   /// the method. Complexity: linear in the size of the factorizations; if a component has more than
   /// one source, another sparse Cholesky factorization.
   /// \param sources a range of vertices
-  /// \throws Numerical_error if the heat is below the range of `FT` somewhere: with `double` that
+  /// \throws Underflow_error if the heat is below the range of `FT` somewhere: with `double` that
   ///         takes some 1400 mean edge lengths (and less with a factor below one)
   template <typename VertexRange>
   Vector distances(const VertexRange& sources) const

@@ -94,7 +94,7 @@ public:
   /// computes the signed distance of every vertex to a curve; infinite on a component without a
   /// segment of positive length. Complexity: linear in the size of the factorizations.
   /// \param curve segments, with the negative side on their left
-  /// \throws Numerical_error if normals are below the range of `FT` somewhere, which takes a
+  /// \throws Underflow_error if normals are below the range of `FT` somewhere, which takes a
   ///         distance as with `Heat_distance`, or cancel on a whole component
   Vector distances(const Surface_curve<FT>& curve) const
   {
@@ -129,7 +129,7 @@ private:
       if(!(norm > 0))
         continue;
       if(norm < least_norm())
-        throw Numerical_error("the normals of the curve do not reach face " +
+        throw Underflow_error("the normals of the curve do not reach face " +
                               std::to_string(f.idx()) + "; a greater time step factor is needed");
       vector /= norm;
       is_zero[component(f)] = 0;

@@ -88,7 +88,7 @@ public:
   /// the size of the factorizations.
   /// \param sources a range of `Source`, not two at one vertex
   /// \pre their vectors are finite
-  /// \throws Numerical_error if the heat is below the range of `FT` somewhere (see `Heat_distance`)
+  /// \throws Underflow_error if the heat is below the range of `FT` somewhere (see `Heat_distance`)
   template <typename SourceRange>
   Vector_field transport(const SourceRange& sources) const
   {

@@ -141,7 +141,7 @@ public:
     for(Eigen::Index v = 0; v < heat.size(); ++v)
       if(count[m_components[static_cast<std::size_t>(v)]] > 0 &&
          !(CGAL::abs(heat[v]) > (std::numeric_limits<FT>::min)()))
-        throw Numerical_error("no heat reaches vertex " + std::to_string(v) +
+        throw Underflow_error("no heat reaches vertex " + std::to_string(v) +
                               "; a greater time step factor is needed");
     return heat;
   }
