@@ -59,11 +59,15 @@ done
 expect_files plate.json plate.obj plate.svg
 cp plate.obj first.obj
 
-# A hundred handles in a row are too many for 115 digits.
-plate plate110 110
-expect 1 hyperbolic plate110.mesh.off -o large.obj --stats large.json
+# A hundred handles in a row are not too many for 115 digits, two hundred are.
+plate plate100 100
+expect 0 hyperbolic plate100.mesh.off -o large.obj --stats large.json
+claim "s = json('large.json')" "s.max_gluing_error <= 1e-9"
+rm large.*
+plate plate200 200
+expect 1 hyperbolic plate200.mesh.off -o large.obj --stats large.json
 says 'the faces do not close up in the hyperbolic plane: not_glued'
-expect 1 uniformize plate110.mesh.off -o large.obj
+expect 1 uniformize plate200.mesh.off -o large.obj
 says 'not_glued'
 [ ! -e large.obj ] && [ ! -e large.json ] || fail 'files after a failure'
 expect 0 hyperbolic plate3.mesh.off -o plate.obj
