@@ -7,6 +7,8 @@
 
 #include "near_degenerate_meshes.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -390,15 +392,20 @@ inline Named_mesh hard_mesh(std::uint64_t seed)
   return {family.name, toss(random) ? turned_apart(mesh, random) : mesh};
 }
 
-// Seeds of hard meshes of every family; those of 960,000 and more have vertices nearer to each
-// other than the rounding of the lengths around them, where an edge turns by any angle.
-inline std::vector<std::uint64_t> seeds_of_flat_meshes()
+// Calls `check(mesh)` for hard meshes of every family; those with seeds of 960,000 and more have
+// vertices nearer to each other than the rounding of the lengths around them, where an edge turns
+// by any angle.
+template <typename Check>
+void for_each_hard_mesh(const Check& check)
 {
-  std::vector<std::uint64_t> result{960011, 960023, 960028, 960032, 960033,
-                                    960044, 960045, 960056, 960057};
+  std::vector<std::uint64_t> seeds{960011, 960023, 960028, 960032, 960033,
+                                   960044, 960045, 960056, 960057};
   for(std::uint64_t seed = 0; seed < 2 * hard_families.size(); ++seed)
-    result.push_back(seed);
-  return result;
+    seeds.push_back(seed);
+  for(std::uint64_t seed : seeds) {
+    SCOPED_TRACE(seed);
+    check(hard_mesh(seed).mesh);
+  }
 }
 
 } // namespace Test_surfaces

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
@@ -399,12 +398,10 @@ TEST(Point_across, there_and_back_between_near_coincident_vertices)
 
 TEST(Point_across, there_and_back_on_hard_meshes)
 {
-  for(std::uint64_t seed : seeds_of_flat_meshes()) {
-    SCOPED_TRACE(seed);
-    const Mesh mesh = hard_mesh(seed).mesh;
-    for(unsigned int sample_seed = 0; sample_seed < 10; ++sample_seed)
-      expect_the_same_place_after_there_and_back(mesh, sample_seed);
-  }
+  for_each_hard_mesh([](const Mesh& mesh) {
+    for(unsigned int seed = 0; seed < 10; ++seed)
+      expect_the_same_place_after_there_and_back(mesh, seed);
+  });
 }
 
 } // namespace Test_points_across

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -368,9 +367,8 @@ TEST(Crossings_on_demand, are_those_that_are_traced)
 // rounding.
 TEST(Trace, places_on_both_edges_of_hard_meshes)
 {
-  for(std::uint64_t seed : seeds_of_flat_meshes()) {
-    SCOPED_TRACE(seed);
-    Triangulation t(hard_mesh(seed).mesh);
+  for_each_hard_mesh([](const Mesh& mesh) {
+    Triangulation t(mesh);
     IT::make_Delaunay(t);
     const Correspondence c(t);
     const Real size = Flat_faces(Side::input, t).longest_edge();
@@ -385,7 +383,7 @@ TEST(Trace, places_on_both_edges_of_hard_meshes)
                       double((on(side, trace[k + 1]).t - on(side, trace[k]).t) * length / size),
                       1e-7);
       }
-  }
+  });
 }
 
 } // namespace Test_trace

@@ -12,7 +12,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -243,9 +242,8 @@ TEST(Transfer, isolated_vertices_keep_their_values)
 // less than by the ratio of areas, and constants stay.
 TEST(Transfer, functions_on_hard_meshes_stay_bounded)
 {
-  for(std::uint64_t seed : seeds_of_flat_meshes()) {
-    SCOPED_TRACE(seed);
-    Triangulation t(hard_mesh(seed).mesh);
+  for_each_hard_mesh([](const Mesh& mesh) {
+    Triangulation t(mesh);
     IT::make_Delaunay(t);
     const Correspondence c(t);
     const auto n = t.mesh().number_of_vertices();
@@ -254,7 +252,7 @@ TEST(Transfer, functions_on_hard_meshes_stay_bounded)
       const Values one = Values::Constant(static_cast<Eigen::Index>(n), 1);
       EXPECT_LT(largest(IT::transfer_function(c, side, one) - one), 1e-6);
     }
-  }
+  });
 }
 
 // A fan over a straight line has no area.

@@ -403,7 +403,7 @@ private:
 
   // Rounding may move a crossing along an edge, but never past another. At faces without area,
   // edges run along each other: there, what would be moved by more than rounding is moved on both
-  // its edges, which ends after few rounds; if not, it is moved on one.
+  // its edges, which ends after few rounds; if not, it is moved on one: no move is beyond 1.
   void settle_places(Concurrency concurrency)
   {
     constexpr bool has_distance = internal::Has_distance<Traits>::value;

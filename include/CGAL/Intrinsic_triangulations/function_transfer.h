@@ -125,17 +125,19 @@ mixed_mass_matrix(Side side, const Correspondence<Traits>& correspondence, Concu
   const auto& tri = correspondence.triangulation();
   const Delta_complex &mesh = correspondence.mesh(side),
                       &other_mesh = correspondence.mesh(other(side));
+  const auto area = [&](Face_index f) { return Face_metric<FT>(f, tri.surface(side)).area(); };
   const auto add_face = [&](Face_index f, Sparse_assembly<FT>& assembly) {
     const Marks marks(Side::intrinsic, f, correspondence);
     const Face_map<FT, Marks> face_map(marks, tri.input_mesh());
+    const FT own_area = side == Side::intrinsic ? area(f) : FT(0);
     for(std::size_t m = 0; m < face_map.regions().size(); ++m) {
       const auto [input_face, map] = face_map.region_map(m);
-      const bool is_on_input = side == Side::input;
-      const Face_index row_face = is_on_input ? input_face : f;
-      add_at_corners<FT>(row_face, mesh, is_on_input ? f : input_face, other_mesh,
-                         Face_metric<FT>(row_face, tri.surface(side)).area() *
-                           integrals_on_region(is_on_input ? map.inverse() : map),
-                         assembly);
+      if(side == Side::intrinsic)
+        add_at_corners<FT>(f, mesh, input_face, other_mesh, own_area * integrals_on_region(map),
+                           assembly);
+      else
+        add_at_corners<FT>(input_face, mesh, f, other_mesh,
+                           area(input_face) * integrals_on_region(map.inverse()), assembly);
     }
   };
   return assembled_by_faces<FT>(concurrency, tri.mesh(), add_face)

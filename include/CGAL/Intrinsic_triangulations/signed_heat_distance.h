@@ -95,7 +95,8 @@ public:
   /// segment of positive length. Complexity: linear in the size of the factorizations.
   /// \param curve segments, with the negative side on their left
   /// \throws Underflow_error if normals are below the range of `FT` somewhere, which takes a
-  ///         distance as with `Heat_distance`, or cancel on a whole component
+  ///         distance as with `Heat_distance`
+  /// \throws Numerical_error if normals cancel on a whole component
   Vector distances(const Surface_curve<FT>& curve) const
   {
     const std::vector<FT> length = length_on_components(curve);

@@ -87,12 +87,14 @@ Vertex_index trace_part(Halfedge_index h, Vertex_index v, Edge_tracer<Traits>& t
     last = tracer.last_spoke();
   }
   const Part_of_edge<FT> part = part_of_edge(h, v, mesh.target(last), tri);
-  if(!start.is_shared() && !tracer.has_length(part.length(tri.input_length(Edge_index(h)))))
-    trace.is_certain = false;
-  for(std::size_t m = 0; !start.is_shared() && m < tracer.size(); ++m) {
-    const auto& position = tracer.position(m);
-    trace.add({{h, part(position.along_line)}, {tracer.crossing(m).halfedge, position.along_edge}},
-              scale_of<Traits>(position));
+  if(!start.is_shared()) {
+    trace.is_certain &= tracer.has_length(part.length(tri.input_length(Edge_index(h))));
+    for(std::size_t m = 0; m < tracer.size(); ++m) {
+      const auto& position = tracer.position(m);
+      trace.add(
+        {{h, part(position.along_line)}, {tracer.crossing(m).halfedge, position.along_edge}},
+        scale_of<Traits>(position));
+    }
   }
   trace.add({{h, part.end}, {last, FT(1)}});
   return mesh.target(last);
