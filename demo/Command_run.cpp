@@ -78,8 +78,7 @@ void Command_run::choose_section()
     throw Program_error("--section: the radius is a finite number above zero");
   if(m_input.covered && text.find(',') == std::string::npos)
     throw Program_error("--section: on triangles that are not a surface, the point is x,y,z");
-  const Mesh& mesh = m_input.mesh;
-  m_section = {position(surface_point(text, mesh), mesh), radius};
+  m_section = {position(surface_point(text, m_input), m_input.mesh), radius};
 }
 
 void Command_run::describe_cover()

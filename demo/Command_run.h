@@ -37,6 +37,7 @@ public:
 
   const Common_options& options() const { return m_options; }
   Input_mesh& input() { return m_input; }
+  const Input_mesh& input() const { return m_input; }
   // Frees what the input has beside points, unless a page or a picture is wanted.
   void keep_points_only();
   // The points and faces of the input, without the faces of its cover.

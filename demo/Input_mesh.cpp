@@ -122,6 +122,18 @@ void print_notes(const std::string& path, const Polygon_soup& soup,
 
 } // namespace
 
+Surface_location Input_mesh::as_read(const Surface_location& p) const
+{
+  const auto& [f, b] = p;
+  if(covered && covered->cover.is_back(f)) // from the second corner to the first
+    return {Mesh::Face_index(f.idx() / 2), {b[1], b[0], b[2]}};
+  if(covered)
+    return {Mesh::Face_index(f.idx() / 2), b};
+  if(!is_reversed.empty() && is_reversed[f.idx()])
+    return {f, {b[2], b[1], b[0]}};
+  return p;
+}
+
 Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance, bool is_quiet)
 {
   Polygon_soup soup = read_mesh(path, tolerance.neighbors > 0);
@@ -146,6 +158,7 @@ Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance,
     check_acceptable(path, result.diagnosis, tolerance);
   }
   result.parents = soup.parents;
+  result.is_reversed = soup.is_reversed;
   if(!soup.data.empty())
     result.data = {std::move(soup.data), soup.polygons};
   if(is_cloud || number_of_soup_defects(result.diagnosis) > 0) {

@@ -8,6 +8,7 @@
 #include "Polygon_soup.h"
 #include "Soup_repair.h"
 
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/tufted_cover.h>
@@ -17,6 +18,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
 
 // Triangles that are not a surface, with their cover. Those of a cloud of points are around one
 // point each.
@@ -36,6 +39,7 @@ struct Input_mesh
   Mesh mesh; // the cover, if there is one
   std::optional<Covered_soup> covered;
   std::vector<std::int64_t> parents; // of the faces that were read, if polygons have been split
+  std::vector<bool> is_reversed;     // whether a face was read the other way around; empty if none
   CGAL::Intrinsic_triangulations::Input_diagnosis diagnosis;
   Repair_report repairs;
   Triangle_data data; // at the vertices and triangles of what was read; these only if there are any
@@ -54,6 +58,10 @@ struct Input_mesh
       result.point[c] = covered ? covered->cover.input_vertex(w.vertex[c]) : w.vertex[c].idx();
     return result;
   }
+  // The point in the face as it was read, with coordinates in the order of its corners there.
+  // Without a cover, the function is its own inverse.
+  Surface_location as_read(const Surface_location& p) const;
+
   // What was read as a face of the mesh; -1 for none.
   std::int64_t triangle(Mesh::Face_index f) const
   {

@@ -108,13 +108,14 @@ private:
       }
   }
 
+  // The halfedge of a face leaves its first corner.
   void set_faces()
   {
     auto first = m_halfedge.begin();
     for(Index f = 0; f < m_soup.polygons.size(); ++f) {
       const auto end = first + static_cast<std::ptrdiff_t>(m_soup.polygons[f].size());
       Mesh::Halfedge_index previous = *(end - 1);
-      m_mesh.set_halfedge(Mesh::Face_index(f), previous);
+      m_mesh.set_halfedge(Mesh::Face_index(f), *first);
       for(; first != end; previous = *first++) {
         m_mesh.set_face(*first, Mesh::Face_index(f));
         m_mesh.set_next(previous, *first);

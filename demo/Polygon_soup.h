@@ -27,6 +27,8 @@ struct Polygon_soup
   std::size_t merged_corners = 0; // of a format that has no indices
   std::vector<std::int64_t>
     parents; // of triangles, the polygons they are parts of, if there are any
+
+  std::vector<bool> is_reversed; // whether a repair has reversed a polygon; empty if none
   Mesh_data data;
 };
 
@@ -37,19 +39,20 @@ void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& p
 
 // Vertices and faces keep their indices, isolated vertices too. Edges are numbered in the order of
 // faces: first those that a face runs along from the smaller to the larger index, then the others.
-// The first halfedge of an edge leads to the larger index.
+// The first halfedge of an edge leads to the larger index. The halfedge of a face leaves its first
+// corner: barycentric coordinates are in the order of the soup.
 // Precondition: the diagnosis of the soup is valid, except for faces that are not triangles.
 Mesh mesh_of(const Polygon_soup& soup);
 
-// The corners of a face in the order of its halfedges, from the target of the first one.
+// The corners of a face in the order of barycentric coordinates, from the source of its halfedge.
 template <class Any_mesh, class Faces>
 Polygons polygons_of(const Any_mesh& mesh, const Faces& faces)
 {
   Polygons result;
   result.reserve(faces.size(), 3 * faces.size());
   for(const typename Any_mesh::Face_index f : faces) {
-    for(const typename Any_mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      result.add_corner(v);
+    for(const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+      result.add_corner(mesh.source(h));
     result.close();
   }
   return result;

@@ -79,6 +79,8 @@ private:
       ++*count;
       auto& polygon = repairer->m_polygons[i];
       std::reverse(polygon.begin(), polygon.end());
+      repairer->m_soup.is_reversed.resize(repairer->m_polygons.size());
+      repairer->m_soup.is_reversed[i].flip();
     }
   };
 

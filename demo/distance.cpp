@@ -94,7 +94,7 @@ Sources parsed_sources(const Distance_options& options, const std::string& path,
                           "' is not a point of the mesh: on triangles that are not a surface, "
                           "give a vertex or x,y,z");
     else
-      result.points.push_back(surface_point_nearby(text, input.mesh));
+      result.points.push_back(surface_point_nearby(text, input));
   return result;
 }
 
@@ -208,20 +208,23 @@ std::vector<double> on_triangulation(const std::vector<double>& values,
 }
 
 // A vertex by its index.
-Statistics description(const Sources& sources)
+Statistics description(const Sources& sources, const Input_mesh& input)
 {
   Statistics result = Statistics::array();
   for(const std::int64_t v : sources.vertices)
     result.push_back(v);
-  for(const Surface_location& p : sources.points)
-    result.push_back({{"face", p.first.idx()}, {"barycentric", p.second}});
+  for(const Surface_location& p : sources.points) {
+    const auto [face, coordinates] = input.as_read(p);
+    result.push_back({{"face", face.idx()}, {"barycentric", coordinates}});
+  }
   return result;
 }
 
-void describe_distances(Statistics& statistics, const Distance_options& options,
-                        const Sources& sources, const std::vector<double>& values)
+void describe_distances(Command_run& run, const Distance_options& options, const Sources& sources,
+                        const std::vector<double>& values)
 {
-  statistics["sources"] = description(sources);
+  Statistics& statistics = run.statistics();
+  statistics["sources"] = description(sources, run.input());
   if(options.is_signed)
     statistics["min_distance"] = *std::min_element(values.begin(), values.end());
   statistics["max_distance"] = *std::max_element(values.begin(), values.end());
@@ -288,7 +291,7 @@ public:
       return distances(triangulation, m_run.input().covered,
                        sources_across(m_sources, triangulation), m_options, m_run.statistics());
     });
-    describe_distances(m_run.statistics(), m_options, m_sources, at_input_vertices(values));
+    describe_distances(m_run, m_options, m_sources, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
     m_run.finish(summary_of_distances(m_run));

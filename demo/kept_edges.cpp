@@ -28,8 +28,8 @@ double angle_in_degrees(const Vector& a, const Vector& b)
   return std::atan2(sine, a * b) * 180 / boost::math::constants::pi<double>();
 }
 
-// The numbers of the coordinates at the targets of halfedges.
-std::vector<Polygons::Index> numbers_at_targets(const Corner_data& data, const Mesh& mesh)
+// The numbers of the coordinates at the sources of halfedges.
+std::vector<Polygons::Index> numbers_at_sources(const Corner_data& data, const Mesh& mesh)
 {
   std::vector<Polygons::Index> result(mesh.number_of_halfedges());
   for(const Mesh::Face_index f : mesh.faces()) {
@@ -57,11 +57,11 @@ void mark_seams(const Mesh_data& data, const Mesh& mesh, Edge_bool_map is_kept)
   for(const Corner_data& texture : data.corners) {
     if(!is_texture(texture))
       continue;
-    const std::vector<Polygons::Index> number = numbers_at_targets(texture, mesh);
+    const std::vector<Polygons::Index> number = numbers_at_sources(texture, mesh);
     for(const Mesh::Edge_index e : mesh.edges()) {
       const Mesh::Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
       if(!mesh.is_border(e) &&
-         (number[h] != number[mesh.prev(o)] || number[o] != number[mesh.prev(h)]))
+         (number[h] != number[mesh.next(o)] || number[o] != number[mesh.next(h)]))
         is_kept[e] = true;
     }
   }

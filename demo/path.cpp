@@ -47,15 +47,16 @@ bool is_vertex(const Place& p)
 }
 
 // A place of a path in JSON: at a vertex, on an edge with its ends, or in a face.
-Statistics description(const Place& p, const IT::Delta_complex& mesh)
+Statistics description(const Place& p, const Input_mesh& input)
 {
   Statistics result;
   if(is_vertex(p))
-    result["vertex"] = mesh.source(p.along).idx();
+    result["vertex"] = input.mesh.source(p.along).idx();
   else if(p.along.is_valid())
-    result["edge"] = {mesh.source(p.along).idx(), mesh.target(p.along).idx()};
-  result["face"] = p.location.first.idx();
-  result["barycentric"] = p.location.second;
+    result["edge"] = {input.mesh.source(p.along).idx(), input.mesh.target(p.along).idx()};
+  const auto [face, coordinates] = input.as_read(p.location);
+  result["face"] = face.idx();
+  result["barycentric"] = coordinates;
   return result;
 }
 
@@ -68,7 +69,7 @@ struct Found_path
 
 std::size_t number_of_crossings(const Path& path) { return path.places.size() - 2; }
 
-Found_path found_path(Path path, const std::string& status, const IT::Delta_complex& mesh)
+Found_path found_path(Path path, const std::string& status, const Input_mesh& input)
 {
   if(path.places.size() == 1) // a line has two ends, even if they are one point
     path.places.push_back(path.places.front());
@@ -76,7 +77,7 @@ Found_path found_path(Path path, const std::string& status, const IT::Delta_comp
   s["crossings"] = number_of_crossings(path);
   s["places"] = Statistics::array();
   for(const Place& p : path.places)
-    s["places"].push_back(description(p, mesh));
+    s["places"].push_back(description(p, input));
   return {std::move(path), std::move(s)};
 }
 
@@ -155,12 +156,12 @@ private:
   {
     if(m_options.is_homology_basis)
       return;
-    const Mesh& mesh = m_run.input().mesh;
-    m_points.push_back(surface_point(m_options.from, mesh));
+    const Input_mesh& input = m_run.input();
+    m_points.push_back(surface_point(m_options.from, input));
     for(const std::string& text : m_options.via)
-      m_points.push_back(surface_point(text, mesh));
+      m_points.push_back(surface_point(text, input));
     if(!m_options.to.empty())
-      m_points.push_back(surface_point(m_options.to, mesh));
+      m_points.push_back(surface_point(m_options.to, input));
   }
 
   std::vector<Found_path> search(Triangulation& triangulation)
@@ -178,7 +179,7 @@ private:
     if(path.places.empty())
       throw Program_error("there is no path from " + m_options.from + " to " + m_options.to +
                           no_path_advice);
-    return found_path(std::move(path), "shortest", triangulation.input_mesh());
+    return found_path(std::move(path), "shortest", m_run.input());
   }
 
   // From vertex to vertex along edges, then by flips.
@@ -198,7 +199,7 @@ private:
     return result;
   }
 
-  static std::vector<Found_path> homology_loops(Triangulation& triangulation)
+  std::vector<Found_path> homology_loops(Triangulation& triangulation) const
   {
     std::vector<Found_path> result;
     for(Halfedges& loop : IT::homology_basis(triangulation.input())) {
@@ -209,7 +210,7 @@ private:
   }
 
   // Shortens a path along edges, whose halfedges become those after flips; none if it contracts.
-  static Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation)
+  Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation) const
   {
     IT::Edge_paths paths(triangulation);
     is_loop ? paths.add_loop(path) : paths.add_path(path);
@@ -218,9 +219,8 @@ private:
     path = paths.halfedges(0);
     if(path.empty())
       return {};
-    Found_path result =
-      found_path(IT::path_on_input(triangulation, path), is_geodesic ? "geodesic" : "blocked",
-                 triangulation.input_mesh());
+    Found_path result = found_path(IT::path_on_input(triangulation, path),
+                                   is_geodesic ? "geodesic" : "blocked", m_run.input());
     result.description["length_along_edges"] = before;
     return result;
   }
@@ -265,9 +265,10 @@ private:
     for(const auto& p : crossings)
       path.places.push_back({p.halfedge, IT::face_location(p, mesh)});
     path.places.push_back({IT::Halfedge_index(), end.end});
-    return found_path(
-      std::move(path),
-      end.status == IT::Geodesic_status::reached ? "straightest" : "stopped_at_boundary", mesh);
+    return found_path(std::move(path),
+                      end.status == IT::Geodesic_status::reached ? "straightest"
+                                                                 : "stopped_at_boundary",
+                      m_run.input());
   }
 
   // ---- Output ----

@@ -253,6 +253,7 @@ public:
     carry_to_parts(m_soup.polygons, m_parents, m_triangles, m_soup.data);
     m_soup.polygons = std::move(m_triangles);
     m_soup.parents = std::move(m_parents);
+    m_soup.is_reversed = std::move(m_is_reversed);
   }
 
 private:
@@ -275,8 +276,10 @@ private:
                 "it in the file");
       diagonals.add_to(m_taken);
     }
-    for(const Corners& t : diagonals.triangles())
+    for(Corners t : diagonals.triangles()) {
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
       add(f, std::array<Index, 3>{polygon[t[0]], polygon[t[1]], polygon[t[2]]});
+    }
   }
 
   Diagonals triangulation(std::size_t f, const Polygons::Polygon& polygon) const
@@ -301,6 +304,8 @@ private:
   {
     m_triangles.push_back(triangle);
     m_parents.push_back(static_cast<std::int64_t>(f));
+    if(!m_soup.is_reversed.empty())
+      m_is_reversed.push_back(m_soup.is_reversed[f]);
   }
 
   const std::string& m_path;
@@ -309,6 +314,7 @@ private:
   Edge_set m_taken;
   Polygons m_triangles;
   std::vector<std::int64_t> m_parents;
+  std::vector<bool> m_is_reversed;
 };
 
 } // namespace

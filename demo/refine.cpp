@@ -56,8 +56,8 @@ void add_input_data(const Input_mesh& input, const Triangulation& triangulation,
         : IT::Vertex_weights<double>{1, {v}, {1}});
   };
   const auto triangle = [&](std::size_t i, std::size_t k) {
-    const auto side = IT::sides(IT::Face_index(static_cast<Size>(i)), own); // the first ends at 0
-    return input.triangle(triangulation.input_location(side[(k + 1) % 3]).first);
+    const auto side = IT::sides(IT::Face_index(static_cast<Size>(i)), own);
+    return input.triangle(triangulation.input_location(side[k]).first);
   };
   add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
 }

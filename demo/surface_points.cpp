@@ -159,8 +159,9 @@ Surface_location Point_finder::operator()(const Point& p) const
   return best;
 }
 
-Surface_location surface_point(const std::string& text, const Mesh& mesh)
+Surface_location surface_point(const std::string& text, const Input_mesh& input)
 {
+  const Mesh& mesh = input.mesh;
   if(mesh.number_of_faces() == 0)
     refuse(text, "there are no faces");
   const std::size_t colon = text.find(':');
@@ -168,7 +169,7 @@ Surface_location surface_point(const std::string& text, const Mesh& mesh)
     numbers(colon == std::string::npos ? text : text.substr(colon + 1), text);
   const auto face = number(text.substr(0, colon));
   if(colon != std::string::npos && face && list.size() == 3)
-    return in_face(*face, list, mesh.number_of_faces(), text);
+    return input.as_read(in_face(*face, list, mesh.number_of_faces(), text));
   if(colon == std::string::npos && list.size() == 3)
     return Point_finder(mesh)(Point(list[0], list[1], list[2]));
   if(colon != std::string::npos || list.size() != 1)
@@ -189,9 +190,10 @@ Surface_location face_point(const std::string& text, std::size_t number_of_faces
   return in_face(*face, list, number_of_faces, text);
 }
 
-Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh)
+Surface_location surface_point_nearby(const std::string& text, const Input_mesh& input)
 {
-  const Surface_location result = surface_point(text, mesh);
+  const Mesh& mesh = input.mesh;
+  const Surface_location result = surface_point(text, input);
   if(text.find(':') != std::string::npos || text.find(',') == std::string::npos)
     return result;
   const std::vector<double> list = numbers(text, text);

@@ -5,21 +5,18 @@
 #ifndef INTRINSIC_SURFACE_POINTS_H
 #define INTRINSIC_SURFACE_POINTS_H
 
-#include "Polygon_soup.h"
-
-#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include "Input_mesh.h"
 
 #include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
-using Surface_location = CGAL::Intrinsic_triangulations::Face_location<double>;
-
 // The point of the mesh that `text` stands for: a vertex by its index, "FACE:a,b,c" with
-// barycentric coordinates in the order of the corners of the face, or "x,y,z", the nearest point of
-// the mesh. Throws Program_error if it stands for none.
-Surface_location surface_point(const std::string& text, const Mesh& mesh);
+// barycentric coordinates in the order of the corners of the face in the file, or "x,y,z", the
+// nearest point of the mesh. Throws Program_error if it stands for none.
+// Precondition: if the mesh covers triangles, `text` is "x,y,z".
+Surface_location surface_point(const std::string& text, const Input_mesh& input);
 
 // The point "FACE:a,b,c" of a triangulation with so many faces. Throws Program_error if there is
 // none.
@@ -54,7 +51,7 @@ private:
 
 // As surface_point(), but a point "x,y,z" further away than the tolerance of a Point_finder is
 // none.
-Surface_location surface_point_nearby(const std::string& text, const Mesh& mesh);
+Surface_location surface_point_nearby(const std::string& text, const Input_mesh& input);
 
 // The vertex at `p`. Throws Program_error, which names the point `text`, if there is none.
 CGAL::Intrinsic_triangulations::Vertex_index vertex_at(const Surface_location& p,

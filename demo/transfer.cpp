@@ -106,7 +106,7 @@ private:
   Surface_location point(const std::string& text, const Correspondence& correspondence)
   {
     return m_side == IT::Side::input
-             ? surface_point_nearby(text, m_run.input().mesh)
+             ? surface_point_nearby(text, m_run.input())
              : face_point(text, correspondence.mesh(m_side).number_of_faces());
   }
 
@@ -125,7 +125,7 @@ private:
       error = (std::max)(
         error, std::sqrt(CGAL::squared_distance(position(on_input, mesh), position(again, mesh))));
       m_points.push_back(on_input);
-      write(m_text, on_input);
+      write(m_text, m_run.input().as_read(on_input));
       m_text << ' ';
       write(m_text, m_options.is_back ? here : there);
       m_text << '\n';
