@@ -310,6 +310,29 @@ void check_all(void (&check)(const Triangulation&))
   }
 }
 
+// The vertices of add_face() and of vertices_around_face() belong to the coordinates 1, 2, 0.
+TEST(Face_location, corners_are_those_of_CGAL)
+{
+  Mesh mesh;
+  const Vertex_index a = mesh.add_vertex({0, 0, 0}), b = mesh.add_vertex({1, 0, 0}),
+                     c = mesh.add_vertex({0, 1, 0});
+  const Face_index f = mesh.add_face(a, b, c);
+  const Triangulation t(mesh);
+  const auto side = IT::sides(f, t.input_mesh());
+  std::vector<Vertex_index> corners, around_face;
+  for(const Halfedge_index h : side)
+    corners.push_back(t.input_mesh().source(h));
+  for(const Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+    around_face.push_back(v);
+  EXPECT_EQ(corners, (std::vector{c, a, b}));
+  EXPECT_EQ(around_face, (std::vector{a, b, c}));
+  const Location p{f, {0.6, 0.3, 0.1}};
+  EXPECT_EQ(IT::coordinates_from(side[1], p, t.input_mesh()), (std::array{0.3, 0.1, 0.6}));
+  mesh.set_halfedge(f, side[1]);
+  const Triangulation turned(mesh);
+  EXPECT_EQ(turned.input_mesh().source(IT::sides(f, turned.input_mesh())[0]), a);
+}
+
 TEST(Point_across, there_and_back) { check_all(check_there_and_back); }
 
 TEST(Point_across, single_equals_many) { check_all(expect_single_equals_many); }

@@ -64,15 +64,15 @@ Edge_point<FT> reversed_if_valid(const Edge_point<FT>& p, const Delta_complex& m
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// a point in a face, with barycentric coordinates that sum up to one and belong to the source of
 /// `halfedge(f)`, its target, and the target of the next halfedge, as in
-/// `CGAL::Polygon_mesh_processing::Face_location`. A point on an edge or at a vertex has coordinates
-/// that are exactly zero.
+/// `CGAL::Polygon_mesh_processing::Face_location`. A point on an edge or at a vertex has
+/// coordinates that are exactly zero.
 ///
 /// This order differs from two others. `CGAL::vertices_around_face()` starts at the target of
 /// `halfedge(f)`: its vertices belong to the coordinates 1, 2, 0. `CGAL::Euler::add_face()` and
-/// `CGAL::Surface_mesh::add_face()` let `halfedge(f)` lead from the last of the given vertices to the
-/// first: these vertices, too, belong to the coordinates 1, 2, 0. `set_halfedge(f, h)` on the input
-/// makes the source of `h` the first corner, and `coordinates_from()` returns the coordinates that
-/// begin with the source of a given halfedge.
+/// `CGAL::Surface_mesh::add_face()` let `halfedge(f)` lead from the last of the given vertices to
+/// the first: these vertices, too, belong to the coordinates 1, 2, 0. `set_halfedge(f, h)` on the
+/// input makes the source of `h` the first corner, and `coordinates_from()` returns the coordinates
+/// that begin with the source of a given halfedge.
 template <typename FT>
 using Face_location = std::pair<Face_index, std::array<FT, 3>>;
 
