@@ -445,8 +445,9 @@ void add_simplify(CLI::App& app, Options& options)
   command
     .add_option(
       "--weight", own.weights,
-      "NAME=W: the share of curvature, area, area_change, color or a property of vertices "
-      "in the cost; curvature=1, area=2 and area_change=6 if not given")
+      "NAME=W: the share of curvature, area, area_change, boundary_change, color or a property of "
+      "vertices in the cost; what is not given has none. Without --weight it is curvature=1, "
+      "area=2, area_change=6 and boundary_change=12")
     ->allow_extra_args(false);
   command
     .add_option("--levels", own.number_of_levels,

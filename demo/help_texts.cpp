@@ -262,7 +262,9 @@ const char* const simplify =
   R"(Vertices are removed one by one, the one of least cost first. The result is an intrinsic
 Delaunay triangulation of a surface whose distances are close to those of the mesh; vertices keep
 their positions. The cost of a removal is a length: the distance by which curvature and area,
-with their weights, have been moved, times their part of the whole. With a weight of color (in
+with their weights, have been moved, times their part of the whole. Changes of area cost, too, at
+the boundary most, so that corners of flat parts stay. With --weight, weights that are not given
+are zero, and the last line names those in force. With a weight of color (in
 .ply, .off and .obj) or of any function at the vertices (properties in .ply, by their names), its
 Laplacian is moved too, so that more vertices stay where its gradient changes. --error is the
 greatest cost of a removal. If no vertex can be removed, simplification ends early, with exit
@@ -303,7 +305,6 @@ last of the coarse vertices.
 inserted vertices.
 
 Example:
-  intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --weight area=0.5)"
-  " --prolongation P.mtx";
+  intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --prolongation P.mtx)";
 
 } // namespace Help

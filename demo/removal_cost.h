@@ -11,15 +11,19 @@
 #include <string>
 #include <vector>
 
-// The weights of curvature, of area and its change, and of functions on the vertices in the cost of
+// The weights of curvature, of area and its changes, and of functions on the vertices in the cost of
 // a removal, by their names.
 class Cost_weights
 {
 public:
-  // From texts "name=value"; curvature, area and its change have their defaults.
-  // Throws Program_error if a text is not of this form, a value is negative, or no weight but that
-  // of the change is positive.
+  // From texts "name=value"; what is not among them has no weight. Without any, those of
+  // `default_cost()`.
+  // Throws Program_error if a text is not of this form, a value is negative, or no weight but those
+  // of changes is positive.
   explicit Cost_weights(const std::vector<std::string>& texts);
+
+  // The positive ones, by their names.
+  const std::map<std::string, double>& values() const { return m_weights; }
 
   // Reads the functions that have weights, from the file of the mesh.
   // Throws Program_error as `read_vertex_function()`.

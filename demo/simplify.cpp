@@ -285,6 +285,7 @@ private:
     statistics["removed"] = result.removed;
     statistics["status"] = is_reached ? "reached" : "nothing_removable";
     statistics["greatest_cost"] = result.greatest_cost;
+    statistics["weights"] = m_weights.values();
     for(std::size_t s = 1; s < result.skipped.size(); ++s)
       statistics["skipped"][name_of(static_cast<IS::Removal_status>(s))] = result.skipped[s];
     statistics["operations"] = surface.history().size();
@@ -508,6 +509,9 @@ private:
          << s["status"].get<std::string>() << "), area times " << s["area_ratio"].get<double>()
          << ", smallest angle " << m_run.input().diagnosis.statistics().min_angle << " -> "
          << s["min_angle_degrees"].get<double>() << " degrees";
+    if(!m_options.weights.empty())
+      for(const auto& [name, value] : m_weights.values())
+        text << ", weight " << name << '=' << value;
     for(const char* key : {"refinement_status", "coarse_refinement_status"})
       if(s.contains(key) && s[key] == to_string(IT::Refinement_status::insertion_limit))
         text << ", " << key << ": insertion_limit";

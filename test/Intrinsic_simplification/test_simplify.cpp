@@ -17,6 +17,9 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace Test_simplify {
 
@@ -152,7 +155,7 @@ TEST(Simplification, ends_where_nothing_can_be_removed)
       SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
       Evolving_surface s = evolving(c.mesh, seed);
       const int characteristic = euler_characteristic(c.mesh);
-      const Simplification_result result = simplify(s);
+      const Simplification_result result = simplify(s, number_of_vertices(std::size_t(0)));
       expect_valid(s, characteristic);
       std::array<std::size_t, IS::number_of_removal_statuses> skipped{};
       Flattened_star star;
@@ -190,7 +193,7 @@ TEST(Simplification, protected_vertices_stay)
   Evolving_surface s(random_sphere(100, 2));
   for(unsigned int v = 0; v < 100; v += 10)
     s.protect(Vertex_index(v));
-  const Simplification_result result = simplify(s);
+  const Simplification_result result = simplify(s, number_of_vertices(std::size_t(0)));
   for(unsigned int v = 0; v < 100; v += 10)
     EXPECT_FALSE(s.mesh().is_removed(Vertex_index(v)));
   EXPECT_EQ(s.mesh().number_of_vertices(), 10u);
@@ -344,7 +347,8 @@ TEST(Simplification, can_be_stopped_by_an_exception)
 {
   Evolving_surface s(random_sphere(100, 6));
   Impatient_visitor visitor;
-  EXPECT_THROW(simplify(s, CGAL::parameters::visitor(std::ref(visitor))), std::runtime_error);
+  EXPECT_THROW(simplify(s, number_of_vertices(std::size_t(0)).visitor(std::ref(visitor))),
+               std::runtime_error);
   EXPECT_EQ(s.mesh().number_of_vertices(), 50u);
   expect_valid(s, 2);
   simplify(s, number_of_vertices(std::size_t(20)));
@@ -355,9 +359,95 @@ TEST(Simplification, can_be_stopped_by_an_exception)
 TEST(Simplification, bipyramid)
 {
   Evolving_surface s(bipyramid(2000, 0.5));
-  simplify(s);
+  simplify(s, number_of_vertices(std::size_t(0)));
   expect_valid(s, 2);
   EXPECT_LE(s.mesh().number_of_vertices(), 6u);
+}
+
+// ---- Default cost ----
+
+struct Cell_polygon
+{
+  std::string name;
+  std::size_t corners;
+  int width, height;
+  std::function<bool(int, int)> has_cell;
+};
+
+std::vector<Cell_polygon> cell_polygons()
+{
+  return {{"square", 4, 4, 4, [](int, int) { return true; }},
+          {"strip", 4, 40, 1, [](int, int) { return true; }},
+          {"L", 6, 4, 4, [](int i, int j) { return i < 2 || j < 2; }},
+          {"stairs", 14, 6, 6, [](int i, int j) { return i + j < 6; }},
+          {"comb", 20, 9, 4, [](int i, int j) { return j < 1 || i % 2 == 0; }}};
+}
+
+// each cell divided into 2 n^2 triangles
+Mesh mesh_of(const Cell_polygon& p, int n)
+{
+  Mesh mesh;
+  std::map<std::pair<int, int>, Vertex_index> vertex;
+  const auto at = [&](int i, int j) {
+    const auto [place, is_new] = vertex.try_emplace({i, j});
+    if(is_new)
+      place->second = mesh.add_vertex(Point(i, j, 0));
+    return place->second;
+  };
+  for(int i = 0; i < n * p.width; ++i)
+    for(int j = 0; j < n * p.height; ++j)
+      if(p.has_cell(i / n, j / n)) {
+        mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  return mesh;
+}
+
+// Flat vertices can be removed without changing the surface, so the area tells whether others were.
+TEST(Simplification, keeps_corners_of_flat_surfaces_by_default)
+{
+  for(const Cell_polygon& p : cell_polygons())
+    for(const int n : {1, 2, 5})
+      for(const std::size_t more : {0, 1, 2, 5, 10}) {
+        SCOPED_TRACE(p.name + ", " + std::to_string(n) + ", " + std::to_string(more));
+        Evolving_surface s(mesh_of(p, n));
+        const double area = area_of(s);
+        simplify(s, number_of_vertices(p.corners + more));
+        EXPECT_EQ(s.mesh().number_of_vertices(), p.corners + more);
+        EXPECT_NEAR(area_of(s) / area, 1, 1e-12);
+      }
+}
+
+// What is cut off a square of side two: half of a unit square, an eighth of the area.
+TEST(Transport_cost, of_change_at_the_boundary)
+{
+  Evolving_surface s(mesh_of({"square", 4, 2, 2, [](int, int) { return true; }}, 1));
+  s.make_Delaunay();
+  Transport_cost cost(s);
+  cost.add_boundary_change(s, 3);
+  Flattened_star star;
+  for(Vertex_index v : s.mesh().vertices()) {
+    const std::size_t degree = s.mesh().degree(v);
+    if(s.flatten(v, star) != Removal_status::possible)
+      continue;
+    const bool is_corner = star.is_border() && std::abs(star.scale_factor()) > 0.1;
+    EXPECT_NEAR(cost(star), is_corner ? 3 * std::abs(star.area_change()) / 4 * 8 : 0, 1e-12)
+      << v << " of degree " << degree;
+    EXPECT_EQ(is_corner, cost(star) > 0.1);
+  }
+  EXPECT_EQ(cost.number_of_masses(), 0u);
+}
+
+// Nothing is left of a surface by mistake.
+TEST(Simplification, needs_a_target)
+{
+  Evolving_surface s(random_sphere(30, 6));
+  Transport_cost cost = IS::default_cost(s);
+  EXPECT_THROW(simplify(s), IT::Invalid_input);
+  EXPECT_THROW(simplify(s, cost), IT::Invalid_input);
+  EXPECT_THROW(simplify(s, IS::parameters::minimum_angle(3)), IT::Invalid_input);
+  EXPECT_EQ(s.mesh().number_of_vertices(), 30u);
+  EXPECT_EQ(simplify(s, maximum_cost(-1.)).removed, 0u);
 }
 
 // ---- Real meshes ----
@@ -372,7 +462,7 @@ TEST(Simplification, of_data_meshes_to_the_last_vertex)
     expect_valid(s, characteristic);
     const double ratio = area_of(s) / area;
     EXPECT_TRUE(ratio > 0 && std::isfinite(ratio));
-    simplify(s);
+    simplify(s, number_of_vertices(std::size_t(0)));
     expect_valid(s, characteristic);
   });
 }

@@ -185,7 +185,7 @@ done <<'TABLE'
 2 | cannot be read | flatten flat.mesh.off -o a.obj --cones folder.off
 2 | a weight is a number that is not negative | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=-1
 2 | is not NAME=W | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area
-2 | area_change alone is not a cost | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area=0 --weight curvature=0
+2 | weights that are not given are zero, and changes of area alone are not a cost | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight area_change=1
 2 | --levels needs --vertices or --ratio | simplify flat.mesh.off -o a.ply --error 0.1 --levels 3
 2 | the mesh had to be repaired, and its vertices are not those of the file | simplify repeated.mesh.off --repair -o a.ply --ratio 0.5 --weight color=1
 2 | vertices have no property 'heat' (.ply can have properties) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight heat=1

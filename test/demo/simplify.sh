@@ -20,9 +20,10 @@ is_colored()
 
 # A square: flat, but for its corners, which alone cannot be removed without cost.
 grid square 8 0
-expect 0 simplify square.mesh.off -o a.ply --error 1e-12 --weight area=0 --stats a.json --prolongation a.mtx
+expect 0 simplify square.mesh.off -o a.ply --error 1e-12 --weight curvature=1 --stats a.json --prolongation a.mtx
 [ ! -s out ] || fail 'standard output is not empty'
 says '81 -> 4 vertices (reached)'
+says ', weight curvature=1'
 expect_files a.json a.mtx a.ply
 is_prolongation a.mtx 81 4
 claim "s = json('a.json')" '(s.coarse_vertices, s.coarse_faces, s.removed) == (4, 2, 77)' \
@@ -40,13 +41,13 @@ is_colored a.ply
 grep -q '^property uchar red' a.ply
 
 expected='command input vertices edges faces euler_characteristic boundary_loops components '
-expected+='coarse_vertices coarse_faces removed status greatest_cost skipped isolated protected border_loop '
+expected+='coarse_vertices coarse_faces removed status greatest_cost weights curvature skipped isolated protected border_loop '
 expected+='self_face low_degree not_flattenable not_separable operations area_ratio min_angle_degrees '
 expected+='subdivision vertices edges faces seconds read build simplify map write peak_memory_bytes'
 has_keys a.json $expected
 
 # The same bytes once more, and in every format.
-expect 0 simplify square.mesh.off -o b.ply --error 1e-12 --weight area=0 --prolongation b.mtx --quiet
+expect 0 simplify square.mesh.off -o b.ply --error 1e-12 --weight curvature=1 --prolongation b.mtx --quiet
 [ ! -s err ] || fail "not quiet: $(cat err)"
 cmp a.ply b.ply
 cmp a.mtx b.mtx
@@ -67,10 +68,25 @@ rm a.* b.*
 # A parallelogram, in six decimals: coarse edges cross fine ones, and are its sides and the shorter
 # diagonal.
 grid sheared 7 0.3
-expect 0 simplify sheared.mesh.off -o a.ply --vertices 4 --weight area=0
+expect 0 simplify sheared.mesh.off -o a.ply --vertices 4
 claim "m = ply('a.ply')" 'list(coarse_areas(m)) == [0, 1]' \
   'near(coarse_areas(m).values(), [0.5, 0.5], 5e-6)' 'near(coarse_edges(m), [5, 5.30872], 5e-6)'
 is_colored a.ply
+
+# By default the corners of flat parts stay, as few vertices as there may be. The weights in force are
+# those that are given, or all default ones.
+for cells in 4 12; do
+  grid square_$cells $cells 0
+  for n in 4 5 6 10; do
+    expect 0 simplify square_$cells.mesh.off -o a.ply --vertices $n --stats a.json
+    claim "s = json('a.json')" 's.coarse_vertices == '$n 'near(s.area_ratio, 1, 1e-12)' \
+      "list(s.weights) == ['area', 'area_change', 'boundary_change', 'curvature']"
+  done
+done
+expect 0 simplify square.mesh.off -o a.ply --vertices 10 --weight area=2 --weight boundary_change=1 --stats a.json
+says ', weight area=2, weight boundary_change=1'
+claim "json('a.json').weights == {'area': 2, 'boundary_change': 1}"
+rm a.*
 
 # Targets: a number, a part, and more than there are.
 cp "$shipped" slivers.mesh.off
@@ -78,7 +94,7 @@ expect 0 simplify slivers.mesh.off -o a.ply --vertices 100 --stats a.json --prol
 is_prolongation a.mtx 1320 100
 claim "(json('a.json').coarse_vertices, json('a.json').removed) == (100, 1220)" \
   "[c for c in ply('a.ply').vertex['coarse_vertex'] if c >= 0] == list(range(100))"
-expect 0 simplify slivers.mesh.off -o a.ply --ratio 0.1 --stats a.json --weight area=1 --weight curvature=0
+expect 0 simplify slivers.mesh.off -o a.ply --ratio 0.1 --stats a.json --weight area=1
 claim "json('a.json').coarse_vertices == 132"
 expect 0 simplify slivers.mesh.off -o a.ply --ratio 1 --stats a.json
 claim "json('a.json').removed == 0" "near(json('a.json').area_ratio, 1, 1e-12)"
@@ -130,7 +146,7 @@ expect 0 simplify striped.mesh.ply -o a.ply --vertices 100 --weight color=5
 expect 0 simplify striped.mesh.off -o b.ply --vertices 100 --weight color=5
 alike
 expect 0 simplify striped.mesh.off -o b.ply --vertices 100 --weight color=5 --refine 25
-expect 0 simplify striped.mesh.ply -o b.ply --vertices 100 --weight color=0 --weight height=0
+expect 0 simplify striped.mesh.ply -o b.ply --vertices 100 --weight color=0 --weight area=1
 expect 2 simplify plain.mesh.off -o c.ply --vertices 100 --weight color=1
 says 'no colors'
 expect 2 simplify good.mesh.obj -o c.ply --vertices 100 --weight color=1
@@ -216,7 +232,7 @@ rm a.* a_?.mtx
 # What is inserted in flat faces is removed without cost: eight times as wide as high, and refined.
 grid cells 16 0
 awk 'FNR > 2 && NF == 3 { $1 *= 8 } { print }' cells.mesh.off >wide.mesh.off
-expect 0 simplify wide.mesh.off -o a.ply --refine 30 --error 1e-12 --weight area=0 --weight area_change=0 --stats a.json
+expect 0 simplify wide.mesh.off -o a.ply --refine 30 --error 1e-12 --weight curvature=1 --stats a.json
 claim "json('a.json').inserted_vertices > 100" "a = coarse_areas(ply('a.ply'))" \
   'list(a) == [0, 1]' 'near(a.values(), [4, 4], 1e-9)'
 rm a.* b.*
@@ -306,11 +322,11 @@ done
 for error in -1 nan many; do
   expect 2 simplify slivers.mesh.off -o a.ply --error=$error
 done
-for weight in curvature area_change area_change=-1 color =1 area= area=-1 area=nan area=inf area=1x; do
+for weight in curvature area_change area_change=1 boundary_change=1 curvature=0 area_change=-1 color =1 area= area=-1 area=nan area=inf area=1x; do
   expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --weight $weight
   says '--weight'
 done
-expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --weight curvature=0 --weight area=0
+expect 2 simplify slivers.mesh.off -o a.ply --vertices 10 --weight area=0 --weight color=0
 says '--weight'
 expect_files
 

@@ -81,12 +81,23 @@ public:
   /// \param weight the factor of this part of the cost
   void add_area_change(const Evolving_surface& surface, double weight = 1)
   {
+    m_area_change_factor += weight * inverse_area(surface);
+  }
+
+  /// adds the area that flattening makes or takes away at the boundary: it costs as much as if it
+  /// was moved once around the boundaries of the surface, as a part of the area of the surface. So
+  /// corners of flat parts are kept, however few vertices are left: what is cut off there is gone
+  /// for good. It moves no mass, and is zero without boundary. Complexity: linear.
+  /// \param surface the surface
+  /// \param weight the factor of this part of the cost
+  void add_boundary_change(const Evolving_surface& surface, double weight = 1)
+  {
     const Delta_complex& mesh = surface.mesh();
-    double quadrupled = 0;
-    for(Face_index f : mesh.faces())
-      quadrupled += quadrupled_area(mesh.halfedge(f), surface.surface());
-    if(quadrupled > 0)
-      m_area_change_factor += 4 * weight / quadrupled;
+    double length = 0;
+    for(Halfedge_index h : mesh.halfedges())
+      if(mesh.is_border(h))
+        length += surface.surface().length(h);
+    m_boundary_change_factor += weight * length * inverse_area(surface);
   }
 
   /// adds the Laplacian of a function that is linear on the faces, integrated over the hat function
@@ -138,7 +149,7 @@ public:
   double operator()(const Flattened_star& star)
   {
     find_moments(star);
-    double cost = m_area_change_factor * std::abs(star.area_change()) * mean_length(star);
+    double cost = change_of_area(star);
     for(std::size_t n = 0; n < star.size(); ++n)
       if(star[n].first_with_neighbor == n && star[n].weight > 0)
         for(std::size_t c = 0; c < m_channels; ++c)
@@ -238,6 +249,23 @@ private:
       surface.length(h), surface.length(mesh.next(h)), surface.length(mesh.prev(h)));
   }
 
+  // zero for a surface without area
+  static double inverse_area(const Evolving_surface& surface)
+  {
+    const Delta_complex& mesh = surface.mesh();
+    double quadrupled = 0;
+    for(Face_index f : mesh.faces())
+      quadrupled += quadrupled_area(mesh.halfedge(f), surface.surface());
+    return quadrupled > 0 ? 4 / quadrupled : 0;
+  }
+
+  // the cost of the area that flattening makes or takes away
+  double change_of_area(const Flattened_star& star) const
+  {
+    const double boundary = star.is_border() ? m_boundary_change_factor : 0;
+    return std::abs(star.area_change()) * (m_area_change_factor * mean_length(star) + boundary);
+  }
+
   // of the way from the center, in the shares of the neighbors
   static double mean_length(const Flattened_star& star)
   {
@@ -289,7 +317,7 @@ private:
   }
 
   std::size_t m_number_of_vertices, m_channels = 0;
-  double m_area_change_factor = 0;
+  double m_area_change_factor = 0, m_boundary_change_factor = 0;
   std::vector<State> m_state;    // of each vertex, all masses together
   std::vector<Complex> m_moment; // of the spokes of the star at hand
 };

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_simplification/internal/operations/Star_prefetcher.h>
 #include <CGAL/Intrinsic_simplification/internal/operations/Vertex_heap.h>
 #include <CGAL/Intrinsic_simplification/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -132,6 +133,16 @@ private:
   Simplification_result m_result;
 };
 
+template <typename NamedParameters>
+void check_target()
+{
+  using CGAL::parameters::is_default_parameter;
+  if(is_default_parameter<NamedParameters, internal_np::number_of_vertices_t>::value &&
+     is_default_parameter<NamedParameters, internal_np::maximum_cost_t>::value)
+    throw Intrinsic_triangulations::Invalid_input(
+      "simplification needs a target: number_of_vertices() or maximum_cost()");
+}
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicSimplificationRef
@@ -146,9 +157,10 @@ private:
 /// \param np
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{number_of_vertices}
-///     \cgalParamDescription{the number of vertices at which to stop}
+///     \cgalParamDescription{the number of vertices at which to stop; with 0, all vertices go that
+///                           can be removed}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{0: until no vertex can be removed}
+///     \cgalParamDefault{0 if there is a `maximum_cost`; there is none otherwise}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_cost}
 ///     \cgalParamDescription{the greatest cost of a removal that is allowed}
@@ -163,11 +175,15 @@ private:
 ///     \cgalParamDefault{`Default_simplification_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// One of the first two must be given.
+///
 /// \returns what has been done
 ///
 /// Complexity: for bounded degrees and numbers of flips, linear in the removed vertices times the
 /// logarithm of all, plus linear in the size of the surface. Memory besides the history: 21 bytes
 /// for each vertex.
+/// \throws Intrinsic_triangulations::Invalid_input if there is neither a number of vertices nor a
+///         greatest cost; nothing was changed
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded and
 ///         Intrinsic_triangulations::Numerical_error as `Evolving_surface::remove()`; `surface` is
 ///         valid then, but may not be Delaunay.
@@ -178,6 +194,7 @@ Simplification_result simplify(Evolving_surface& surface, Cost& cost,
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
+  internal::check_target<NamedParameters>();
   const auto number_of_vertices = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, internal_np::number_of_vertices), std::size_t(0)));
   const double maximum_cost = choose_parameter(get_parameter(np, internal_np::maximum_cost),
@@ -199,15 +216,22 @@ constexpr double default_area_weight = 2;
 constexpr double default_area_change_weight = 6;
 
 /// \ingroup PkgIntrinsicSimplificationRef
+/// the weight of the change of area at the boundary in the default cost. With it, the corners of
+/// flat surfaces stay if there are as many vertices as corners.
+constexpr double default_boundary_change_weight = 12;
+
+/// \ingroup PkgIntrinsicSimplificationRef
 /// returns the transport of curvature and area as cost, with weights one and `default_area_weight`,
-/// and the change of area with weight `default_area_change_weight`. Curvature alone places few
-/// vertices on flat parts, area alone few where the surface is most curved. Complexity: linear.
+/// and the change of area, everywhere with weight `default_area_change_weight` and at the boundary
+/// with weight `default_boundary_change_weight`. Curvature alone places few vertices on flat parts,
+/// area alone few where the surface is most curved. Complexity: linear.
 inline Transport_cost default_cost(const Evolving_surface& surface)
 {
   Transport_cost cost(surface);
   cost.add_curvature(surface);
   cost.add_area(surface, default_area_weight);
   cost.add_area_change(surface, default_area_change_weight);
+  cost.add_boundary_change(surface, default_boundary_change_weight);
   return cost;
 }
 
