@@ -6,41 +6,19 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <cstddef>
 #include <utility>
 
 using CGAL::Discrete_conformal_maps::Layer;
 
-Map_front::Map_front(const Any_map& map, const Mesh& input)
-  : m_map(map), m_input(input), m_number(mesh().number_of_vertices(), Polygons::none)
-{
-  choose_elements();
-}
-
-void Map_front::choose_elements()
-{
-  std::vector<char> is_used(mesh().number_of_vertices(), 0);
-  for(const Halfedge_index h : mesh().halfedges())
-    is_used[mesh().target(h).idx()] |= has(h);
-  for(const Vertex_index v : mesh().vertices())
-    if(is_used[v.idx()] || is_of_input(v)) {
-      m_number[v.idx()] = static_cast<Polygons::Index>(m_vertices.size());
-      m_vertices.push_back(v);
-    }
-  for(const Edge_index e : mesh().edges())
-    if(has(mesh().halfedge(e)) || has(mesh().opposite(mesh().halfedge(e))))
-      m_edges.push_back(e);
-  for(const Face_index f : mesh().faces())
-    if(has(mesh().halfedge(f)))
-      m_faces.push_back(f);
-}
-
 Point Map_front::input_point(Vertex_index v) const
 {
-  if(is_of_input(v))
+  const auto w = input_weights(v);
+  if(w.size == 1)
     return m_input.point(Mesh::Vertex_index(v.idx()));
   Kernel::Vector_3 result = CGAL::NULL_VECTOR;
-  for_each_corner(
-    v, [&](Mesh::Vertex_index x, double w) { result += w * (m_input.point(x) - CGAL::ORIGIN); });
+  for(std::size_t c = 0; c < w.size; ++c)
+    result += w.weight[c] * (m_input.point(w.vertex[c]) - CGAL::ORIGIN);
   return CGAL::ORIGIN + result;
 }
 
@@ -48,27 +26,15 @@ std::vector<Polygons::Index> Map_front::polygon(Face_index f) const
 {
   std::vector<Polygons::Index> result;
   for(const Halfedge_index h : CGAL::halfedges_around_face(mesh().halfedge(f), mesh()))
-    result.push_back(m_number[mesh().target(h).idx()]);
-  return result;
-}
-
-CGAL::Intrinsic_triangulations::Vertex_weights<double>
-Map_front::input_weights(Vertex_index v) const
-{
-  if(is_of_input(v))
-    return {1, {v}, {1}};
-  auto result = CGAL::Intrinsic_triangulations::vertex_weights(subdivision().place(Layer::A, v),
-                                                               m_map.Delaunay().input_mesh());
-  for(std::size_t c = 0; c < result.size; ++c)
-    result.vertex[c] = m_map.input_vertex(result.vertex[c]);
+    result.push_back(number(mesh().target(h)));
   return result;
 }
 
 std::vector<Point> Map_front::input_points() const
 {
   std::vector<Point> result;
-  result.reserve(m_vertices.size());
-  for(const Vertex_index v : m_vertices)
+  result.reserve(vertices().size());
+  for(const Vertex_index v : vertices())
     result.push_back(input_point(v));
   return result;
 }
@@ -76,13 +42,12 @@ std::vector<Point> Map_front::input_points() const
 std::vector<double> Map_front::interpolated(const std::vector<double>& values) const
 {
   std::vector<double> result;
-  result.reserve(m_vertices.size());
-  for(const Vertex_index v : m_vertices) {
+  result.reserve(vertices().size());
+  for(const Vertex_index v : vertices()) {
+    const auto w = input_weights(v);
     double value = 0;
-    if(is_of_input(v))
-      value = values[v.idx()];
-    else
-      for_each_corner(v, [&](Mesh::Vertex_index x, double w) { value += w * values[x]; });
+    for(std::size_t c = 0; c < w.size; ++c)
+      value += w.weight[c] * values[w.vertex[c]];
     result.push_back(value);
   }
   return result;
@@ -91,18 +56,13 @@ std::vector<double> Map_front::interpolated(const std::vector<double>& values) c
 Eigen::SparseMatrix<double> Map_front::interpolation_matrix() const
 {
   std::vector<Eigen::Triplet<double>> entries;
-  for(std::size_t row = 0; row < m_vertices.size(); ++row) {
-    const auto add = [&](Mesh::Vertex_index v, double weight) {
-      if(weight != 0)
-        entries.emplace_back(int(row), int(v.idx()), weight);
-    };
-    const Vertex_index v = m_vertices[row];
-    if(is_of_input(v))
-      add(Mesh::Vertex_index(v.idx()), 1);
-    else
-      for_each_corner(v, add);
+  for(std::size_t row = 0; row < vertices().size(); ++row) {
+    const auto w = input_weights(vertices()[row]);
+    for(std::size_t c = 0; c < w.size; ++c)
+      if(w.weight[c] != 0)
+        entries.emplace_back(int(row), int(w.vertex[c].idx()), w.weight[c]);
   }
-  Eigen::SparseMatrix<double> result(Eigen::Index(m_vertices.size()),
+  Eigen::SparseMatrix<double> result(Eigen::Index(vertices().size()),
                                      Eigen::Index(m_input.number_of_vertices()));
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
@@ -110,22 +70,21 @@ Eigen::SparseMatrix<double> Map_front::interpolation_matrix() const
 
 void Map_front::add_parents(const std::string& last, Output_mesh& result) const
 {
-  result.edges.reserve(m_edges.size());
-  for(const Edge_index e : m_edges)
-    result.edges.push_back(
-      {m_number[mesh().vertex(e, 0).idx()], m_number[mesh().vertex(e, 1).idx()]});
+  result.edges.reserve(edges().size());
+  for(const Edge_index e : edges())
+    result.edges.push_back({number(mesh().vertex(e, 0)), number(mesh().vertex(e, 1))});
   result.point_data.push_back(
-    attribute_on_demand("input_vertex", m_vertices,
+    attribute_on_demand("input_vertex", vertices(),
                         [this](Vertex_index v) { return is_of_input(v) ? number_of(v) : -1; }));
   const std::pair<Layer, std::string> layers[] = {
     {Layer::A, "input"}, {Layer::B, "intrinsic"}, {Layer::C, last}};
   for(const auto& [parent, name] : layers) {
     result.edge_data.push_back(
-      attribute_on_demand(name + "_edge", m_edges, [this, layer = parent](Edge_index e) {
+      attribute_on_demand(name + "_edge", edges(), [this, layer = parent](Edge_index e) {
         return number_of(subdivision().parent_edge(layer, e));
       }));
     result.polygon_data.push_back(
-      attribute_on_demand(name + "_face", m_faces, [this, layer = parent](Face_index f) {
+      attribute_on_demand(name + "_face", faces(), [this, layer = parent](Face_index f) {
         return number_of(subdivision().parent_face(layer, f));
       }));
   }

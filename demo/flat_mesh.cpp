@@ -32,42 +32,31 @@ std::complex<double> position(const DCM::Hyperbolic_conformal_map& map,
   return map.to_disk(z);
 }
 
-// whether the two faces of an edge of the subdivision are apart in the plane
-template <class Map>
-bool is_seam(const Map& map, const Map_front& front, Edge_index e)
-{
-  const Edge_index c = front.subdivision().parent_edge(Layer::C, e);
-  const Halfedge_index h = front.mesh().halfedge(e);
-  return c.is_valid() && map.is_seam(c) && front.has(h) && front.has(front.mesh().opposite(h));
-}
-
 template <class Map>
 class Flat_mesh_builder
 {
 public:
   Flat_mesh_builder(const Map& map, const Map_front& front, bool is_homogeneous)
-    : m_map(map), m_front(front), m_corner(mesh().number_of_halfedges(), Polygons::none)
+    : m_map(map), m_front(front)
   {
     m_result.texture.dimension = is_homogeneous ? 3 : 2;
   }
 
   Output_mesh build(const std::vector<Mesh::Vertex_index>& cones)
   {
-    for(const Face_index f : m_front.faces())
-      add_polygon(f);
-    m_corner = std::vector<Polygons::Index>(); // all else comes in its place
+    add_polygons();
     m_result.points = m_front.input_points();
     m_front.add_parents("flat", m_result);
     add_point_data(cones);
     m_result.edge_data.push_back(attribute_on_demand(
       "is_seam", m_front.edges(), [&map = m_map, &front = m_front](Edge_index e) {
-        return std::int64_t(is_seam(map, front, e));
+        return std::int64_t(DCM::is_seam(map, front, e));
       }));
     return std::move(m_result);
   }
 
 private:
-  const Map_front::Any_map::Subdivision::Mesh& mesh() const { return m_front.mesh(); }
+  const Map_front::Mesh& mesh() const { return m_front.mesh(); }
 
   // ---- Points ----
 
@@ -87,39 +76,19 @@ private:
 
   // ---- Polygons ----
 
-  void add_polygon(Face_index f)
+  void add_polygons()
   {
-    m_result.polygons.push_back(m_front.polygon(f));
-    for(const Halfedge_index h : CGAL::halfedges_around_face(mesh().halfedge(f), mesh())) {
-      if(m_corner[h.idx()] == Polygons::none)
-        add_coordinates(h);
-      m_result.texture.polygons.add_corner(m_corner[h.idx()]);
+    const DCM::Texture_corners corners(m_map, m_front);
+    Corner_data& texture = m_result.texture;
+    for(const Face_index f : m_front.faces()) {
+      m_result.polygons.push_back(m_front.polygon(f));
+      for(const Halfedge_index h : CGAL::halfedges_around_face(mesh().halfedge(f), mesh()))
+        texture.polygons.add_corner(corners.index(h));
+      texture.polygons.close();
     }
-    m_result.texture.polygons.close();
-  }
-
-  // Of the corner at the target of `h` and those beside it, up to seams: rounding has made them a
-  // little different.
-  void add_coordinates(Halfedge_index h)
-  {
-    Halfedge_index first = h;
-    while(!is_open(first) && mesh().prev(mesh().opposite(first)) != h)
-      first = mesh().prev(mesh().opposite(first));
-    for(Halfedge_index x = first; m_corner[x.idx()] == Polygons::none;
-        x = mesh().opposite(mesh().next(x))) {
-      m_corner[x.idx()] = static_cast<Polygons::Index>(m_result.texture.coordinates.size());
-      if(is_open(mesh().next(x)))
-        break;
-    }
-    m_result.texture.coordinates.push_back(
-      coordinates(m_front.subdivision().location(Layer::C, first)));
-  }
-
-  // whether the faces of `h` are not beside each other in the plane
-  bool is_open(Halfedge_index h) const
-  {
-    return is_seam(m_map, m_front, mesh().edge(h)) || !m_front.has(h) ||
-           !m_front.has(mesh().opposite(h));
+    for(std::size_t n = 0; n < corners.size(); ++n)
+      texture.coordinates.push_back(
+        coordinates(m_front.subdivision().location(Layer::C, corners.halfedge(n))));
   }
 
   std::array<double, 3> coordinates(const DCM::Discrete_conformal_map::Face_location& on_C) const
@@ -133,7 +102,6 @@ private:
 
   const Map& m_map;
   const Map_front& m_front;
-  std::vector<Polygons::Index> m_corner; // coordinates at the target of each halfedge
   Output_mesh m_result;
 };
 

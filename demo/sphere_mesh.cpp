@@ -4,6 +4,8 @@
 
 #include "sphere_mesh.h"
 
+#include <CGAL/Discrete_conformal_maps/common_subdivision_mesh.h>
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <limits>
@@ -16,18 +18,6 @@ namespace {
 
 using DCM::Vertex_index;
 
-// Of each vertex of the subdivision, if it belongs to the input.
-std::vector<std::array<double, 4>> homogeneous_coordinates(const DCM::Spherical_conformal_map& map,
-                                                           const Map_front& front)
-{
-  std::vector<std::array<double, 4>> result(front.mesh().number_of_vertices());
-  for(const Map_front::Halfedge_index h : front.mesh().halfedges())
-    if(front.has(h))
-      result[front.mesh().target(h).idx()] =
-        map.homogeneous_coordinates(front.subdivision().location(DCM::Layer::C, h));
-  return result;
-}
-
 class Sphere_mesh_builder
 {
   typedef DCM::Spherical_conformal_map Map;
@@ -37,7 +27,7 @@ public:
     : m_map(map),
       m_front(front),
       m_homogeneous(std::make_shared<const std::vector<std::array<double, 4>>>(
-        homogeneous_coordinates(map, front)))
+        DCM::homogeneous_coordinates(map, front)))
   {
     if(map.is_disk())
       m_result.texture.dimension = 2;
@@ -58,8 +48,8 @@ public:
 private:
   void add_point(Vertex_index v)
   {
-    const auto p =
-      m_front.is_of_input(v) ? m_map.position(v) : Map::project((*m_homogeneous)[v.idx()]);
+    const auto p = m_front.is_of_input(v) ? m_map.position(v)
+                                          : Map::project((*m_homogeneous)[m_front.number(v)]);
     m_result.points.emplace_back(p[0], p[1], p[2]);
     if(m_map.is_disk()) {
       const auto z = Map::to_plane(p);
@@ -89,9 +79,11 @@ private:
     const char* const names[] = {"homogeneous_x", "homogeneous_y", "homogeneous_z",
                                  "homogeneous_w"};
     for(std::size_t c = 0; c < 4; ++c)
-      data.push_back(attribute_on_demand(
-        names[c], m_front.vertices(),
-        [homogeneous = m_homogeneous, c](Vertex_index v) { return (*homogeneous)[v.idx()][c]; }));
+      data.push_back(
+        attribute_on_demand(names[c], m_front.vertices(),
+                            [homogeneous = m_homogeneous, &front = m_front, c](Vertex_index v) {
+                              return (*homogeneous)[front.number(v)][c];
+                            }));
   }
 
   const Map& m_map;

@@ -15,7 +15,9 @@
   DO(minimizer)                                                                                    \
   DO(flipping)                                                                                     \
   DO(initial_log_scale_map)                                                                        \
-  DO(layout)
+  DO(layout)                                                                                       \
+  DO(texture_coordinates_map)                                                                      \
+  DO(homogeneous_texture_coordinates_map)
 
 #define CGAL_DISCRETE_CONFORMAL_MAPS_PARAMETERS(DO)                                                \
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                                     \
@@ -66,6 +68,16 @@ auto initial_log_scale_map(const Map& map);
 /// names a `Layout`: how flat faces are laid out in the plane.
 template <typename Layout>
 auto layout(const Layout& value);
+
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// names a writable property map for the images of corners.
+template <typename Map>
+auto texture_coordinates_map(const Map& map);
+
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// names a writable property map for the images of corners in homogeneous coordinates.
+template <typename Map>
+auto homogeneous_texture_coordinates_map(const Map& map);
 
 } // namespace parameters
 

@@ -117,8 +117,9 @@ void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Func
     throw No_texture_coordinates(std::string("the map is not laid out: ") +
                                  to_string(map.status()));
   if(!has_whole_faces(map))
-    throw No_texture_coordinates(
-      "edges had to be flipped: the map is not projective on every face");
+    throw No_texture_coordinates("edges had to be flipped: the map is not projective on every "
+                                 "face; common_subdivision() makes "
+                                 "a mesh on whose faces it is");
   const Whole_faces whole(map);
   Intrinsic_triangulations::internal::with_numbering(g, [&](const auto& numbering) {
     for(auto h : halfedges(g))
@@ -132,6 +133,9 @@ void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Func
 /// \ingroup PkgDiscreteConformalMapsFlat
 /// writes homogeneous texture coordinates \f$(xw, yw, w)\f$ of the corners of a mesh. Interpolated
 /// linearly and then divided by the third, they give the exact map. Complexity: linear.
+///
+/// This is for maps whose faces are whole, which is rare. `common_subdivision()` makes a mesh with
+/// texture coordinates for every map.
 ///
 /// \param map the result of `flatten()` for `g`
 /// \param g the mesh
@@ -154,6 +158,9 @@ void homogeneous_texture_coordinates(const Planar_conformal_map& map, const Grap
 /// writes texture coordinates \f$(x, y)\f$ of the corners of a mesh. Interpolated linearly, they
 /// give the map at vertices and, on each edge and face, its image; in between they approximate it.
 /// Complexity: linear.
+///
+/// This is for maps whose faces are whole, which is rare. `common_subdivision()` makes a mesh with
+/// texture coordinates for every map.
 ///
 /// \param map the result of `flatten()` for `g`
 /// \param g the mesh

@@ -22,7 +22,11 @@
   DO(maximum_circumradius)                                                                         \
   DO(simplicial)                                                                                   \
   DO(face_predicate)                                                                               \
-  DO(maximum_number_of_insertions)
+  DO(maximum_number_of_insertions)                                                                 \
+  DO(input_point_map)                                                                              \
+  DO(parent_vertex_map)                                                                            \
+  DO(parent_edge_map)                                                                              \
+  DO(parent_face_map)
 
 // with those of CGAL that are read
 #define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(DO)                                               \
@@ -108,6 +112,26 @@ auto face_predicate(const Predicate& value);
 /// names the number of vertices that may be inserted.
 template <typename Number>
 auto maximum_number_of_insertions(const Number& value);
+
+/// \ingroup PkgIntrinsicTriangulationsSubdivision
+/// names a readable property map from the vertices of the input, as `Vertex_index`, to points.
+template <typename Map>
+auto input_point_map(const Map& map);
+
+/// \ingroup PkgIntrinsicTriangulationsSubdivision
+/// names a writable property map for the vertices of which the vertices of a subdivision are copies.
+template <typename Map>
+auto parent_vertex_map(const Map& map);
+
+/// \ingroup PkgIntrinsicTriangulationsSubdivision
+/// names a writable property map for the edges of which the edges of a subdivision are parts.
+template <typename Map>
+auto parent_edge_map(const Map& map);
+
+/// \ingroup PkgIntrinsicTriangulationsSubdivision
+/// names a writable property map for the faces of which the faces of a subdivision are parts.
+template <typename Map>
+auto parent_face_map(const Map& map);
 
 } // namespace parameters
 

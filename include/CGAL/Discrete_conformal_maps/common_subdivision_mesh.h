@@ -1,0 +1,262 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_COMMON_SUBDIVISION_MESH_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_COMMON_SUBDIVISION_MESH_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Input_part.h>
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/named_parameters.h>
+#include <CGAL/Discrete_conformal_maps/texture_coordinates.h>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// returns the homogeneous coordinates of the image of each vertex of an input part, in the order
+/// of its vertices. Complexity: linear.
+inline std::vector<std::array<double, 4>>
+homogeneous_coordinates(const Spherical_conformal_map& map, const Input_part& part)
+{
+  std::vector<std::array<double, 4>> result(part.vertices().size());
+  for(Halfedge_index h : part.mesh().halfedges())
+    if(part.has(h))
+      result[part.number(part.mesh().target(h))] =
+        map.homogeneous_coordinates(part.subdivision().location(Layer::C, h));
+  return result;
+}
+
+namespace internal {
+
+inline std::array<double, 2> affine_coordinates(const Planar_conformal_map&,
+                                                const std::array<double, 3>& z)
+{
+  return {z[0] / z[2], z[1] / z[2]};
+}
+
+inline std::array<double, 2> affine_coordinates(const Hyperbolic_conformal_map& map,
+                                                const std::array<double, 3>& z)
+{
+  const std::complex<double> p = map.to_disk(z);
+  return {p.real(), p.imag()};
+}
+
+inline std::array<double, 3> affine_coordinates(const Spherical_conformal_map& map,
+                                                const std::array<double, 4>& z)
+{
+  return map.project(z);
+}
+
+template <typename Value, std::size_t size, std::size_t... n>
+Value made_of(const std::array<double, size>& a, std::index_sequence<n...>)
+{
+  return Value{a[n]...};
+}
+
+// The coordinates of the corner at the target of a halfedge.
+template <typename Map>
+class Corner_images
+{
+public:
+  Corner_images(const Map& map, const Input_part& part)
+    : m_map(map), m_part(part), m_corners(map, part)
+  {}
+
+  std::array<double, 3> homogeneous(Halfedge_index h) const
+  {
+    return m_map.homogeneous_coordinates(
+      m_part.subdivision().location(Layer::C, m_corners.halfedge(m_corners.index(h))));
+  }
+
+  std::array<double, 2> affine(Halfedge_index h) const
+  {
+    return affine_coordinates(m_map, homogeneous(h));
+  }
+
+private:
+  const Map& m_map;
+  const Input_part& m_part;
+  Texture_corners m_corners;
+};
+
+template <>
+class Corner_images<Spherical_conformal_map>
+{
+public:
+  Corner_images(const Spherical_conformal_map& map, const Input_part& part)
+    : m_map(map), m_part(part), m_homogeneous(homogeneous_coordinates(map, part))
+  {}
+
+  const std::array<double, 4>& homogeneous(Halfedge_index h) const
+  {
+    return m_homogeneous[m_part.number(m_part.mesh().target(h))];
+  }
+
+  std::array<double, 3> affine(Halfedge_index h) const { return at(m_part.mesh().target(h)); }
+
+  // vertices of the input have their positions
+  std::array<double, 3> at(Vertex_index v) const
+  {
+    return m_part.is_of_input(v) ? m_map.position(v)
+                                 : m_map.project(m_homogeneous[m_part.number(v)]);
+  }
+
+private:
+  const Spherical_conformal_map& m_map;
+  const Input_part& m_part;
+  std::vector<std::array<double, 4>> m_homogeneous;
+};
+
+inline void check_layout(const Planar_conformal_map& map)
+{
+  if(!map.is_laid_out())
+    throw No_texture_coordinates(std::string("the map is not laid out: ") +
+                                 to_string(map.status()));
+}
+template <typename Map>
+void check_layout(const Map&)
+{}
+
+// Puts `value(h)` to the map that `np` has for `Tag`, if there is one, for the corners of faces.
+template <typename Tag, typename Copy, typename Value_of, typename NamedParameters>
+void put_corners(const Input_part& part, const Copy& copy, const Value_of& value,
+                 const NamedParameters& np)
+{
+  if constexpr(!CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value) {
+    const auto map = CGAL::parameters::get_parameter(np, Tag());
+    typedef typename boost::property_traits<std::decay_t<decltype(map)>>::value_type Value;
+    for(Halfedge_index h : part.mesh().halfedges())
+      if(part.has(h)) {
+        const auto z = value(h);
+        put(map, copy.halfedge_of(h),
+            made_of<Value>(
+              z, std::make_index_sequence<std::tuple_size<std::decay_t<decltype(z)>>::value>()));
+      }
+  }
+}
+
+// whether `np` has texture coordinates
+template <typename NamedParameters>
+constexpr bool has_corners()
+{
+  using CGAL::parameters::is_default_parameter;
+  return !is_default_parameter<NamedParameters, internal_np::texture_coordinates_map_t>::value ||
+         !is_default_parameter<NamedParameters,
+                               internal_np::homogeneous_texture_coordinates_map_t>::value;
+}
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsSubdivision
+/// adds the common subdivision of the three triangulations of a map, as far as it belongs to the
+/// input, to a mesh of any type. The map is projective on each of its faces, so that this mesh with
+/// homogeneous texture coordinates is the whole map.
+///
+/// The vertices are those of the input, in their order, then crossings. Faces are convex polygons;
+/// they have the orientation of the input. Complexity: linear.
+///
+/// \tparam Map `Planar_conformal_map`, `Hyperbolic_conformal_map` or `Spherical_conformal_map`
+/// \tparam Graph a model of `MutableFaceGraph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param map the map
+/// \param out the mesh; what it has already stays
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{input_point_map}
+///     \cgalParamDescription{the positions of the vertices of the input}
+///     \cgalParamType{a readable property map with `Vertex_index` as key and a point of a kernel as
+///                    value, such as `mesh.points()` of a `Surface_mesh` without garbage; for other
+///                    graphs, vertices are numbered in the order of `vertices(g)`}
+///     \cgalParamDefault{on the unit sphere for a `Spherical_conformal_map`; required otherwise}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the map that gets the positions of the vertices of `out`}
+///     \cgalParamType{a writable property map with a vertex of `Graph` as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, out)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{parent_vertex_map}
+///     \cgalParamDescription{gets for each vertex of `out` the vertex of the input that it is, null if there is none}
+///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
+///                    value, or `std::array<Vertex_index, 3>` for \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{parent_edge_map}
+///     \cgalParamDescription{gets for each edge of `out` the edge of which it is a part, null if there
+///                           is none, as `parent_vertex_map`}
+///     \cgalParamType{as before, with edges and `Edge_index`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{parent_face_map}
+///     \cgalParamDescription{gets for each face of `out` the face of which it is a part, as
+///                           `parent_vertex_map`}
+///     \cgalParamType{as before, with faces and `Face_index`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{texture_coordinates_map}
+///     \cgalParamDescription{gets for each halfedge of `out` the image of the corner at its target in
+///       its face: \f$(x, y)\f$ in the plane or in the Poincare disk, \f$(x, y, z)\f$ on the unit
+///       sphere. Interpolated linearly, they are the map at vertices and, on each face, its image.
+///       Border halfedges get no value.}
+///     \cgalParamType{a writable property map with a halfedge of `Graph` as key and a value type that
+///       is made of two (three) `double`, such as `Point_2` of a kernel}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{homogeneous_texture_coordinates_map}
+///     \cgalParamDescription{gets these images in the homogeneous coordinates of the map, which are
+///       linear on each face: \f$(xw, yw, w)\f$ in the plane or in Klein's disk, \f$(xw, yw, zw,
+///       w)\f$ in space}
+///     \cgalParamType{as before, with a value type that is made of three (four) `double`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \throws No_texture_coordinates if there are to be texture coordinates of a map that is not laid
+///         out; nothing is written then
+template <typename Map, typename Graph,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+void common_subdivision(const Map& map, Graph& out,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+{
+  namespace IT = Intrinsic_triangulations;
+  constexpr bool is_spherical = std::is_same_v<Map, Spherical_conformal_map>;
+  constexpr bool has_points =
+    !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::input_point_map_t>::value;
+  static_assert(has_points || is_spherical, "input_point_map() is missing");
+  constexpr bool has_corners = internal::has_corners<NamedParameters>();
+  if(has_corners)
+    internal::check_layout(map);
+  const Input_part part(map);
+  const IT::Copied_part copy(part, out);
+  IT::write_input_points(
+    part, copy, out, [&](Vertex_index v) { return part.input_weights(v); }, np);
+  IT::write_parents(part, copy, out, np);
+  if constexpr(has_corners || !has_points) {
+    const internal::Corner_images<Map> images(map, part);
+    if constexpr(!has_points)
+      IT::write_points(
+        part, copy, out,
+        [&](Vertex_index v, auto point) {
+          const std::array<double, 3> p = images.at(v);
+          return decltype(point)(p[0], p[1], p[2]);
+        },
+        np);
+    internal::put_corners<internal_np::texture_coordinates_map_t>(
+      part, copy, [&](Halfedge_index h) { return images.affine(h); }, np);
+    internal::put_corners<internal_np::homogeneous_texture_coordinates_map_t>(
+      part, copy, [&](Halfedge_index h) { return images.homogeneous(h); }, np);
+  }
+}
+
+} // namespace CGAL::Discrete_conformal_maps
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_COMMON_SUBDIVISION_MESH_H

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_COARSE_MESH_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_COARSE_MESH_H
+
+#include <CGAL/license/Intrinsic_simplification.h>
+
+#include <CGAL/Intrinsic_simplification/Evolving_surface.h>
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/internal/maps/Coarse_mesh_measurement.h>
+#include <CGAL/Intrinsic_simplification/named_parameters.h>
+#include <CGAL/Intrinsic_simplification/refine.h>
+#include <CGAL/Intrinsic_triangulations/Subdivision_part.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/is_simplicial.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Intrinsic_simplification {
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// how a coarse mesh in space differs from the surface that it stands for, and what is wrong with
+/// it.
+struct Coarse_mesh_quality
+{
+  /// the number of vertices that had to be inserted into the coarse triangulation
+  std::size_t inserted_vertices = 0;
+  /// the greatest distance in space of a vertex of the fine level from the coarse mesh
+  double distance_to_coarse = 0;
+  /// the greatest distance in space of the middle of an edge or face of the coarse mesh from the
+  /// fine level
+  double distance_to_fine = 0;
+  /// the number of faces whose normals point to the other side than the mean normal of the part of
+  /// the fine level that is mapped to them
+  std::size_t flipped_faces = 0;
+  std::size_t degenerate_faces = 0;   ///< the number of faces whose corners are on a line, exactly
+  std::size_t self_intersections = 0; ///< the number of pairs of faces that intersect, exactly
+
+  /// returns the greater one of both distances.
+  double deviation() const { return (std::max)(distance_to_coarse, distance_to_fine); }
+};
+
+namespace internal {
+
+// A triangulation as a subdivision with one triangulation.
+struct Whole_triangulation
+{
+  typedef Delta_complex Mesh;
+  typedef Delta_complex::size_type size_type;
+
+  const Delta_complex& mesh() const { return m_mesh; }
+
+  const Delta_complex& m_mesh;
+};
+
+// Inserts vertices until the surface is simplicial. Returns their number.
+inline std::size_t make_simplicial(Evolving_surface& surface)
+{
+  const Intrinsic_triangulations::Refinement_result result =
+    refine(surface, parameters::minimum_angle(0).simplicial(true));
+  if(!Intrinsic_triangulations::is_simplicial(Surface_level(surface).mesh()))
+    throw Intrinsic_triangulations::Numerical_error(
+      std::string("the coarse triangulation has loops or several edges with the same ends: ") +
+      to_string(result.status));
+  return result.insertions - result.removals;
+}
+
+// The positions of the vertices of the coarse level, those of both levels exactly.
+template <typename PointMap>
+auto coarse_points(const Surface_map& map, const PointMap& points)
+{
+  std::vector<std::decay_t<decltype(get(points, Vertex_index()))>> result;
+  for(Vertex_index v : map.coarse().mesh().vertices()) {
+    const Vertex_index fine = map.fine().level_vertex(map.coarse().surface_vertex(v));
+    if(fine.is_valid()) {
+      result.push_back(get(points, fine));
+      continue;
+    }
+    const auto [face, weight] = preimage_of_vertex(v, map);
+    const auto side = Intrinsic_triangulations::sides(face, map.fine().mesh());
+    std::array<Vertex_index, 3> corner;
+    for(std::size_t c = 0; c < 3; ++c)
+      corner[c] = map.fine().mesh().source(side[c]);
+    result.push_back(
+      Intrinsic_triangulations::internal::linear_value(points, corner, weight, corner.size()));
+  }
+  return result;
+}
+
+// `point(v)` is the position of a vertex.
+template <typename Point_of>
+Space_mesh mesh_in_space(const Delta_complex& complex, const Point_of& point)
+{
+  Space_mesh result =
+    Intrinsic_triangulations::internal::mesh_with_connectivity<Space::Point_3>(complex);
+  for(Vertex_index v : complex.vertices()) {
+    const auto& p = point(v);
+    result.point(v) = Space::Point_3(to_double(p.x()), to_double(p.y()), to_double(p.z()));
+  }
+  return result;
+}
+
+inline Coarse_mesh_quality measured(const Surface_map& map, const Space_mesh& fine,
+                                    const Space_mesh& coarse)
+{
+  const Coarse_mesh_measurement measurement(map, fine, coarse);
+  Coarse_mesh_quality result;
+  result.distance_to_coarse = measurement.distance_to_coarse();
+  result.distance_to_fine = measurement.distance_to_fine();
+  result.flipped_faces = measurement.number_of_flipped_faces();
+  result.degenerate_faces = measurement.number_of_degenerate_faces();
+  result.self_intersections = measurement.number_of_self_intersections();
+  return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicSimplificationRef
+/// adds the coarse triangulation to a mesh of any type, as an ordinary mesh in space: the vertices
+/// where they are on the fine level, the edges straight, the faces flat.
+///
+/// If the triangulation has loops or several edges with the same ends, vertices are inserted into a
+/// copy of the surface until it is simplicial, as `refine()` does with
+/// `minimum_angle(0).simplicial(true)`. They follow the other vertices and lie on the fine level.
+///
+/// The coarse triangulation is close to the fine level in its lengths, not in space: its faces
+/// can be flipped, without area, or intersect. The result says what is so.
+///
+/// \tparam Graph a model of `MutableFaceGraph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param surface the surface after its simplification
+/// \param fine the level before
+/// \param out the mesh; what it has already stays
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{input_point_map}
+///     \cgalParamDescription{the positions of the vertices of the fine level}
+///     \cgalParamType{a readable property map with `Vertex_index` as key and a point of a kernel as
+///                    value, such as `mesh.points()` of a `Surface_mesh` without garbage}
+///     \cgalParamDefault{none: required}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the map that gets the positions of the vertices of `out`}
+///     \cgalParamType{a writable property map with a vertex of `Graph` as key}
+///     \cgalParamDefault{`get(CGAL::vertex_point, out)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{parent_vertex_map}
+///     \cgalParamDescription{gets for each vertex of `out` the vertex of the fine level that it is,
+///                           null for those that were inserted}
+///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
+///                    value}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \returns how far both surfaces are apart in space, and the defects of the mesh
+///
+/// Complexity: linear in the elements and the history, and \f$O(n \log n)\f$ for distances and
+/// intersections.
+/// \throws Intrinsic_triangulations::Numerical_error if vertices cannot be inserted because of
+///   rounding; `out` stays then
+/// \throws what `refine()` throws
+template <typename Graph, typename NamedParameters>
+Coarse_mesh_quality coarse_mesh(const Evolving_surface& surface, const Surface_level& fine,
+                                Graph& out, const NamedParameters& np)
+{
+  namespace IT = Intrinsic_triangulations;
+  static_assert(
+    !CGAL::parameters::is_default_parameter<NamedParameters, internal_np::input_point_map_t>::value,
+    "input_point_map() is missing");
+  const auto input = CGAL::parameters::get_parameter(np, internal_np::input_point_map);
+  Evolving_surface refined = surface;
+  const std::size_t inserted =
+    IT::is_simplicial(Surface_level(surface).mesh()) ? 0 : internal::make_simplicial(refined);
+  const Surface_level coarse(refined);
+  const Surface_map map(refined, fine, coarse);
+  const auto points = internal::coarse_points(map, input);
+
+  typedef internal::Whole_triangulation Triangulation;
+  const Triangulation triangulation{coarse.mesh()};
+  const IT::Subdivision_part<Triangulation> part(triangulation);
+  const IT::Copied_part copy(part, out);
+  IT::write_points(
+    part, copy, out, [&](Vertex_index v, const auto&) { return points[v.idx()]; }, np);
+  IT::internal::put_parents<internal_np::parent_vertex_map_t>(
+    np, part.vertices(), [&](std::size_t n) { return copy.vertex(n); },
+    [&](Vertex_index v, std::size_t) { return fine.level_vertex(coarse.surface_vertex(v)); });
+
+  Coarse_mesh_quality result = internal::measured(
+    map, internal::mesh_in_space(fine.mesh(), [&](Vertex_index v) { return get(input, v); }),
+    internal::mesh_in_space(coarse.mesh(), [&](Vertex_index v) { return points[v.idx()]; }));
+  result.inserted_vertices = inserted;
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_simplification
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_COARSE_MESH_H
