@@ -48,8 +48,8 @@ public:
 private:
   void add_point(Vertex_index v)
   {
-    const auto p = m_front.is_of_input(v) ? m_map.position(v)
-                                          : Map::project((*m_homogeneous)[m_front.number(v)]);
+    const auto p =
+      m_front.is_of_input(v) ? m_map.position(v) : m_map.image((*m_homogeneous)[m_front.number(v)]);
     m_result.points.emplace_back(p[0], p[1], p[2]);
     if(m_map.is_disk()) {
       const auto z = Map::to_plane(p);

@@ -40,7 +40,9 @@ class Sphere_mapping;
 /// to rotations. The vertex from which the sphere was unfolded has the position (0, 0, -1).
 ///
 /// The image of a disk is the upper hemisphere, and its boundary is on the equator; a vertex of the
-/// boundary has the position (-1, 0, 0).
+/// boundary has the position (-1, 0, 0). If all vertices of a disk are on the boundary, the convex
+/// polyhedron of its double is a flat polygon, seen from both sides: `is_flat()`. Then the image is
+/// this polygon, in the plane of the equator.
 ///
 /// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
 /// logarithmic scale factor zero, which are unspecified otherwise.
@@ -60,6 +62,14 @@ public:
 
   /// returns whether the input is a disk.
   bool is_disk() const { return !is_front(Face_index(Delaunay().input_mesh().num_faces() - 1)); }
+
+  /// returns whether the image is a convex polygon inscribed in the equator: the input is a disk
+  /// without vertices inside.
+  bool is_flat() const
+  {
+    const Vertex_index last(ideal().mesh().num_vertices() - 1);
+    return is_disk() && input_vertex(last) == last; // no vertex has a copy
+  }
 
   /// returns the vertex from which the sphere was unfolded into the plane.
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
@@ -91,7 +101,8 @@ public:
   /// returns the number of faces of \f$T^C\f$ that have an edge which is not convex, or are flipped
   /// as seen from the center, if they have their vertices at `position()`: exact for these rounded
   /// numbers. Edges between faces that are parts of one flat face can have any
-  /// side, and count.
+  /// side, and count. Faces of a disk count if they have a vertex inside; those of a flat image if
+  /// they are flipped in its plane or have no area.
   std::size_t lost_in_output() const { return m_lost_in_output; }
 
   /// returns the greatest distance of a `position()` from the sphere.
@@ -124,6 +135,15 @@ public:
     return result;
   }
 
+  /// returns the image of a point of the polyhedron with these homogeneous coordinates: on the
+  /// sphere, as `project()` gives it, or in the plane of the equator if `is_flat()`.
+  Point image(const std::array<double, 4>& homogeneous) const
+  {
+    if(!is_flat())
+      return project(homogeneous);
+    return {homogeneous[0] / homogeneous[3], homogeneous[1] / homogeneous[3], 0};
+  }
+
   /// returns the image of a point of the polyhedron on the sphere, along the ray from the center.
   static Point project(const std::array<double, 4>& homogeneous)
   {
@@ -139,11 +159,11 @@ public:
     return std::complex<double>(p[0], p[1]) / (1 + p[2]);
   }
 
-  /// returns the image on the sphere of a point of the input, by piecewise projective
-  /// interpolation. Complexity: that of `place_on_C()`.
+  /// returns the image of a point of the input, by piecewise projective interpolation: on the
+  /// sphere, or in the plane of the equator if `is_flat()`. Complexity: that of `place_on_C()`.
   Point operator()(const Face_location& p) const
   {
-    return project(homogeneous_coordinates(place_on_C(p)));
+    return image(homogeneous_coordinates(place_on_C(p)));
   }
 
 private:

@@ -55,7 +55,7 @@ inline std::array<double, 2> affine_coordinates(const Hyperbolic_conformal_map& 
 inline std::array<double, 3> affine_coordinates(const Spherical_conformal_map& map,
                                                 const std::array<double, 4>& z)
 {
-  return map.project(z);
+  return map.image(z);
 }
 
 template <typename Value, std::size_t size, std::size_t... n>
@@ -108,8 +108,7 @@ public:
   // vertices of the input have their positions
   std::array<double, 3> at(Vertex_index v) const
   {
-    return m_part.is_of_input(v) ? m_map.position(v)
-                                 : m_map.project(m_homogeneous[m_part.number(v)]);
+    return m_part.is_of_input(v) ? m_map.position(v) : m_map.image(m_homogeneous[m_part.number(v)]);
   }
 
 private:

@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Inscribed_polygon.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Unfolded_sphere.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
@@ -43,7 +44,15 @@ public:
 
   Spherical_conformal_map run()
   {
-    take(unfold());
+    if(has_vertices_inside()) {
+      const Unfolded_sphere sphere = unfold();
+      take(sphere);
+      m_map.m_lost_in_output = lost_in_output();
+    } else {
+      const Inscribed_polygon polygon(m_problem, m_mass, candidates().front(), m_visitor);
+      take(polygon);
+      m_map.m_lost_in_output = lost_in_output(polygon);
+    }
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     return std::move(m_map);
@@ -110,6 +119,14 @@ private:
     return result;
   }
 
+  bool has_vertices_inside() const
+  {
+    const auto vertices = m_problem.surface().vertices();
+    return std::any_of(vertices.begin(), vertices.end(), [this](Vertex_index v) {
+      return !m_problem.surface().is_isolated(v) && !m_problem.is_on_boundary(v);
+    });
+  }
+
   // The first good result, or else the best. Results with different copies of a disk cannot be
   // compared: unless the first is good, they have all of it.
   Unfolded_sphere unfold()
@@ -136,7 +153,8 @@ private:
     return std::move(*best);
   }
 
-  void take(const Unfolded_sphere& sphere)
+  template <typename Sphere>
+  void take(const Sphere& sphere)
   {
     m_builder.flip(sphere.flips());
     m_builder.set_scale_factors(sphere);
@@ -150,9 +168,25 @@ private:
       m_map.m_position.push_back(
         {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     }
-    m_map.m_lost_in_output = lost_in_output();
   }
 
+  std::size_t lost_in_output(const Inscribed_polygon& polygon) const
+  {
+    const Delta_complex& mesh = m_map.ideal().mesh();
+    const auto at = [&](Halfedge_index h) {
+      const Spherical_conformal_map::Point& p = m_map.position(mesh.source(h));
+      return Plane_predicates<double>::Point{p[0], p[1]};
+    };
+    std::size_t result = 0;
+    for(Face_index f : mesh.faces()) {
+      const auto side = Intrinsic_triangulations::sides(f, mesh);
+      result += polygon.is_front(f) &&
+                Plane_predicates<double>().orientation(at(side[0]), at(side[1]), at(side[2])) <= 0;
+    }
+    return result;
+  }
+
+  // The faces of a disk are those with a vertex inside; others are on its back.
   std::size_t lost_in_output() const
   {
     typedef Spherical_conformal_map::Point Point;
@@ -160,9 +194,15 @@ private:
     const auto at = [&](Vertex_index v) { return m_map.position(v); };
     const Plane_predicates<double> predicates;
     const Point center{0, 0, 0};
+    const auto is_inside = [&](Halfedge_index h) {
+      const Vertex_index v = mesh.source(h);
+      return v.idx() < m_problem.size() && !m_problem.is_on_boundary(v);
+    };
     std::size_t result = 0;
     for(Face_index f : mesh.faces()) {
       const auto side = Intrinsic_triangulations::sides(f, mesh);
+      if(std::none_of(side.begin(), side.end(), is_inside))
+        continue;
       const Point p = at(mesh.source(side[0])), q = at(mesh.source(side[1])),
                   r = at(mesh.source(side[2]));
       bool is_good = predicates.orientation(p, q, r, center) > 0;
@@ -188,14 +228,16 @@ private:
 
 /// \ingroup PkgDiscreteConformalMapsSphere
 /// maps a surface of genus zero to the unit sphere, discretely conformally, or a disk to a
-/// hemisphere (Section 4.4).
+/// hemisphere (Section 4.4). A disk without vertices inside becomes a polygon inscribed in the
+/// equator, see `Spherical_conformal_map::is_flat()`.
 ///
 /// Scale factors are found by `Bounded_Newton_minimizer`, at first in `double`. Whether the result
 /// is a convex polyhedron is decided exactly. If it is none, or length cross ratios are not what
 /// they should be, it is computed with 106 binary digits, and if that does not suffice with other
 /// vertices at infinity. The best result is returned: `Spherical_conformal_map::status()` is
 /// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
-/// \f$10^{-8}\f$.
+/// \f$10^{-8}\f$. The polygon needs no minimization, and is computed with 106 binary digits at once;
+/// its status is `Map_status::layout_collapsed` if these do not distinguish its vertices.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters

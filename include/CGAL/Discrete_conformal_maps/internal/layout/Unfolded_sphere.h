@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Sphere_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/spherical_log_scales.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Partially_decorated_surface.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -149,33 +149,9 @@ private:
     m_position.clear();
     for(const auto& p : layout.positions())
       m_position.push_back({Extended(p[0]), Extended(p[1])});
-    set_log_scales(scale.values(), Extended(layout.scale()));
+    m_log_scale = spherical_log_scales(scale.values(), Extended(layout.scale()), m_position,
+                                       m_at_infinity, m_problem.surface());
     compare(layout.positions(), scale);
-  }
-
-  // Of lengths on the sphere: first those of the plane, then those of the stereographic projection.
-  // At infinity, where neighbors have the distance one of horocycles, there is only the latter.
-  template <typename FT>
-  void set_log_scales(const std::vector<FT>& u, const Extended& plane_scale)
-  {
-    const double shift = static_cast<double>(log(plane_scale));
-    m_log_scale.clear();
-    for(std::size_t v = 0; v < u.size(); ++v) {
-      const Extended square =
-        m_position[v][0] * m_position[v][0] + m_position[v][1] * m_position[v][1];
-      m_log_scale.push_back(std::log(2.) + static_cast<double>(u[v]) - shift -
-                            log_of_one_plus(square));
-    }
-    m_log_scale[m_at_infinity.idx()] = std::log(2.) + shift;
-    const Delta_complex& surface = m_problem.surface();
-    for(Vertex_index v : surface.vertices())
-      if(surface.is_isolated(v))
-        m_log_scale[v.idx()] = 0;
-  }
-
-  static double log_of_one_plus(const Extended& x)
-  {
-    return x < 1e30 ? std::log1p(static_cast<double>(x)) : static_cast<double>(log(x));
   }
 
   // Compares the result with the ideal polyhedron and the bounds.

@@ -10,20 +10,21 @@
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Flips every edge that the first curve in the corner of `spoke` crosses, so that the curve becomes
-// an edge. The halfedges that are turned are added to `flips`.
+// Flips every edge that curve `k` in the corner of `spoke` crosses, so that the curve becomes an
+// edge. The halfedges that are turned are added to `flips`.
 template <typename Integer>
-void flip_along_curve(Halfedge_index spoke, Integer_coordinates<Integer>& coordinates,
-                      Delta_complex& mesh, const Vertex_spokes& spokes,
-                      std::vector<Halfedge_index>& flips)
+void flip_along_curve(Halfedge_index spoke, const Integer& k,
+                      Integer_coordinates<Integer>& coordinates, Delta_complex& mesh,
+                      const Vertex_spokes& spokes, std::vector<Halfedge_index>& flips)
 {
   typedef typename Integer_coordinates<Integer>::Turn Turn;
-  auto crossing = coordinates.first_crossing(spoke, Integer(0), mesh);
+  auto crossing = coordinates.first_crossing(spoke, k, mesh);
   for(Turn turn = Turn::around_source; turn != Turn::ends;) {
     flips.push_back(crossing.halfedge);
     turn = coordinates.advance(crossing, mesh);
@@ -31,21 +32,47 @@ void flip_along_curve(Halfedge_index spoke, Integer_coordinates<Integer>& coordi
   }
 }
 
-// Flips until all edges are shared (Algorithm 4). Flips of one curve can bring another into a
-// corner that has been dealt with; hence the repetition. That it ends is proven by
-// Mosher (1988). Returns the halfedges that have been turned, in order.
-template <typename Integer>
-std::vector<Halfedge_index> flip_to_shared(Integer_coordinates<Integer>& coordinates,
-                                           Delta_complex& mesh, const Vertex_spokes& spokes)
+// Returns the index of the first curve in the corner of `spoke` that runs along a halfedge of T1
+// for which `is_wanted` holds.
+template <typename Integer, typename Is_wanted>
+std::optional<Integer> first_curve(Halfedge_index spoke,
+                                   const Integer_coordinates<Integer>& coordinates,
+                                   const Delta_complex& mesh, const Vertex_spokes& spokes,
+                                   const Is_wanted& is_wanted)
+{
+  if(mesh.is_border(spoke))
+    return std::nullopt;
+  const Integer leaving = coordinates.curves_leaving(mesh.next(spoke), mesh);
+  for(Integer k(0); k < leaving; ++k)
+    if(is_wanted(coordinates.spoke_in_corner(spoke, k, mesh, spokes)))
+      return k;
+  return std::nullopt;
+}
+
+// Flips until the edges of T1 are shared for whose halfedges `is_wanted` holds (Algorithm 4). Flips
+// of one curve can bring another into a corner that has been dealt with; hence the repetition. That
+// it ends is proven by Mosher (1988). Returns the halfedges that have been turned, in order.
+template <typename Integer, typename Is_wanted>
+std::vector<Halfedge_index> flip_to_share(Integer_coordinates<Integer>& coordinates,
+                                          Delta_complex& mesh, const Vertex_spokes& spokes,
+                                          const Is_wanted& is_wanted)
 {
   std::vector<Halfedge_index> flips;
   for(std::size_t before = 1; before != flips.size();) {
     before = flips.size();
     for(Halfedge_index h : mesh.halfedges())
-      while(!mesh.is_border(h) && coordinates.curves_leaving(mesh.next(h), mesh) > 0)
-        flip_along_curve(h, coordinates, mesh, spokes, flips);
+      while(const auto k = first_curve(h, coordinates, mesh, spokes, is_wanted))
+        flip_along_curve(h, *k, coordinates, mesh, spokes, flips);
   }
   return flips;
+}
+
+// Flips until all edges are shared.
+template <typename Integer>
+std::vector<Halfedge_index> flip_to_shared(Integer_coordinates<Integer>& coordinates,
+                                           Delta_complex& mesh, const Vertex_spokes& spokes)
+{
+  return flip_to_share(coordinates, mesh, spokes, [](Halfedge_index) { return true; });
 }
 
 // Returns whether the curve that starts as number `k` in the corner of `spoke` ends where the edge

@@ -1,0 +1,286 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_INSCRIBED_POLYGON_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_INSCRIBED_POLYGON_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Convexity_certificate.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Map_status.h>
+#include <CGAL/Discrete_conformal_maps/Minimization.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Conformal_barycenter.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/spherical_log_scales.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/stereographic_cross_ratios.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// The image of a disk all of whose vertices are on the boundary. The mirror symmetry of its double
+// fixes all vertices of the ideal polyhedron, hence is the reflection in a plane that has them all:
+// the polyhedron is an ideal polygon seen from both sides. Its boundary are the geodesics of the
+// boundary of the disk, and every triangulation of it is one of the convex hull.
+//
+// So nothing is minimized. Edges of T^B that cross the boundary are flipped, and the chords from the
+// vertex at infinity follow from face to face by Ptolemy's relation, from sums, products and
+// quotients of positive numbers. The bounds of Section 4.4.3 are the scale factors.
+//
+// Positions near infinity and near the origin have all digits, whatever their scale. So these two are
+// as far from each other as possible: a strip whose ends are 1e-100 of it keeps its vertices apart.
+class Inscribed_polygon
+{
+  typedef std::array<Extended, 2> Point;
+
+public:
+  // `mass` has the mass of each vertex; `start` is one of them.
+  // \pre every vertex of the problem that is not isolated is on the boundary
+  template <typename Visitor>
+  Inscribed_polygon(Doubled_problem& problem, const std::vector<double>& mass, Vertex_index start,
+                    Visitor& visitor)
+    : m_problem(problem),
+      m_at_infinity(start),
+      m_surface(problem.triangulation().mesh(), problem.triangulation().length_map()),
+      m_position(problem.size(), Point{Extended(0), Extended(0)})
+  {
+    visitor.start(Flattening_stage::layout);
+    flip_to_boundary();
+    collect_front_faces();
+    measure_chords();
+    m_at_infinity = mesh().source(smallest_side());
+    measure_chords();
+    for(const Extended& chord : m_chord)
+      m_u.push_back(-2 * log(chord));
+    lay_out(mass);
+    certify();
+    m_log_scale =
+      spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
+    m_cross_ratio_error = max_stereographic_cross_ratio_error(
+      mesh(), [this](Edge_index e) { return static_cast<double>(m_surface.length(e)); }, m_position,
+      m_at_infinity);
+  }
+
+  Vertex_index vertex_at_infinity() const { return m_at_infinity; }
+  // on a line in the plane, after centering
+  const std::vector<Point>& positions() const { return m_position; }
+  // the logarithmic scale factors of the polygon
+  const std::vector<double>& values() const { return m_log_scale; }
+  // from T^B to T^C
+  const std::vector<Halfedge_index>& flips() const { return m_surface.flips(); }
+  const Convexity_certificate& certificate() const { return m_certificate; }
+  Minimization_result result() const { return {}; }
+  // Every vertex is a neighbor of infinity, so that no angle is prescribed.
+  double max_curvature_error() const { return 0; }
+  std::size_t bound_violations() const { return 0; }
+  bool is_extended() const { return true; }
+
+  // whether a face of T^C is one of the polygon, not of its back
+  bool is_front(Face_index f) const { return m_is_front[f.idx()]; }
+
+  Map_status status() const
+  {
+    if(!m_certificate.is_convex())
+      return Map_status::layout_collapsed;
+    return m_cross_ratio_error <= tolerance::cross_ratio ? Map_status::success
+                                                         : Map_status::not_conformal;
+  }
+
+private:
+  const Delta_complex& mesh() const { return m_surface.mesh(); }
+  const Extended& length(Halfedge_index h) const { return m_surface.length(Edge_index(h)); }
+
+  // Flips until the edges of the boundary are there, and notes which halfedges of T^C have the
+  // boundary on their right.
+  void flip_to_boundary()
+  {
+    const Doubled_problem::Triangulation& tri = m_problem.triangulation();
+    const Delta_complex& half = m_problem.surface();
+    const auto is_boundary = [&](Halfedge_index h) {
+      return h.idx() < half.num_halfedges() && half.is_border(Edge_index(h));
+    };
+    Delta_complex mesh = tri.mesh();
+    Doubled_problem::Triangulation::Coordinates coordinates(mesh);
+    m_surface.replay(Intrinsic_triangulations::internal::flip_to_share(coordinates, mesh,
+                                                                       tri.spokes(), is_boundary));
+    m_is_on_boundary.assign(mesh.num_edges(), 0);
+    for(Halfedge_index h : mesh.halfedges())
+      if(coordinates.is_shared(Edge_index(h)))
+        if(const Halfedge_index side = coordinates.shared_halfedge(h, mesh, tri.spokes());
+           is_boundary(side)) {
+          m_is_on_boundary[Edge_index(h).idx()] = 1;
+          if(!half.is_border(side))
+            m_sides.push_back(h);
+        }
+  }
+
+  // the faces of T^C that triangulate the polygon, not its mirror image
+  void collect_front_faces()
+  {
+    m_is_front.assign(mesh().num_faces(), 0);
+    std::vector<Halfedge_index> waiting = m_sides;
+    while(!waiting.empty()) {
+      const Halfedge_index h = waiting.back();
+      waiting.pop_back();
+      if(std::exchange(m_is_front[mesh().face(h).idx()], 1))
+        continue;
+      for(Halfedge_index side : Intrinsic_triangulations::sides(mesh().face(h), mesh()))
+        if(!m_is_on_boundary[Edge_index(side).idx()])
+          waiting.push_back(mesh().opposite(side));
+    }
+  }
+
+  // The lengths of the chords from the vertex at infinity: first those of its faces, then, beyond
+  // each side, that to the opposite corner.
+  void measure_chords()
+  {
+    m_chord.assign(m_problem.size(), Extended(1));
+    std::vector<Halfedge_index> waiting;
+    for(Halfedge_index h : mesh().halfedges())
+      if(is_front(mesh().face(h)) && mesh().source(h) == m_at_infinity) {
+        m_chord[mesh().target(h).idx()] = length(h);
+        m_chord[mesh().source(mesh().prev(h)).idx()] = length(mesh().prev(h));
+        waiting.push_back(mesh().next(h));
+      }
+    while(!waiting.empty()) {
+      const Halfedge_index h = mesh().opposite(waiting.back());
+      waiting.pop_back();
+      if(m_is_on_boundary[Edge_index(h).idx()])
+        continue;
+      const Halfedge_index next = mesh().next(h), prev = mesh().prev(h);
+      m_chord[mesh().target(next).idx()] = (length(prev) * m_chord[mesh().target(h).idx()] +
+                                            length(next) * m_chord[mesh().source(h).idx()]) /
+                                           length(h);
+      waiting.push_back(next);
+      waiting.push_back(prev);
+    }
+  }
+
+  // the sides of the polygon from one neighbor of infinity to the other, counterclockwise
+  std::vector<Halfedge_index> sides_in_plane() const
+  {
+    std::vector<Halfedge_index> side_from(m_problem.size());
+    for(Halfedge_index h : m_sides)
+      side_from[mesh().source(h).idx()] = h;
+    std::vector<Halfedge_index> result;
+    const auto after = [&](Halfedge_index h) { return side_from[mesh().target(h).idx()]; };
+    for(Halfedge_index h = after(side_from[m_at_infinity.idx()]); mesh().target(h) != m_at_infinity;
+        h = after(h))
+      result.push_back(h);
+    return result;
+  }
+
+  // the distance of the ends of a side in the plane (Equation 4.15: a horocyclic arc at infinity)
+  Extended gap(Halfedge_index h) const
+  {
+    return length(h) / m_chord[mesh().source(h).idx()] / m_chord[mesh().target(h).idx()];
+  }
+
+  // the side in the plane that is farthest from infinity
+  Halfedge_index smallest_side() const
+  {
+    const std::vector<Halfedge_index> sides = sides_in_plane();
+    return *std::min_element(
+      sides.begin(), sides.end(),
+      [this](Halfedge_index h, Halfedge_index o) { return gap(h) < gap(o); });
+  }
+
+  void lay_out(const std::vector<double>& mass)
+  {
+    const std::vector<Halfedge_index> sides = sides_in_plane();
+    const auto first = std::find(sides.begin(), sides.end(), smallest_side());
+    add_gaps(sides, std::size_t(first - sides.begin()), Extended(0));
+    if(!std::isfinite(
+         static_cast<double>(at(mesh().target(sides.back())) - at(mesh().source(sides.front()))))) {
+      m_position.assign(m_position.size(), Point{Extended(0), Extended(0)});
+      return;
+    }
+    const Conformal_barycenter<Extended> center(m_position, mass, m_at_infinity.idx());
+    m_scale = center.height();
+    const Extended base = center.base()[0];
+    std::size_t nearest = 0; // the source of this side
+    for(std::size_t s = 0; s < sides.size(); ++s)
+      if(distance(at(mesh().source(sides[s])), base) <
+         distance(at(mesh().source(sides[nearest])), base))
+        nearest = s;
+    const Extended offset = at(mesh().source(sides[nearest])) - base;
+    // less than the error of the center is none: then positions keep their digits
+    add_gaps(sides, nearest,
+             distance(offset, Extended(0)) <= 10 * tolerance::center * m_scale ? Extended(0)
+                                                                               : offset);
+    for(Point& p : m_position)
+      p[0] = p[0] / m_scale;
+  }
+
+  // Puts the source of a side at `x`, and all others beside it. Sums that start there lose the fewest
+  // digits.
+  void add_gaps(const std::vector<Halfedge_index>& sides, std::size_t first, const Extended& x)
+  {
+    at(mesh().source(sides[first])) = x;
+    for(std::size_t s = first; s < sides.size(); ++s)
+      at(mesh().target(sides[s])) = at(mesh().source(sides[s])) + gap(sides[s]);
+    for(std::size_t s = first; s > 0; --s)
+      at(mesh().source(sides[s - 1])) = at(mesh().target(sides[s - 1])) - gap(sides[s - 1]);
+  }
+
+  Extended& at(Vertex_index v) { return m_position[v.idx()][0]; }
+  const Extended& at(Vertex_index v) const { return m_position[v.idx()][0]; }
+
+  static Extended distance(const Extended& x, const Extended& y) { return x < y ? y - x : x - y; }
+
+  // The corners of each face must be in cyclic order on the line through infinity. This decides
+  // all: faces on both sides of an edge do not overlap then, and all edges lie in one plane.
+  void certify()
+  {
+    for(Face_index f : mesh().faces())
+      m_certificate.flipped_triangles += is_front(f) && !is_in_order(f);
+    m_certificate.is_simple = m_certificate.flipped_triangles == 0;
+  }
+
+  bool is_in_order(Face_index f) const
+  {
+    int ascents = 0, descents = 0;
+    for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh())) {
+      const int order = order_of(mesh().source(h), mesh().target(h));
+      ascents += order > 0;
+      descents += order < 0;
+    }
+    return ascents == 2 && descents == 1;
+  }
+
+  // 1 if `v` comes before `w`, with infinity after all others
+  int order_of(Vertex_index v, Vertex_index w) const
+  {
+    if(v == m_at_infinity || w == m_at_infinity)
+      return v == w ? 0 : w == m_at_infinity ? 1 : -1;
+    return at(v) < at(w) ? 1 : at(w) < at(v) ? -1 : 0;
+  }
+
+  Doubled_problem& m_problem;
+  Vertex_index m_at_infinity;
+  Ptolemy_surface<Extended> m_surface; // in T^C
+  std::vector<char> m_is_on_boundary;  // of edges
+  std::vector<Halfedge_index> m_sides; // of the polygon, which is on their left
+  std::vector<char> m_is_front;        // of faces
+  std::vector<Extended> m_chord, m_u;
+  std::vector<Point> m_position;
+  Extended m_scale = Extended(1);
+  std::vector<double> m_log_scale;
+  Convexity_certificate m_certificate;
+  double m_cross_ratio_error = std::numeric_limits<double>::infinity();
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_INSCRIBED_POLYGON_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERICAL_LOG_SCALES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERICAL_LOG_SCALES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+inline double log_of_one_plus(const Extended& x)
+{
+  return x < 1e30 ? std::log1p(static_cast<double>(x)) : static_cast<double>(log(x));
+}
+
+// Returns the logarithmic scale factors of lengths on the sphere: first those of the plane, `u`,
+// which is scaled down by `plane_scale` to `position`, then those of the stereographic projection.
+// At infinity, where neighbors have the distance one of horocycles, there is only the latter.
+// Isolated vertices of `surface` have zero.
+template <typename FT>
+std::vector<double> spherical_log_scales(const std::vector<FT>& u, const Extended& plane_scale,
+                                         const std::vector<std::array<Extended, 2>>& position,
+                                         Vertex_index at_infinity, const Delta_complex& surface)
+{
+  const double shift = static_cast<double>(log(plane_scale));
+  std::vector<double> result;
+  for(std::size_t v = 0; v < u.size(); ++v) {
+    const Extended square = position[v][0] * position[v][0] + position[v][1] * position[v][1];
+    result.push_back(std::log(2.) + static_cast<double>(u[v]) - shift - log_of_one_plus(square));
+  }
+  result[at_infinity.idx()] = std::log(2.) + shift;
+  for(Vertex_index v : surface.vertices())
+    if(surface.is_isolated(v))
+      result[v.idx()] = 0;
+  return result;
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_SPHERICAL_LOG_SCALES_H
