@@ -41,8 +41,20 @@ Position position(const Mesh& mesh, std::size_t v)
   return {p.x(), p.y(), p.z()};
 }
 
+// Of the positions in the plane, which keep their digits where those on the sphere are close.
+Extended chord(const Spherical_conformal_map& map, Vertex_index v, Vertex_index w)
+{
+  const auto x = [&](Vertex_index i) { return map.stereographic_position(i)[0]; };
+  const auto root = [&](Vertex_index i) { return sqrt(1 + x(i) * x(i)); };
+  if(v == map.vertex_at_infinity() || w == map.vertex_at_infinity())
+    return 2 / root(v == map.vertex_at_infinity() ? w : v);
+  return 2 * abs(x(v) - x(w)) / root(v) / root(w);
+}
+
 Extended precise_distance(const Spherical_conformal_map& map, Vertex_index v, Vertex_index w)
 {
+  if(map.is_flat())
+    return chord(map, v, w);
   const auto p = map.precise_position(v), q = map.precise_position(w);
   Extended square(0);
   for(std::size_t c = 0; c < 3; ++c)
@@ -305,17 +317,255 @@ TEST(Map_to_sphere, disks_become_hemispheres)
   }
 }
 
-// All vertices are on the boundary: the polyhedron is a polygon, seen from both sides.
-TEST(Map_to_sphere, flat_polygons)
+// ---- Disks without vertices inside: the polyhedron is a polygon, seen from both sides ----
+
+double image_cross_ratio(const Spherical_conformal_map& map, const std::array<unsigned, 4>& v)
 {
-  const Mesh triangle = make_mesh({Point(0, 0, 0), Point(3, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}});
-  const Spherical_conformal_map map = DCM::map_to_sphere(triangle);
+  return cross_ratio(v, [&](unsigned a, unsigned b) {
+    return double(precise_distance(map, Vertex_index(a), Vertex_index(b)));
+  });
+}
+
+// Everything that holds for every inscribed polygon: vertices in order on the equator, and faces of
+// the subdivision that cover it once.
+void check_polygon(const Spherical_conformal_map& map, const Mesh& mesh)
+{
   check_map(map);
-  for(unsigned v = 0; v < 3; ++v)
-    EXPECT_NEAR(distance(map.position(Vertex_index(v)), map.position(Vertex_index((v + 1) % 3))),
-                std::sqrt(3.), 1e-14);
-  check_map(
-    DCM::map_to_sphere(grid(2, 5, [](double x, double y) { return Point(x, y + x * x, 0); })));
+  EXPECT_TRUE(map.is_disk());
+  EXPECT_TRUE(map.is_flat());
+  EXPECT_LE(map.lost_in_output(), mesh.number_of_faces());
+  double turn = 0, polygon = 0, faces = 0, least = 1;
+  const auto sine = [](const Position& p, const Position& q) { return p[0] * q[1] - p[1] * q[0]; };
+  for(Mesh::Halfedge_index h : mesh.halfedges()) {
+    if(!mesh.is_border(h))
+      continue;
+    const Position &p = map.position(Vertex_index(mesh.target(h).idx())),
+                   &q = map.position(Vertex_index(mesh.source(h).idx()));
+    EXPECT_EQ(p[2], 0);
+    const double angle = std::atan2(sine(p, q), p[0] * q[0] + p[1] * q[1]);
+    turn += angle < 0 ? angle + 2 * pi : angle;
+    polygon += sine(p, q) / 2;
+  }
+  EXPECT_NEAR(turn, 2 * pi, 1e-9);
+  const auto& subdivision = map.subdivision();
+  for(Face_index f : subdivision.mesh().faces()) {
+    const Halfedge_index first = subdivision.mesh().halfedge(f);
+    if(!map.is_front(first))
+      continue;
+    const auto at = [&](Halfedge_index h) {
+      return map.image(map.homogeneous_coordinates(subdivision.location(Layer::C, h)));
+    };
+    double area = 0;
+    Halfedge_index h = first;
+    do {
+      area += sine(at(h), at(subdivision.mesh().next(h))) / 2;
+      h = subdivision.mesh().next(h);
+    } while(h != first);
+    faces += area;
+    least = (std::min)(least, area);
+  }
+  EXPECT_NEAR(faces, polygon, 1e-12);
+  EXPECT_GT(least, -1e-14);
+}
+
+// A polygon from which ears are cut at random; its vertices are given counterclockwise.
+Mesh ears(const std::vector<Point>& points, CGAL::Random& random)
+{
+  std::vector<std::size_t> left;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    left.push_back(i);
+  Triangles triangles;
+  while(left.size() > 2) {
+    const std::size_t n = left.size(), i = std::size_t(random.get_int(0, int(n)));
+    triangles.push_back({left[(i + n - 1) % n], left[i], left[(i + 1) % n]});
+    left.erase(left.begin() + std::ptrdiff_t(i));
+  }
+  return make_mesh(points, triangles);
+}
+
+// Points of an ellipse, one in each of `n` sectors of the same size.
+std::vector<Point> on_ellipse(std::size_t n, double width, CGAL::Random& random)
+{
+  std::vector<double> angle;
+  for(std::size_t i = 0; i < n; ++i)
+    angle.push_back(2 * pi * (double(i) + random.get_double(0, 0.9)) / double(n));
+  std::vector<Point> result;
+  for(double a : angle)
+    result.emplace_back(width * std::cos(a), std::sin(a), 0);
+  return result;
+}
+
+// Triangles in space, each glued to a side of those before; most have obtuse angles.
+Mesh tree_of_triangles(std::size_t n, double roughness, CGAL::Random& random)
+{
+  std::vector<Point> points{Point(0, 0, 0), Point(1, 0, 0), Point(0.5, 0.8, 0)};
+  Triangles triangles{{0, 1, 2}};
+  std::vector<std::array<std::size_t, 2>> side{{0, 1}, {1, 2}, {2, 0}};
+  const auto noise = [&] { return roughness * random.get_double(-1, 1); };
+  while(triangles.size() < n) {
+    const std::size_t k = std::size_t(random.get_int(0, int(side.size()))), v = points.size();
+    const auto [i, j] = side[k];
+    points.push_back(CGAL::midpoint(points[i], points[j]) +
+                     Kernel::Vector_3(noise(), noise(), noise()));
+    triangles.push_back({j, i, v});
+    side[k] = {i, v};
+    side.push_back({v, j});
+  }
+  return make_mesh(points, triangles);
+}
+
+// `n` unit squares in a row, each with one of its diagonals.
+Mesh strip(std::size_t n, CGAL::Random& random)
+{
+  std::vector<Point> points{Point(0, 0, 0), Point(0, 1, 0)};
+  Triangles triangles;
+  for(std::size_t i = 0; i < n; ++i) {
+    points.emplace_back(i + 1, 0, 0);
+    points.emplace_back(i + 1, 1, 0);
+    const std::size_t a = 2 * i, b = a + 1, c = a + 2, d = a + 3;
+    if(random.get_bool()) {
+      triangles.push_back({a, c, d});
+      triangles.push_back({a, d, b});
+    } else {
+      triangles.push_back({a, c, b});
+      triangles.push_back({b, c, d});
+    }
+  }
+  return make_mesh(points, triangles);
+}
+
+TEST(Map_to_sphere, triangles_become_equilateral)
+{
+  for(const Point& apex : {Point(0, 1, 0), Point(2, 0.1, 0), Point(9, 1e-3, 4)}) {
+    const Mesh triangle = make_mesh({Point(0, 0, 0), Point(3, 0, 0), apex}, {{0, 1, 2}});
+    const Spherical_conformal_map map = DCM::map_to_sphere(triangle);
+    check_polygon(map, triangle);
+    for(unsigned v = 0; v < 3; ++v)
+      EXPECT_NEAR(distance(map.position(Vertex_index(v)), map.position(Vertex_index((v + 1) % 3))),
+                  std::sqrt(3.), 1e-14);
+  }
+}
+
+// A polygon in a circle with the center inside has acute angles opposite its sides. So it is its
+// own image, whatever its triangulation.
+TEST(Map_to_sphere, inscribed_polygons_stay)
+{
+  CGAL::Random random(11);
+  for(const std::size_t n : {4, 7, 12, 60}) {
+    const Mesh polygon = ears(on_ellipse(n, 1, random), random);
+    const Spherical_conformal_map map = DCM::map_to_sphere(polygon);
+    check_polygon(map, polygon);
+    for(unsigned v = 0; v < n; ++v) {
+      const std::array<unsigned, 4> quad{v, (v + 1) % unsigned(n), (v + 2) % unsigned(n),
+                                         (v + 3) % unsigned(n)};
+      const double expected = cross_ratio(quad, [&](unsigned a, unsigned b) {
+        return distance(position(polygon, a), position(polygon, b));
+      });
+      EXPECT_NEAR(image_cross_ratio(map, quad) / expected, 1, 1e-12);
+    }
+  }
+}
+
+// Scale factors do not change the image, as long as angles opposite the sides stay acute: then the
+// sides are in the Delaunay triangulation of the double.
+TEST(Map_to_sphere, scaled_polygons_come_back)
+{
+  CGAL::Random random(12);
+  for(int i = 0; i < 10; ++i) {
+    const std::size_t n = 20;
+    const Mesh polygon = ears(on_ellipse(n, 1, random), random);
+    const Triangulation t(polygon);
+    DCM::Penner_surface<double> surface(t.mesh(), t.length_map());
+    std::vector<double> u(n);
+    for(double& x : u)
+      x = random.get_double(-0.01, 0.01);
+    surface.scale(u);
+    EXPECT_GT(surface.number_of_flips(), 0u);
+    const auto length = boost::make_function_property_map<Edge_index>(
+      [&](Edge_index e) { return surface.scaled_length(e); });
+    const Spherical_conformal_map map =
+      DCM::map_to_sphere(surface.mesh(), IT::parameters::edge_length_map(length));
+    check_map(map);
+    for(unsigned v = 0; v < n; ++v) {
+      const std::array<unsigned, 4> quad{v, (v + 3) % unsigned(n), (v + 4) % unsigned(n),
+                                         (v + 9) % unsigned(n)};
+      const double expected = cross_ratio(quad, [&](unsigned a, unsigned b) {
+        return distance(position(polygon, a), position(polygon, b));
+      });
+      EXPECT_NEAR(image_cross_ratio(map, quad) / expected, 1, 1e-11);
+    }
+  }
+}
+
+// The ends of a square, and the four corners of two triangles of the same shape on an edge between
+// squares, have the cross ratio one.
+TEST(Map_to_sphere, strips_of_squares)
+{
+  CGAL::Random random(13);
+  for(const std::size_t n : {1, 2, 3, 8, 20, 100}) {
+    const Mesh mesh = strip(n, random);
+    const Spherical_conformal_map map = DCM::map_to_sphere(mesh);
+    check_polygon(map, mesh);
+    for(unsigned a = 0; a + 3 < mesh.number_of_vertices(); a += 2) {
+      EXPECT_NEAR(image_cross_ratio(map, {a, a + 2, a + 3, a + 1}), 1, 1e-10);
+      if(a + 5 < mesh.number_of_vertices()) {
+        EXPECT_NEAR(image_cross_ratio(map, {a, a + 2, a + 4, a + 3}), 1, 1e-10);
+      }
+    }
+    EXPECT_EQ(map.lost_in_output() > 0, n > 20);
+    if(n <= 20) {
+      EXPECT_LT(distance_from_center(map), 1e-12);
+    }
+  }
+}
+
+// The ends of a strip of n squares are exp(-pi n / 2) of it: too little for the exponents of
+// `double`, or for 32 digits if there are three ends.
+TEST(Map_to_sphere, polygons_that_are_too_small_have_no_success)
+{
+  CGAL::Random random(14);
+  for(const std::size_t n : {400, 2000}) {
+    const Spherical_conformal_map map = DCM::map_to_sphere(strip(n, random));
+    EXPECT_EQ(map.status(), DCM::Map_status::layout_collapsed);
+    EXPECT_GT(map.certificate().flipped_triangles, 0u);
+    EXPECT_LE(map.certificate().flipped_triangles, 2 * n);
+    EXPECT_LE(map.lost_in_output(), 2 * n);
+  }
+}
+
+// One flip leads across the side ij of an obtuse triangle ijk: a loop at k of length 2h, if h is its
+// height. Ptolemy's relation gives ij the length ki kj / h instead of ki kj sin(k) / h.
+TEST(Map_to_sphere, obtuse_angles_opposite_the_boundary)
+{
+  for(const double height : {0.9, 0.6, 0.45}) {
+    const Mesh mesh =
+      make_mesh({Point(-1, 0, 0), Point(1, 0, 0), Point(0, height, 0), Point(1, 1 + height, 0)},
+                {{0, 1, 2}, {2, 1, 3}});
+    const Spherical_conformal_map map = DCM::map_to_sphere(mesh);
+    check_polygon(map, mesh);
+    const double side = std::hypot(1, height), ij = side * side / height;
+    const auto at = [&](std::size_t v) { return position(mesh, v); };
+    const double expected = ij / distance(at(1), at(3)) * distance(at(3), at(2)) / side;
+    EXPECT_NEAR(image_cross_ratio(map, {0, 1, 3, 2}) / expected, 1, 1e-13);
+  }
+}
+
+TEST(Map_to_sphere, random_polygons)
+{
+  CGAL::Random random(15);
+  for(int i = 0; i < 40; ++i) {
+    const auto n = static_cast<std::size_t>(random.get_int(4, 60));
+    const Mesh polygon = ears(on_ellipse(n, random.get_double(1, 5), random), random);
+    const Spherical_conformal_map map = DCM::map_to_sphere(polygon);
+    check_polygon(map, polygon);
+    EXPECT_LT(distance_from_center(map), 1e-12);
+    const Mesh tree = tree_of_triangles(n, random.get_double(0.2, 1), random);
+    check_polygon(DCM::map_to_sphere(tree), tree);
+  }
+  const Mesh large = tree_of_triangles(2000, 0.5, random);
+  check_polygon(DCM::map_to_sphere(large), large);
+  const Mesh bent = grid(1, 5, [](double x, double y) { return Point(x, y + x * x, 0); });
+  check_polygon(DCM::map_to_sphere(bent), bent);
 }
 
 TEST(Map_to_sphere, is_continuous_on_the_subdivision)

@@ -42,7 +42,8 @@ class Sphere_mapping;
 /// The image of a disk is the upper hemisphere, and its boundary is on the equator; a vertex of the
 /// boundary has the position (-1, 0, 0). If all vertices of a disk are on the boundary, the convex
 /// polyhedron of its double is a flat polygon, seen from both sides: `is_flat()`. Then the image is
-/// this polygon, in the plane of the equator.
+/// this polygon, in the plane of the equator. If 32 digits do not distinguish its vertices with the
+/// center of mass in the center, the two ends that are farthest from each other become antipodal.
 ///
 /// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
 /// logarithmic scale factor zero, which are unspecified otherwise.

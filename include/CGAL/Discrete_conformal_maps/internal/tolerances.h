@@ -59,6 +59,8 @@ constexpr double roundings_of_squares = 16;
 // method converges quadratically, so that a step that gains little is rounding; and the curvature
 // that masses in two points lack along the line through both.
 constexpr double center = 1e-14, near_center = 1e-6, least_curvature = 1e-12;
+// The range of distances of which products have all digits of `Extended`.
+constexpr double least_distance = 1e-270;
 // By how much an energy may grow, relatively, while its minimizer still converges; less than that
 // its values do not resolve, and slopes decide.
 constexpr double growth = 1e-9;

@@ -64,7 +64,6 @@ public:
     for(const Extended& chord : m_chord)
       m_u.push_back(-2 * log(chord));
     lay_out(mass);
-    certify();
     m_log_scale =
       spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
     m_cross_ratio_error = max_stereographic_cross_ratio_error(
@@ -196,31 +195,54 @@ private:
       [this](Halfedge_index h, Halfedge_index o) { return gap(h) < gap(o); });
   }
 
+  // With the center of mass in the center, or, if 32 digits do not distinguish the vertices then,
+  // with the origin and infinity at both ends: positions beside the origin have all digits.
   void lay_out(const std::vector<double>& mass)
   {
     const std::vector<Halfedge_index> sides = sides_in_plane();
-    const auto first = std::find(sides.begin(), sides.end(), smallest_side());
-    add_gaps(sides, std::size_t(first - sides.begin()), Extended(0));
-    if(!std::isfinite(
-         static_cast<double>(at(mesh().target(sides.back())) - at(mesh().source(sides.front()))))) {
+    const auto end =
+      std::size_t(std::find(sides.begin(), sides.end(), smallest_side()) - sides.begin());
+    add_gaps(sides, end, Extended(0));
+    if(!is_in_range(sides)) {
       m_position.assign(m_position.size(), Point{Extended(0), Extended(0)});
+      certify();
       return;
     }
     const Conformal_barycenter<Extended> center(m_position, mass, m_at_infinity.idx());
     m_scale = center.height();
     const Extended base = center.base()[0];
-    std::size_t nearest = 0; // the source of this side
-    for(std::size_t s = 0; s < sides.size(); ++s)
-      if(distance(at(mesh().source(sides[s])), base) <
-         distance(at(mesh().source(sides[nearest])), base))
-        nearest = s;
-    const Extended offset = at(mesh().source(sides[nearest])) - base;
-    // less than the error of the center is none: then positions keep their digits
-    add_gaps(sides, nearest,
-             distance(offset, Extended(0)) <= 10 * tolerance::center * m_scale ? Extended(0)
-                                                                               : offset);
+    const std::size_t nearest = nearest_side(sides, base);
+    place(sides, nearest, at(mesh().source(sides[nearest])) - base);
+    if(!m_certificate.is_convex())
+      place(sides, end, Extended(0));
+  }
+
+  // whether products of distances keep their digits
+  bool is_in_range(const std::vector<Halfedge_index>& sides) const
+  {
+    const double least = static_cast<double>(gap(smallest_side())),
+                 greatest = static_cast<double>(at(mesh().target(sides.back())) -
+                                                at(mesh().source(sides.front())));
+    return least > tolerance::least_distance && greatest < 1 / tolerance::least_distance;
+  }
+
+  // the side with its source next to `x`
+  std::size_t nearest_side(const std::vector<Halfedge_index>& sides, const Extended& x) const
+  {
+    const auto distance = [&](Halfedge_index h) { return abs(at(mesh().source(h)) - x); };
+    return std::size_t(std::min_element(sides.begin(), sides.end(),
+                                        [&](Halfedge_index h, Halfedge_index o) {
+                                          return distance(h) < distance(o);
+                                        }) -
+                       sides.begin());
+  }
+
+  void place(const std::vector<Halfedge_index>& sides, std::size_t first, const Extended& x)
+  {
+    add_gaps(sides, first, x);
     for(Point& p : m_position)
       p[0] = p[0] / m_scale;
+    certify();
   }
 
   // Puts the source of a side at `x`, and all others beside it. Sums that start there lose the fewest
@@ -237,12 +259,11 @@ private:
   Extended& at(Vertex_index v) { return m_position[v.idx()][0]; }
   const Extended& at(Vertex_index v) const { return m_position[v.idx()][0]; }
 
-  static Extended distance(const Extended& x, const Extended& y) { return x < y ? y - x : x - y; }
-
   // The corners of each face must be in cyclic order on the line through infinity. This decides
   // all: faces on both sides of an edge do not overlap then, and all edges lie in one plane.
   void certify()
   {
+    m_certificate = Convexity_certificate();
     for(Face_index f : mesh().faces())
       m_certificate.flipped_triangles += is_front(f) && !is_in_order(f);
     m_certificate.is_simple = m_certificate.flipped_triangles == 0;

@@ -35,10 +35,9 @@ void flip_along_curve(Halfedge_index spoke, const Integer& k,
 // Returns the index of the first curve in the corner of `spoke` that runs along a halfedge of T1
 // for which `is_wanted` holds.
 template <typename Integer, typename Is_wanted>
-std::optional<Integer> first_curve(Halfedge_index spoke,
-                                   const Integer_coordinates<Integer>& coordinates,
-                                   const Delta_complex& mesh, const Vertex_spokes& spokes,
-                                   const Is_wanted& is_wanted)
+std::optional<Integer>
+first_curve(Halfedge_index spoke, const Integer_coordinates<Integer>& coordinates,
+            const Delta_complex& mesh, const Vertex_spokes& spokes, const Is_wanted& is_wanted)
 {
   if(mesh.is_border(spoke))
     return std::nullopt;
