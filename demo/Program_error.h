@@ -5,6 +5,8 @@
 #ifndef INTRINSIC_PROGRAM_ERROR_H
 #define INTRINSIC_PROGRAM_ERROR_H
 
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
 #include <exception>
 #include <stdexcept>
 
@@ -13,6 +15,13 @@ class Program_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
+};
+
+// A map lacks something it should have.
+class Map_failure : public CGAL::Intrinsic_triangulations::Numerical_error
+{
+public:
+  using Numerical_error::Numerical_error;
 };
 
 // Edges that were to be lengthened on trial are long enough.

@@ -86,6 +86,14 @@ void add_exact(
   command.add_flag("--exact", options.is_exact, what);
 }
 
+// Of the commands that map surfaces.
+void add_keep_going(CLI::App& command, Common_options& options)
+{
+  command.add_flag("--keep-going", options.is_failure_kept,
+                   "Write a map that lacks something it should have, too, and say what it lacks; "
+                   "the exit code is 3 then");
+}
+
 void add_neighbors(CLI::App& command, Common_options& options)
 {
   command
@@ -344,6 +352,7 @@ void add_flatten(CLI::App& app, Options& options)
   command.add_option(
     "--matrix", own.matrix,
     "Matrix Market file (.mtx) for the interpolation to the vertices of the output");
+  add_keep_going(command, options.common);
   add_common_options(command, options.common);
   add_exact(
     command, options.common,
@@ -371,6 +380,7 @@ void add_hyperbolic(CLI::App& app, Options& options)
   add_texture_output(command, own);
   command.add_option("--cones", own.cones, "File of angle defects; zero everywhere if not given");
   add_tiling(command, own);
+  add_keep_going(command, options.common);
   add_common_options(command, options.common);
   command.footer(Help::hyperbolic);
 }
@@ -383,6 +393,7 @@ void add_uniformize(CLI::App& app, Options& options)
   Hyperbolic_options& own = options.hyperbolic;
   add_texture_output(command, own);
   add_tiling(command, own);
+  add_keep_going(command, options.common);
   add_common_options(command, options.common);
   command.footer(Help::uniformize);
 }
@@ -397,6 +408,7 @@ void add_sphere(CLI::App& app, Options& options)
   command.add_option(
     "--precise", own.precise,
     "Text file for the positions of the input vertices with 36 digits: index x y z");
+  add_keep_going(command, options.common);
   add_common_options(command, options.common);
   command.footer(Help::sphere);
 }

@@ -50,6 +50,8 @@ struct Common_options
   bool is_direct = false;              // pages are drawn without a common subdivision
   std::size_t number_of_neighbors = 0; // in a cloud of points; zero if there must be faces
   bool is_exact = false;               // decisions about Delaunay edges, with a certificate
+  bool is_failure_kept = false;        // a map that is no success is written
+  bool is_failure_expected = false;    // this is what there is, after all else has been tried
   bool is_quiet = false;
   std::size_t threads = 0; // 0 for as many as there are processors
 };

@@ -68,7 +68,7 @@ public:
     m_run.plan({{"build"}, map_stages(true), certificate_stages(common)});
   }
 
-  void run()
+  int run()
   {
     m_conditions = m_run.timed("build", [&] {
       m_mollification = mollification(m_run);
@@ -83,7 +83,7 @@ public:
           m_options.matrix,
           matrix_market(Map_front(map, mesh()).interpolation_matrix(), Matrix_symmetry::GENERAL));
     });
-    finish(m_run, m_options, m_format, map, m_visitor.iterations, cones(map));
+    return finish(m_run, m_options, m_format, map, m_visitor.iterations, cones(map));
   }
 
 private:
@@ -136,7 +136,7 @@ private:
   // The triangulations of the map and the order of their crossings.
   void certify(const DCM::Planar_conformal_map& map)
   {
-    check_status(map);
+    check_status(m_run, map, map.is_laid_out());
     const IT::Delaunay_certificate on_B = ::certify(m_run, map.Delaunay());
     const DCM::Map_certificate rest = m_run.timed("certify", [&] { return DCM::certify(map); });
     Statistics& statistics = m_run.statistics();
@@ -181,8 +181,7 @@ void describe(Command_run& run, const DCM::Planar_conformal_map& map, const Outp
   Statistics& statistics = run.statistics();
   statistics["cones"] = number_of_cones;
   statistics["iterations"] = iterations;
-  statistics["status"] = DCM::to_string(map.status());
-  statistics["max_curvature_error"] = map.max_curvature_error();
+  describe_status(statistics, map);
   statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   describe_triangles(statistics, result);
   describe_sizes(statistics, map, run.input().mesh, result);
@@ -200,11 +199,11 @@ std::string flat_summary(const Statistics& s)
 
 } // namespace
 
-void finish(Command_run& run, const Texture_options& options, Mesh_format format,
-            const DCM::Planar_conformal_map& map, std::size_t iterations,
-            const std::vector<Mesh::Vertex_index>& cones)
+int finish(Command_run& run, const Texture_options& options, Mesh_format format,
+           const DCM::Planar_conformal_map& map, std::size_t iterations,
+           const std::vector<Mesh::Vertex_index>& cones)
 {
-  check_status(map);
+  check_status(run, map, map.is_laid_out());
   run.timed("write", [&] {
     const Map_front front(map, run.input().mesh);
     Output_mesh result = flat_mesh(map, front, cones, options.is_homogeneous);
@@ -217,10 +216,10 @@ void finish(Command_run& run, const Texture_options& options, Mesh_format format
     run.add_output(options.output, result, format);
   });
   run.finish(flat_summary(run.statistics()));
+  return exit_code(map);
 }
 
 int flatten(const Common_options& common, const Flatten_options& options)
 {
-  Flatten_command(common, options).run();
-  return 0;
+  return Flatten_command(common, options).run();
 }

@@ -70,8 +70,7 @@ void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map, const 
   Statistics& statistics = run.statistics();
   statistics["cones"] = cones.size();
   statistics["iterations"] = map.minimization().iterations;
-  statistics["status"] = DCM::to_string(map.status());
-  statistics["max_curvature_error"] = map.max_curvature_error();
+  describe_status(statistics, map);
   statistics["max_gluing_error"] = map.max_gluing_error();
   statistics["area"] = map.area();
   statistics["radius"] = map.radius();
@@ -124,10 +123,10 @@ void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_confo
 
 } // namespace
 
-void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
-            const DCM::Hyperbolic_conformal_map& map, const std::vector<Mesh::Vertex_index>& cones)
+int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
+           const DCM::Hyperbolic_conformal_map& map, const std::vector<Mesh::Vertex_index>& cones)
 {
-  check_status(map);
+  check_status(run, map, map.is_laid_out());
   run.timed("write", [&] {
     const Map_front front(map, run.input().mesh);
     describe(run, map, front, cones);
@@ -139,6 +138,7 @@ void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format for
       run.add_output(options.picture, disk_picture(map, options.depth));
   });
   run.finish(hyperbolic_summary(run.statistics()));
+  return exit_code(map);
 }
 
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
@@ -153,6 +153,6 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
     return options.cones.empty() ? Conditions(mesh.number_of_vertices())
                                  : prescribed_curvatures(options.cones, mesh);
   });
-  finish(run, options, format, uniformized(run, epsilon, conditions), cones_of(conditions, mesh));
-  return 0;
+  return finish(run, options, format, uniformized(run, epsilon, conditions),
+                cones_of(conditions, mesh));
 }

@@ -11,7 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
+#include <iostream>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
@@ -28,6 +30,39 @@ const char* name_of(DCM::Flattening_stage stage)
     case DCM::Flattening_stage::layout: return "layout";
   }
   return "";
+}
+
+// What a user can try with this program.
+std::string advice(const std::string& command, DCM::Map_status status)
+{
+  using Status = DCM::Map_status;
+  if(status == Status::triangle_inequality || status == Status::no_minimum)
+    return "try --solver newton, which flips edges";
+  if(status == Status::not_circular)
+    return "try `intrinsic sphere`, which maps a disk to a hemisphere";
+  if(command == "flatten")
+    return status == Status::not_converged || status == Status::wrong_curvature
+             ? "try --cones greedy, or another --boundary"
+             : "try --cones greedy with a --max-log-scale below 5, which keeps scale factors closer "
+               "to each other, or --boundary free";
+  return "try `intrinsic flatten`, which places cones";
+}
+
+// What is wrong with a map, and what can be tried.
+std::string failure(Command_run& run, const DCM::Discrete_conformal_map& map)
+{
+  const char* reason = map.status() == DCM::Map_status::not_converged
+                         ? DCM::to_string(map.minimization().status)
+                         : DCM::to_string(map.status());
+  std::ostringstream text;
+  text << DCM::message(map.status()) << ": " << reason;
+  for(const DCM::Map_promise& p : map.promises())
+    if(!p.is_kept())
+      text << ", with an error of " << p.name << " of " << p.error << " (at most " << p.bound << ")";
+  if(!map.cause().empty())
+    text << "; " << map.cause();
+  text << "; " << advice(run.statistics()["command"], map.status());
+  return text.str();
 }
 
 } // namespace
@@ -54,17 +89,31 @@ Mesh_format format_with_texture(const Output_options& options)
   return format;
 }
 
-void check_status(const DCM::Discrete_conformal_map& map)
+void check_status(Command_run& run, const DCM::Discrete_conformal_map& map, bool is_laid_out)
 {
   if(map.status() == DCM::Map_status::success)
     return;
-  const char* reason = map.status() == DCM::Map_status::not_converged
-                         ? DCM::to_string(map.minimization().status)
-                         : DCM::to_string(map.status());
-  std::ostringstream text;
-  text << DCM::message(map.status()) << ": " << reason << ", with an error of curvatures of "
-       << map.max_curvature_error() << " radians";
-  throw CGAL::Intrinsic_triangulations::Numerical_error(text.str());
+  const std::string text = failure(run, map);
+  if(!run.options().is_failure_expected)
+    throw Map_failure(text);
+  if(!is_laid_out)
+    throw Map_failure(text + "; there is no layout to write");
+  run.progress().clear();
+  std::cerr << run.options().input << ": warning: " << text << '\n';
+}
+
+int exit_code(const DCM::Discrete_conformal_map& map)
+{
+  return map.status() == DCM::Map_status::success ? 0 : 3;
+}
+
+void describe_status(Statistics& statistics, const DCM::Discrete_conformal_map& map)
+{
+  statistics["status"] = DCM::to_string(map.status());
+  Statistics& promises = statistics["promises"];
+  for(const DCM::Map_promise& p : map.promises())
+    promises[p.name] = {{"error", p.error}, {"bound", p.bound}, {"kept", p.is_kept()}};
+  statistics["max_curvature_error"] = map.max_curvature_error();
 }
 
 void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& map,

@@ -46,8 +46,18 @@ Stages map_stages(bool has_cones);
 // Throws Program_error if the format has no texture coordinates.
 Mesh_format format_with_texture(const Output_options& options);
 
-// Throws Numerical_error, with the errors that are left, if a map is not a success.
-void check_status(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
+// Throws Map_failure, with what is wrong, if a map is not a success; prints that as a warning, if
+// failures are to be written and there is a layout.
+void check_status(Command_run& run,
+                  const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                  bool is_laid_out);
+
+// 0 for a success, 3 for a failure that is written.
+int exit_code(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
+
+// Adds the status, the errors of what is promised and the greatest error of curvatures.
+void describe_status(Statistics& statistics,
+                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
 
 // Adds the range of the logarithmic scale factors, which vertices without faces have not, the
 // numbers of flips and the size of the output.
@@ -63,18 +73,19 @@ void show(View_page& page, Command_run& run,
           Output_mesh mesh, Image_kind kind);
 
 // The ends of the commands: check the map, add it to the outputs in `format` and its properties to
-// the statistics, and finish the run. Throw std::runtime_error if the map is not as it must be.
+// the statistics, and finish the run. Return the exit code. Throw Map_failure as `check_status()`
+// does.
 
 // `cones` are the vertices with a curvature that is not zero.
-void finish(Command_run& run, const Texture_options& options, Mesh_format format,
-            const CGAL::Discrete_conformal_maps::Planar_conformal_map& map, std::size_t iterations,
-            const std::vector<Mesh::Vertex_index>& cones);
+int finish(Command_run& run, const Texture_options& options, Mesh_format format,
+           const CGAL::Discrete_conformal_maps::Planar_conformal_map& map, std::size_t iterations,
+           const std::vector<Mesh::Vertex_index>& cones);
 
-void finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
-            const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
-            const std::vector<Mesh::Vertex_index>& cones);
+int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
+           const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+           const std::vector<Mesh::Vertex_index>& cones);
 
-void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
-            const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map);
+int finish(Command_run& run, const Sphere_options& options, Mesh_format format,
+           const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map);
 
 #endif // INTRINSIC_MAP_COMMANDS_H

@@ -63,6 +63,14 @@ bool can_be_mollified(const Common_options& options)
   return !options.is_exact && !options.is_strict && options.mollification == 0;
 }
 
+// Throws an error of the same kind with a longer message.
+[[noreturn]] void throw_again(const Numerical_error& e, const std::string& more)
+{
+  if(dynamic_cast<const Map_failure*>(&e))
+    throw Map_failure(e.what() + more);
+  throw Numerical_error(e.what() + more);
+}
+
 // What rounding makes impossible is tried again with longer edges, if triangles are almost flat. If
 // that fails, too, the error is that of the surface as it is.
 int run_mollified_if_needed(const CLI::App& app, const Options& options)
@@ -86,7 +94,21 @@ int run_mollified_if_needed(const CLI::App& app, const Options& options)
         advice = std::string("; nor is there a result with --mollify ") + epsilon;
       } catch(const Nothing_to_mollify&) {
       }
-    throw Numerical_error(e.what() + advice);
+    throw_again(e, advice);
+  }
+}
+
+// A map that is no success is written only if it is wanted and there is no other.
+int run_keeping_failures(const CLI::App& app, const Options& options)
+{
+  try {
+    return run_mollified_if_needed(app, options);
+  } catch(const Map_failure&) {
+    if(!options.common.is_failure_kept)
+      throw;
+    Options changed = options;
+    changed.common.is_failure_expected = true;
+    return run_command(app, changed);
   }
 }
 
@@ -94,7 +116,7 @@ int run(const CLI::App& app, const Options& options)
 {
   const Thread_limit limit(options.common.threads);
   try {
-    return run_mollified_if_needed(app, options);
+    return run_keeping_failures(app, options);
   } catch(const Program_error& e) {
     return report(e, 2);
   } catch(const CGAL::Intrinsic_triangulations::Invalid_input& e) {

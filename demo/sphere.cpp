@@ -36,9 +36,8 @@ void describe(Command_run& run, const DCM::Spherical_conformal_map& map)
   Statistics& statistics = run.statistics();
   statistics["disk"] = map.is_disk();
   statistics["iterations"] = map.minimization().iterations;
-  statistics["status"] = DCM::to_string(map.status());
+  describe_status(statistics, map);
   statistics["extended_precision"] = map.is_extended();
-  statistics["max_curvature_error"] = map.max_curvature_error();
   statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   statistics["convex"] = map.certificate().is_convex();
   statistics["concave_edges"] = map.certificate().concave_edges;
@@ -51,7 +50,7 @@ void describe(Command_run& run, const DCM::Spherical_conformal_map& map)
 std::string spherical_summary(const Statistics& s)
 {
   std::ostringstream text;
-  text << (s["disk"] ? "hemisphere" : "sphere") << ", convex, log scale factors "
+  text << (s["disk"] ? "hemisphere" : "sphere") << (s["convex"] ? ", convex" : "") << ", log scale factors "
        << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
        << s["flips"] << " + " << s["ptolemy_flips"] << " flips, " << s["lost_in_output"]
        << " triangles lost by rounding, " << s["subdivision"]["faces"]
@@ -80,10 +79,10 @@ void show_on_sphere(View_page& page, Command_run& run, const DCM::Spherical_conf
 
 } // namespace
 
-void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
-            const DCM::Spherical_conformal_map& map)
+int finish(Command_run& run, const Sphere_options& options, Mesh_format format,
+           const DCM::Spherical_conformal_map& map)
 {
-  check_status(map);
+  check_status(run, map, map.is_laid_out());
   run.timed("write", [&] {
     describe(run, map);
     const Map_front front(map, run.input().mesh);
@@ -96,6 +95,7 @@ void finish(Command_run& run, const Sphere_options& options, Mesh_format format,
       run.add_output(options.precise, precise_positions(map, run.input().mesh));
   });
   run.finish(spherical_summary(run.statistics()));
+  return exit_code(map);
 }
 
 int sphere(const Common_options& common, const Sphere_options& options)
@@ -103,6 +103,5 @@ int sphere(const Common_options& common, const Sphere_options& options)
   const Mesh_format format = output_format(options.output, options);
   Command_run run("sphere", common, {options.output, options.precise});
   run.plan({{"build"}, map_stages(false)});
-  finish(run, options, format, mapped(run));
-  return 0;
+  return finish(run, options, format, mapped(run));
 }

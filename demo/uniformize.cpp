@@ -40,14 +40,13 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
   run.plan({{"build"}, map_stages(is_flat)});
   const DCM::Uniformization result = uniformized(run);
   if(result.hyperbolic)
-    finish(run, options, format, *result.hyperbolic, {});
-  else if(result.spherical) {
+    return finish(run, options, format, *result.hyperbolic, {});
+  if(result.spherical) {
     Sphere_options sphere;
     sphere.output = options.output;
-    finish(run, sphere, format, *result.spherical);
-  } else {
-    run.statistics()["modulus"] = {result.modulus.real(), result.modulus.imag()};
-    finish(run, options, format, *result.flat, result.flat->minimization().iterations, {});
+    return finish(run, sphere, format, *result.spherical);
   }
-  return 0;
+  if(result.modulus)
+    run.statistics()["modulus"] = {result.modulus->real(), result.modulus->imag()};
+  return finish(run, options, format, *result.flat, result.flat->minimization().iterations, {});
 }

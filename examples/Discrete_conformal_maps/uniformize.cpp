@@ -24,8 +24,12 @@ int main(int argc, char* argv[])
 
   const DCM::Uniformization result = DCM::uniformize(mesh);
   std::cout << "the surface is of the type " << DCM::to_string(result.type) << '\n';
-  if(result.flat)
-    std::cout << "its modulus is " << result.modulus << '\n';
+  if(result.status() != DCM::Map_status::success) {
+    std::cerr << DCM::message(result.status()) << '\n';
+    return 1;
+  }
+  if(result.modulus)
+    std::cout << "its modulus is " << *result.modulus << '\n';
   if(result.hyperbolic) {
     std::cout << "its area is " << result.hyperbolic->area() << '\n';
     for(const DCM::Disk_motion<>& motion : result.hyperbolic->group(0).generators)

@@ -80,7 +80,7 @@ claim "s = json('a.json')" "s.cones == 4" 'near([s.log_scale_min, s.log_scale_ma
 rm a.obj
 printf '%s 3.141592653\n' 0 1 2 3 >digits
 expect 1 flatten regular.mesh.off -o a.obj --cones digits --stats b.json
-says 'the minimization has not converged: unbounded, with an error of curvatures of 5.89'
+says "the minimization has not converged: unbounded, with an error of curvature of 5.89"
 [ ! -e a.obj ] && [ ! -e b.json ] || fail 'files after a failure'
 rm digits
 

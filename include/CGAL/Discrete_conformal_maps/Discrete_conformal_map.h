@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Factorization_counts.h>
+#include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Triple_subdivision.h>
@@ -19,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {
@@ -94,8 +96,16 @@ public:
   /// returns the logarithmic scale factor at `v`.
   double log_scale(Vertex_index v) const { return m_data->log_scale[v.idx()]; }
 
-  /// returns whether the map has what is prescribed, and if not, why.
+  /// returns whether the map has what is promised, and if not, why: it is
+  /// `Map_status::success` if and only if all of `promises()` are kept.
   Map_status status() const { return m_data->status; }
+
+  /// returns what a map of this kind is promised to have, with the errors that were measured on the
+  /// result.
+  const std::vector<Map_promise>& promises() const { return m_data->promises; }
+
+  /// returns the message of the numerical error that ended the computation; empty if none has.
+  const std::string& cause() const { return m_data->cause; }
 
   /// returns how the minimization of the energy has ended.
   const Minimization_result& minimization() const { return m_data->minimization; }
@@ -138,7 +148,9 @@ private:
     std::size_t number_of_front_faces = 0;
     std::vector<Vertex_index> input_vertex;
     std::vector<double> log_scale;
-    Map_status status = Map_status::success;
+    Map_status status = Map_status::not_converged;
+    std::vector<Map_promise> promises;
+    std::string cause;
     Minimization_result minimization;
     std::shared_ptr<const Factorization_counts> counts = std::make_shared<Factorization_counts>();
     double max_curvature_error = 0;

@@ -176,9 +176,9 @@ private:
                           VertexUVMap uvmap)
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type Point_2;
-    if(map.status() == Map_status::not_converged)
+    if(map.status() == Map_status::not_converged || map.status() == Map_status::wrong_curvature)
       return Surface_mesh_parameterization::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-    if(map.status() == Map_status::layout_collapsed)
+    if(map.status() != Map_status::success && map.is_laid_out())
       return Surface_mesh_parameterization::ERROR_NO_1_TO_1_MAPPING;
     internal::for_each_corner(
       map, component.mesh(), [&](Halfedge_index h, const std::array<double, 3>& z) {

@@ -65,7 +65,11 @@ struct Fuchsian_group
 class Hyperbolic_conformal_map : public Discrete_conformal_map
 {
 public:
-  /// returns the number of components, except for isolated vertices.
+  /// returns whether faces are in the hyperbolic plane. They are not if numbers have too few digits
+  /// for a layout.
+  bool is_laid_out() const { return m_is_laid_out; }
+
+  /// returns the number of components, except for isolated vertices; zero without a layout.
   std::size_t number_of_components() const { return m_groups.size(); }
 
   /// returns the component of the face `f` of \f$T^C\f$.
@@ -173,6 +177,7 @@ private:
   std::vector<std::size_t> m_seam;               // for each edge of T^C, its index among the seams
   std::vector<Disk_motion<>> m_gluing;           // of the first halfedge of each seam
   double m_max_gluing_error = 0;
+  bool m_is_laid_out = true;
 };
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -10,54 +10,94 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// how the computation of a discrete conformal map has ended. `triangle_inequality` and
-/// `no_minimum` occur in fixed triangulations only, and what concerns the layout only in the
-/// geometry that is named.
+/// how the computation of a discrete conformal map has ended. Whether a map is a success is measured
+/// on the result: see `Map_promise`. `triangle_inequality` and `no_minimum` occur in fixed
+/// triangulations only.
 enum class Map_status
 {
-  success,             ///< the map has what is prescribed
-  not_converged,       ///< the minimization has not converged: see its own status
+  success,             ///< the map has all that is promised
+  not_converged,       ///< the scale factors have not been found: see `Minimization_status`
   triangle_inequality, ///< in some faces the scaled lengths do not obey the triangle inequality, so
                        ///< nothing is laid out
-  no_minimum, ///< no scale factors give this triangulation the prescribed angles: some vertices
-              ///< together need more than the faces around them have, or less than the faces
-              ///< between them
-  layout_collapsed, ///< the scale factors are as prescribed, but in the plane some faces are turned
-                    ///< over or have no area: they are smaller than rounding there
-  not_convex, ///< the image on the sphere is not a convex polyhedron, or breaks a bound of Section
-              ///< 4.4.3
-  not_conformal, ///< a length cross ratio on the sphere is not that of the input, by more than
-                 ///< \f$10^{-8}\f$: numbers have too few digits
-  not_glued ///< in the hyperbolic plane, faces do not close up around a vertex: a product of gluing
-            ///< motions differs from the identity by more than \f$10^{-9}\f$
+  no_minimum,       ///< no scale factors give this triangulation the prescribed angles: some vertices
+                    ///< together need more than the faces around them have, or less than the faces
+                    ///< between them
+  wrong_curvature,  ///< a vertex of the scaled surface has not the prescribed curvature, or one on
+                    ///< the boundary not the prescribed exterior angle
+  not_laid_out,     ///< numbers have too few digits for a layout: there are no positions
+  layout_collapsed, ///< in the plane or the hyperbolic plane some faces are turned over or have no
+                    ///< area: they are smaller than rounding there
+  not_closed,       ///< in the plane, edges have not the scaled lengths, so that the two sides of a
+                    ///< seam differ
+  not_circular,     ///< the boundary of a disk is not a circle
+  not_rectangular,  ///< the sides of a rectangle are not straight, or its angles are not right
+  not_convex,       ///< the image on the sphere is not a convex polyhedron, or breaks a bound of
+                    ///< Section 4.4.3
+  not_inscribed,    ///< vertices are not on the sphere, or those on the boundary of a disk are not on
+                    ///< the equator, or others not above it
+  degenerate,       ///< the polyhedron in the sphere is a flat polygon, seen from both sides
+  not_conformal,    ///< a length cross ratio of the image is not that of the input
+  not_glued         ///< in the hyperbolic plane, faces do not close up around a vertex, or the
+                    ///< generators do not satisfy their relation
 };
 
 namespace internal {
 
 struct Status_text
 {
-  const char *name, *message;
+  const char *name, *message, *advice;
 };
 
 inline Status_text text_of(Map_status status)
 {
   switch(status) {
-    case Map_status::success: return {"success", "the map has what is prescribed"};
-    case Map_status::not_converged: return {"not_converged", "the minimization has not converged"};
+    case Map_status::success: return {"success", "the map has what is prescribed", ""};
+    case Map_status::not_converged:
+      return {"not_converged", "the minimization has not converged",
+              "lengthen the edges of almost flat faces (mollification), or prescribe less"};
     case Map_status::triangle_inequality:
-      return {"triangle_inequality", "the scale factors of the triangulation of the mesh violate "
-                                     "the triangle inequality"};
+      return {"triangle_inequality",
+              "the scale factors of the triangulation of the mesh violate the triangle inequality",
+              "let the triangulation follow the scale factors (flipping)"};
     case Map_status::no_minimum:
-      return {"no_minimum", "the triangulation of the mesh has no such scale factors"};
+      return {"no_minimum", "the triangulation of the mesh has no such scale factors",
+              "let the triangulation follow the scale factors (flipping)"};
+    case Map_status::wrong_curvature:
+      return {"wrong_curvature", "curvatures of the scaled surface are not those prescribed",
+              "lengthen the edges of almost flat faces (mollification), or prescribe less"};
+    case Map_status::not_laid_out:
+      return {"not_laid_out", "numbers have too few digits for a layout",
+              "prescribe less, or allow cones, so that scale factors differ less"};
     case Map_status::layout_collapsed:
-      return {"layout_collapsed", "some faces are smaller than rounding in the plane"};
-    case Map_status::not_convex: return {"not_convex", "the image is not convex"};
+      return {"layout_collapsed", "some faces are smaller than rounding in the plane",
+              "prescribe less, or allow cones, so that scale factors differ less"};
+    case Map_status::not_closed:
+      return {"not_closed", "edges in the plane do not have the scaled lengths",
+              "prescribe less, or allow cones, so that scale factors differ less"};
+    case Map_status::not_circular:
+      return {"not_circular", "the boundary has not become a circle",
+              "allow more rounds, or map to the hemisphere, which takes one minimization"};
+    case Map_status::not_rectangular:
+      return {"not_rectangular", "the image of a boundary is not a rectangle",
+              "choose other corners, as far from each other as possible"};
+    case Map_status::not_convex:
+      return {"not_convex", "the image is not convex",
+              "lengthen the edges of almost flat faces (mollification), or flatten with cones"};
+    case Map_status::not_inscribed:
+      return {"not_inscribed", "the vertices are not on the sphere or the hemisphere",
+              "flatten with cones, so that scale factors differ less"};
+    case Map_status::degenerate:
+      return {"degenerate", "the polyhedron in the sphere is a flat polygon, seen from both sides",
+              "subdivide a face, so that the disk has a vertex inside, or flatten it"};
     case Map_status::not_conformal:
-      return {"not_conformal", "length cross ratios on the sphere are not those of the mesh"};
+      return {"not_conformal", "length cross ratios of the image are not those of the mesh",
+              "lengthen the edges of thin faces (mollification), or allow cones, so that scale "
+              "factors differ less"};
     case Map_status::not_glued:
-      return {"not_glued", "the faces do not close up in the hyperbolic plane"};
+      return {"not_glued", "the faces do not close up in the hyperbolic plane",
+              "cut the surface, or prescribe cones, so that its domain is smaller"};
   }
-  return {"unknown", "unknown"};
+  return {"unknown", "unknown", ""};
 }
 
 } // namespace internal
@@ -69,6 +109,10 @@ inline const char* to_string(Map_status status) { return internal::text_of(statu
 /// \ingroup PkgDiscreteConformalMapsMaps
 /// returns what `status` means, as part of a sentence for users.
 inline const char* message(Map_status status) { return internal::text_of(status).message; }
+
+/// \ingroup PkgDiscreteConformalMapsMaps
+/// returns what can be tried after `status`, as part of a sentence for users; empty after success.
+inline const char* advice(Map_status status) { return internal::text_of(status).advice; }
 
 } // namespace CGAL::Discrete_conformal_maps
 

@@ -72,10 +72,15 @@ public:
     return is_disk() && input_vertex(last) == last; // no vertex has a copy
   }
 
+  /// returns whether vertices have positions. They have none if the scale factors have not been
+  /// found, or if numbers have too few digits for a layout.
+  bool is_laid_out() const { return m_is_laid_out; }
+
   /// returns the vertex from which the sphere was unfolded into the plane.
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
 
   /// returns the position of `v` on the unit sphere, the nearest that `double` has.
+  /// \pre `is_laid_out()`
   const Point& position(Vertex_index v) const { return m_position[v.idx()]; }
 
   /// returns the position of `v` on the unit sphere, in more digits.
@@ -182,7 +187,7 @@ private:
   std::vector<Point> m_position;
   Convexity_certificate m_certificate;
   std::size_t m_lost_in_output = 0, m_bound_violations = 0;
-  bool m_is_extended = false;
+  bool m_is_extended = false, m_is_laid_out = false;
 };
 
 inline double Spherical_conformal_map::max_inscribed_error() const

@@ -13,12 +13,13 @@
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/planar_errors.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>
@@ -48,9 +49,6 @@ public:
   // by the vertices of the input
   void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
 
-  // The boundary has the shape that is prescribed.
-  void keep_cones_inside() { m_scale.keep_cones_inside(); }
-
   // Cones are placed for a finite `bound` of scale factors, at the first call before the others.
   template <typename Minimizer>
   void find_scale_factors(const Minimizer& minimizer, double bound)
@@ -68,7 +66,15 @@ public:
     m_map.m_cones = m_scale.cones();
   }
 
+  // whether there are scale factors
   bool has_succeeded() const { return m_scale.status() == Map_status::success; }
+
+  // Notes that no more scale factors can be found.
+  void stop(const Intrinsic_triangulations::Numerical_error& error)
+  {
+    m_scale.stop();
+    m_builder.set_cause(error.what());
+  }
 
   // the lengths in the plane of the edges on the boundary of the surface
   std::vector<double> boundary_lengths()
@@ -76,37 +82,64 @@ public:
     return flat_boundary_lengths(m_problem, m_scale.values());
   }
 
-  Planar_conformal_map finish(Layout layout)
+  // `shape` has what else is promised about the image of the boundary
+  template <typename Shape>
+  Planar_conformal_map finish(Layout layout, const Shape& shape)
   {
     m_layout = layout;
-    m_builder.flip(m_scale);
-    m_map.m_has_layout = m_scale.has_layout();
+    m_map.m_has_layout = flip() && m_scale.has_layout();
     if(m_map.m_has_layout)
       find_walls();
     lay_out();
+    std::vector<Map_promise> promises = m_errors.promises();
+    promises.push_back({"layout", m_map.m_has_layout ? 0. : 1., 0, Map_status::not_laid_out});
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     if(m_map.m_has_layout) {
       arrange_charts();
-      if(m_map.status() == Map_status::success && has_collapsed_face())
-        m_builder.set_status(Map_status::layout_collapsed);
+      for(const auto& part : {planar_promises(m_map), shape.promises(m_map, whole_charts())})
+        promises.insert(promises.end(), part.begin(), part.end());
     }
+    m_builder.judge(m_errors.greatest(), std::move(promises));
     return std::move(m_map);
   }
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
 
+  // Returns false if the scaled lengths are out of range.
+  bool flip()
+  {
+    try {
+      m_builder.flip(m_scale);
+      return true;
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_builder.set_cause(e.what());
+      m_builder.take_unflipped(m_scale);
+      return false;
+    }
+  }
+
   void lay_out()
   {
     m_visitor.start(Flattening_stage::layout);
-    if(!m_map.m_has_layout)
+    if(m_map.m_has_layout)
+      try {
+        if(m_scale.is_extended())
+          lay_out(m_scale.extended_values(), area_correction());
+        else
+          lay_out(std::vector<double>(m_scale.values().begin(), m_scale.values().end()),
+                  area_correction());
+      } catch(const Intrinsic_triangulations::Numerical_error& e) {
+        m_builder.set_cause(e.what());
+        m_map.m_has_layout = false;
+      }
+    const auto is_finite = [](const std::complex<double>& z) {
+      return std::isfinite(z.real()) && std::isfinite(z.imag());
+    };
+    if(!m_map.m_has_layout ||
+       !std::all_of(m_map.m_position.begin(), m_map.m_position.end(), is_finite))
       leave_out();
-    else if(m_scale.is_extended())
-      lay_out(m_scale.extended_values(), area_correction());
-    else
-      lay_out(std::vector<double>(m_scale.values().begin(), m_scale.values().end()),
-              area_correction());
   }
 
   // On a doubled surface, only edges of T^C with a part inside the input are passed. The
@@ -167,23 +200,22 @@ private:
     return result;
   }
 
-  bool has_collapsed_face() const
+  // for each component, whether its chart is not cut, as it is by cones and handles
+  std::vector<char> whole_charts() const
   {
-    const auto point = [&](Halfedge_index h) {
-      const std::complex<double> z = m_map.position(h);
-      return Plane_predicates<double>::Point{z.real(), z.imag()};
-    };
-    const auto has_collapsed = [&](Face_index f) {
-      const auto side = Intrinsic_triangulations::sides(f, mesh());
-      return m_map.is_laid_out(f) && Plane_predicates<double>().orientation(
-                                       point(side[0]), point(side[1]), point(side[2])) <= 0;
-    };
-    const auto faces = mesh().faces();
-    return std::any_of(faces.begin(), faces.end(), has_collapsed);
+    std::vector<char> result(m_problem.components().size(), 1);
+    for(Edge_index e : mesh().edges()) {
+      const Halfedge_index h = mesh().halfedge(e);
+      if(m_map.is_seam(e) && !m_is_wall[e.idx()] && m_map.is_laid_out(mesh().face(h)) &&
+         m_map.is_laid_out(mesh().face(mesh().opposite(h))))
+        result[component(mesh().face(h))] = 0;
+    }
+    return result;
   }
 
   void leave_out()
   {
+    m_map.m_has_layout = false;
     m_map.m_is_laid_out.assign(mesh().num_faces(), 0);
     m_map.m_position.assign(mesh().num_halfedges(), 0);
     m_map.m_is_seam.assign(mesh().num_edges(), 1);
@@ -195,11 +227,12 @@ private:
     for(std::size_t v = 0; v < u.size(); ++v)
       u[v] += FT(correction[v]);
     m_builder.add_to_scale_factors(correction);
+    const std::vector<FT> exact = m_builder.scaled_lengths(u);
+    m_errors = defect_errors<Flat_triangle<FT>>(m_problem, mesh(), exact);
     std::vector<double> length(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
     const Cut_graph cut(mesh(), length, m_is_wall, m_map.m_is_laid_out, terminals());
-    const std::vector<FT> exact = m_builder.scaled_lengths(u);
     const Flat_layout<FT> layout(mesh(), exact, cut, *m_problem.expanded_order(), m_layout);
     m_map.m_position.reserve(mesh().num_halfedges());
     for(Halfedge_index h : mesh().halfedges())
@@ -234,7 +267,8 @@ private:
   Planar_conformal_map m_map;
   Map_builder m_builder;
   bool m_has_placed_cones = false;
-  std::vector<char> m_is_wall; // edges of T^C that are not passed
+  std::vector<char> m_is_wall;                      // edges of T^C that are not passed
+  Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
   Layout m_layout = Layout::least_squares;
 };
 
@@ -253,15 +287,31 @@ std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np
   return result;
 }
 
+// The boundary of a surface that has no prescribed shape.
+struct Free_shape
+{
+  // Calls `find()`, which finds the scale factors, until the problem is what it should be.
+  template <typename Flattening, typename Find>
+  void solve(Doubled_problem& /* problem */, Flattening& /* flattening */, const Find& find)
+  {
+    find();
+  }
+
+  // What else is promised about a map, by components whose charts are whole.
+  std::vector<Map_promise> promises(const Planar_conformal_map& /* map */,
+                                    const std::vector<char>& /* is_whole */) const
+  {
+    return {};
+  }
+};
+
 // Does what `flatten()` documents, for conditions and scale factors to start from by vertices.
 // Cones are placed if the bound of scale factors, `default_bound` if `np` has none, is finite.
-// `solve(problem, flattening, find)` calls `find()`, which finds the scale factors, until the
-// problem is what it should be.
-template <typename NamedParameters, typename Solve>
+template <typename NamedParameters, typename Shape>
 Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
                                const std::vector<Vertex_condition>& conditions,
                                const std::vector<double>& log_scale, double default_bound,
-                               const NamedParameters& np, const Solve& solve)
+                               const NamedParameters& np, Shape shape)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -277,23 +327,17 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, problem.surface().num_faces(), visitor);
   flattening.start_from(log_scale);
-  solve(problem, flattening, [&] {
-    flattening.find_scale_factors(
-      choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
-      double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), default_bound)));
-  });
+  try {
+    shape.solve(problem, flattening, [&] {
+      flattening.find_scale_factors(
+        choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
+        double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), default_bound)));
+    });
+  } catch(const Intrinsic_triangulations::Numerical_error& e) {
+    flattening.stop(e);
+  }
   return flattening.finish(
-    choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares));
-}
-
-template <typename NamedParameters>
-Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
-                               const std::vector<Vertex_condition>& conditions,
-                               const std::vector<double>& log_scale, double default_bound,
-                               const NamedParameters& np)
-{
-  return flattened(std::move(input), conditions, log_scale, default_bound, np,
-                   [](auto&, auto&, const auto& find) { find(); });
+    choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares), shape);
 }
 
 } // namespace internal
@@ -305,8 +349,9 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 /// There are none on a torus without conditions; elsewhere there must be some, which are prescribed
 /// or placed greedily.
 ///
-/// `Planar_conformal_map::status()` states how this has ended; without convergence, the map
-/// has the best scale factors that have been found.
+/// `Planar_conformal_map::status()` states how this has ended, measured on the result (see \ref
+/// dcm_status). A map that is no success has the best scale factors that have been found, and a
+/// layout if there is one.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -321,8 +366,10 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 ///     \cgalParamDefault{curvature zero inside, a logarithmic scale factor of zero on the boundary}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_log_scale}
-///     \cgalParamDescription{cones without scaling are placed until all logarithmic scale factors
-///                           are at most this in absolute value; infinity for no cones}
+///     \cgalParamDescription{cones without scaling are placed inside until all logarithmic scale
+///                           factors there are at most this in absolute value; infinity for no
+///                           cones. A vertex with a prescribed exterior angle, or a prescribed
+///                           curvature other than zero, becomes no cone}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{5 if there is no `vertex_condition_map`, otherwise infinity}
 ///   \cgalParamNEnd
@@ -376,8 +423,8 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 /// that \f$O(n \log n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or what is
 ///         prescribed is impossible: the error names the place, and for curvatures the excess
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
-///         where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Numerical_error if \f$T^B\f$ cannot be computed
+/// \throws Intrinsic_triangulations::Overflow_error if integers have not enough digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
 ///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -391,7 +438,8 @@ Planar_conformal_map flatten(const Graph& g,
   const auto conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::log_scale(0));
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             is_free ? 5. : std::numeric_limits<double>::infinity(), np);
+                             is_free ? 5. : std::numeric_limits<double>::infinity(), np,
+                             internal::Free_shape());
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -12,11 +12,12 @@
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Fixed_point_acceleration.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/circle_angles.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <limits>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -26,14 +27,16 @@ namespace internal {
 
 // The exterior angles of a boundary whose components are circles, found by repetition: those that a
 // circle has depend on the lengths in the plane.
-class Circular_boundary
+class Circular_boundary : public Free_shape
 {
   typedef Eigen::VectorXd Vector;
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Surface;
 
 public:
   // The angles of circles with the lengths that the boundary has on the surface come first.
-  explicit Circular_boundary(const Surface& surface)
+  // `rounds` is how many times they may be changed.
+  Circular_boundary(const Surface& surface, std::size_t rounds)
+    : m_components(surface.mesh()), m_rounds(rounds)
   {
     const Delta_complex& mesh = surface.mesh();
     for(const Boundary_loop& loop : single_boundary_loops(mesh, 3, "a circle")) {
@@ -54,6 +57,48 @@ public:
         set(side.source, Vertex_condition::curvature(m_angle[i++]));
   }
 
+  // Finds scale factors until the angles are those of circles, or have been changed often enough.
+  template <typename Flattening, typename Find>
+  void solve(Doubled_problem& problem, Flattening& flattening, const Find& find)
+  {
+    for(std::size_t i = 0; i < m_rounds; ++i) {
+      find();
+      if(!flattening.has_succeeded())
+        return;
+      m_change = update(flattening.boundary_lengths());
+      if(m_change <= tolerance::circle_angle)
+        return;
+      if(i + 1 < m_rounds) // otherwise the angles stay those of the map
+        prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
+    }
+  }
+
+  // Angles have changed by little in the end, and vertices have the same distance from the center
+  // if the disk is not cut.
+  std::vector<Map_promise> promises(const Planar_conformal_map& map,
+                                    const std::vector<char>& is_whole) const
+  {
+    const Boundary_image image(map);
+    double radius = 0;
+    for(const Circle& circle : m_circles) {
+      Boundary_image::Vertices vertices;
+      for(const Side& side : circle)
+        vertices.push_back(side.source);
+      if(is_whole[m_components[vertices.front().idx()]])
+        radius = greater_error(radius, image.radius_error(vertices));
+    }
+    return {{"circle_angle", m_change, tolerance::circle_angle, Map_status::not_circular},
+            {"equal_radii", radius, tolerance::promised_length, Map_status::not_circular}};
+  }
+
+private:
+  struct Side
+  {
+    Vertex_index source;
+    Edge_index edge;
+  };
+  typedef std::vector<Side> Circle;
+
   // Moves the angles towards those of circles with the lengths of the image, and returns the
   // greatest difference of both before.
   double update(const std::vector<double>& length)
@@ -65,14 +110,6 @@ public:
     m_angle = (next.array() < boost::math::constants::pi<double>()).all() ? next : image;
     return change;
   }
-
-private:
-  struct Side
-  {
-    Vertex_index source;
-    Edge_index edge;
-  };
-  typedef std::vector<Side> Circle;
 
   template <typename Length>
   Vector angles(const Length& length) const
@@ -101,8 +138,11 @@ private:
     return angle;
   }
 
+  Intrinsic_triangulations::internal::Mesh_components m_components;
+  std::size_t m_rounds;
   std::vector<Circle> m_circles;
   Vector m_angle; // at the source of each side
+  double m_change = std::numeric_limits<double>::infinity(); // of the angles, in the last round
   Fixed_point_acceleration m_acceleration;
 };
 
@@ -146,13 +186,13 @@ private:
 /// \cgalNamedParamsEnd
 ///
 /// Complexity: that of `flatten()`, as a rule about ten times.
-/// \returns a map with one of the statuses of `flatten()`; if a minimization fails, the map that it
-///   gave
+/// \returns a map with one of the statuses of `flatten()`, or `Map_status::not_circular` if the
+///   boundary has not become a circle in that number of iterations; if a minimization fails, the map
+///   that it gave
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
 ///   does: a component with handles has no disk without cones inside
-/// \throws Intrinsic_triangulations::Numerical_error if the boundary has not become a circle in
-///   that number of iterations, or where numbers have not enough digits
-/// \throws Intrinsic_triangulations::Overflow_error where integers have not enough digits
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error as
+///   `flatten()` does
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map flatten_to_disk(const Graph& g,
                                      const NamedParameters& np = CGAL::parameters::default_values())
@@ -162,27 +202,10 @@ Planar_conformal_map flatten_to_disk(const Graph& g,
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   std::vector<Vertex_condition> conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
-  internal::Circular_boundary boundary(input);
+  internal::Circular_boundary boundary(input, rounds);
   boundary.prescribe([&](Vertex_index v, const auto& c) { conditions[v.idx()] = c; });
-  const auto solve = [&](auto& problem, auto& flattening, const auto& find) {
-    flattening.keep_cones_inside();
-    double change = 0;
-    for(std::size_t i = 0; i < rounds; ++i) {
-      find();
-      if(!flattening.has_succeeded())
-        return;
-      change = boundary.update(flattening.boundary_lengths());
-      if(change <= internal::tolerance::circle_angle)
-        return;
-      boundary.prescribe([&](Vertex_index v, const auto& c) { problem.set_condition(v, c); });
-    }
-    std::ostringstream text;
-    text << "the boundary has not become a circle: after " << rounds
-         << " rounds its angles still change by " << change << " radians";
-    throw Intrinsic_triangulations::Numerical_error(text.str());
-  };
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             std::numeric_limits<double>::infinity(), np, solve);
+                             std::numeric_limits<double>::infinity(), np, std::move(boundary));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Corner_choice.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -29,24 +30,72 @@ inline std::vector<Boundary_loop> rectangle_boundaries(const Delta_complex& mesh
   return single_boundary_loops(mesh, 4, "the corners of a rectangle");
 }
 
-// Makes four vertices of each loop right angles, those for which `is_corner` is true, and the rest
-// straight. Throws Invalid_input if they are not four.
-inline void set_rectangles(std::vector<Vertex_condition>& conditions,
-                           const std::vector<char>& is_corner, const Delta_complex& mesh)
+// Boundaries that are rectangles.
+class Rectangular_boundary : public Free_shape
 {
-  constexpr double right_angle = boost::math::constants::half_pi<double>();
-  for(const Boundary_loop& loop : rectangle_boundaries(mesh)) {
-    std::size_t corners = 0;
-    for(Halfedge_index h : loop) {
-      const std::size_t v = mesh.source(h).idx();
-      conditions[v] = Vertex_condition::curvature(is_corner[v] ? right_angle : 0);
-      corners += is_corner[v] != 0;
+public:
+  // \throws Invalid_input if the boundary of a component has not four vertices for which
+  //   `is_corner` is true
+  Rectangular_boundary(const Delta_complex& mesh, const std::vector<char>& is_corner)
+    : m_mesh(Intrinsic_triangulations::internal::without_maps(mesh))
+  {
+    for(Boundary_loop& loop : rectangle_boundaries(m_mesh)) {
+      const auto at_corner = [&](Halfedge_index h) {
+        return is_corner[m_mesh.source(h).idx()] != 0;
+      };
+      const auto corners = std::count_if(loop.begin(), loop.end(), at_corner);
+      if(corners != 4)
+        throw Intrinsic_triangulations::Invalid_input(
+          "a rectangle has four corners, but a boundary has " + std::to_string(corners));
+      std::rotate(loop.begin(), std::find_if(loop.begin(), loop.end(), at_corner), loop.end());
+      m_rectangles.emplace_back();
+      for(Halfedge_index h : loop) {
+        if(at_corner(h))
+          m_rectangles.back().emplace_back();
+        m_rectangles.back().back().push_back(h);
+      }
     }
-    if(corners != 4)
-      throw Intrinsic_triangulations::Invalid_input(
-        "a rectangle has four corners, but a boundary has " + std::to_string(corners));
   }
-}
+
+  // Makes corners right angles, and the rest straight.
+  void prescribe(std::vector<Vertex_condition>& conditions) const
+  {
+    constexpr double right_angle = boost::math::constants::half_pi<double>();
+    for(const Rectangle& sides : m_rectangles)
+      for(const Boundary_loop& side : sides)
+        for(Halfedge_index h : side)
+          conditions[m_mesh.source(h).idx()] =
+            Vertex_condition::curvature(h == side.front() ? right_angle : 0);
+  }
+
+  std::vector<Map_promise> promises(const Planar_conformal_map& map,
+                                    const std::vector<char>& is_whole) const
+  {
+    const Boundary_image image(map);
+    const Intrinsic_triangulations::internal::Mesh_components components(m_mesh);
+    double straightness = 0, cosine = 0;
+    for(const Rectangle& sides : m_rectangles) {
+      if(!is_whole[components[corner(sides[0]).idx()]])
+        continue;
+      for(std::size_t s = 0; s < 4; ++s) {
+        straightness = greater_error(straightness, image.straightness_error(sides[s], m_mesh));
+        cosine = greater_error(cosine, image.cosine(corner(sides[s]), corner(sides[(s + 1) % 4]),
+                                                    corner(sides[(s + 2) % 4])));
+      }
+    }
+    return {
+      {"straight_sides", straightness, tolerance::promised_length, Map_status::not_rectangular},
+      {"right_angles", cosine, tolerance::promised_length, Map_status::not_rectangular}};
+  }
+
+private:
+  typedef std::vector<Boundary_loop> Rectangle; // its sides
+
+  Vertex_index corner(const Boundary_loop& side) const { return m_mesh.source(side.front()); }
+
+  Delta_complex m_mesh;
+  std::vector<Rectangle> m_rectangles;
+};
 
 } // namespace internal
 
@@ -108,8 +157,8 @@ rectangle_corners(const Graph& g, const NamedParameters& np = CGAL::parameters::
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, if `corners` are not
 ///   four vertices on each boundary, or as `flatten()` does: a component with handles has no
 ///   rectangle without cones inside
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
-///   where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error as
+///   `flatten()` does
 template <typename Graph, typename VertexRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Planar_conformal_map
@@ -124,13 +173,10 @@ flatten_to_rectangle(const Graph& g, const VertexRange& corners,
     is_corner.push_back(given.count(v) != 0);
   std::vector<Vertex_condition> conditions =
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition());
-  internal::set_rectangles(conditions, is_corner, input.mesh());
+  internal::Rectangular_boundary boundary(input.mesh(), is_corner);
+  boundary.prescribe(conditions);
   return internal::flattened(std::move(input), conditions, internal::initial_log_scales(g, np),
-                             std::numeric_limits<double>::infinity(), np,
-                             [](auto&, auto& flattening, const auto& find) {
-                               flattening.keep_cones_inside();
-                               find();
-                             });
+                             std::numeric_limits<double>::infinity(), np, std::move(boundary));
 }
 
 } // namespace CGAL::Discrete_conformal_maps

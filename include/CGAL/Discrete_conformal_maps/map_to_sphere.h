@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -143,31 +142,63 @@ private:
         i += stride)
       if(Unfolded_sphere next(m_problem, m_mass, vertices[i], m_visitor); next < *best)
         best.emplace(std::move(next));
-    if(!best->is_laid_out()) {
-      std::ostringstream text;
-      text << "the scale factors of the sphere have not been found: "
-           << to_string(best->result().status) << ", with an error of angles of "
-           << best->max_curvature_error() << " radians";
-      throw Intrinsic_triangulations::Numerical_error(text.str());
-    }
     return std::move(*best);
   }
 
   template <typename Sphere>
   void take(const Sphere& sphere)
   {
-    m_builder.flip(sphere.flips());
+    m_map.m_is_laid_out = sphere.is_laid_out();
+    m_builder.flip(sphere.is_laid_out() ? sphere.flips() : std::vector<Halfedge_index>());
     m_builder.set_scale_factors(sphere);
+    if(!sphere.cause().empty() && !sphere.is_good())
+      m_builder.set_cause(sphere.cause());
     m_map.m_at_infinity = sphere.vertex_at_infinity();
+    m_map.m_is_extended = sphere.is_extended();
+    std::vector<Map_promise> promises{{"curvature", sphere.max_curvature_error(),
+                                       tolerance::layout_angle, Map_status::wrong_curvature},
+                                      {"layout", sphere.is_laid_out() ? 0. : 1., 0,
+                                       Map_status::not_laid_out}};
+    if(sphere.is_laid_out())
+      take_positions(sphere, promises);
+    m_builder.judge(sphere.max_curvature_error(), std::move(promises));
+  }
+
+  // Adds what is promised about them.
+  template <typename Sphere>
+  void take_positions(const Sphere& sphere, std::vector<Map_promise>& promises)
+  {
     m_map.m_in_plane = sphere.positions();
     m_map.m_certificate = sphere.certificate();
     m_map.m_bound_violations = sphere.bound_violations();
-    m_map.m_is_extended = sphere.is_extended();
     for(Vertex_index v : m_map.ideal().mesh().vertices()) {
       const auto p = m_map.precise_position(v);
       m_map.m_position.push_back(
         {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     }
+    const Convexity_certificate& c = m_map.certificate();
+    const auto add = [&](const char* name, double error, double bound, Map_status status) {
+      promises.push_back({name, error, bound, status});
+    };
+    add("convexity", double(c.concave_edges + c.flipped_triangles + (c.is_simple ? 0u : 1u)), 0,
+        m_map.is_flat() ? Map_status::layout_collapsed : Map_status::not_convex);
+    add("bounds", double(m_map.bound_violations()), 0, Map_status::not_convex);
+    add("sphere", m_map.max_inscribed_error(), tolerance::inscribed, Map_status::not_inscribed);
+    if(!m_problem.has_no_copies())
+      add("hemisphere", hemisphere_error(), tolerance::inscribed, Map_status::not_inscribed);
+    add("cross_ratio", sphere.cross_ratio_error(), tolerance::cross_ratio,
+        Map_status::not_conformal);
+  }
+
+  // the greatest distance from the equator of a vertex on the boundary, and depth of another below the equator
+  double hemisphere_error() const
+  {
+    double result = 0;
+    for(Vertex_index v : m_problem.surface().vertices()) {
+      const double z = m_map.position(v)[2];
+      result = greater_error(result, m_problem.is_on_boundary(v) ? std::abs(z) : -z);
+    }
+    return result;
   }
 
   std::size_t lost_in_output(const Inscribed_polygon& polygon) const
@@ -236,8 +267,10 @@ private:
 /// they should be, it is computed with 106 binary digits, and if that does not suffice with other
 /// vertices at infinity. The best result is returned: `Spherical_conformal_map::status()` is
 /// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
-/// \f$10^{-8}\f$. The polygon needs no minimization, and is computed with 106 binary digits at once;
-/// its status is `Map_status::layout_collapsed` if these do not distinguish its vertices.
+/// \f$10^{-8}\f$ (see \ref dcm_status). A map that is no success may have no positions: see
+/// `Spherical_conformal_map::is_laid_out()`. The polygon needs no minimization, and is computed with
+/// 106 binary digits at once; its status is `Map_status::layout_collapsed` if these do not
+/// distinguish its vertices.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -264,8 +297,8 @@ private:
 /// beyond that \f$O(n \log n)\f$ in the vertices, flips and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or neither a sphere
 ///   nor a disk
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
-///         where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Numerical_error if \f$T^B\f$ cannot be computed
+/// \throws Intrinsic_triangulations::Overflow_error if integers have not enough digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
 ///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -34,9 +34,9 @@ struct Uniformization
   std::optional<Spherical_conformal_map> spherical;
   /// the map of all other surfaces
   std::optional<Hyperbolic_conformal_map> hyperbolic;
-  /// the modulus of a torus (see `torus_modulus()`); the imaginary unit times that of an annulus
-  /// (see `annulus_modulus()`)
-  std::complex<double> modulus;
+  /// the modulus of a torus (see `torus_modulus()`), or the imaginary unit times that of an annulus
+  /// (see `annulus_modulus()`), if its map is a success
+  std::optional<std::complex<double>> modulus;
 
   /// returns the status of the map.
   Map_status status() const
@@ -79,9 +79,10 @@ Uniformization uniformize(const Graph& g,
                                             NamedParameters>
         Parameters;
       result.flat.emplace(flatten(g, Parameters(straight, np)));
-      result.modulus = result.type == Surface_type::torus
-                         ? torus_modulus(*result.flat)
-                         : std::complex<double>(0, annulus_modulus(*result.flat));
+      if(result.status() == Map_status::success)
+        result.modulus = result.type == Surface_type::torus
+                           ? torus_modulus(*result.flat)
+                           : std::complex<double>(0, annulus_modulus(*result.flat));
   }
   return result;
 }

@@ -17,6 +17,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>
@@ -63,21 +64,78 @@ public:
   void find_scale_factors(const Minimizer& minimizer)
   {
     m_visitor.start(Flattening_stage::optimize);
-    m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
+    try {
+      m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_scale.stop();
+      m_builder.set_cause(e.what());
+    }
   }
 
   Hyperbolic_conformal_map finish()
   {
     m_problem.complete();
-    m_builder.flip(m_scale);
+    m_map.m_is_laid_out = flip();
     m_visitor.start(Flattening_stage::layout);
-    lay_out();
+    if(m_map.m_is_laid_out)
+      m_map.m_is_laid_out = lay_out_or_fail();
+    if(!m_map.m_is_laid_out)
+      leave_out();
     m_builder.subdivide(m_visitor);
+    m_builder.judge(m_errors.greatest(), promises());
     return std::move(m_map);
   }
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
+
+  // Returns false if the scaled lengths are out of range.
+  bool flip()
+  {
+    try {
+      m_builder.flip(m_scale);
+      return true;
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_builder.set_cause(e.what());
+      m_builder.take_unflipped(m_scale);
+      return false;
+    }
+  }
+
+  bool lay_out_or_fail()
+  {
+    try {
+      lay_out();
+      return true;
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_builder.set_cause(e.what());
+      return false;
+    }
+  }
+
+  void leave_out()
+  {
+    m_map.m_component.assign(mesh().num_faces(), 0);
+    m_map.m_groups.clear();
+    m_map.m_position.assign(mesh().num_halfedges(), {0, 0, 1});
+    m_map.m_seam.assign(mesh().num_edges(), Hyperbolic_conformal_map::no_seam);
+  }
+
+  // what was measured in the precision of the layout
+  std::vector<Map_promise> promises() const
+  {
+    std::vector<Map_promise> result = m_errors.promises();
+    result.push_back({"layout", m_map.m_is_laid_out ? 0. : 1., 0, Map_status::not_laid_out});
+    if(!m_map.m_is_laid_out)
+      return result;
+    double relation = 0;
+    for(const Fuchsian_group& group : m_map.m_groups)
+      relation = greater_error(relation, group.relation_error);
+    result.push_back(
+      {"closing", m_map.max_gluing_error(), tolerance::gluing, Map_status::not_glued});
+    result.push_back({"generators", relation, tolerance::gluing, Map_status::not_glued});
+    return result;
+  }
 
   // Errors grow exponentially with the distance from the origin, but shrink with the rounding unit.
   void lay_out()
@@ -91,8 +149,6 @@ private:
       error = lay_out_with_more_digits<Extended>();
     if(!(error <= tolerance::gluing))
       lay_out_with_more_digits<More_extended>();
-    if(m_map.status() == Map_status::success && !(m_map.max_gluing_error() <= tolerance::gluing))
-      m_builder.set_status(Map_status::not_glued);
   }
 
   void note_cones()
@@ -139,6 +195,7 @@ private:
     set_positions(layout, cut);
     set_gluings(layout, cut);
     set_areas(length);
+    m_errors = defect_errors<Hyperbolic_triangle<FT>>(m_problem, mesh(), length);
     double error = m_map.m_max_gluing_error = gluing_error(layout, cut);
     for(std::size_t c = 0; c < m_map.m_groups.size(); ++c) {
       set_group(layout, cut, c);
@@ -261,8 +318,9 @@ private:
   Scale_factors<Hyperbolic_triangle> m_scale;
   Hyperbolic_conformal_map m_map;
   Map_builder m_builder;
-  std::vector<char> m_is_cone;  // for each vertex
-  std::vector<char> m_has_cone; // for each component
+  std::vector<char> m_is_cone;                      // for each vertex
+  std::vector<char> m_has_cone;                     // for each component
+  Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
 };
 
 } // namespace internal
@@ -275,8 +333,9 @@ private:
 /// two or more. A component with boundary is doubled; its boundary is a geodesic, unless exterior
 /// angles are prescribed.
 ///
-/// `Hyperbolic_conformal_map::status()` states how this has ended; without convergence,
-/// it has the best scale factors that have been found.
+/// `Hyperbolic_conformal_map::status()` states how this has ended, measured on the result (see \ref
+/// dcm_status). A map that is no success has the best scale factors that have been found, and a
+/// layout if there is one: see `Hyperbolic_conformal_map::is_laid_out()`.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
@@ -314,8 +373,8 @@ private:
 /// that \f$O(n \log n)\f$ in the vertices and crossings.
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not a valid input, or a component
 ///         cannot be hyperbolic with what is prescribed
-/// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error
-///         where numbers have not enough digits
+/// \throws Intrinsic_triangulations::Numerical_error if \f$T^B\f$ cannot be computed
+/// \throws Intrinsic_triangulations::Overflow_error if integers have not enough digits
 /// \throws Intrinsic_triangulations::Flip_limit_exceeded if rounding prevents flips from
 ///   terminating
 template <typename Graph, typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -24,6 +24,15 @@ constexpr double gradient = 1e-13, curvature = 1e-11;
 // The minimum of the spherical energy in 32 digits: scale factors have an error of at most its
 // root where bounds are active.
 constexpr double extended_gradient = 1e-22;
+// A gradient with a greater rounding error says nothing: steps do not go there.
+constexpr double known_angle = 1;
+// What a map is promised to have: curvatures and exterior angles as measured on the result.
+constexpr double promised_angle = 1e-10;
+// Lengths in the plane, relative, and the shapes of boundaries, relative to their sizes: what cross
+// ratios may have.
+constexpr double promised_length = 1e-8;
+// Positions on the unit sphere: some roundings.
+constexpr double inscribed = 1e-14;
 // A face with an angle that is off by more cannot be laid out in the plane.
 constexpr double layout_angle = 1e-9;
 // Prescribed curvatures come from files with some ten digits, and are summed up.

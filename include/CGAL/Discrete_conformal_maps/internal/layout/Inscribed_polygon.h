@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -63,7 +64,12 @@ public:
     measure_chords();
     for(const Extended& chord : m_chord)
       m_u.push_back(-2 * log(chord));
-    lay_out(mass);
+    try {
+      lay_out(mass);
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_cause = e.what();
+      certify();
+    }
     m_log_scale =
       spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
     m_cross_ratio_error = max_stereographic_cross_ratio_error(
@@ -88,13 +94,13 @@ public:
   // whether a face of T^C is one of the polygon, not of its back
   bool is_front(Face_index f) const { return m_is_front[f.idx()]; }
 
-  Map_status status() const
-  {
-    if(!m_certificate.is_convex())
-      return Map_status::layout_collapsed;
-    return m_cross_ratio_error <= tolerance::cross_ratio ? Map_status::success
-                                                         : Map_status::not_conformal;
-  }
+  // Scale factors need no search.
+  Map_status status() const { return Map_status::success; }
+  bool is_laid_out() const { return true; }
+  bool is_good() const { return m_certificate.is_convex(); }
+  // the message of the error that has ended the layout; empty if none has
+  const std::string& cause() const { return m_cause; }
+  double cross_ratio_error() const { return m_cross_ratio_error; }
 
 private:
   const Delta_complex& mesh() const { return m_surface.mesh(); }
@@ -300,6 +306,7 @@ private:
   std::vector<double> m_log_scale;
   Convexity_certificate m_certificate;
   double m_cross_ratio_error = std::numeric_limits<double>::infinity();
+  std::string m_cause;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -33,23 +34,22 @@ public:
   template <typename Visitor>
   Unfolded_sphere(Doubled_problem& problem, const std::vector<double>& mass,
                   Vertex_index at_infinity, Visitor& visitor)
-    : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity)
+    : m_problem(problem),
+      m_mass(mass),
+      m_at_infinity(at_infinity),
+      m_log_scale(problem.size(), 0.)
   {
-    visitor.start(Flattening_stage::optimize);
-    Spherical_scale_factors<double> rounded(problem, at_infinity);
-    rounded.minimize(tolerance::gradient, visitor);
-    visitor.start(Flattening_stage::layout);
-    take(rounded);
-    if(is_good())
-      return;
-    visitor.start(Flattening_stage::optimize);
-    Spherical_scale_factors<Extended> precise(problem, at_infinity);
-    if(rounded.result().status != Minimization_status::not_finite)
-      precise.set_start(rounded);
-    precise.minimize(tolerance::extended_gradient, visitor);
-    visitor.start(Flattening_stage::layout);
-    take(precise);
+    try {
+      unfold(visitor);
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_cause = e.what(); // what was taken before stays
+    }
+    if(m_number_of_edges != problem.triangulation().mesh().num_edges())
+      m_position.clear(); // of a copy that has been made deeper since
   }
+
+  // the message of the error that has ended the search for a good result; empty if none has
+  const std::string& cause() const { return m_cause; }
 
   // whether there is any result
   bool is_laid_out() const { return !m_position.empty(); }
@@ -73,13 +73,13 @@ public:
     return is_certified() && m_cross_ratio_error <= tolerance::good_cross_ratio;
   }
 
+  // of the search for scale factors
   Map_status status() const
   {
-    if(!is_certified())
-      return Map_status::not_convex;
-    return m_cross_ratio_error <= tolerance::cross_ratio ? Map_status::success
-                                                         : Map_status::not_conformal;
+    return is_laid_out() ? Map_status::success : Map_status::not_converged;
   }
+
+  double cross_ratio_error() const { return m_cross_ratio_error; }
 
   // Certified results come first, then those with less error.
   friend bool operator<(const Unfolded_sphere& a, const Unfolded_sphere& b)
@@ -89,6 +89,25 @@ public:
   }
 
 private:
+  template <typename Visitor>
+  void unfold(Visitor& visitor)
+  {
+    visitor.start(Flattening_stage::optimize);
+    Spherical_scale_factors<double> rounded(m_problem, m_at_infinity);
+    rounded.minimize(tolerance::gradient, visitor);
+    visitor.start(Flattening_stage::layout);
+    take(rounded);
+    if(is_good())
+      return;
+    visitor.start(Flattening_stage::optimize);
+    Spherical_scale_factors<Extended> precise(m_problem, m_at_infinity);
+    if(rounded.result().status != Minimization_status::not_finite)
+      precise.set_start(rounded);
+    precise.minimize(tolerance::extended_gradient, visitor);
+    visitor.start(Flattening_stage::layout);
+    take(precise);
+  }
+
   bool is_certified() const
   {
     return is_laid_out() && m_certificate.is_convex() && m_bound_violations == 0;
@@ -97,26 +116,30 @@ private:
   template <typename FT>
   void take(const Spherical_scale_factors<FT>& scale)
   {
-    m_minimization = scale.result();
-    m_angle_error = scale.angle_error();
-    if(!(m_angle_error <= tolerance::layout_angle &&
-         m_minimization.gradient_error <= tolerance::layout_angle))
+    const bool is_enough = scale.angle_error() <= tolerance::layout_angle &&
+                           scale.result().gradient_error <= tolerance::layout_angle;
+    if(is_enough || !is_laid_out()) {
+      m_minimization = scale.result();
+      m_angle_error = scale.angle_error();
+    }
+    if(!is_enough)
       return;
+    std::vector<Halfedge_index> flips;
     do {
       Partially_decorated_surface<FT> surface(
         m_problem.triangulation().mesh(), m_problem.triangulation().length_map(), m_at_infinity);
       surface.scale(m_problem.expanded(scale.values()));
-      m_flips = surface.flips();
-      if(!m_problem.has_exceeded(m_flips))
+      flips = surface.flips();
+      if(!m_problem.has_exceeded(flips))
         lay_out(surface, scale);
-    } while(has_deepened());
+    } while(has_deepened(flips));
   }
 
-  bool has_deepened()
+  bool has_deepened(const std::vector<Halfedge_index>& flips)
   {
-    if(!m_problem.has_exceeded(m_flips))
+    if(!m_problem.has_exceeded(flips))
       return false;
-    m_problem.deepen(m_flips);
+    m_problem.deepen(flips);
     return true;
   }
 
@@ -146,6 +169,7 @@ private:
     m_certificate = layout.certificate();
     m_flips = surface.flips();
     m_flips.insert(m_flips.end(), layout.flips().begin(), layout.flips().end());
+    m_number_of_edges = mesh.num_edges();
     m_position.clear();
     for(const auto& p : layout.positions())
       m_position.push_back({Extended(p[0]), Extended(p[1])});
@@ -186,6 +210,8 @@ private:
   double m_cross_ratio_error = std::numeric_limits<double>::infinity();
   std::size_t m_bound_violations = 0;
   bool m_is_extended = false;
+  std::size_t m_number_of_edges = 0; // of the triangulation that was laid out
+  std::string m_cause;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

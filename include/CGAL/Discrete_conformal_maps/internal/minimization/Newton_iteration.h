@@ -75,6 +75,7 @@ private:
       return Status::no_descent;
     m_base = m_descent.point();
     m_base_slope = slope();
+    m_base_error = m_descent.energy().gradient_error();
     const double noise = rounding_error(hessian).dot(m_direction.direction().cwiseAbs());
     const std::optional<Status> end =
       -m_base_slope > noise ? search_line() : step_within_rounding();
@@ -117,10 +118,12 @@ private:
     return error;
   }
 
+  // Returns whether the gradient is known there: far away, rounding can leave no digit of angles.
   bool step(double t)
   {
     m_step = t;
-    return m_descent.move_to(m_base + t * m_direction.direction());
+    return m_descent.move_to(m_base + t * m_direction.direction()) &&
+           m_descent.energy().gradient_error() <= (std::max)(tolerance::known_angle, m_base_error);
   }
 
   // The slope along a line grows from a negative value at its start. A step is good if it does not
@@ -187,6 +190,7 @@ private:
   double m_bound = 10; // of the length of steps where the Hessian is not to be trusted
   Eigen::VectorXd m_base;
   double m_base_slope = 0;
+  double m_base_error = 0; // of the gradient
   double m_step = 0;
   double m_largest_error = 0; // rounding error of the gradient
   int m_short_steps = 0;

@@ -29,13 +29,11 @@ public:
     : Scale_factors<Flat_triangle>(problem, Vector::Zero(Eigen::Index(problem.size()))),
       m_problem(problem),
       m_may_be_cone(problem.size(), 1)
-  {}
-
-  // From now on the boundary has no cones, and no bound on its scale factors.
-  void keep_cones_inside()
   {
-    for(std::size_t v = 0; v < m_problem.size(); ++v)
-      m_may_be_cone[v] = !m_problem.is_on_boundary(vertex(v));
+    // what is prescribed on the boundary, or other than zero, stays
+    const Vector target = problem.target_defect();
+    for(std::size_t v = 0; v < problem.size(); ++v)
+      m_may_be_cone[v] = !problem.is_on_boundary(vertex(v)) && target[Eigen::Index(v)] == 0;
   }
 
   const std::vector<Vertex_index>& cones() const { return m_cones; }

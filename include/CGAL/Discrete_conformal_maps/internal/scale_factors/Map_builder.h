@@ -9,6 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
@@ -16,6 +17,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,14 +45,27 @@ public:
   template <typename Scale_factors>
   void set_scale_factors(const Scale_factors& scale)
   {
-    m_data.status = scale.status();
+    m_search = scale.status();
     m_data.minimization = scale.result();
     m_data.max_curvature_error = scale.max_curvature_error();
     const auto all = m_problem.expanded(scale.values());
     m_data.log_scale.assign(all.data(), all.data() + all.size());
   }
 
-  void set_status(Map_status status) { m_data.status = status; }
+  // Notes that a numerical error has ended the search or the layout.
+  void set_cause(const std::string& message)
+  {
+    if(m_data.cause.empty())
+      m_data.cause = message;
+  }
+
+  // Decides about the map, by what was measured on it. `curvature_error` is that of all vertices.
+  void judge(double curvature_error, std::vector<Map_promise> promises)
+  {
+    m_data.max_curvature_error = greater_error(m_data.max_curvature_error, curvature_error);
+    m_data.promises = std::move(promises);
+    m_data.status = status_of(m_data.promises, m_search);
+  }
 
   // by the vertices of the surface itself
   void add_to_scale_factors(const std::vector<double>& correction)
@@ -65,6 +80,15 @@ public:
   void flip(const Scale_factors& scale)
   {
     flip(m_problem.scaled(scale.values()).flips());
+    set_scale_factors(scale);
+  }
+
+  // Takes the triangulation of the problem as it is, where lengths with these scale factors are out
+  // of range.
+  template <typename Scale_factors>
+  void take_unflipped(const Scale_factors& scale)
+  {
+    flip(std::vector<Halfedge_index>());
     set_scale_factors(scale);
   }
 
@@ -160,6 +184,7 @@ private:
   Doubled_problem& m_problem;
   Discrete_conformal_map::Data& m_data;
   std::vector<Halfedge_index> m_flips; // from T^B to T^C
+  Map_status m_search = Map_status::success;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
+#include <CGAL/Discrete_conformal_maps/Map_promise.h>
 #include <CGAL/Discrete_conformal_maps/Map_status.h>
 #include <CGAL/Discrete_conformal_maps/Minimization.h>
 #include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
@@ -50,6 +51,8 @@ public:
   // of the vertices where curvatures are prescribed
   double max_curvature_error() const { return m_max_curvature_error; }
   Map_status status() const { return m_status; }
+  // Notes that a numerical error has ended the search.
+  void stop() { m_status = Map_status::not_converged; }
   // whether all faces have the triangle inequality, up to rounding
   bool has_layout() const { return m_has_layout; }
 
@@ -186,7 +189,7 @@ private:
       const auto i = static_cast<Eigen::Index>(v);
       m_u[i] = static_cast<double>(energy.scale_factor(v));
       if(!m_problem.is_fixed()[v])
-        m_max_curvature_error = (std::max)(m_max_curvature_error, std::abs(energy.gradient()[i]));
+        m_max_curvature_error = greater_error(m_max_curvature_error, std::abs(energy.gradient()[i]));
     }
   }
 
