@@ -119,8 +119,8 @@ bool has_area(const Point& p, const Point& q, const Point& r)
   return 2 * std::sqrt(CGAL::squared_area(p, q, r)) > rounding * longest;
 }
 
-// Calls `visit` with each polygon and the orientation in the plane of each triangle into which it
-// is cut, unless rounding may have taken all its area in space.
+// Calls `visit` with each polygon, the orientation in the plane of each triangle into which it is
+// cut, and whether the triangle has area in space beyond rounding.
 template <class Visit>
 void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
 {
@@ -131,8 +131,8 @@ void for_each_triangle(const Output_mesh& mesh, const Visit& visit)
   for(std::size_t i = 0; i < mesh.polygons.size(); ++i) {
     const Polygons::Polygon p = mesh.polygons[i], t = mesh.texture.polygons[i];
     for(std::size_t k = 2; k < p.size(); ++k)
-      if(has_area(mesh.points[p[0]], mesh.points[p[k - 1]], mesh.points[p[k]]))
-        visit(i, CGAL::orientation(place(t[0]), place(t[k - 1]), place(t[k])));
+      visit(i, CGAL::orientation(place(t[0]), place(t[k - 1]), place(t[k])),
+            has_area(mesh.points[p[0]], mesh.points[p[k - 1]], mesh.points[p[k]]));
   }
 }
 
@@ -153,9 +153,9 @@ Output_mesh flat_mesh(const DCM::Hyperbolic_conformal_map& map, const Map_front&
 std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh)
 {
   std::vector<std::int64_t> result;
-  for_each_triangle(mesh, [&](std::size_t i, CGAL::Orientation turn) {
+  for_each_triangle(mesh, [&](std::size_t i, CGAL::Orientation turn, bool has_area) {
     const auto polygon = static_cast<std::int64_t>(i);
-    if(turn == CGAL::RIGHT_TURN && (result.empty() || result.back() != polygon))
+    if(has_area && turn == CGAL::RIGHT_TURN && (result.empty() || result.back() != polygon))
       result.push_back(polygon);
   });
   return result;
@@ -163,11 +163,13 @@ std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh)
 
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh)
 {
-  std::size_t flipped = 0, degenerate = 0;
-  for_each_triangle(mesh, [&](std::size_t, CGAL::Orientation turn) {
-    flipped += turn == CGAL::RIGHT_TURN;
-    degenerate += turn == CGAL::COLLINEAR;
+  std::size_t flipped = 0, degenerate = 0, slivers = 0;
+  for_each_triangle(mesh, [&](std::size_t, CGAL::Orientation turn, bool has_area) {
+    flipped += has_area && turn == CGAL::RIGHT_TURN;
+    degenerate += has_area && turn == CGAL::COLLINEAR;
+    slivers += !has_area && turn != CGAL::LEFT_TURN;
   });
   statistics["flipped_triangles"] = flipped;
   statistics["degenerate_triangles"] = degenerate;
+  statistics["flipped_slivers"] = slivers;
 }

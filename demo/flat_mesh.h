@@ -40,8 +40,8 @@ Output_mesh flat_mesh(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_
 std::vector<std::int64_t> flipped_polygons(const Output_mesh& mesh);
 
 // Adds how many triangles are flipped in the plane or have no area there, with linear texture
-// coordinates. Polygons are cut into triangles from their first corners. A triangle that rounding
-// of its points may have taken all area in space does not count.
+// coordinates. Polygons are cut into triangles from their first corners. Of slivers, triangles of
+// which rounding of their points may have taken all area in space, both are counted apart.
 void describe_triangles(Statistics& statistics, const Output_mesh& mesh);
 
 #endif // INTRINSIC_FLAT_MESH_H

@@ -129,7 +129,8 @@ private:
         return DCM::flatten_to_disk(mesh(), np);
       return DCM::flatten_to_rectangle(mesh(), DCM::rectangle_corners(mesh(), np), np);
     } catch(const IT::Invalid_input& e) {
-      throw Program_error(m_run.options().input + ": " + e.what());
+      throw Program_error(m_run.options().input + ": " + e.what() +
+                          "; try --boundary free or straight");
     }
   }
 

@@ -25,7 +25,8 @@ Colors, normals, texture coordinates and functions at the vertices of a mesh, an
 materials of faces of .obj files, are carried to the meshes that are written, if their format
 supports them.
 
-Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong.)";
+Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong, 3 a map that failed
+was written with --keep-going.)";
 
 const char* const view =
   R"(The page is one file that opens in any browser with WebGL 2, without a network. It shows the
@@ -146,7 +147,7 @@ without boundary is cut through its cones.
 
 Values of --boundary, which must follow MESH:
   free            vertices on the boundary are not scaled (the default)
-  straight        all exterior angles are zero
+  straight        all exterior angles are zero; cones are placed inside
   scale FILE      logarithms of their scale factors are prescribed
   curvature FILE  their exterior angles are prescribed
   rectangle       each component is mapped to a rectangle; its corners are as far apart along the
@@ -196,7 +197,11 @@ factors) has the values at the vertices of the output, linear on the faces of th
 has one to three weights, sum one. Rows of vertices of the mesh come first, in their order, so the
 matrix starts with the identity.
 
-If the minimization does not converge, or there is no map, nothing is written.
+A map that lacks something it should have (curvatures, exterior angles, the shape of its boundary,
+length cross ratios, orientation) is not written, and the message says what can be tried. With
+--keep-going it is written, with exit code 3; "promises" in the statistics has all errors.
+"flipped_triangles" in the statistics leaves out slivers, triangles with heights in space of up to
+16 units in the last place of their coordinates; "flipped_slivers" counts those.
 
 Examples:
   intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
@@ -253,7 +258,7 @@ flipped: lost_in_output in the statistics counts them. --precise writes the posi
 vertices with 36 digits.
 
 Vertices without faces are (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
-zero. If the image is not convex, nothing is written.
+zero. If the image is not convex, or is a flat polygon, nothing is written but with --keep-going.
 
 Example:
   intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";

@@ -43,7 +43,8 @@ std::string advice(const std::string& command, DCM::Map_status status)
   if(command == "flatten")
     return status == Status::not_converged || status == Status::wrong_curvature
              ? "try --cones greedy, or another --boundary"
-             : "try --cones greedy with a --max-log-scale below 5, which keeps scale factors closer "
+             : "try --cones greedy with a --max-log-scale below 5, which keeps scale factors "
+               "closer "
                "to each other, or --boundary free";
   return "try `intrinsic flatten`, which places cones";
 }
@@ -58,7 +59,8 @@ std::string failure(Command_run& run, const DCM::Discrete_conformal_map& map)
   text << DCM::message(map.status()) << ": " << reason;
   for(const DCM::Map_promise& p : map.promises())
     if(!p.is_kept())
-      text << ", with an error of " << p.name << " of " << p.error << " (at most " << p.bound << ")";
+      text << ", with an error of " << p.name << " of " << p.error << " (at most " << p.bound
+           << ")";
   if(!map.cause().empty())
     text << "; " << map.cause();
   text << "; " << advice(run.statistics()["command"], map.status());

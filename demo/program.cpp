@@ -12,6 +12,7 @@
 
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -112,6 +113,15 @@ int run_keeping_failures(const CLI::App& app, const Options& options)
   }
 }
 
+// What can be tried if there is no map at all; empty for other commands.
+std::string advice(const CLI::App& app)
+{
+  for(const char* map : {"flatten", "hyperbolic", "uniformize", "sphere"})
+    if(app.got_subcommand(map))
+      return "; try --repair, which removes faces without area, or --mollify 1e-6";
+  return "";
+}
+
 int run(const CLI::App& app, const Options& options)
 {
   const Thread_limit limit(options.common.threads);
@@ -121,6 +131,10 @@ int run(const CLI::App& app, const Options& options)
     return report(e, 2);
   } catch(const CGAL::Intrinsic_triangulations::Invalid_input& e) {
     return report(e, 2);
+  } catch(const Map_failure& e) {
+    return report(e, 1);
+  } catch(const CGAL::Intrinsic_triangulations::Error& e) {
+    return report(std::runtime_error(e.what() + advice(app)), 1);
   } catch(const std::exception& e) {
     return report(e, 1);
   }

@@ -50,11 +50,11 @@ void describe(Command_run& run, const DCM::Spherical_conformal_map& map)
 std::string spherical_summary(const Statistics& s)
 {
   std::ostringstream text;
-  text << (s["disk"] ? "hemisphere" : "sphere") << (s["convex"] ? ", convex" : "") << ", log scale factors "
-       << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
-       << s["flips"] << " + " << s["ptolemy_flips"] << " flips, " << s["lost_in_output"]
-       << " triangles lost by rounding, " << s["subdivision"]["faces"]
-       << " faces in the common subdivision";
+  text << (s["disk"] ? "hemisphere" : "sphere") << (s["convex"] ? ", convex" : "")
+       << ", log scale factors " << s["log_scale_min"].get<double>() << " to "
+       << s["log_scale_max"].get<double>() << ", " << s["flips"] << " + " << s["ptolemy_flips"]
+       << " flips, " << s["lost_in_output"] << " triangles lost by rounding, "
+       << s["subdivision"]["faces"] << " faces in the common subdivision";
   return text.str();
 }
 

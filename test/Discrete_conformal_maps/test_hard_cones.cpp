@@ -59,20 +59,25 @@ TEST(Near_degenerate_meshes, are_flattened)
     const Named_mesh input = near_degenerate_mesh(seed);
     SCOPED_TRACE(input.name + ' ' + std::to_string(seed));
     const Planar_conformal_map map = DCM::flatten(input.mesh);
-    EXPECT_EQ(map.status(), Map_status::success);
-    EXPECT_LT(map.max_curvature_error(), 1e-11);
+    // vertices as close as rounding have cross ratios that positions in double cannot hold
+    if(map.status() != Map_status::not_conformal) {
+      EXPECT_EQ(map.status(), Map_status::success);
+    }
+    EXPECT_LT(map.max_curvature_error(), 1e-10);
   }
 }
 
 // Many take more steps than are allowed here.
 void check_hard_mesh(const Planar_conformal_map& map)
 {
-  const double error = (std::max)(map.max_curvature_error(), map.minimization().gradient_error);
-  EXPECT_TRUE(std::isfinite(error));
-  EXPECT_EQ(map.status() == Map_status::not_converged, error > 1e-11);
+  const auto& promises = map.promises();
+  const bool is_kept = std::all_of(promises.begin(), promises.end(),
+                                   [](const DCM::Map_promise& p) { return p.is_kept(); });
+  EXPECT_EQ(map.status() == Map_status::success, is_kept);
+  EXPECT_TRUE(map.max_curvature_error() <= 1e-10 || map.status() != Map_status::success);
 }
 
-TEST(Hard_meshes, are_flattened_or_have_not_converged)
+TEST(Hard_meshes, are_flattened_or_say_why_not)
 {
   const DCM::Newton_minimizer minimizer(1e-13, 40);
   for(std::uint64_t seed = 0; seed < 24; ++seed) {

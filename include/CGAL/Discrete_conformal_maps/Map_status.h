@@ -19,9 +19,9 @@ enum class Map_status
   not_converged,       ///< the scale factors have not been found: see `Minimization_status`
   triangle_inequality, ///< in some faces the scaled lengths do not obey the triangle inequality, so
                        ///< nothing is laid out
-  no_minimum,       ///< no scale factors give this triangulation the prescribed angles: some vertices
-                    ///< together need more than the faces around them have, or less than the faces
-                    ///< between them
+  no_minimum, ///< no scale factors give this triangulation the prescribed angles: some vertices
+              ///< together need more than the faces around them have, or less than the faces
+              ///< between them
   wrong_curvature,  ///< a vertex of the scaled surface has not the prescribed curvature, or one on
                     ///< the boundary not the prescribed exterior angle
   not_laid_out,     ///< numbers have too few digits for a layout: there are no positions
@@ -33,12 +33,12 @@ enum class Map_status
   not_rectangular,  ///< the sides of a rectangle are not straight, or its angles are not right
   not_convex,       ///< the image on the sphere is not a convex polyhedron, or breaks a bound of
                     ///< Section 4.4.3
-  not_inscribed,    ///< vertices are not on the sphere, or those on the boundary of a disk are not on
-                    ///< the equator, or others not above it
-  degenerate,       ///< the polyhedron in the sphere is a flat polygon, seen from both sides
-  not_conformal,    ///< a length cross ratio of the image is not that of the input
-  not_glued         ///< in the hyperbolic plane, faces do not close up around a vertex, or the
-                    ///< generators do not satisfy their relation
+  not_inscribed, ///< vertices are not on the sphere, or those on the boundary of a disk are not on
+                 ///< the equator, or others not above it
+  degenerate,    ///< the polyhedron in the sphere is a flat polygon, seen from both sides
+  not_conformal, ///< a length cross ratio of the image is not that of the input
+  not_glued      ///< in the hyperbolic plane, faces do not close up around a vertex, or the
+                 ///< generators do not satisfy their relation
 };
 
 namespace internal {

@@ -91,8 +91,7 @@ public:
     if(m_map.m_has_layout)
       find_walls();
     lay_out();
-    std::vector<Map_promise> promises = m_errors.promises();
-    promises.push_back({"layout", m_map.m_has_layout ? 0. : 1., 0, Map_status::not_laid_out});
+    std::vector<Map_promise> promises = m_errors.promises(m_map.m_has_layout);
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     if(m_map.m_has_layout) {

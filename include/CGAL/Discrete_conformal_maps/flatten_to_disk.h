@@ -141,7 +141,7 @@ private:
   Intrinsic_triangulations::internal::Mesh_components m_components;
   std::size_t m_rounds;
   std::vector<Circle> m_circles;
-  Vector m_angle; // at the source of each side
+  Vector m_angle;                                            // at the source of each side
   double m_change = std::numeric_limits<double>::infinity(); // of the angles, in the last round
   Fixed_point_acceleration m_acceleration;
 };

@@ -77,7 +77,7 @@ private:
       throw Intrinsic_triangulations::Invalid_input(
         "the surface is neither a sphere nor a disk: without boundary, or doubled along it, it has "
         "an Euler characteristic of " +
-        std::to_string(characteristic));
+        std::to_string(characteristic) + "; other surfaces can be uniformized");
   }
 
   // A third of the area of each face of the double belongs to each of its corners.
@@ -155,13 +155,11 @@ private:
       m_builder.set_cause(sphere.cause());
     m_map.m_at_infinity = sphere.vertex_at_infinity();
     m_map.m_is_extended = sphere.is_extended();
-    std::vector<Map_promise> promises{{"curvature", sphere.max_curvature_error(),
-                                       tolerance::layout_angle, Map_status::wrong_curvature},
-                                      {"layout", sphere.is_laid_out() ? 0. : 1., 0,
-                                       Map_status::not_laid_out}};
+    const Defect_errors errors{sphere.max_curvature_error(), 0};
+    std::vector<Map_promise> promises = errors.promises(sphere.is_laid_out());
     if(sphere.is_laid_out())
       take_positions(sphere, promises);
-    m_builder.judge(sphere.max_curvature_error(), std::move(promises));
+    m_builder.judge(errors.greatest(), std::move(promises));
   }
 
   // Adds what is promised about them.

@@ -124,8 +124,7 @@ private:
   // what was measured in the precision of the layout
   std::vector<Map_promise> promises() const
   {
-    std::vector<Map_promise> result = m_errors.promises();
-    result.push_back({"layout", m_map.m_is_laid_out ? 0. : 1., 0, Map_status::not_laid_out});
+    std::vector<Map_promise> result = m_errors.promises(m_map.m_is_laid_out);
     if(!m_map.m_is_laid_out)
       return result;
     double relation = 0;

@@ -34,10 +34,7 @@ public:
   template <typename Visitor>
   Unfolded_sphere(Doubled_problem& problem, const std::vector<double>& mass,
                   Vertex_index at_infinity, Visitor& visitor)
-    : m_problem(problem),
-      m_mass(mass),
-      m_at_infinity(at_infinity),
-      m_log_scale(problem.size(), 0.)
+    : m_problem(problem), m_mass(mass), m_at_infinity(at_infinity), m_log_scale(problem.size(), 0.)
   {
     try {
       unfold(visitor);

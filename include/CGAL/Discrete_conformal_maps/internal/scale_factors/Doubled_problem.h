@@ -355,7 +355,8 @@ private:
     for(std::size_t v = 0; v < size(); ++v)
       if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * pi()))
         throw Intrinsic_triangulations::Invalid_input(
-          "no angle is left at vertex " + std::to_string(v) + ": its curvature is too great");
+          "no angle is left at vertex " + std::to_string(v) +
+          ": its curvature is too great; it must be less than 2 pi, on the boundary less than pi");
   }
 
   void deepen(std::size_t rings, const std::vector<Halfedge_index>& flips)
@@ -472,7 +473,7 @@ private:
          << " radians " << (own > 0 ? "more" : "less")
          << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
          << (has_fixed ? ": more than vertices with prescribed scale factors can have"
-                       : ": a cone can have the difference");
+                       : ": a cone inside or another boundary can have the difference");
     return text.str();
   }
 

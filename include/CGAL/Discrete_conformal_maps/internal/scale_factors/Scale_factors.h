@@ -189,7 +189,8 @@ private:
       const auto i = static_cast<Eigen::Index>(v);
       m_u[i] = static_cast<double>(energy.scale_factor(v));
       if(!m_problem.is_fixed()[v])
-        m_max_curvature_error = greater_error(m_max_curvature_error, std::abs(energy.gradient()[i]));
+        m_max_curvature_error =
+          greater_error(m_max_curvature_error, std::abs(energy.gradient()[i]));
     }
   }
 

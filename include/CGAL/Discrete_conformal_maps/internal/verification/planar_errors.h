@@ -59,10 +59,10 @@ inline double edge_length_error(const Planar_conformal_map& map)
 // Returns what every map to the plane that is laid out is promised to have there.
 inline std::vector<Map_promise> planar_promises(const Planar_conformal_map& map)
 {
-  return {{"orientation", double(number_of_collapsed_faces(map)), 0, Map_status::layout_collapsed},
-          {"cross_ratio", max_cross_ratio_error(map), tolerance::cross_ratio,
-           Map_status::not_conformal},
-          {"closing", edge_length_error(map), tolerance::promised_length, Map_status::not_closed}};
+  return {
+    {"orientation", double(number_of_collapsed_faces(map)), 0, Map_status::layout_collapsed},
+    {"cross_ratio", max_cross_ratio_error(map), tolerance::cross_ratio, Map_status::not_conformal},
+    {"closing", edge_length_error(map), tolerance::promised_length, Map_status::not_closed}};
 }
 
 } // namespace CGAL::Discrete_conformal_maps::internal
