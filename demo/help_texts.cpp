@@ -258,7 +258,7 @@ flipped: lost_in_output in the statistics counts them. --precise writes the posi
 vertices with 36 digits.
 
 Vertices without faces are (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
-zero. If the image is not convex, or is a flat polygon, nothing is written but with --keep-going.
+zero. If the image is not convex, nothing is written but with --keep-going.
 
 Example:
   intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";

@@ -35,7 +35,6 @@ enum class Map_status
                     ///< Section 4.4.3
   not_inscribed, ///< vertices are not on the sphere, or those on the boundary of a disk are not on
                  ///< the equator, or others not above it
-  degenerate,    ///< the polyhedron in the sphere is a flat polygon, seen from both sides
   not_conformal, ///< a length cross ratio of the image is not that of the input
   not_glued      ///< in the hyperbolic plane, faces do not close up around a vertex, or the
                  ///< generators do not satisfy their relation
@@ -86,9 +85,6 @@ inline Status_text text_of(Map_status status)
     case Map_status::not_inscribed:
       return {"not_inscribed", "the vertices are not on the sphere or the hemisphere",
               "flatten with cones, so that scale factors differ less"};
-    case Map_status::degenerate:
-      return {"degenerate", "the polyhedron in the sphere is a flat polygon, seen from both sides",
-              "subdivide a face, so that the disk has a vertex inside, or flatten it"};
     case Map_status::not_conformal:
       return {"not_conformal", "length cross ratios of the image are not those of the mesh",
               "lengthen the edges of thin faces (mollification), or allow cones, so that scale "

@@ -46,7 +46,8 @@ public:
     if(has_vertices_inside()) {
       const Unfolded_sphere sphere = unfold();
       take(sphere);
-      m_map.m_lost_in_output = lost_in_output();
+      if(sphere.is_laid_out())
+        m_map.m_lost_in_output = lost_in_output();
     } else {
       const Inscribed_polygon polygon(m_problem, m_mass, candidates().front(), m_visitor);
       take(polygon);
@@ -188,7 +189,7 @@ private:
         Map_status::not_conformal);
   }
 
-  // the greatest distance from the equator of a vertex on the boundary, and depth of another below the equator
+  // the greatest distance from the equator of a vertex on the boundary, and of others below it
   double hemisphere_error() const
   {
     double result = 0;
