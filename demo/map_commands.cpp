@@ -52,9 +52,10 @@ std::string advice(const std::string& command, DCM::Map_status status)
 // What is wrong with a map, and what can be tried.
 std::string failure(Command_run& run, const DCM::Discrete_conformal_map& map)
 {
-  const char* reason = map.status() == DCM::Map_status::not_converged
-                         ? DCM::to_string(map.minimization().status)
-                         : DCM::to_string(map.status());
+  const bool is_by_search = map.status() == DCM::Map_status::not_converged &&
+                            map.minimization().status != DCM::Minimization_status::converged;
+  const char* reason =
+    is_by_search ? DCM::to_string(map.minimization().status) : DCM::to_string(map.status());
   std::ostringstream text;
   text << DCM::message(map.status()) << ": " << reason;
   for(const DCM::Map_promise& p : map.promises())
