@@ -81,8 +81,19 @@ rm a.obj
 printf '%s 3.141592653\n' 0 1 2 3 >digits
 expect 1 flatten regular.mesh.off -o a.obj --cones digits --stats b.json
 says "the minimization has not converged: unbounded, with an error of curvature of 5.89"
+says 'try '
 [ ! -e a.obj ] && [ ! -e b.json ] || fail 'files after a failure'
-rm digits
+
+# Unless it is wanted with what is wrong with it.
+expect 3 flatten regular.mesh.off -o a.obj --cones digits --stats b.json --keep-going
+says 'warning: the minimization has not converged: unbounded'
+claim "s = json('b.json')" "s.status == 'not_converged'" 's.promises.curvature.kept is False' \
+  'near(s.promises.curvature.error, 5.89e-10, 1e-12)' 's.promises.curvature.bound == 1e-10' \
+  's.promises.cross_ratio.kept is True' 'near(area(obj("a.obj")), 8 * sqrt(3), 1e-6)'
+rm a.obj b.json digits
+expect 0 flatten regular.mesh.off -o a.obj --cones cones --stats a.json --keep-going # a success
+is_conformal a.json
+claim "s = json('a.json')" 'all(p.kept for p in s.promises.values())'
 
 # Three cones of 4 pi / 3 leave no curvature at the fourth vertex: by symmetry its edges, which
 # three equal triangles share, have lengths in the ratio 1 / sqrt(3) to the others, so its scale
@@ -139,8 +150,13 @@ checksum=$(cksum <slivers.mesh.off)
 expect 0 flatten slivers.mesh.off -o a.ply --stats statistics.json
 [ ! -s out ] || fail 'standard output is not empty'
 expected='command input vertices edges faces euler_characteristic boundary_loops components cones '
-expected+='iterations status max_curvature_error max_cross_ratio_error flipped_triangles '
-expected+='degenerate_triangles log_scale_min log_scale_max log_scale_square_sum flips ptolemy_flips '
+expected+='iterations status promises '
+for promise in layout curvature exterior_angle orientation cross_ratio closing; do
+  expected+="$promise error bound kept "
+done
+expected+='max_curvature_error max_cross_ratio_error flipped_triangles '
+expected+='degenerate_triangles flipped_slivers log_scale_min log_scale_max log_scale_square_sum '
+expected+='flips ptolemy_flips '
 expected+='subdivision vertices edges faces seconds read build cones optimize layout trace subdivide '
 expected+='write peak_memory_bytes'
 has_keys statistics.json $expected
@@ -222,7 +238,11 @@ rm a.*
 tube 60 tube
 expect 1 flatten tube.mesh.off -o a.obj --cones none --stats a.json
 says 'some faces are smaller than rounding in the plane: layout_collapsed'
+says 'try --cones greedy'
 [ ! -e a.obj ] && [ ! -e a.json ] || fail 'files after a failure'
+expect 3 flatten tube.mesh.off -o a.obj --cones none --stats a.json --keep-going
+claim "s = json('a.json')" "s.status == 'layout_collapsed'" 's.promises.orientation.error > 0'
+rm a.obj a.json
 
 # The Ceres Solver gives the same, or the program says that it is not there.
 if "$program" flatten square.mesh.off -o a.obj --solver ceres --stats a.json --quiet 2>err; then

@@ -69,6 +69,7 @@ expect 1 hyperbolic plate200.mesh.off -o large.obj --stats large.json
 says 'the faces do not close up in the hyperbolic plane: not_glued'
 expect 1 uniformize plate200.mesh.off -o large.obj
 says 'not_glued'
+says 'try '
 [ ! -e large.obj ] && [ ! -e large.json ] || fail 'files after a failure'
 expect 0 hyperbolic plate3.mesh.off -o plate.obj
 cmp plate.obj first.obj
