@@ -353,6 +353,10 @@ void add_flatten(CLI::App& app, Options& options)
     "--matrix", own.matrix,
     "Matrix Market file (.mtx) for the interpolation to the vertices of the output");
   add_keep_going(command, options.common);
+  command.add_flag("--no-overlap", own.has_no_overlap,
+                   "Cut charts where they overlap in the plane, and pack them");
+  command.add_flag("--unit-square", own.is_in_unit_square,
+                   "Scale the texture coordinates to the unit square");
   add_common_options(command, options.common);
   add_exact(
     command, options.common,
@@ -431,6 +435,10 @@ void add_simplify_outputs(CLI::App& command, Options& options)
   add_output(command, own,
              "Common subdivision with the coarse triangulation (.off, .obj, .ply, .vtp",
              "off, obj, ply or vtp");
+  command.get_option("--output")->required(false); // or --coarse
+  command.add_option(
+    "--coarse", own.coarse_mesh,
+    "The coarse triangulation as an ordinary mesh in space (.off, .obj, .ply, .vtp)");
   command.add_option("--prolongation", own.prolongation,
                      "Matrix Market file: from coarse vertices to those of the mesh");
   command.add_option("--save", options.common.save,

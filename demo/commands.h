@@ -174,6 +174,8 @@ struct Flatten_options : Texture_options
   std::vector<std::string> boundary{"free"}; // and the file of "scale" and "curvature"
   std::string solver = "newton";             // or "ceres" or "cetm"
   std::string matrix;                        // a file for the interpolation matrix
+  bool has_no_overlap = false;               // charts are cut where they overlap
+  bool is_in_unit_square = false;
 };
 
 // Maps the surface to the plane, discretely conformally, and writes the common subdivision of its
@@ -212,6 +214,7 @@ struct Simplify_options : Output_options
 {
   Simplify_options() : Output_options("ply") {}
 
+  std::string coarse_mesh; // a file for the coarse triangulation in space
   std::string prolongation;
   // one of these is given
   std::optional<std::size_t> number_of_vertices;
@@ -226,9 +229,9 @@ struct Simplify_options : Output_options
 };
 
 // Removes vertices from the intrinsic Delaunay triangulation, refined if that is wanted, refines
-// what is left if that is wanted, and writes its common subdivision with the input, and the
-// matrices that take functions from coarse vertices to those of the level before. Returns the exit
-// code.
+// what is left if that is wanted, and writes its common subdivision with the input, itself as an
+// ordinary mesh, and the matrices that take functions from coarse vertices to those of the level
+// before. Returns the exit code.
 int simplify(const Common_options& common, const Simplify_options& options);
 
 #endif // INTRINSIC_COMMANDS_H

@@ -14,6 +14,7 @@
 #include "triangulation_stages.h"
 
 #include <CGAL/Discrete_conformal_maps/certify.h>
+#include <CGAL/Discrete_conformal_maps/charts.h>
 #include <CGAL/Discrete_conformal_maps/cross_ratios.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
 #include <CGAL/Discrete_conformal_maps/flatten_to_disk.h>
@@ -74,10 +75,11 @@ public:
       m_mollification = mollification(m_run);
       return flattening_conditions(m_options, mesh());
     });
-    const DCM::Planar_conformal_map map = solved();
+    DCM::Planar_conformal_map map = solved();
     if(m_run.options().is_exact)
       certify(map);
     m_run.timed("write", [&] {
+      arrange(map);
       if(!m_options.matrix.empty())
         m_run.add_output(
           m_options.matrix,
@@ -156,6 +158,17 @@ private:
     statistics["undecided_crossings"] = rest.order.undecided.size();
   }
 
+  // Cuts and scales charts, if that is wanted.
+  void arrange(DCM::Planar_conformal_map& map)
+  {
+    if(!map.is_laid_out())
+      return;
+    if(m_options.has_no_overlap)
+      DCM::cut_overlaps(map);
+    if(m_options.is_in_unit_square)
+      m_run.statistics()["scale"] = DCM::fit_into_unit_square(map);
+  }
+
   // Those that were placed and those of the file.
   std::vector<Mesh::Vertex_index> cones(const DCM::Planar_conformal_map& map)
   {
@@ -176,6 +189,17 @@ private:
   Conditions m_conditions;
 };
 
+// Where the image covers a part of the plane more than once.
+void describe_overlap(Statistics& statistics, const DCM::Planar_conformal_map& map)
+{
+  const DCM::Chart_overlap overlap = DCM::find_overlap(map);
+  statistics["charts"] = overlap.number_of_charts;
+  statistics["overlap_area"] = overlap.area;
+  statistics["overlapping_charts"] = Statistics::array();
+  for(const DCM::Overlapping_charts& pair : overlap.charts)
+    statistics["overlapping_charts"].push_back({pair.first, pair.second});
+}
+
 void describe(Command_run& run, const DCM::Planar_conformal_map& map, const Output_mesh& result,
               std::size_t iterations, std::size_t number_of_cones)
 {
@@ -185,6 +209,7 @@ void describe(Command_run& run, const DCM::Planar_conformal_map& map, const Outp
   describe_status(statistics, map);
   statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   describe_triangles(statistics, result);
+  describe_overlap(statistics, map);
   describe_sizes(statistics, map, run.input().mesh, result);
 }
 
@@ -194,7 +219,11 @@ std::string flat_summary(const Statistics& s)
   text << s["cones"] << " cones, log scale factors " << s["log_scale_min"].get<double>() << " to "
        << s["log_scale_max"].get<double>() << ", " << s["flips"] << " + " << s["ptolemy_flips"]
        << " flips, " << s["flipped_triangles"] << " triangles flipped in the plane, "
-       << s["subdivision"]["faces"] << " faces in the common subdivision";
+       << s["subdivision"]["faces"] << " faces in the common subdivision, " << s["charts"]
+       << (s["charts"] == 1 ? " chart" : " charts");
+  if(!s["overlapping_charts"].empty())
+    text << ", an area of " << s["overlap_area"].get<double>()
+         << " covered more than once (--no-overlap cuts there)";
   return text.str();
 }
 

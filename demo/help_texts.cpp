@@ -197,6 +197,12 @@ factors) has the values at the vertices of the output, linear on the faces of th
 has one to three weights, sum one. Rows of vertices of the mesh come first, in their order, so the
 matrix starts with the identity.
 
+The image can cover parts of the plane more than once. "overlap_area" in the statistics, and the
+last line, have the area of these parts, and "overlapping_charts" the pairs of charts that overlap:
+a chart has two equal numbers if it overlaps itself. With --no-overlap charts are cut along edges of
+the flat triangulation until none does, and packed. With --unit-square all texture coordinates are
+multiplied by one number, "scale" in the statistics, and lie between 0 and 1.
+
 A map that lacks something it should have (curvatures, exterior angles, the shape of its boundary,
 length cross ratios, orientation) is not written, and the message says what can be tried. With
 --keep-going it is written, with exit code 3; "promises" in the statistics has all errors.
@@ -205,6 +211,7 @@ length cross ratios, orientation) is not written, and the message says what can 
 
 Examples:
   intrinsic flatten bunny.obj -o flat.obj --cones greedy --max-log-scale 3
+  intrinsic flatten bunny.obj -o atlas.obj --no-overlap --unit-square
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
 
 const char* const hyperbolic =
@@ -299,6 +306,14 @@ vertex, 1 crossing of a coarse edge with an edge, 2 inserted vertex, 3 bend of a
 inside a face. With --refine more edges lead to the inserted vertices, within the
 faces of the mesh.
 
+The file of --coarse has the coarse triangulation as an ordinary mesh, for other programs: vertices
+where they are on the mesh, edges straight, faces flat. Vertices have the property "input_vertex"
+in .ply and .vtp, -1 for those that were inserted because there were loops or several edges with
+the same ends. The coarse triangulation is close to the mesh in its lengths, not in space. The last
+line and "coarse_mesh" in the statistics have the deviation, the greatest distance of a vertex of
+the mesh from the coarse mesh and of the middle of a coarse edge or face from the mesh, and the
+numbers of faces that are flipped or without area and of pairs of faces that intersect.
+
 P of --prolongation has a row for each vertex of the mesh and a column for each coarse vertex. Its
 rows are barycentric coordinates: not negative, with sum 1. With L levels there are L matrices,
 P_1.mtx to P_L.mtx, each from one level to the one before; the vertices of the levels are those of
@@ -309,7 +324,8 @@ last of the coarse vertices.
 --save writes all levels and the operations between them, with --refine after the mesh with the
 inserted vertices.
 
-Example:
-  intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --prolongation P.mtx)";
+Examples:
+  intrinsic simplify bunny.obj -o coarse.vtp --vertices 500 --prolongation P.mtx
+  intrinsic simplify bunny.obj --coarse small.obj --vertices 500)";
 
 } // namespace Help

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-// The weights of curvature, of area and its changes, and of functions on the vertices in the cost of
-// a removal, by their names.
+// The weights of curvature, of area and its changes, and of functions on the vertices in the cost
+// of a removal, by their names.
 class Cost_weights
 {
 public:

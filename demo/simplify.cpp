@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
 #include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
+#include <CGAL/Intrinsic_simplification/coarse_mesh.h>
 #include <CGAL/Intrinsic_simplification/io.h>
 #include <CGAL/Intrinsic_simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/refine.h>
@@ -36,6 +37,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <ostream>
 #include <sstream>
 #include <utility>
 
@@ -92,9 +94,20 @@ std::vector<std::string> outputs_of(const Simplify_options& options)
 {
   if(options.maximum_cost && options.number_of_levels > 1)
     throw Program_error("--levels needs --vertices or --ratio");
+  if(options.output.empty() && options.coarse_mesh.empty())
+    throw Program_error("--output or --coarse is required");
   std::vector<std::string> result = matrix_paths(options);
   result.push_back(options.output);
+  result.push_back(options.coarse_mesh);
   return result;
+}
+
+// Numbers are binary in .ply only.
+Mesh_format format_of(const std::string& path, Simplify_options options)
+{
+  if(std::filesystem::path(path).extension() != ".ply" && path != options.output)
+    options.is_binary = false;
+  return path.empty() ? Mesh_format::PLY : output_format(path, options);
 }
 
 // Shows the removals while they are made.
@@ -113,7 +126,8 @@ public:
   Simplify_command(const Common_options& common, const Simplify_options& options)
     : m_options(options),
       m_weights(options.weights),
-      m_format(output_format(options.output, options)),
+      m_format(format_of(options.output, options)),
+      m_coarse_format(format_of(options.coarse_mesh, options)),
       m_run("simplify", common, outputs_of(options))
   {
     const bool is_flipped = options.refinement.minimum_angle > 0 || common.is_exact;
@@ -122,7 +136,8 @@ public:
                 certificate_stages(common),
                 {"simplify"},
                 options.coarse_minimum_angle > 0 ? Stages{"refine_coarse"} : Stages{},
-                {"map"}});
+                {"map"},
+                options.coarse_mesh.empty() ? Stages{} : Stages{"coarse_mesh"}});
   }
 
   void run()
@@ -142,6 +157,8 @@ public:
     auto [mesh, matrices] = m_run.timed("map", [&] {
       return std::pair(common_mesh(surface.history()), prolongations(surface.history()));
     });
+    if(!m_options.coarse_mesh.empty())
+      m_run.timed("coarse_mesh", [&] { add_coarse_mesh(surface); });
     m_run.timed("write", [&, &mesh = mesh, &matrices = matrices] {
       m_run.show([&, &mesh = mesh](View_page& page) { show(page, mesh); });
       add_data(mesh, std::move(m_data));
@@ -345,6 +362,50 @@ private:
     return result;
   }
 
+  // The coarse triangulation in space, with the indices of its vertices in the input.
+  void add_coarse_mesh(const IS::Evolving_surface& surface)
+  {
+    Mesh mesh;
+    const auto fine_vertex =
+      mesh.add_property_map<Mesh::Vertex_index, IS::Vertex_index>("v:fine_vertex").first;
+    const auto points =
+      boost::make_iterator_property_map(m_points.cbegin(), get(boost::vertex_index, mesh));
+    describe(
+      IS::coarse_mesh(surface, m_levels[0], mesh,
+                      IS::parameters::input_point_map(points).parent_vertex_map(fine_vertex)),
+      mesh);
+    Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
+    const auto input_vertex = [&](Mesh::Vertex_index v) {
+      const bool is_of_input =
+        fine_vertex[v].is_valid() && fine_vertex[v].idx() < m_run.input().mesh.number_of_vertices();
+      return is_of_input ? number_of(fine_vertex[v]) : -1;
+    };
+    result.point_data = {attribute("input_vertex", mesh.vertices(), input_vertex)};
+    m_run.add_output(m_options.coarse_mesh, result, m_coarse_format);
+  }
+
+  void describe(const IS::Coarse_mesh_quality& quality, const Mesh& mesh)
+  {
+    Statistics& statistics = m_run.statistics()["coarse_mesh"];
+    statistics["vertices"] = mesh.number_of_vertices();
+    statistics["faces"] = mesh.number_of_faces();
+    statistics["inserted_vertices"] = quality.inserted_vertices;
+    statistics["distance_to_coarse"] = quality.distance_to_coarse;
+    statistics["distance_to_fine"] = quality.distance_to_fine;
+    statistics["flipped_faces"] = quality.flipped_faces;
+    statistics["degenerate_faces"] = quality.degenerate_faces;
+    statistics["self_intersections"] = quality.self_intersections;
+  }
+
+  static void describe_coarse_mesh(const Statistics& s, std::ostream& text)
+  {
+    const double deviation =
+      (std::max)(s["distance_to_coarse"].get<double>(), s["distance_to_fine"].get<double>());
+    text << ", coarse mesh: " << s["inserted_vertices"] << " vertices inserted, deviation "
+         << deviation << ", " << s["flipped_faces"] << " faces flipped, " << s["degenerate_faces"]
+         << " without area, " << s["self_intersections"] << " pairs intersect";
+  }
+
   void show(View_page& page, Output_mesh mesh)
   {
     mesh.lines = Polygons(); // they are edges, too
@@ -512,6 +573,8 @@ private:
     if(!m_options.weights.empty())
       for(const auto& [name, value] : m_weights.values())
         text << ", weight " << name << '=' << value;
+    if(s.contains("coarse_mesh"))
+      describe_coarse_mesh(s["coarse_mesh"], text);
     for(const char* key : {"refinement_status", "coarse_refinement_status"})
       if(s.contains(key) && s[key] == to_string(IT::Refinement_status::insertion_limit))
         text << ", " << key << ": insertion_limit";
@@ -520,7 +583,7 @@ private:
 
   const Simplify_options& m_options;
   Cost_weights m_weights;
-  Mesh_format m_format;
+  Mesh_format m_format, m_coarse_format;
   Command_run m_run;
   std::optional<Triangulation> m_triangulation; // the refined one, then the input with its vertices
   std::vector<Point> m_points;                  // of the vertices of the fine level

@@ -4,8 +4,8 @@
 
 // Maps a surface to the plane, and writes it with texture coordinates.
 
+#include <CGAL/Discrete_conformal_maps/common_subdivision_mesh.h>
 #include <CGAL/Discrete_conformal_maps/flatten.h>
-#include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -15,27 +15,20 @@
 #include <string>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
-namespace PMP = CGAL::Polygon_mesh_processing;
-typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Texture;
 
-// The polygons of the common subdivision in space, their corners with places in the plane.
-void write_obj(std::ostream& out, const DCM::Planar_conformal_map& map, const Mesh& mesh)
+void write_obj(std::ostream& out, const Mesh& mesh, const Texture& uv)
 {
-  const auto& s = map.subdivision();
-  for(auto v : s.mesh().vertices())
-    if(const auto p = s.place(DCM::Layer::A, v).location; map.is_front(p.first))
-      out << "v " << PMP::construct_point(p, mesh) << '\n';
-    else
-      out << "v 0 0 0\n"; // on the second copy of a surface with boundary
+  for(const auto& p : mesh.points())
+    out << "v " << p << '\n';
   std::size_t corners = 0;
-  for(auto f : s.mesh().faces()) {
-    if(!map.is_front(s.parent_face(DCM::Layer::A, f)))
-      continue;
+  for(auto f : mesh.faces()) {
     std::string face = "f";
-    for(auto h : halfedges_around_face(s.mesh().halfedge(f), s.mesh())) {
-      const auto z = map.homogeneous_coordinates(s.location(DCM::Layer::C, h));
-      out << "vt " << z[0] / z[2] << ' ' << z[1] / z[2] << '\n';
-      face += ' ' + std::to_string(s.mesh().target(h) + 1) + '/' + std::to_string(++corners);
+    for(auto h : halfedges_around_face(mesh.halfedge(f), mesh)) {
+      out << "vt " << uv[h] << '\n';
+      face += ' ' + std::to_string(mesh.target(h) + 1) + '/' + std::to_string(++corners);
     }
     out << face << '\n';
   }
@@ -53,7 +46,13 @@ int main(int argc, char* argv[])
   std::cout << map.cones().size() << " cones; " << map.minimization().iterations
             << " steps of Newton's method; no other vertex has a curvature above "
             << map.max_curvature_error() << '\n';
+
+  // the mesh, cut such that the map is projective on each face
+  Mesh flat;
+  const Texture uv = flat.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  DCM::common_subdivision(
+    map, flat, DCM::parameters::input_point_map(mesh.points()).texture_coordinates_map(uv));
   std::ofstream out("flat.obj");
-  write_obj(out, map, mesh);
+  write_obj(out, flat, uv);
   return out ? 0 : 1;
 }

@@ -202,6 +202,34 @@ def flat_area(mesh):
     return fsum(signed_area(mesh.texture, f) for f in mesh.texture_faces)
 
 
+def common_area(a, b):
+    """Of two convex polygons in the plane, counterclockwise: one is clipped by the sides of the other."""
+    for p, q in zip(b, b[1:] + b[:1]):
+        height = [(q[0] - p[0]) * (z[1] - p[1]) - (q[1] - p[1]) * (z[0] - p[0]) for z in a]
+        clipped = []
+        for i, z in enumerate(a):
+            before, h = height[i - 1], height[i]
+            if before * h < 0:
+                t = before / (before - h)
+                clipped.append([x + t * (y - x) for x, y in zip(a[i - 1], z)])
+            if h >= 0:
+                clipped.append(z)
+        a = clipped
+    return signed_area(a, range(len(a)))
+
+
+def overlap(mesh):
+    """Of all pairs of faces in the plane."""
+    faces = [[mesh.texture[v][:2] for v in f] for f in mesh.texture_faces]
+    return fsum(common_area(a, b) for i, a in enumerate(faces) for b in faces[:i])
+
+
+def is_ordinary(mesh):
+    """Whether vertices determine edges, each in one face or two of opposite directions."""
+    sides = [(f[i - 1], f[i]) for f in mesh.faces for i in range(len(f))]
+    return len(set(sides)) == len(sides) and all(a != b for a, b in sides)
+
+
 def data_of(p):
     """The functions f, constant, nx, ny and nz of meshes with data, at a point."""
     x, y, z = p

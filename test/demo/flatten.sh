@@ -155,7 +155,7 @@ for promise in layout curvature exterior_angle orientation cross_ratio closing; 
   expected+="$promise error bound kept "
 done
 expected+='max_curvature_error max_cross_ratio_error flipped_triangles '
-expected+='degenerate_triangles flipped_slivers log_scale_min log_scale_max log_scale_square_sum '
+expected+='degenerate_triangles flipped_slivers charts overlap_area overlapping_charts log_scale_min log_scale_max log_scale_square_sum '
 expected+='flips ptolemy_flips '
 expected+='subdivision vertices edges faces seconds read build cones optimize layout trace subdivide '
 expected+='write peak_memory_bytes'
@@ -307,6 +307,34 @@ says 'too few vertices'
 expect 2 flatten polygon.mesh.off -o a.obj --strict
 expect_files
 [ "$(cksum <slivers.mesh.off)" = "$checksum" ] || fail 'the input was changed'
+
+# A strip that winds around an axis 1.4 times, flattened without scaling, covers a part of the plane
+# twice, unless it is cut.
+python3 -c '
+from math import *
+n = 30
+print("OFF\n%d %d 0" % (2 * n + 2, 2 * n))
+for i in range(n + 1):
+  for r in 1, 1.5:
+    print(r * cos(0.3 * i), r * sin(0.3 * i), 0.1 * i)
+for i in range(0, 2 * n, 2):
+  print(3, i, i + 1, i + 3)
+  print(3, i, i + 3, i + 2)' >winding.mesh.off
+expect 0 flatten winding.mesh.off -o a.obj --cones none --stats a.json
+says 'covered more than once'
+claim "s = json('a.json')" "near(s.overlap_area, overlap(obj('a.obj')), 1e-9)" 's.overlap_area > 0.1' \
+  '(s.charts, s.overlapping_charts) == (1, [[0, 0]])'
+expect 0 flatten winding.mesh.off -o b.obj --cones none --no-overlap --stats b.json
+claim "s = json('b.json')" '(s.charts, s.overlap_area, s.overlapping_charts) == (2, 0, [])' \
+  "a, b = obj('a.obj'), obj('b.obj')" 'overlap(b) < 1e-9' 'near(flat_area(a), flat_area(b), 1e-9)' \
+  'a.points == b.points' 'a.faces == b.faces'
+expect 0 flatten winding.mesh.off -o b.obj --cones none --no-overlap --unit-square --stats b.json
+claim "s, m = json('b.json'), obj('b.obj')" 'overlap(m) < 1e-9' \
+  "near(flat_area(m), flat_area(obj('a.obj')) * s.scale ** 2, 1e-9)" \
+  'max(box(m.texture)) <= 1 < max(box(m.texture)) + 1e-9'
+expect 0 flatten slivers.mesh.off -o b.obj --no-overlap --stats b.json
+claim "json('b.json').overlap_area == 0"
+rm a.* b.*
 
 if [ -n "$data" ]; then
   for mesh in elephant.off diplodocus.off cube-ouvert.off sphere.stl blobby_3cc.off fandisk.off; do

@@ -229,6 +229,31 @@ expect 0 simplify slivers.mesh.off -o a.vtp --vertices 20 --levels 3 --refine 20
 [ -s a_3.mtx ] || fail "no third matrix"
 rm a.* a_?.mtx
 
+# The coarse triangulation as an ordinary mesh: vertices of the mesh, few others, and what is wrong. A
+# torus with three vertices has no other choice than loops and double edges.
+expect 0 simplify slivers.mesh.off -o a.ply --vertices 100 --stats a.json
+expect 0 simplify slivers.mesh.off -o b.ply --vertices 100 --coarse c.ply --stats b.json
+cmp a.ply b.ply
+claim "m, s, p = ply('c.ply'), json('b.json').coarse_mesh, off('slivers.mesh.off').points" \
+  'len(m.points) == s.vertices == 100 + s.inserted_vertices' 'len(m.faces) == s.faces' \
+  'is_ordinary(m)' "all(p[i] == q for i, q in zip(m.vertex['input_vertex'], m.points) if i >= 0)" \
+  "m.vertex['input_vertex'].count(-1) == s.inserted_vertices" '0 < s.distance_to_coarse < 1' \
+  '0 < s.distance_to_fine < 1'
+says ', coarse mesh: '
+for format in off obj ply vtp; do
+  expect 0 simplify slivers.mesh.off --vertices 100 --coarse "c.$format" --binary --stats c.json
+done
+claim "len(off('c.off').points) == len(obj('c.obj').points) == len(ply('c.ply').points)"
+expect 0 simplify square.mesh.off --vertices 5 --coarse c.off --stats c.json
+claim "s, m = json('c.json').coarse_mesh, off('c.off')" 'near(area(m), 1, 1e-12)' \
+  's.distance_to_coarse == s.distance_to_fine == s.flipped_faces == s.self_intersections == 0' \
+  '(s.vertices, s.faces, s.inserted_vertices, s.degenerate_faces) == (5, 4, 0, 0) or s.faces == 3'
+expect 2 simplify slivers.mesh.off --vertices 100 --coarse c.stl
+expect 2 simplify slivers.mesh.off -o c.ply --vertices 100 --coarse c.ply
+expect 2 simplify slivers.mesh.off --vertices 100
+says '--output or --coarse is required'
+rm a.* b.* c.*
+
 # What is inserted in flat faces is removed without cost: eight times as wide as high, and refined.
 grid cells 16 0
 awk 'FNR > 2 && NF == 3 { $1 *= 8 } { print }' cells.mesh.off >wide.mesh.off
@@ -287,6 +312,9 @@ for i in range(12):
     a, b, c, d = (i % 12 * 6 + j, (i + 1) % 12 * 6 + j, (i + 1) % 12 * 6 + (j + 1) % 6, i * 6 + (j + 1) % 6)
     print(3, a, b, c)
     print(3, a, c, d)' >torus.mesh.off
+expect 0 simplify torus.mesh.off --coarse b.ply --vertices 3 --stats b.json
+claim "m, s = ply('b.ply'), json('b.json').coarse_mesh" 'is_ordinary(m)' 's.inserted_vertices > 0' \
+  '2 * len(m.points) == len(m.faces)'
 expect 0 simplify torus.mesh.off -o b.ply --vertices 20 --pinch-handles 5.99 --stats b.json
 claim "s = json('b.json')" '(s.pinched_handles, s.genus_before, s.genus_after) == (0, 1, 1)'
 expect 0 simplify torus.mesh.off -o b.ply --vertices 20 --pinch-handles 6.01 --stats b.json \

@@ -82,6 +82,29 @@ public:
     return std::complex<double>(z[0], z[1]) / z[2];
   }
 
+  /// moves faces in the plane. Faces that are beside each other across an edge that is no seam must
+  /// stay so. Complexity: linear.
+  /// \param motion a function that returns the new position of the source of a halfedge of
+  ///        \f$T^C\f$ in its face, from the halfedge and the position
+  template <typename Motion>
+  void transform(const Motion& motion)
+  {
+    for(Halfedge_index h : ideal().mesh().halfedges())
+      if(is_laid_out(ideal().mesh().face(h)))
+        m_position[h.idx()] = motion(h, m_position[h.idx()]);
+  }
+
+  /// makes edges seams, so that their faces can be moved apart. Complexity: linear.
+  /// \param is_to_be_seam a function that determines whether an edge of \f$T^C\f$ without seam
+  ///        becomes one
+  template <typename Predicate>
+  void add_seams(const Predicate& is_to_be_seam)
+  {
+    for(Edge_index e : ideal().mesh().edges())
+      if(!is_seam(e) && is_to_be_seam(e))
+        m_is_seam[e.idx()] = 1;
+  }
+
 private:
   template <typename Visitor>
   friend class internal::Flattening;

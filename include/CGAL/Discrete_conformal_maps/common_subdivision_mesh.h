@@ -185,30 +185,30 @@ constexpr bool has_corners()
 ///     \cgalParamDefault{`get(CGAL::vertex_point, out)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_vertex_map}
-///     \cgalParamDescription{gets for each vertex of `out` the vertex of the input that it is, null if there is none}
+///     \cgalParamDescription{gets for each vertex of `out` the vertex of the input that it is;
+///       null if there is none}
 ///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
-///                    value, or `std::array<Vertex_index, 3>` for \f$T^A\f$, \f$T^B\f$ and \f$T^C\f$}
+///                    value, or `std::array<Vertex_index, 3>` for all three triangulations}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_edge_map}
-///     \cgalParamDescription{gets for each edge of `out` the edge of which it is a part, null if there
-///                           is none, as `parent_vertex_map`}
+///     \cgalParamDescription{gets for each edge of `out` the edge of which it is a part; null if
+///       there is none}
 ///     \cgalParamType{as before, with edges and `Edge_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_face_map}
-///     \cgalParamDescription{gets for each face of `out` the face of which it is a part, as
-///                           `parent_vertex_map`}
+///     \cgalParamDescription{gets for each face of `out` the face of which it is a part}
 ///     \cgalParamType{as before, with faces and `Face_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{texture_coordinates_map}
-///     \cgalParamDescription{gets for each halfedge of `out` the image of the corner at its target in
-///       its face: \f$(x, y)\f$ in the plane or in the Poincare disk, \f$(x, y, z)\f$ on the unit
-///       sphere. Interpolated linearly, they are the map at vertices and, on each face, its image.
-///       Border halfedges get no value.}
-///     \cgalParamType{a writable property map with a halfedge of `Graph` as key and a value type that
-///       is made of two (three) `double`, such as `Point_2` of a kernel}
+///     \cgalParamDescription{gets for each halfedge of `out` the image of the corner at its target
+///       in its face: \f$(x, y)\f$ in the plane or in the Poincare disk, \f$(x, y, z)\f$ on the
+///       unit sphere. Interpolated linearly, they are the map at vertices and, on each face, its
+///       image. Border halfedges get no value.}
+///     \cgalParamType{a writable property map with a halfedge of `Graph` as key and a value type
+///       that is made of two (three) `double`, such as `Point_2` of a kernel}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{homogeneous_texture_coordinates_map}

@@ -41,20 +41,20 @@ namespace CGAL::Intrinsic_simplification {
 ///     \cgalParamDefault{`get(CGAL::vertex_point, out)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_vertex_map}
-///     \cgalParamDescription{gets for each vertex of `out` the vertex of the fine level that it is, null if there is none}
+///     \cgalParamDescription{gets for each vertex of `out` the vertex of the fine level that it is;
+///       null if there is none}
 ///     \cgalParamType{a writable property map with a vertex of `Graph` as key and `Vertex_index` as
 ///                    value, or `std::array<Vertex_index, 2>` for both levels}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_edge_map}
-///     \cgalParamDescription{gets for each edge of `out` the edge of which it is a part, null if there
-///                           is none, as `parent_vertex_map`}
+///     \cgalParamDescription{gets for each edge of `out` the edge of which it is a part; null if
+///       there is none}
 ///     \cgalParamType{as before, with edges and `Edge_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{parent_face_map}
-///     \cgalParamDescription{gets for each face of `out` the face of which it is a part, as
-///                           `parent_vertex_map`}
+///     \cgalParamDescription{gets for each face of `out` the face of which it is a part}
 ///     \cgalParamType{as before, with faces and `Face_index`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd

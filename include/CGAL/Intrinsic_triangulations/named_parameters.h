@@ -119,7 +119,7 @@ template <typename Map>
 auto input_point_map(const Map& map);
 
 /// \ingroup PkgIntrinsicTriangulationsSubdivision
-/// names a writable property map for the vertices of which the vertices of a subdivision are copies.
+/// names a writable property map for the vertices of which those of a subdivision are copies.
 template <typename Map>
 auto parent_vertex_map(const Map& map);
 

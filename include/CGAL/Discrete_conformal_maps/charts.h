@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_CHARTS_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_CHARTS_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Chart_pieces.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Convex_polygons.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps {
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// two charts that overlap in the plane.
+struct Overlapping_charts
+{
+  std::size_t first;  ///< the index of one chart
+  std::size_t second; ///< the index of the other; the same if a chart overlaps itself
+  double area;        ///< the sum of the areas that a face of one and a face of the other cover
+};
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// where the image of a surface in the plane is not one-to-one.
+struct Chart_overlap
+{
+  std::size_t number_of_charts = 0;       ///< the number of charts
+  double area = 0;                        ///< the area of the plane that is covered more than once
+  std::vector<Overlapping_charts> charts; ///< the pairs of charts that overlap, in order
+};
+
+namespace internal {
+
+// the area that is covered more than once
+inline double multiply_covered_area(const Chart_pieces& pieces,
+                                    const std::vector<Chart_pieces::Overlap>& overlaps)
+{
+  std::vector<std::vector<std::size_t>> partners(pieces.size());
+  for(const Chart_pieces::Overlap& o : overlaps) {
+    partners[o.second].push_back(o.first); // earlier pieces come first
+    partners[o.first].push_back(o.second);
+  }
+  double sum = 0;
+  for(std::size_t i = 0; i < pieces.size(); ++i) {
+    std::sort(partners[i].begin(), partners[i].end());
+    std::vector<Convex_polygon> common;
+    double earlier = 0; // the part of a piece that has been counted with an earlier one
+    for(std::size_t j : partners[i]) {
+      if(j > i && !common.empty() && earlier == 0)
+        earlier = Covered_area(common)();
+      common.push_back(intersection(pieces[i].polygon, pieces[j].polygon));
+    }
+    if(!common.empty() && partners[i].back() > i)
+      sum += Covered_area(common)() - earlier;
+  }
+  return sum;
+}
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// returns the index of the chart of each face of \f$T^C\f$ that is laid out. Faces that are beside
+/// each other in the plane across an edge are in one chart. Complexity: linear.
+inline std::vector<std::size_t> charts_of_faces(const Planar_conformal_map& map)
+{
+  return internal::numbered_charts(map);
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// determines where the image of the input in the plane overlaps itself. Intersections of faces are
+/// computed in floating point; less than \f$10^{-9}\f$ of the smaller face counts as rounding.
+///
+/// Complexity: \f$O(n \log n)\f$ for \f$n\f$ faces, and linear in the pairs of faces whose bounding
+/// boxes intersect; beyond that \f$O(k^3)\f$ for each face that \f$k\f$ others overlap.
+/// \pre `map.is_laid_out()`
+inline Chart_overlap find_overlap(const Planar_conformal_map& map)
+{
+  const internal::Chart_pieces pieces(map);
+  const std::vector<internal::Chart_pieces::Overlap> overlaps = pieces.overlaps();
+  const std::vector<std::size_t> chart = charts_of_faces(map);
+  Chart_overlap result;
+  for(Face_index f : map.ideal().mesh().faces())
+    if(map.is_laid_out(f))
+      result.number_of_charts = (std::max)(result.number_of_charts, chart[f.idx()] + 1);
+  std::map<std::pair<std::size_t, std::size_t>, double> area;
+  for(const auto& o : overlaps) {
+    const auto [first, second] =
+      std::minmax(chart[pieces[o.first].face.idx()], chart[pieces[o.second].face.idx()]);
+    area[{first, second}] += o.area;
+  }
+  for(const auto& [pair, sum] : area)
+    result.charts.push_back({pair.first, pair.second, sum});
+  result.area = internal::multiply_covered_area(pieces, overlaps);
+  return result;
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// puts the charts of a map beside each other: each lies in the smallest rectangle that holds it,
+/// and these rectangles do not overlap. `flatten()` does so with components. Complexity:
+/// \f$O(n \log n)\f$.
+/// \pre `map.is_laid_out()`
+inline void pack_charts(Planar_conformal_map& map)
+{
+  const internal::Chart_pieces pieces(map);
+  const std::vector<std::size_t> chart = charts_of_faces(map);
+  std::vector<internal::Hull_points> points;
+  for(std::size_t n = 0; n < pieces.size(); ++n) {
+    const std::size_t c = chart[pieces[n].face.idx()];
+    points.resize((std::max)(points.size(), c + 1));
+    for(const std::complex<double>& z : pieces[n].polygon)
+      points[c].add(z);
+  }
+  const internal::Chart_packing packing(points);
+  const Delta_complex& mesh = map.ideal().mesh();
+  map.transform([&](Halfedge_index h, const std::complex<double>& z) {
+    const std::size_t c = chart[mesh.face(h).idx()];
+    return c < points.size() ? packing.motion(c)(z) : z;
+  });
+}
+
+namespace internal {
+
+// Charts that grow face by face, so that none overlaps itself.
+class Chart_growth
+{
+public:
+  Chart_growth(const Planar_conformal_map& map, const Chart_pieces& pieces,
+               const std::vector<Chart_pieces::Overlap>& overlaps)
+    : m_map(map), m_partners(mesh().num_faces()), m_chart(mesh().num_faces(), none)
+  {
+    for(const Chart_pieces::Overlap& o : overlaps) {
+      const Face_index f = pieces[o.first].face, g = pieces[o.second].face;
+      m_partners[f.idx()].push_back(g);
+      m_partners[g.idx()].push_back(f);
+    }
+    for(Face_index f : mesh().faces())
+      if(map.is_laid_out(f) && m_chart[f.idx()] == none) {
+        grow(f);
+        ++m_size;
+      }
+  }
+
+  // the number of charts
+  std::size_t size() const { return m_size; }
+
+  std::size_t chart(Face_index f) const { return m_chart[f.idx()]; }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  const Delta_complex& mesh() const { return m_map.ideal().mesh(); }
+
+  // to all sides at once
+  void grow(Face_index root)
+  {
+    std::deque<Face_index> waiting{root};
+    while(!waiting.empty()) {
+      const Face_index f = waiting.front();
+      waiting.pop_front();
+      if(!can_be_added(f))
+        continue;
+      m_chart[f.idx()] = m_size;
+      for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh()))
+        if(!m_map.is_seam(Edge_index(h)))
+          waiting.push_back(mesh().face(mesh().opposite(h)));
+    }
+  }
+
+  bool can_be_added(Face_index f) const
+  {
+    const std::vector<Face_index>& partners = m_partners[f.idx()];
+    return m_chart[f.idx()] == none &&
+           std::none_of(partners.begin(), partners.end(),
+                        [&](Face_index g) { return m_chart[g.idx()] == m_size; });
+  }
+
+  const Planar_conformal_map& m_map;
+  std::vector<std::vector<Face_index>> m_partners; // the faces that each one overlaps
+  std::vector<std::size_t> m_chart;                // of each face of T^C
+  std::size_t m_size = 0;
+};
+
+} // namespace internal
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// cuts a map such that no chart overlaps itself, and packs the charts: faces are added to a chart,
+/// across edges that are no seams, unless they overlap one that it has. The edges between charts
+/// become seams. A map without overlap stays as it is. Complexity: that of `find_overlap()` without
+/// its last term.
+/// \returns the number of charts
+/// \pre `map.is_laid_out()`
+inline std::size_t cut_overlaps(Planar_conformal_map& map)
+{
+  const internal::Chart_pieces pieces(map);
+  const std::vector<internal::Chart_pieces::Overlap> overlaps = pieces.overlaps();
+  const internal::Chart_growth charts(map, pieces, overlaps);
+  if(overlaps.empty())
+    return charts.size();
+  const Delta_complex& mesh = map.ideal().mesh();
+  map.add_seams([&](Edge_index e) {
+    const Halfedge_index h = mesh.halfedge(e);
+    return charts.chart(mesh.face(h)) != charts.chart(mesh.face(mesh.opposite(h)));
+  });
+  pack_charts(map);
+  return charts.size();
+}
+
+/// \ingroup PkgDiscreteConformalMapsFlat
+/// moves and scales the image of a map such that it lies in the unit square and touches its lower,
+/// left, and one other side. Scale factors stay those of the size before. Complexity: linear.
+/// \returns the factor
+/// \pre `map.is_laid_out()`
+inline double fit_into_unit_square(Planar_conformal_map& map)
+{
+  const internal::Chart_pieces pieces(map);
+  Bbox_2 box;
+  for(std::size_t n = 0; n < pieces.size(); ++n)
+    for(const std::complex<double>& z : pieces[n].polygon)
+      box += Bbox_2(z.real(), z.imag(), z.real(), z.imag());
+  const double size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  if(!(size > 0))
+    return 1;
+  const double factor = std::nexttoward(1 / size, 0); // not beyond one by rounding
+  const std::complex<double> corner(box.xmin(), box.ymin());
+  map.transform(
+    [&](Halfedge_index, const std::complex<double>& z) { return factor * (z - corner); });
+  return factor;
+}
+
+} // namespace CGAL::Discrete_conformal_maps
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_CHARTS_H

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CHART_PIECES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CHART_PIECES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Convex_polygons.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// The image of the input in the plane as convex polygons: faces of T^C that belong to the input as
+// a whole, and of others the parts that do. Those that rounding has left without area are left out.
+class Chart_pieces
+{
+public:
+  struct Piece
+  {
+    Face_index face; // of T^C
+    Convex_polygon polygon;
+    double area;
+  };
+
+  // two pieces, the first before the second, and the area that both cover
+  struct Overlap
+  {
+    std::size_t first, second;
+    double area;
+  };
+
+  explicit Chart_pieces(const Planar_conformal_map& map) : m_map(map)
+  {
+    const Delta_complex& mesh = map.ideal().mesh();
+    std::vector<char> is_whole(mesh.num_faces(), 1);
+    const auto& subdivision = map.subdivision();
+    for(Face_index f : subdivision.mesh().faces())
+      if(!map.is_front(subdivision.parent_face(Layer::A, f)))
+        is_whole[subdivision.parent_face(Layer::C, f).idx()] = 0;
+    for(Face_index f : mesh.faces())
+      if(map.is_laid_out(f) && is_whole[f.idx()])
+        add(f, whole(f));
+    for(Face_index f : subdivision.mesh().faces())
+      if(const Face_index on_C = subdivision.parent_face(Layer::C, f);
+         !is_whole[on_C.idx()] && map.is_front(subdivision.parent_face(Layer::A, f)))
+        add(on_C, part(f));
+  }
+
+  std::size_t size() const { return m_pieces.size(); }
+  const Piece& operator[](std::size_t n) const { return m_pieces[n]; }
+
+  // Returns the pairs that overlap by more than rounding, in order. Complexity: O(n log n), and
+  // linear in the pairs whose bounding boxes intersect.
+  std::vector<Overlap> overlaps() const
+  {
+    typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t> Box;
+    std::vector<Box> boxes;
+    Bbox_2 all;
+    for(std::size_t n = 0; n < size(); ++n) {
+      boxes.emplace_back(box(m_pieces[n].polygon), n);
+      all += boxes.back().bbox();
+    }
+    const double rounding = 64 * std::numeric_limits<double>::epsilon() *
+                            (std::max)({std::abs(all.xmin()), std::abs(all.xmax()),
+                                        std::abs(all.ymin()), std::abs(all.ymax())});
+    std::vector<Overlap> result;
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+      const auto [i, j] = std::minmax(a.info(), b.info());
+      if(m_pieces[i].face == m_pieces[j].face)
+        return;
+      const double area = signed_area(intersection(m_pieces[i].polygon, m_pieces[j].polygon));
+      const Bbox_2 one = a.bbox();
+      const double extent = (std::max)(one.xmax() - one.xmin(), one.ymax() - one.ymin());
+      if(area >
+         (std::max)(1e-9 * (std::min)(m_pieces[i].area, m_pieces[j].area), rounding * extent))
+        result.push_back({i, j, area});
+    });
+    std::sort(result.begin(), result.end(), [](const Overlap& a, const Overlap& b) {
+      return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+    });
+    return result;
+  }
+
+private:
+  static Bbox_2 box(const Convex_polygon& polygon)
+  {
+    Bbox_2 result;
+    for(const std::complex<double>& z : polygon)
+      result += Bbox_2(z.real(), z.imag(), z.real(), z.imag());
+    return result;
+  }
+
+  void add(Face_index f, Convex_polygon polygon)
+  {
+    const double area = signed_area(polygon);
+    if(area > 0)
+      m_pieces.push_back({f, std::move(polygon), area});
+  }
+
+  Convex_polygon whole(Face_index f) const
+  {
+    Convex_polygon result;
+    for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_map.ideal().mesh()))
+      result.push_back(m_map.position(h));
+    return result;
+  }
+
+  Convex_polygon part(Face_index f) const
+  {
+    Convex_polygon result;
+    const auto& mesh = m_map.subdivision().mesh();
+    for(Halfedge_index h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
+      const auto z = m_map.homogeneous_coordinates(m_map.subdivision().location(Layer::C, h));
+      result.emplace_back(z[0] / z[2], z[1] / z[2]);
+    }
+    return result;
+  }
+
+  const Planar_conformal_map& m_map;
+  std::vector<Piece> m_pieces;
+};
+
+// Numbers the charts of a map, in the order of their first faces. Returns the chart of each face of
+// T^C that is laid out.
+inline std::vector<std::size_t> numbered_charts(const Planar_conformal_map& map)
+{
+  const Delta_complex& mesh = map.ideal().mesh();
+  boost::disjoint_sets_with_storage<> sets(mesh.num_faces());
+  for(Face_index f : mesh.faces())
+    sets.make_set(f.idx());
+  for(Edge_index e : mesh.edges())
+    if(!map.is_seam(e))
+      sets.union_set(mesh.face(mesh.halfedge(e)).idx(),
+                     mesh.face(mesh.opposite(mesh.halfedge(e))).idx());
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::size_t> of_set(mesh.num_faces(), none), result(mesh.num_faces(), none);
+  std::size_t number = 0;
+  for(Face_index f : mesh.faces())
+    if(map.is_laid_out(f)) {
+      std::size_t& chart = of_set[sets.find_set(f.idx())];
+      if(chart == none)
+        chart = number++;
+      result[f.idx()] = chart;
+    }
+  return result;
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CHART_PIECES_H

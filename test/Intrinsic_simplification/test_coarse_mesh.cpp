@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The coarse triangulation as a mesh in space, and meshes of common subdivisions.
+
+#include "simplified_surfaces.h"
+
+#include <CGAL/Intrinsic_simplification/coarse_mesh.h>
+#include <CGAL/Intrinsic_simplification/common_subdivision_mesh.h>
+#include <CGAL/Intrinsic_triangulations/common_subdivision_mesh.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Test_coarse_mesh {
+
+using namespace Test_surfaces;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+struct Written
+{
+  Written(const Mesh& input, std::size_t n)
+  {
+    Evolving_surface surface(input);
+    const Surface_level fine(surface);
+    simplify(surface, number_of_vertices(n));
+    left = surface.mesh().number_of_vertices();
+    area = area_of(surface);
+    quality =
+      IS::coarse_mesh(surface, fine, mesh,
+                      IS::parameters::input_point_map(input.points()).parent_vertex_map(parent));
+  }
+
+  Mesh mesh;
+  Mesh::Property_map<Vertex_index, Vertex_index> parent =
+    mesh.add_property_map<Vertex_index, Vertex_index>("v:parent").first;
+  IS::Coarse_mesh_quality quality;
+  std::size_t left;
+  double area;
+};
+
+// Whether vertices determine edges and faces, by comparing all of them.
+bool is_ordinary(const Mesh& mesh)
+{
+  std::set<std::set<Vertex_index>> edges, faces;
+  for(Edge_index e : mesh.edges())
+    edges.insert({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  for(Face_index f : mesh.faces()) {
+    const auto corners = mesh.vertices_around_face(mesh.halfedge(f));
+    faces.insert({corners.begin(), corners.end()});
+  }
+  const auto has = [](std::size_t n) { return [n](const auto& s) { return s.size() == n; }; };
+  return edges.size() == mesh.number_of_edges() && faces.size() == mesh.number_of_faces() &&
+         std::all_of(edges.begin(), edges.end(), has(2)) &&
+         std::all_of(faces.begin(), faces.end(), has(3)) && CGAL::is_valid_polygon_mesh(mesh);
+}
+
+TEST(Coarse_mesh, is_ordinary_with_vertices_of_the_input)
+{
+  for(const Mesh& input : {random_sphere(100, 1), embedded_torus(9, 6), tetrahedron(), cube(),
+                           punctured(random_sphere(80, 2), {0, 40}), bipyramid(30, 2)})
+    for(const std::size_t n : {1, 4, 10, 50}) {
+      SCOPED_TRACE(std::to_string(input.number_of_vertices()) + " to " + std::to_string(n));
+      const Written written(input, n);
+      EXPECT_TRUE(is_ordinary(written.mesh));
+      EXPECT_EQ(written.mesh.number_of_vertices(),
+                written.left + written.quality.inserted_vertices);
+      EXPECT_EQ(CGAL::is_closed(written.mesh), CGAL::is_closed(input));
+      std::size_t inserted = 0;
+      for(Vertex_index v : written.mesh.vertices())
+        if(written.parent[v].is_valid())
+          EXPECT_EQ(written.mesh.point(v), input.point(written.parent[v]));
+        else
+          ++inserted;
+      EXPECT_EQ(inserted, written.quality.inserted_vertices);
+    }
+}
+
+// Nothing is removed, or what is flat.
+TEST(Coarse_mesh, of_the_same_surface)
+{
+  const Mesh square = grid(6, 6, [](double x, double y) { return Point(x, y, 0); });
+  for(const auto& [input, n] :
+      {std::pair(cube(), std::size_t(8)), std::pair(square, std::size_t(5)),
+       std::pair(square, std::size_t(4))}) {
+    const Written written(input, n);
+    EXPECT_EQ(written.quality.deviation(), 0);
+    EXPECT_EQ(written.quality.flipped_faces, 0u);
+    EXPECT_EQ(written.quality.self_intersections, 0u);
+    EXPECT_NEAR(PMP::area(written.mesh), PMP::area(input), 1e-12);
+    EXPECT_NEAR(PMP::area(written.mesh), written.area, 1e-12);
+  }
+}
+
+double distance_by_samples(const Point& p, const Mesh& mesh)
+{
+  double result = 1e300;
+  for(Face_index f : mesh.faces()) {
+    const Halfedge_index h = mesh.halfedge(f);
+    const Point a = mesh.point(mesh.source(h)), b = mesh.point(mesh.target(h)),
+                c = mesh.point(mesh.target(mesh.next(h)));
+    const int n = 60;
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; i + j <= n; ++j)
+        result = (std::min)(
+          result, CGAL::squared_distance(p, a + double(i) / n * (b - a) + double(j) / n * (c - a)));
+  }
+  return std::sqrt(result);
+}
+
+// Distances against many points on all faces.
+TEST(Coarse_mesh, deviation)
+{
+  const Mesh input = random_sphere(60, 4);
+  const Written written(input, 12);
+  double expected = 0;
+  for(Vertex_index v : input.vertices())
+    expected = (std::max)(expected, distance_by_samples(input.point(v), written.mesh));
+  EXPECT_NEAR(written.quality.distance_to_coarse, expected, 0.03 * expected);
+  EXPECT_LE(written.quality.distance_to_coarse, expected);
+  EXPECT_GT(written.quality.distance_to_fine, 0);
+}
+
+// A sheet that is folded flat: what is unfolded is seen from the other side.
+TEST(Coarse_mesh, counts_flipped_and_degenerate_faces)
+{
+  Mesh mesh;
+  for(const Point& p :
+      {Point(0, 0, 0), Point(1, 0, 0), Point(0.3, 0.3, 1), Point(0, 1, 0), Point(0.5, 0.5, -1)})
+    mesh.add_vertex(p);
+  const auto add = [&](unsigned a, unsigned b, unsigned c) {
+    mesh.add_face(Vertex_index(a), Vertex_index(b), Vertex_index(c));
+  };
+  add(0, 1, 2);
+  add(1, 3, 2);
+  add(3, 0, 2);
+  const Surface_level fine{Evolving_surface(mesh)};
+  Evolving_surface surface(mesh);
+  const Surface_level same(surface);
+  const IS::Surface_map map(surface, same, same);
+  IS::internal::Space_mesh space =
+    IS::internal::mesh_in_space(same.mesh(), [&](Vertex_index v) { return mesh.point(v); });
+  IS::internal::Space_mesh bent = space;
+  const auto measured = [&] { return IS::internal::measured(map, space, bent); };
+  EXPECT_EQ(measured().flipped_faces, 0u);
+  bent.point(Vertex_index(2)) = IS::internal::Space::Point_3(2, 2, 0); // beyond one side
+  EXPECT_EQ(measured().degenerate_faces, 0u);
+  EXPECT_GT(measured().self_intersections, 0u);
+  bent.point(Vertex_index(2)) = IS::internal::Space::Point_3(0.5, 0, 0); // on another
+  EXPECT_EQ(measured().degenerate_faces, 1u);
+  bent = space;
+  for(Vertex_index v : bent.vertices()) // seen in a mirror
+    bent.point(v) =
+      IS::internal::Space::Point_3(-bent.point(v).x(), bent.point(v).y(), bent.point(v).z());
+  EXPECT_GE(measured().flipped_faces, 1u);
+}
+
+TEST(Common_subdivision_mesh, of_levels_and_correspondences)
+{
+  const Mesh input = punctured(random_sphere(80, 2), {0});
+  Evolving_surface surface(input);
+  const Surface_level fine(surface);
+  simplify(surface, number_of_vertices(std::size_t(15)));
+  const Surface_level coarse(surface);
+  const auto np = IS::parameters::input_point_map(input.points());
+  for(const bool of_levels : {true, false}) {
+    Mesh mesh;
+    const auto parents =
+      mesh.add_property_map<Face_index, std::array<Face_index, 2>>("f:parents").first;
+    if(of_levels)
+      IS::common_subdivision(Surface_map(surface, fine, coarse), mesh, np.parent_face_map(parents));
+    else {
+      IT::Intrinsic_triangulation<> tri(input);
+      IT::make_Delaunay(tri);
+      IT::common_subdivision(IT::Correspondence<>(tri), mesh, np.parent_face_map(parents));
+    }
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+    std::vector<double> area(input.number_of_faces(), 0);
+    std::set<Face_index> others;
+    for(Face_index f : mesh.faces()) {
+      area[parents[f][0]] += PMP::face_area(f, mesh);
+      others.insert(parents[f][1]);
+    }
+    for(Face_index f : input.faces())
+      EXPECT_NEAR(area[f] / PMP::face_area(f, input), 1, 1e-6);
+    EXPECT_EQ(others.size(), of_levels ? coarse.mesh().number_of_faces() : input.number_of_faces());
+  }
+}
+
+} // namespace Test_coarse_mesh
