@@ -66,18 +66,38 @@ double area(const Polygon_set& set)
   return CGAL::to_double(sum);
 }
 
-// Exactly: all triangles are joined, one after the other, and what each has in common with those
-// before is joined, too.
+// Of two convex polygons, exactly.
+Polygon common_part(Polygon a, const Polygon& b)
+{
+  for(auto side = b.edges_begin(); side != b.edges_end() && !a.is_empty(); ++side) {
+    const Exact::Line_2 line = side->supporting_line();
+    Polygon clipped;
+    for(std::size_t n = 0; n < a.size(); ++n) {
+      const Exact::Point_2 &p = a[n], &q = a[(n + 1) % a.size()];
+      const Exact::FT at_p = line.a() * p.x() + line.b() * p.y() + line.c(),
+                      at_q = line.a() * q.x() + line.b() * q.y() + line.c();
+      if(at_p >= 0)
+        clipped.push_back(p);
+      if(at_p * at_q < 0)
+        clipped.push_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+    a = clipped;
+  }
+  return a;
+}
+
+// Exactly: what pairs of triangles have in common is joined.
 double multiply_covered_area(const std::vector<Polygon>& triangles)
 {
-  Polygon_set covered, twice;
-  for(const Polygon& t : triangles) {
-    Polygon_set common = covered;
-    common.intersection(t);
-    twice.join(common);
-    covered.join(t);
-  }
-  return area(twice);
+  std::vector<Polygon> common;
+  for(std::size_t i = 0; i < triangles.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(CGAL::do_overlap(triangles[i].bbox(), triangles[j].bbox()))
+        if(const Polygon p = common_part(triangles[i], triangles[j]); p.size() > 2 && p.area() > 0)
+          common.push_back(p);
+  Polygon_set result;
+  result.join(common.begin(), common.end());
+  return area(result);
 }
 
 // A strip of the plane along a spiral on a cone, n steps of a turn by `angle` each: flattened

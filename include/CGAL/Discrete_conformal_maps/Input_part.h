@@ -10,8 +10,11 @@
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_part.h>
 
+#include <CGAL/boost/graph/iterator.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Discrete_conformal_maps {

@@ -14,9 +14,12 @@
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 #include <CGAL/Discrete_conformal_maps/texture_coordinates.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
