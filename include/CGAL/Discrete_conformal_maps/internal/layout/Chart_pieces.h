@@ -81,7 +81,7 @@ public:
                                         std::abs(all.ymin()), std::abs(all.ymax())});
     std::vector<Overlap> result;
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      const auto [i, j] = std::minmax(a.info(), b.info());
+      const std::size_t i = (std::min)(a.info(), b.info()), j = (std::max)(a.info(), b.info());
       if(m_pieces[i].face == m_pieces[j].face)
         return;
       const double area = signed_area(intersection(m_pieces[i].polygon, m_pieces[j].polygon));
