@@ -162,6 +162,22 @@ void Command_run::write_page()
   });
 }
 
+namespace {
+
+// Says that a result is not what was asked for with --exact.
+std::string certificate_summary(const Statistics& s)
+{
+  if(!s.contains("certified") || s["certified"] == true)
+    return "";
+  const auto undecided =
+    s.value("undecided", std::size_t(0)) + s.value("undecided_crossings", std::size_t(0));
+  return undecided == 0 ? ", not certified"
+                        : ", not certified: " + std::to_string(undecided) +
+                            " decisions involve too many square roots";
+}
+
+} // namespace
+
 void Command_run::finish(const std::string& summary)
 {
   for(const std::string& stage : m_progress.stages())
@@ -174,5 +190,5 @@ void Command_run::finish(const std::string& summary)
   m_progress.clear();
   m_output.commit();
   if(!m_options.is_quiet)
-    std::cerr << m_options.input << ": " << summary << '\n';
+    std::cerr << m_options.input << ": " << summary << certificate_summary(m_statistics) << '\n';
 }

@@ -157,11 +157,18 @@ IT::Delaunay_certificate certify(Command_run& run, const Triangulation& triangul
   Statistics& statistics = run.statistics();
   statistics["certified"] = certificate.is_Delaunay();
   statistics["ties"] = certificate.ties.size();
+  statistics["undecided"] = certificate.undecided();
   statistics["decisions"] = {{"lengths", certificate.decided_by_lengths},
                              {"floating_point", certificate.decided_in_floating_point},
                              {"multiprecision", certificate.decided_in_multiprecision},
                              {"exact", certificate.decided_exactly}};
   return certificate;
+}
+
+// Returns whether the edges are, if they are straight.
+bool is_certainly_Delaunay(const IT::Delaunay_certificate& certificate)
+{
+  return certificate.non_Delaunay_edges.empty() && certificate.possibly_non_Delaunay_edges.empty();
 }
 
 void describe(Command_run& run, const Triangulation& triangulation)
@@ -179,7 +186,7 @@ void describe(Command_run& run, const Triangulation& triangulation)
   }
   Statistics& statistics = run.statistics();
   statistics["is_delaunay"] = run.options().is_exact
-                                ? certify(run, triangulation).non_Delaunay_edges.empty()
+                                ? is_certainly_Delaunay(certify(run, triangulation))
                                 : IT::is_Delaunay(triangulation);
   statistics["shared_edges"] = shared;
   statistics["crossings"] = crossings;

@@ -29,6 +29,13 @@ struct Delaunay_certificate
   /// it lies in faces of \f$T_1\f$ without area.
   std::vector<Vertex_index> folded_vertices;
 
+  /// the edges whose local Delaunay condition remains undecided, see `certify_Delaunay()`.
+  std::vector<Edge_index> possibly_non_Delaunay_edges;
+  /// the edges of which it remains undecided whether they are straight.
+  std::vector<Edge_index> possibly_bent_edges;
+  /// the inserted vertices of which it remains undecided whether the faces around them are folded.
+  std::vector<Vertex_index> possibly_folded_vertices;
+
   /// the number of edges that are Delaunay whatever the rounding of lengths.
   std::size_t decided_by_lengths = 0;
   /// the number of decisions in floating point, with error bounds, on triangles that were laid out.
@@ -38,10 +45,23 @@ struct Delaunay_certificate
   /// the number of decisions in exact arithmetic.
   std::size_t decided_exactly = 0;
 
-  /// returns whether the triangulation is geodesic.
-  bool is_geodesic() const { return bent_edges.empty() && folded_vertices.empty(); }
-  /// returns whether the triangulation is geodesic and Delaunay.
-  bool is_Delaunay() const { return is_geodesic() && non_Delaunay_edges.empty(); }
+  /// returns the number of edges and vertices about which something remains undecided.
+  std::size_t undecided() const
+  {
+    return possibly_non_Delaunay_edges.size() + possibly_bent_edges.size() +
+           possibly_folded_vertices.size();
+  }
+  /// returns whether the triangulation certainly is geodesic.
+  bool is_geodesic() const
+  {
+    return bent_edges.empty() && folded_vertices.empty() && possibly_bent_edges.empty() &&
+           possibly_folded_vertices.empty();
+  }
+  /// returns whether the triangulation certainly is geodesic and Delaunay.
+  bool is_Delaunay() const
+  {
+    return is_geodesic() && non_Delaunay_edges.empty() && possibly_non_Delaunay_edges.empty();
+  }
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -71,7 +71,7 @@ public:
   const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
 
   /// returns whether decisions are exact.
-  bool is_exact() const { return internal::has_metric<Traits>() && m_is_exact; }
+  bool is_exact() const { return internal::has_exact_decisions<Traits>() && m_is_exact; }
 
   /// returns the operations with exact decisions; nothing useful unless `is_exact()`.
   const internal::Exact_insertion_of<Traits>& exact() const { return m_exact; }
@@ -174,7 +174,7 @@ public:
   }
 
 private:
-  static constexpr bool can_be_exact = internal::has_metric<Traits>();
+  static constexpr bool can_be_exact = internal::has_exact_decisions<Traits>();
   typedef internal::Local_marks<Traits> Marks;
   typedef internal::Face_map<FT, Marks> Face_map;
   typedef internal::Barycentric_coordinates<FT> Coordinates;

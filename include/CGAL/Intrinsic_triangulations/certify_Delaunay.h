@@ -46,6 +46,9 @@ Delaunay_certificate
 certify_Delaunay(const Intrinsic_triangulation<Traits>& tri,
                  const NamedParameters& np = CGAL::parameters::default_values())
 {
+  static_assert(internal::has_metric<Traits>(),
+                "a certificate needs Exact_Euclidean_geometry_traits, Euclidean_geometry_traits<"
+                "double>, or traits derived from them with the same geometry");
   return internal::Certifier<Traits>(tri, internal::concurrency_of(np)).run();
 }
 

@@ -112,6 +112,7 @@ template <typename Traits>
 Trace_point<Interval_nt<>> enclose_crossing(const Correspondence<Traits>& correspondence,
                                             Delta_complex::size_type id, double width = 0x1p-50)
 {
+  static_assert(internal::has_metric<Traits>(), "places need the metric of a Euclidean geometry");
   const Halfedge_index h = correspondence.crossing(id).on_intrinsic.halfedge;
   const std::size_t m = id - correspondence.crossings_on_intrinsic().before(Edge_index(h));
   auto result = internal::Crossing_enclosure<Traits, double>(correspondence)(h, m);
@@ -119,7 +120,7 @@ Trace_point<Interval_nt<>> enclose_crossing(const Correspondence<Traits>& corres
     return internal::is_narrow(result.on_input.t, width) &&
            internal::is_narrow(result.on_intrinsic.t, width);
   };
-  for(long bits = 128; bits <= 1024 && !is_narrow(); bits *= 2) {
+  for(long bits = 128; bits <= internal::most_digits && !is_narrow(); bits *= 2) {
     const internal::Long_float_precision precision(bits);
     result = internal::Crossing_enclosure<Traits, internal::Long_float>(correspondence)(h, m);
   }

@@ -74,7 +74,7 @@ public:
     try {
       m_tri.flip(h);
     } catch(const Numerical_error&) {
-      if(!has_metric<Traits>())
+      if(!has_exact_decisions<Traits>())
         throw;
       return false;
     }
@@ -145,7 +145,7 @@ bool has_recomputed_lengths(Intrinsic_triangulation<Traits>& tri)
   try {
     tri.recompute_lengths();
   } catch(const Numerical_error&) {
-    if(!has_metric<Traits>())
+    if(!has_exact_decisions<Traits>())
       throw;
     return false;
   }
@@ -173,6 +173,22 @@ Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_
       result.is_Delaunay = has_recomputed_lengths(tri);
   }
   return {result.flips, false};
+}
+
+// Whether decisions are to be exact. To ask for that where it is not possible is an error.
+template <typename Traits, typename NamedParameters>
+bool are_exact_decisions_wanted(const NamedParameters& np)
+{
+  typedef CGAL::parameters::is_default_parameter<NamedParameters, internal_np::exact_decisions_t>
+    Is_default;
+  static_assert(Is_default::value || has_exact_decisions<Traits>() ||
+                  !is_rounded<typename Traits::FT>(),
+                "exact_decisions: the traits must be Euclidean_geometry_traits<double> or be "
+                "derived from them, without another strip, length, distance, convexity or "
+                "Delaunay condition");
+  return Is_exact<Traits>::value ||
+         CGAL::parameters::choose_parameter(
+           CGAL::parameters::get_parameter(np, internal_np::exact_decisions), false);
 }
 
 inline void check_flip_limit(bool is_exceeded)
@@ -279,7 +295,7 @@ template <typename Traits, typename Visitor>
 Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                              Visitor& visitor, Concurrency concurrency = Concurrency())
 {
-  const bool can_be_exact = has_metric<Traits>() && can_be_reset(tri);
+  const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
   const auto [flips, is_Delaunay] =
     flip_by_lengths(tri, can_be_exact ? (std::min)(limit, carried) : limit, can_be_exact ? 2 : 100,
@@ -287,7 +303,7 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
   if(is_Delaunay)
     return {flips, false};
   check_flip_limit(flips == limit);
-  if constexpr(has_metric<Traits>())
+  if constexpr(has_exact_decisions<Traits>())
     if(can_be_exact) {
       start_anew(tri, visitor);
       return {flips + flip_exactly(tri, limit - flips, visitor, concurrency).number, true};
@@ -372,9 +388,9 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   Default_flip_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
-  if constexpr(internal::has_metric<Traits>())
-    if(internal::Is_exact<Traits>::value ||
-       choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
+  [[maybe_unused]] const bool is_exact = internal::are_exact_decisions_wanted<Traits>(np);
+  if constexpr(internal::has_exact_decisions<Traits>())
+    if(is_exact)
       return internal::flip_exactly(tri, limit, visitor, concurrency).number;
   return internal::make_Delaunay(tri, limit, visitor, concurrency).number;
 }

@@ -118,7 +118,7 @@ Remaining_reason reason_left(const Intrinsic_triangulation<Traits>& tri, Face_in
 {
   if(result.status == Refinement_status::insertion_limit)
     return Remaining_reason::insertion_limit;
-  if constexpr(has_metric<Traits>())
+  if constexpr(has_exact_decisions<Traits>())
     if(result.is_exact)
       return exact_decisions(tri).orientation(tri.mesh().halfedge(f)) == POSITIVE
                ? Remaining_reason::at_rounding
@@ -193,7 +193,7 @@ Certain_flips::End flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t
                                Visitor& visitor, Refinement_result& result)
 {
   typedef Certain_flips::End End;
-  if constexpr(has_metric<Traits>()) {
+  if constexpr(has_exact_decisions<Traits>()) {
     const Certain_flips flips = flip_with_certainty(tri, limit, 1e9, visitor, Concurrency());
     result.flips += flips.number;
     return flips.end;
@@ -252,7 +252,7 @@ template <typename Traits, typename Visitor>
 Delaunay_flips flip_before_refinement(Intrinsic_triangulation<Traits>& tri, std::size_t limit,
                                       Visitor& visitor)
 {
-  if constexpr(has_metric<Traits>())
+  if constexpr(has_exact_decisions<Traits>())
     if(tri.number_of_inserted_vertices() > 0)
       return flip_exactly(tri, limit, visitor, Concurrency());
   return make_Delaunay(tri, limit, visitor);
@@ -265,16 +265,16 @@ Refinement_result refine_until_in_doubt(Intrinsic_triangulation<Traits>& tri, co
                                         const Refinement_limits& limits, Visitor& visitor)
 {
   [[maybe_unused]] const std::size_t given = tri.number_of_inserted_vertices();
-  const bool can_be_exact = has_metric<Traits>() && can_be_reset(tri);
+  const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
   const Delaunay_flips flips = flip_before_refinement(tri, limits.flips, visitor);
   Refinement_result result;
   result.flips = flips.number;
-  if constexpr(has_metric<Traits>())
+  if constexpr(has_exact_decisions<Traits>())
     if(flips.are_anew)
       return refine_exactly(tri, bounds, limits, visitor, result);
   [[maybe_unused]] const bool is_certain =
     refine_by_lengths(tri, bounds, limits, visitor, can_be_exact, result);
-  if constexpr(has_metric<Traits>())
+  if constexpr(has_exact_decisions<Traits>())
     if(!is_certain && can_be_exact) {
       reset_with_vertices(tri, given);
       visitor.before_exact_refinement();
@@ -403,9 +403,9 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const internal::Face_bounds<Traits, decltype(predicate)> bounds(tri, degrees, circumradius,
                                                                   simplicial, predicate);
   const internal::Refinement_limits limits{insertions, flips};
-  if constexpr(internal::has_metric<Traits>())
-    if(internal::Is_exact<Traits>::value ||
-       choose_parameter(get_parameter(np, internal_np::exact_decisions), false))
+  [[maybe_unused]] const bool is_exact = internal::are_exact_decisions_wanted<Traits>(np);
+  if constexpr(internal::has_exact_decisions<Traits>())
+    if(is_exact)
       return internal::refine_exactly(tri, bounds, limits, visitor);
   if constexpr(!internal::Is_exact<Traits>::value)
     return internal::refine_until_in_doubt(tri, bounds, limits, visitor);

@@ -119,6 +119,9 @@ private:
     append(part.non_Delaunay_edges, m_certificate.non_Delaunay_edges);
     append(part.ties, m_certificate.ties);
     append(part.folded_vertices, m_certificate.folded_vertices);
+    append(part.possibly_non_Delaunay_edges, m_certificate.possibly_non_Delaunay_edges);
+    append(part.possibly_bent_edges, m_certificate.possibly_bent_edges);
+    append(part.possibly_folded_vertices, m_certificate.possibly_folded_vertices);
     m_certificate.decided_by_lengths += part.decided_by_lengths;
     m_certificate.decided_in_floating_point += part.decided_in_floating_point;
     m_certificate.decided_in_multiprecision += part.decided_in_multiprecision;
@@ -130,8 +133,9 @@ private:
   {
     const Straight_edge straight = decisions.straight_edge(m_mesh.halfedge(e));
     m_length[e] = straight.length;
-    if(!straight.is_certain && !decisions.is_straight(m_mesh.halfedge(e)))
-      part.bent_edges.push_back(e);
+    if(!straight.is_certain)
+      add_unless(e, part.bent_edges, part.possibly_bent_edges,
+                 [&] { return decisions.is_straight(m_mesh.halfedge(e)); });
   }
 
   void check_Delaunay(Edge_index e, Decisions& decisions, Delaunay_certificate& part)
@@ -146,17 +150,32 @@ private:
       ++part.decided_by_lengths;
       return;
     }
-    switch(decisions.Delaunay_sign(h)) {
-      case POSITIVE: return;
-      case ZERO: part.ties.push_back(e); return;
-      case NEGATIVE: part.non_Delaunay_edges.push_back(e); return;
-    }
+    add_unless(e, part.non_Delaunay_edges, part.possibly_non_Delaunay_edges, [&] {
+      const Sign sign = decisions.Delaunay_sign(h);
+      if(sign == ZERO)
+        part.ties.push_back(e);
+      return sign != NEGATIVE;
+    });
   }
 
   void check_inserted(Vertex_index v, Decisions& decisions, Delaunay_certificate& part)
   {
-    if(m_pair.is_inserted(v) && !is_turned_around_once(v, decisions))
-      part.folded_vertices.push_back(v);
+    if(m_pair.is_inserted(v))
+      add_unless(v, part.folded_vertices, part.possibly_folded_vertices,
+                 [&] { return is_turned_around_once(v, decisions); });
+  }
+
+  // Adds `x` to `failures` unless `holds()`, or to `undecided` if no decision is affordable.
+  template <typename Index, typename Property>
+  static void add_unless(Index x, std::vector<Index>& failures, std::vector<Index>& undecided,
+                         const Property& holds)
+  {
+    try {
+      if(!holds())
+        failures.push_back(x);
+    } catch(const Numerical_error&) {
+      undecided.push_back(x);
+    }
   }
 
   // Returns whether the faces at an inserted vertex lie the right way round and around it once.

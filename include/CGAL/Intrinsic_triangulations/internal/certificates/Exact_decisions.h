@@ -69,27 +69,36 @@ class Exact_decisions : public Certain_measures<Traits, Crossings>
   using Base::try_with_more_digits;
 
 public:
-  // How many independent square roots a decision may involve. What many take grows exponentially.
-  static constexpr std::size_t few_roots = 2, many_roots = 10;
+  // How many independent square roots a decision may involve: their number in the end, and where
+  // they are faster than many digits. What each more takes is three times as much.
+  static constexpr std::size_t few_roots = 2, many_roots = 12;
 
   using Base::is_input_edge;
   using Base::rounded_angle;
 
-  Exact_decisions(const Pair& pair, const Crossings& crossings,
-                  std::size_t maximal_number_of_roots = many_roots)
-    : Base(pair, crossings),
-      m_is_flat(m_metric, pair.input_mesh()),
-      m_maximal_number_of_roots(maximal_number_of_roots)
+  Exact_decisions(const Pair& pair, const Crossings& crossings)
+    : Base(pair, crossings), m_is_flat(m_metric, pair.input_mesh())
   {}
 
   // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
   // lengths if they leave no doubt.
-  bool is_Delaunay(Halfedge_index h, bool has_exact_squares = false)
+  bool is_Delaunay(Halfedge_index h)
   {
     const Uncertain<bool> by_lengths = m_by_lengths(diamond(m_pair.length_map(), h, m_mesh));
-    if(is_certain(by_lengths))
-      return get_certain(by_lengths);
-    return (has_exact_squares ? Delaunay_sign_by_squares(h) : Delaunay_sign(h)) != NEGATIVE;
+    return is_certain(by_lengths) ? get_certain(by_lengths) : is_exactly_Delaunay(h);
+  }
+
+  // Returns this whatever the stored lengths are. An edge of which it is unknown counts as a tie,
+  // and certificates name it; exact traits do not allow that.
+  bool is_exactly_Delaunay(Halfedge_index h, bool has_exact_squares = false)
+  {
+    try {
+      return (has_exact_squares ? Delaunay_sign_by_squares(h) : Delaunay_sign(h)) != NEGATIVE;
+    } catch(const Numerical_error&) {
+      if(Is_exact<Traits>::value)
+        throw;
+      return true;
+    }
   }
 
   // Returns the sign of pi minus the sum of the angles opposite to the edge of `h`: ZERO is a tie.
@@ -226,11 +235,12 @@ public:
         sign = sign_by_roots<Exact>(predicate, few_roots);
       return is_certain(sign);
     });
-    if(!is_certain(sign) && m_maximal_number_of_roots > few_roots)
-      sign = sign_by_roots<Exact>(predicate, m_maximal_number_of_roots);
     if(!is_certain(sign))
-      throw Numerical_error("an exact decision involves more than " +
-                            std::to_string(m_maximal_number_of_roots) +
+      sign = sign_by_roots<Exact>(predicate, many_roots);
+    if(!is_certain(sign))
+      sign = sign_with_most_digits(predicate);
+    if(!is_certain(sign))
+      throw Numerical_error("an exact decision involves more than " + std::to_string(many_roots) +
                             " independent square roots");
     return get_certain(sign);
   }
@@ -302,6 +312,16 @@ private:
   }
 
   // ---- Stages ----
+
+  template <typename Predicate>
+  Uncertain<Sign> sign_with_most_digits(const Predicate& predicate)
+  {
+    const Long_float_precision precision(most_digits);
+    Rounded<Long_float> corners(m_metric, m_pair.input());
+    const Uncertain<Sign> sign = predicate(development(corners));
+    m_count.multiprecision += is_certain(sign);
+    return sign;
+  }
 
   template <typename Exact, typename Predicate>
   Uncertain<Sign> sign_by_roots(const Predicate& predicate, std::size_t maximum)
@@ -408,7 +428,6 @@ private:
 
   Delaunay_by_lengths m_by_lengths;
   Flat_edges<Metric> m_is_flat;
-  std::size_t m_maximal_number_of_roots;
   Decision_count m_count;
 };
 

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -46,10 +47,43 @@ template <typename Traits>
 struct Is_exact<Traits, std::void_t<typename Traits::Exact_number>> : std::true_type
 {};
 
+// The default traits that `Traits` is, or is derived from; void if there are none.
+template <typename Integer>
+Euclidean_geometry_traits<double, Integer>
+default_traits(const Euclidean_geometry_traits<double, Integer>&);
+void default_traits(...);
+
+template <typename Traits>
+using Default_traits_of = decltype(default_traits(std::declval<const Traits&>()));
+
+// Whether the function objects that measure are those of the default traits, whose geometry exact
+// decisions know; then, whether those that decide about flips are, too.
+template <typename Traits, typename Default = Default_traits_of<Traits>>
+struct Inherited
+{
+  static constexpr bool geometry =
+    std::is_same_v<typename Traits::FT, double> &&
+    std::is_same_v<typename Traits::Geodesic_strip, typename Default::Geodesic_strip> &&
+    std::is_same_v<typename Traits::Compute_distance, typename Default::Compute_distance> &&
+    std::is_same_v<typename Traits::Compute_flipped_length,
+                   typename Default::Compute_flipped_length>;
+  static constexpr bool decisions =
+    geometry &&
+    std::is_same_v<typename Traits::Is_locally_Delaunay, typename Default::Is_locally_Delaunay> &&
+    std::is_same_v<typename Traits::Is_convex, typename Default::Is_convex>;
+};
+
+template <typename Traits>
+struct Inherited<Traits, void>
+{
+  static constexpr bool geometry = false, decisions = false;
+};
+
+// `double` can be in doubt and then goes on with exact decisions
 template <typename Traits, typename = void>
 struct Metric_of
 {
-  typedef No_metric type;
+  typedef std::conditional_t<Inherited<Traits>::geometry, Input_metric<double>, No_metric> type;
 };
 
 template <typename Traits>
@@ -58,20 +92,21 @@ struct Metric_of<Traits, std::void_t<typename Traits::Exact_number>>
   typedef Input_metric<typename Traits::Exact_number> type;
 };
 
-// `double` can be in doubt and then goes on with exact decisions
-template <typename Integer>
-struct Metric_of<Euclidean_geometry_traits<double, Integer>>
-{
-  typedef Input_metric<double> type;
-};
-
 template <typename Traits>
 using Input_metric_of = typename Metric_of<Traits>::type;
 
+// whether the metric of T1 is kept, so that certificates are possible
 template <typename Traits>
 constexpr bool has_metric()
 {
   return !std::is_same_v<Input_metric_of<Traits>, No_metric>;
+}
+
+// Whether flips can go on with exact decisions: not with traits that have conditions of their own.
+template <typename Traits>
+constexpr bool has_exact_decisions()
+{
+  return Is_exact<Traits>::value || Inherited<Traits>::decisions;
 }
 
 // a vector between positions

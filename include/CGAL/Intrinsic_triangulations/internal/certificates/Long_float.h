@@ -22,8 +22,11 @@
 namespace CGAL {
 namespace Intrinsic_triangulations::internal {
 
+// The number of binary digits with which numbers are enclosed in the end.
+constexpr int most_digits = 1024;
+
 // A floating point number with the digits of the `Long_float_precision` that lives. Without MPFR
-// it always has as many as a decision can ask for.
+// it always has as many as can be asked for.
 #ifdef CGAL_USE_MPFR
 
 typedef Gmpfr Long_float;
@@ -48,14 +51,14 @@ private:
 #else
 
 typedef boost::multiprecision::number<
-  boost::multiprecision::cpp_bin_float<512, boost::multiprecision::digit_base_2>,
+  boost::multiprecision::cpp_bin_float<most_digits, boost::multiprecision::digit_base_2>,
   boost::multiprecision::et_off>
   Long_float;
 
 struct Long_float_precision
 {
   explicit Long_float_precision(long /* bits */) {}
-  static double unit() { return std::ldexp(1.0, -512); }
+  static double unit() { return std::ldexp(1.0, -most_digits); }
 };
 
 #endif // CGAL_USE_MPFR

@@ -7,19 +7,24 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Square_classes.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/scaled_parts.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/number_kinds.h>
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -27,23 +32,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns the root of `x` >= 0, if it is a whole number that can be found: `x` has to be in the
-// range of `double`. Each step finds as many digits as that has.
-template <typename R>
-std::optional<R> whole_root(const R& x)
+// Returns whether numbers of type `K` are rational: fractions, or dyadic numbers.
+template <typename K>
+constexpr bool is_rational()
 {
-  const double rounded = std::sqrt(CGAL::to_double(x));
-  R root(0), rest = x;
-  double last = std::numeric_limits<double>::infinity();
-  for(double step = std::nearbyint(rounded); std::abs(step) < last;
-      step = std::nearbyint(CGAL::to_double(rest) / (2 * rounded))) {
-    root = root + R(step);
-    rest = x - root * root;
-    if(rest == R(0))
-      return root;
-    last = std::abs(step);
-  }
-  return {};
+  return std::is_same_v<K, Exact_ring> || is_fraction<K>();
 }
 
 // Returns the root of `x` >= 0, if it is in `K` and can be found: of fractions this is decided, by
@@ -69,9 +62,27 @@ std::optional<K> root_in(const K& x)
   return {};
 }
 
+// Returns for which primes the rational number `x` > 0 is no square. A fraction is one if the
+// product of its numerator and denominator is.
+template <typename K>
+std::optional<std::uint64_t> characters_of(const K& x)
+{
+  if constexpr(std::is_same_v<K, Exact_ring>)
+    return quadratic_characters(x);
+  else {
+    typedef Fraction_traits<K> Fraction;
+    typename Fraction::Numerator_type numerator;
+    typename Fraction::Denominator_type denominator;
+    typename Fraction::Decompose()(x, numerator, denominator);
+    return quadratic_characters(
+      K(x * typename Fraction::Compose()(denominator * denominator,
+                                         typename Fraction::Denominator_type(1))));
+  }
+}
+
 // The ring that arises from an ordered ring `K` by adding square roots. An element is given by the
-// coefficients of the products of roots: bit b of the index stands for root b. Signs are right even
-// if a root is in the ring of those before it.
+// coefficients of the products of roots: bit b of the index stands for root b. If `K` is rational,
+// no root is a multiple of a product of others. Signs are right even if one is.
 template <typename K>
 class Root_tower
 {
@@ -88,18 +99,18 @@ public:
   };
 
   // Returns a multiple of the root of `square`, which is added to the ring unless it is a multiple
-  // of one that is there; nothing if there are too many.
+  // of one that is there, or of a product of these; nothing if there are too many.
   std::optional<Multiple> root(const K& square)
   {
     if(const auto r = root_in(square))
       return Multiple{Element{*r}, K(1)};
     const std::size_t size = m_squares.size();
-    for(std::size_t place = 1; place < size; place *= 2) {
+    for(std::size_t place = 1; place < size; place *= 2)
       if(square == m_squares[place])
         return Multiple{multiple_of_root(place, K(1)), K(1)};
-      if(const auto r = root_in(K(square * m_squares[place])))
-        return Multiple{multiple_of_root(place, *r), m_squares[place]};
-    }
+    if(const auto multiple =
+         size <= small_size ? multiple_by_trial(square) : multiple_by_characters(square))
+      return multiple;
     if(size == std::size_t(1) << m_maximum)
       return {};
     for(std::size_t i = 0; i < size; ++i)
@@ -127,26 +138,33 @@ public:
       x *= factor;
   }
 
-  // Adds a product to `sum`, or subtracts it. Roots that both factors have make their squares.
+  // Adds a product to `sum`, or subtracts it.
   void add_product(const Element& a, const Element& b, Sign sign, Element& sum) const
   {
-    if(const std::size_t size = (std::max)(a.size(), b.size()); sum.size() < size)
+    const std::size_t size = (std::max)(a.size(), b.size());
+    if(sum.size() < size)
       sum.resize(size, K(0));
-    for(std::size_t i = 0; i < a.size(); ++i)
-      for(std::size_t j = 0; j < b.size() && a[i] != K(0); ++j)
-        if(b[j] != K(0)) {
-          K term = a[i] * b[j];
-          if((i & j) != 0)
-            term *= m_squares[i & j];
-          sign == POSITIVE ? sum[i ^ j] += term : sum[i ^ j] -= term;
-        }
+    if(size > small_size && (std::min)(a.size(), b.size()) > 1) {
+      Element x = a, y = b;
+      x.resize(size, K(0));
+      y.resize(size, K(0));
+      add_large_product(x.data(), y.data(), size, sign, sum.data());
+    } else
+      add_products(a.data(), a.size(), b.data(), b.size(), sign, sum.data());
   }
 
-  // the sign of a + b sqrt(c), by recursion
+  // Returns the sign of a + b sqrt(c). That of an element that has several roots and is not zero is
+  // found in floating point as a rule; otherwise by recursion.
   Sign sign(const Element& e) const
   {
     if(e.size() == 1)
       return CGAL::sign(e[0]);
+    if(e.size() > small_size) {
+      if(is_zero(e))
+        return ZERO;
+      if(const Sign rounded = rounded_sign([&] { return approximation(e); }); rounded != ZERO)
+        return rounded;
+    }
     const auto middle = e.begin() + (e.end() - e.begin()) / 2;
     const Element a(e.begin(), middle), b(middle, e.end());
     const Sign sign_a = sign(a), sign_b = sign(b);
@@ -161,16 +179,181 @@ public:
     return sign_a * sign(norm);
   }
 
+  // Returns the sign of a x + b y.
+  Sign sign_of_products(const Element& a, const Element& x, const Element& b,
+                        const Element& y) const
+  {
+    if((std::max)({a.size(), x.size(), b.size(), y.size()}) > small_size) {
+      const Sign rounded = rounded_sign(
+        [&] { return approximation(a) * approximation(x) + approximation(b) * approximation(y); });
+      if(rounded != ZERO)
+        return rounded;
+    }
+    Element sum;
+    add_product(a, x, POSITIVE, sum);
+    add_product(b, y, POSITIVE, sum);
+    return sign(sum);
+  }
+
+  static bool is_zero(const Element& e)
+  {
+    return std::all_of(e.begin(), e.end(), [](const K& x) { return x == K(0); });
+  }
+
 private:
+  // The size of elements with two roots. Larger ones are multiplied by fewer products.
+  static constexpr std::size_t small_size = 4;
+
   static Element multiple_of_root(std::size_t place, const K& factor)
   {
-    Element e(2 * place, K(0));
+    std::size_t size = 2;
+    while(size <= place)
+      size *= 2;
+    Element e(size, K(0));
     e[place] = factor;
     return e;
   }
 
+  // ---- Multiples of roots ----
+
+  std::optional<Multiple> multiple_of(std::size_t place, const K& square) const
+  {
+    if(const auto r = root_in(K(square * m_squares[place])))
+      return Multiple{multiple_of_root(place, *r), m_squares[place]};
+    return {};
+  }
+
+  std::optional<Multiple> multiple_by_trial(const K& square) const
+  {
+    for(std::size_t place = 1; place < m_squares.size(); ++place)
+      if(const auto multiple = multiple_of(place, square))
+        return multiple;
+    return {};
+  }
+
+  BOOST_NOINLINE std::optional<Multiple> multiple_by_characters(const K& square)
+  {
+    if constexpr(is_rational<K>()) {
+      for(std::size_t place = std::size_t(1) << m_classes.size(); place < m_squares.size();
+          place *= 2)
+        m_classes.add(characters_of(m_squares[place]));
+      const auto place = m_classes.product_like(characters_of(square));
+      return place ? multiple_of(*place, square) : std::nullopt;
+    } else {
+      for(std::size_t place = 1; place < m_squares.size(); place *= 2)
+        if(const auto multiple = multiple_of(place, square))
+          return multiple;
+      return {};
+    }
+  }
+
+  // ---- Products ----
+
+  // Roots that both factors have make their squares.
+  void add_products(const K* a, std::size_t size_a, const K* b, std::size_t size_b, Sign sign,
+                    K* sum) const
+  {
+    for(std::size_t i = 0; i < size_a; ++i)
+      for(std::size_t j = 0; j < size_b && a[i] != K(0); ++j)
+        if(b[j] != K(0)) {
+          K term = a[i] * b[j];
+          if((i & j) != 0)
+            term *= m_squares[i & j];
+          sign == POSITIVE ? sum[i ^ j] += term : sum[i ^ j] -= term;
+        }
+  }
+
+  // With three products of halves instead of four (Karatsuba), unless there are few terms.
+  BOOST_NOINLINE void add_large_product(const K* a, const K* b, std::size_t size, Sign sign,
+                                        K* sum) const
+  {
+    const auto count = [&](const K* x) {
+      return size - std::size_t(std::count(x, x + size, K(0)));
+    };
+    std::size_t products = 1;
+    for(std::size_t n = size; n > 1; n /= 2)
+      products *= 3;
+    if(size <= small_size || count(a) * count(b) <= products)
+      return add_products(a, size, b, size, sign, sum);
+    const std::size_t half = size / 2;
+    Element low(half, K(0)), high(half, K(0)), x(a, a + half), y(b, b + half);
+    add_large_product(a, b, half, sign, low.data());
+    add_large_product(a + half, b + half, half, sign, high.data());
+    for(std::size_t i = 0; i < half; ++i) {
+      x[i] += a[half + i];
+      y[i] += b[half + i];
+    }
+    add_large_product(x.data(), y.data(), half, sign, sum + half);
+    for(std::size_t i = 0; i < half; ++i) {
+      sum[half + i] -= low[i] + high[i];
+      sum[i] += low[i] + high[i] * m_squares[half];
+    }
+  }
+
+  // ---- Floating point ----
+
+  // A number and the sum of the absolute values of its terms.
+  struct Approximation
+  {
+    Long_float value, magnitude;
+
+    friend Approximation operator+(const Approximation& a, const Approximation& b)
+    {
+      return {Long_float(a.value + b.value), Long_float(a.magnitude + b.magnitude)};
+    }
+    friend Approximation operator*(const Approximation& a, const Approximation& b)
+    {
+      return {Long_float(a.value * b.value), Long_float(a.magnitude * b.magnitude)};
+    }
+  };
+
+  // Returns the sign of what `approximate()` returns; ZERO if `most_digits` leave it in doubt. Each
+  // root of a term adds some 16 units of roundoff, so that all but 24 bits hold.
+  template <typename Approximate>
+  Sign rounded_sign(const Approximate& approximate) const
+  {
+    if(!is_rational<K>())
+      return ZERO;
+    const Long_float_precision precision(most_digits);
+    const Approximation a = approximate();
+    const Long_float error = a.magnitude * Long_float(std::ldexp(1., 24 - most_digits));
+    return a.value > error ? POSITIVE : -a.value > error ? NEGATIVE : ZERO;
+  }
+
+  Approximation approximation(const Element& e) const
+  {
+    if constexpr(is_rational<K>()) {
+      for(std::size_t place = std::size_t(1) << m_roots.size(); place < e.size(); place *= 2)
+        m_roots.push_back(sqrt(to_long_float(m_squares[place])));
+      return approximation(e.data(), m_roots.data() + std::ilogb(double(e.size())));
+    } else
+      return {};
+  }
+
+  // of an element with the roots before `end`
+  Approximation approximation(const K* e, const Long_float* end) const
+  {
+    const auto roots = std::size_t(end - m_roots.data());
+    if(roots == 0) {
+      const Long_float value = to_long_float(*e);
+      return {value, value < 0 ? Long_float(-value) : value};
+    }
+    const Long_float& root = end[-1];
+    return approximation(e, end - 1) +
+           approximation(e + (std::size_t(1) << (roots - 1)), end - 1) * Approximation{root, root};
+  }
+
+  static Long_float to_long_float(const K& x)
+  {
+    Long_float sum(0);
+    for_each_part(x, 24, [&](const Scaled_part& part) { sum += number_of<Long_float>(part); });
+    return sum;
+  }
+
   std::size_t m_maximum;
   std::vector<K> m_squares{K(1)}; // of all products of roots
+  Square_classes m_classes;       // of the roots
+  mutable std::vector<Long_float> m_roots;
 };
 
 // a complex number over such a ring
@@ -182,11 +365,7 @@ struct Root_complex
   const Root_tower<K>* tower;
   Element x, y;
 
-  bool is_zero() const
-  {
-    const auto is_zero = [](const K& a) { return a == K(0); };
-    return std::all_of(x.begin(), x.end(), is_zero) && std::all_of(y.begin(), y.end(), is_zero);
-  }
+  bool is_zero() const { return Root_tower<K>::is_zero(x) && Root_tower<K>::is_zero(y); }
 
   friend Root_complex operator-(Root_complex a)
   {
@@ -206,9 +385,11 @@ struct Root_complex
   }
   friend Root_complex operator*(const Root_complex& a, const Root_complex& b)
   {
-    Root_complex result{a.tower, {}, imaginary_product(a, b)};
+    Root_complex result{a.tower, {}, {}};
     a.tower->add_product(a.x, b.x, POSITIVE, result.x);
     a.tower->add_product(a.y, b.y, NEGATIVE, result.x);
+    a.tower->add_product(a.x, b.y, POSITIVE, result.y);
+    a.tower->add_product(a.y, b.x, POSITIVE, result.y);
     return result;
   }
   friend Root_complex operator*(Root_complex a, const K& factor)
@@ -221,13 +402,6 @@ struct Root_complex
   {
     Root_tower<K>::negate(a.y);
     return a;
-  }
-  friend Element imaginary_product(const Root_complex& a, const Root_complex& b)
-  {
-    Element result;
-    a.tower->add_product(a.x, b.y, POSITIVE, result);
-    a.tower->add_product(a.y, b.x, POSITIVE, result);
-    return result;
   }
 };
 
@@ -247,7 +421,7 @@ Uncertain<Sign> sign_of_imaginary(const Root_complex<K>& a)
 template <typename K>
 Uncertain<Sign> sign_of_imaginary(const Root_complex<K>& a, const Root_complex<K>& b)
 {
-  return a.tower->sign(imaginary_product(a, b));
+  return a.tower->sign_of_products(a.x, b.y, a.y, b.x);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

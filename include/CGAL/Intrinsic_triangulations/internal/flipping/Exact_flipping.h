@@ -47,15 +47,12 @@ class Exact_flipping
 public:
   // Lengths of edges that are not in T1 are unknown at first, unless `Traits` is exact. `effort`
   // is the number of steps that may be spent on strips; without a limit no length gets unknown.
-  // A decision that many digits leave open and that involves too many roots throws with exact
-  // traits; otherwise it counts as a tie.
   explicit Exact_flipping(Triangulation& tri,
                           double effort = std::numeric_limits<double>::infinity())
     : m_tri(tri),
       m_mesh(tri.mesh()),
       m_crossings(tri),
-      m_decisions(tri, m_crossings,
-                  Is_exact<Traits>::value ? Decisions::many_roots : Decisions::few_roots),
+      m_decisions(tri, m_crossings),
       m_error(m_mesh.num_edges(), input_error),
       m_effort(effort)
   {
@@ -206,14 +203,7 @@ private:
     if(!can_afford(h))
       return By_lengths()(diamond(m_tri.length_map(), h, m_mesh));
     m_doubtful.push_back(m_mesh.edge(h));
-    try {
-      return (greatest_error_around(h) == input_error ? m_decisions.Delaunay_sign_by_squares(h)
-                                                      : m_decisions.Delaunay_sign(h)) != NEGATIVE;
-    } catch(const Numerical_error&) {
-      if(Is_exact<Traits>::value && !is_limited())
-        throw;
-      return true;
-    }
+    return m_decisions.is_exactly_Delaunay(h, greatest_error_around(h) == input_error);
   }
 
   BOOST_NOINLINE Bounded_length shared_length(Halfedge_index h) const

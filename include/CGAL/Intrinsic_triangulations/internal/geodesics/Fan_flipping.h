@@ -107,7 +107,7 @@ private:
 };
 
 template <typename Traits>
-using Fan_flipping = std::conditional_t<has_metric<Traits>(), Exact_fan_flipping<Traits>,
+using Fan_flipping = std::conditional_t<has_exact_decisions<Traits>(), Exact_fan_flipping<Traits>,
                                         Fan_flipping_by_lengths<Traits>>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -252,7 +252,7 @@ struct No_exact_insertion
 
 template <typename Traits>
 using Exact_insertion_of =
-  std::conditional_t<has_metric<Traits>(), Exact_insertion<Traits>, No_exact_insertion>;
+  std::conditional_t<has_exact_decisions<Traits>(), Exact_insertion<Traits>, No_exact_insertion>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

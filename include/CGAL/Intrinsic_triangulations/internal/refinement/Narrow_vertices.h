@@ -38,7 +38,7 @@ public:
   Narrow_vertices(const Triangulation& tri, const FT& least_sum, bool has_exact_angles)
     : m_tri(tri), m_least_sum(least_sum), m_answer(tri.mesh().num_vertices(), Answer::unknown)
   {
-    if constexpr(has_metric<Traits>())
+    if constexpr(has_exact_decisions<Traits>())
       if(has_exact_angles)
         set_by_input();
   }

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_SQUARE_CLASSES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_SQUARE_CLASSES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/internal/certificates/scaled_parts.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The 64 greatest primes below 2^31.
+inline std::uint64_t character_prime(std::size_t i)
+{
+  static constexpr std::array<std::uint16_t, 64> distance{
+    1,    19,   61,   69,   85,   99,   105,  151,  159,  171,  225,  249,  295,  325,  379,  399,
+    411,  469,  477,  511,  525,  571,  579,  589,  595,  615,  619,  697,  699,  705,  711,  727,
+    771,  775,  781,  789,  829,  831,  837,  847,  885,  909,  951,  955,  967,  985,  987,  1027,
+    1057, 1065, 1071, 1141, 1147, 1167, 1231, 1239, 1281, 1287, 1299, 1305, 1321, 1357, 1375, 1411};
+  return (std::uint64_t(1) << 31) - distance[i];
+}
+
+inline std::uint64_t power(std::uint64_t x, std::uint64_t exponent, std::uint64_t modulus)
+{
+  std::uint64_t result = 1;
+  for(; exponent > 0; exponent /= 2) {
+    if(exponent % 2 == 1)
+      result = result * x % modulus;
+    x = x * x % modulus;
+  }
+  return result;
+}
+
+// The residue of a number m 2^e with a whole number m of 53 bits.
+inline std::uint64_t residue(const Scaled_part& part, std::uint64_t prime)
+{
+  int exponent;
+  constexpr int digits = std::numeric_limits<double>::digits;
+  const auto mantissa =
+    static_cast<std::int64_t>(std::ldexp(std::frexp(part.factor, &exponent), digits));
+  const std::int64_t m = mantissa % std::int64_t(prime),
+                     e = (exponent - digits + part.exponent) % std::int64_t(prime - 1);
+  return std::uint64_t(m < 0 ? m + std::int64_t(prime) : m) *
+         power(2, std::uint64_t(e < 0 ? e + std::int64_t(prime - 1) : e), prime) % prime;
+}
+
+// Returns for each of the primes, as a bit, whether the dyadic number `x` is no square modulo it
+// (Euler's criterion); nothing if it is zero modulo one of them. Squares have no bits, and the bits
+// of a product are the exclusive or of those of its factors.
+template <typename K>
+std::optional<std::uint64_t> quadratic_characters(const K& x)
+{
+  std::array<std::uint64_t, 64> sum{};
+  for_each_part(x, (std::numeric_limits<std::size_t>::max)(), [&](const Scaled_part& part) {
+    for(std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += residue(part, character_prime(i));
+  });
+  std::uint64_t bits = 0;
+  for(std::size_t i = 0; i < sum.size(); ++i) {
+    const std::uint64_t p = character_prime(i), criterion = power(sum[i] % p, (p - 1) / 2, p);
+    if(criterion == 0)
+      return {};
+    if(criterion != 1)
+      bits |= std::uint64_t(1) << i;
+  }
+  return bits;
+}
+
+// Products of numbers that are not squares: whether one more number times such a product can be a
+// square. That characters are independent proves that it cannot; Gaussian elimination over two
+// elements shows the only product for which it may.
+class Square_classes
+{
+public:
+  std::size_t size() const { return m_size; }
+
+  // Adds a number.
+  void add(std::optional<std::uint64_t> characters)
+  {
+    const std::size_t bit = std::size_t(1) << m_size++;
+    if(const Row row = reduced({characters.value_or(0), bit}); row.characters != 0)
+      m_rows.push_back(row);
+  }
+
+  // Returns the factors of the product as bits of a number, 0 if it has none; nothing if `x` times
+  // any product is not a square.
+  std::optional<std::size_t> product_like(std::optional<std::uint64_t> characters) const
+  {
+    const Row row = reduced({characters.value_or(0), 0});
+    return characters && row.characters == 0 ? std::optional<std::size_t>(row.factors)
+                                             : std::nullopt;
+  }
+
+private:
+  struct Row
+  {
+    std::uint64_t characters;
+    std::size_t factors;
+  };
+
+  Row reduced(Row row) const
+  {
+    for(const Row& pivot : m_rows)
+      if((row.characters & pivot.characters & (~pivot.characters + 1)) != 0)
+        row = {row.characters ^ pivot.characters, row.factors ^ pivot.factors};
+    return row;
+  }
+
+  std::size_t m_size = 0;
+  std::vector<Row> m_rows; // each without the last bits of those before
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_SQUARE_CLASSES_H
