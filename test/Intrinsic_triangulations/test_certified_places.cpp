@@ -162,6 +162,29 @@ TEST(Certified_places, crossings_on_planar_meshes)
   EXPECT_GT(crossings, 100u);
 }
 
+// A place next to the end of an edge takes as many digits as its exponent says: here more than 512.
+TEST(Certified_places, crossings_close_to_a_vertex)
+{
+  for(const int exponent : {100, 500, 650, 900}) {
+    SCOPED_TRACE(exponent);
+    const double place = std::ldexp(1., -exponent);
+    Mesh mesh;
+    for(const Point& p :
+        {Point(0, 0, 0), Point(1, 0, 0), Point(0, 0.25, 0), Point(2 * place, -0.25, 0)})
+      mesh.add_vertex(p);
+    mesh.add_face(Vertex_index(0), Vertex_index(1), Vertex_index(2));
+    mesh.add_face(Vertex_index(1), Vertex_index(0), Vertex_index(3));
+    Exact_triangulation t(mesh);
+    t.flip(t.mesh().halfedge(IT::Vertex_index(0), IT::Vertex_index(1)));
+    const auto crossing = IT::enclose_crossing(Exact_correspondence(t), 0, 0);
+    const bool is_first = t.input_mesh().source(crossing.on_input.halfedge) == IT::Vertex_index(0);
+    const Interval t_from_0 = is_first ? crossing.on_input.t : Interval(1) - crossing.on_input.t;
+    EXPECT_LE(t_from_0.inf(), place);
+    EXPECT_GE(t_from_0.sup(), place);
+    EXPECT_LE(t_from_0.sup() - t_from_0.inf(), is_first ? place * 0x1p-50 : 0x1p-50);
+  }
+}
+
 // Squared lengths alone: each triangle has a root of its own.
 TEST(Certified_places, crossings_on_abstract_surfaces)
 {

@@ -252,8 +252,14 @@ TEST(Exact_Delaunay, whole_roots_are_found)
       EXPECT_FALSE(IT::internal::whole_root(Exact_ring(square - Exact_ring(1))));
     }
   }
-  const Exact_ring huge = Exact_ring(0x1p600) * Exact_ring(0x1p600); // out of the range
-  EXPECT_FALSE(IT::internal::whole_root(huge));
+  Exact_ring huge(0x1p1000); // beyond the range of `double`
+  for(int step = 0; step < 4; ++step) {
+    huge = huge * huge + Exact_ring(7);
+    const Exact_ring square = huge * huge;
+    ASSERT_TRUE(IT::internal::whole_root(square));
+    EXPECT_EQ(IT::internal::whole_root(square).value(), huge);
+    EXPECT_FALSE(IT::internal::whole_root(Exact_ring(square + Exact_ring(1))));
+  }
 }
 
 // ---- Flat surfaces ----

@@ -100,6 +100,55 @@ bool is_good(const Mesh& mesh, std::size_t ties, const char* name)
   return result;
 }
 
+// Returns whether the place of a crossing next to the end of an edge, which takes more than 512
+// bits, is enclosed by neighboring numbers.
+bool is_enclosed_near_a_vertex()
+{
+  const double place = std::ldexp(1., -650);
+  Mesh mesh;
+  const auto i = mesh.add_vertex(Point(0, 0, 0)), j = mesh.add_vertex(Point(1, 0, 0)),
+             k = mesh.add_vertex(Point(0, 0.25, 0)),
+             l = mesh.add_vertex(Point(2 * place, -0.25, 0));
+  mesh.add_face(i, j, k);
+  mesh.add_face(j, i, l);
+  Triangulation t(mesh);
+  t.flip(t.mesh().halfedge(IT::Vertex_index(0), IT::Vertex_index(1)));
+  const auto enclosed = IT::enclose_crossing(IT::Correspondence(t), 0, 0).on_input.t;
+  return expect(enclosed.inf() <= place && place <= enclosed.sup() &&
+                  enclosed.sup() - enclosed.inf() <= place * 0x1p-50,
+                "place of a crossing near a vertex");
+}
+
+// A strip folded along parallel lines into panels, whose widths are roots. Four vertices at two
+// heights on its ends are cocircular. Two of eight roots are products of others.
+Mesh folded_strip()
+{
+  const std::array<std::array<double, 2>, 8> step{
+    {{1, 1}, {2, 1}, {3, 1}, {3, -2}, {5, 1}, {4, 1}, {5, -2}, {6, 1}}};
+  Mesh mesh;
+  const auto add_column = [&](double x, double z, const std::vector<double>& heights) {
+    std::vector<Mesh::Vertex_index> column;
+    for(double y : heights)
+      column.push_back(mesh.add_vertex(Point(x, y, z)));
+    return column;
+  };
+  double x = 0, z = 0;
+  auto last = add_column(x, z, {-999, 0, 57, 999});
+  for(const auto& s : step) {
+    x += s[0];
+    z += s[1];
+    const bool is_end = &s == &step.back();
+    const auto column = add_column(
+      x, z, is_end ? std::vector<double>{-999, 0, 57, 999} : std::vector<double>{-999, 999});
+    for(std::size_t i = 0; i + 1 < last.size(); ++i)
+      mesh.add_face(last[i], column[0], last[i + 1]);
+    for(std::size_t i = 0; i + 1 < column.size(); ++i)
+      mesh.add_face(last.back(), column[i], column[i + 1]);
+    last = column;
+  }
+  return mesh;
+}
+
 bool is_refined(const Mesh& mesh)
 {
   Triangulation t(mesh);
@@ -113,6 +162,8 @@ bool is_refined(const Mesh& mesh)
 int main()
 {
   const bool result = is_good(rectangles(3, 1), 9, "squares") && is_good(tube(4, 0.5), 0, "tube") &&
-                      is_good(tube(4, 1e-4), 0, "thin tube") && is_refined(rectangles(1, 9));
+                      is_good(tube(4, 1e-4), 0, "thin tube") &&
+                      is_good(folded_strip(), 1, "folded strip") && is_enclosed_near_a_vertex() &&
+                      is_refined(rectangles(1, 9));
   return result ? EXIT_SUCCESS : EXIT_FAILURE;
 }
