@@ -63,6 +63,8 @@ const char* advice(const IT::Input_diagnosis& diagnosis, const Input_tolerance& 
   if(number_of_soup_defects(diagnosis) > 0 && !tolerance.are_soups_allowed &&
      !tolerance.is_repair_wanted)
     return "; --repair makes it a surface";
+  if(diagnosis.count(IT::Defect_kind::LENGTH_OUT_OF_RANGE) > 0)
+    return "; scale the mesh";
   if(number_of_polygons(diagnosis) > 0 && tolerance.is_strict)
     return "; split it, or leave out --strict";
   return tolerance.is_repair_wanted ? "; `intrinsic view` shows where" : "; --repair may mend it";

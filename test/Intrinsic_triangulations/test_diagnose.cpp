@@ -252,7 +252,13 @@ TEST(Diagnose, zero_length_edge)
 
 TEST(Diagnose, tiny_and_huge_lengths)
 {
-  expect_clean(diagnose({{0, 0, 0}, {1e-300, 0, 0}, {0, 1e-300, 0}}, {{0, 1, 2}}));
+  const auto of_size = [](double x) {
+    return diagnose({{0, 0, 0}, {x, 0, 0}, {0, x, 0}}, {{0, 1, 2}});
+  };
+  for(const double x : {0x1p-127, 1e-30, 1e30, 0x1p126})
+    expect_clean(of_size(x));
+  for(const double x : {1e-300, 0x1p-129, 0x1p128, 1e150})
+    expect_only(of_size(x), Defect_kind::LENGTH_OUT_OF_RANGE, 3);
   const double huge = 1e308;
   const Points p = {{-huge, 0, 0}, {huge, 0, 0}, {0, 1, 0}};
   expect_only(diagnose(p, {{0, 1, 2}}), Defect_kind::INVALID_LENGTH, 1);

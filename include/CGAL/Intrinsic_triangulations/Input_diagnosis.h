@@ -30,6 +30,7 @@ enum class Defect_kind : std::size_t
   NON_MANIFOLD_VERTEX,
   ZERO_LENGTH_EDGE,
   INVALID_LENGTH,
+  LENGTH_OUT_OF_RANGE,
   TRIANGLE_INEQUALITY_VIOLATED,
   ISOLATED_VERTEX,
   SEVERAL_COMPONENTS,
@@ -61,7 +62,7 @@ struct Defect_description
 
 /// \ingroup PkgIntrinsicTriangulationsDiagnosis
 /// all kinds of defects, in the order of their enumerators, the fatal ones first.
-inline constexpr std::array<Defect_description, 15> defect_descriptions = {{
+inline constexpr std::array<Defect_description, 16> defect_descriptions = {{
   {Defect_kind::NON_FINITE_COORDINATE, "non-finite coordinate", true, Defect_element::VERTEX,
    "a coordinate is infinite or not a number"},
   {Defect_kind::FACE_INDEX_OUT_OF_RANGE, "face index out of range", true, Defect_element::FACE,
@@ -80,6 +81,8 @@ inline constexpr std::array<Defect_description, 15> defect_descriptions = {{
    "the ends of an edge coincide"},
   {Defect_kind::INVALID_LENGTH, "invalid edge length", true, Defect_element::EDGE,
    "a length is negative, infinite or not a number"},
+  {Defect_kind::LENGTH_OUT_OF_RANGE, "edge length outside 2^-127 to 2^127", true,
+   Defect_element::EDGE, "formulas with lengths of type double leave the range of numbers"},
   {Defect_kind::TRIANGLE_INEQUALITY_VIOLATED, "violated triangle inequality", true,
    Defect_element::FACE, "one side is longer than the other two together"},
   {Defect_kind::ISOLATED_VERTEX, "isolated vertex", false, Defect_element::VERTEX,

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intrinsic_triangulations/Euclidean_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
@@ -214,6 +215,8 @@ private:
       note_length(length);
     else
       m_diagnosis.add(Defect_kind::INVALID_LENGTH, m_complex.edge(e));
+    if(is_length(length) && length > 0 && !m_is_in_range(length))
+      m_diagnosis.add(Defect_kind::LENGTH_OUT_OF_RANGE, m_complex.edge(e));
   }
 
   static bool is_length(double length) { return std::isfinite(length) && length >= 0; }
@@ -243,6 +246,7 @@ private:
   Metric m_metric;
   Input_diagnosis& m_diagnosis;
   std::vector<double> m_corner_length; // of the side that leaves the corner
+  Euclidean_geometry_traits<double>::Is_length m_is_in_range;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -19,24 +19,27 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-[[noreturn]] inline void fail_at_length(Edge_index e, const Delta_complex& mesh)
+[[noreturn]] inline void fail_at_length(Edge_index e, const Delta_complex& mesh, double length)
 {
-  throw Invalid_input("the length of edge " + std::to_string(e.idx()) + " between vertices " +
-                      std::to_string(mesh.vertex(e, 0).idx()) + " and " +
-                      std::to_string(mesh.vertex(e, 1).idx()) +
-                      " is zero, not finite, or beyond the range of its number type");
+  std::ostringstream text;
+  text << "the length of edge " << e.idx() << " between vertices " << mesh.vertex(e, 0).idx()
+       << " and " << mesh.vertex(e, 1).idx() << " is " << length
+       << ", which is zero, not finite, or beyond the range of its number type: from 2^-127 to "
+          "2^127 for double";
+  throw Invalid_input(text.str());
 }
 
 template <typename Surface, typename Traits>
 void check_length(Edge_index e, const Surface& surface, const Traits& traits)
 {
   if(!traits.is_length_object()(get(surface.length_map(), e)))
-    fail_at_length(e, surface.mesh());
+    fail_at_length(e, surface.mesh(), CGAL::to_double(get(surface.length_map(), e)));
 }
 
 // Returns the length of the edge `e` that the metric determines.
