@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/edge_lengths.h>
+#include <CGAL/Intrinsic_triangulations/enclose_crossing.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
@@ -199,6 +200,12 @@ Subdivision subdivide(Command_run& run, const Triangulation& triangulation)
 {
   const auto correspondence =
     run.timed("trace", [&] { return IT::Correspondence<>(triangulation, in_parallel); });
+  if(run.options().is_exact)
+    run.timed("certify", [&] {
+      const IT::Place_certificate places = IT::certify_places(correspondence);
+      run.statistics()["place_error"] = places.greatest_error;
+      run.statistics()["indefinite_places"] = places.indefinite;
+    });
   Subdivision result = run.timed("subdivide", [&] {
     Subdivision subdivision(correspondence, in_parallel);
     IT::interpolate(IT::Side::input, subdivision, run.input().mesh.points(),

@@ -202,6 +202,86 @@ TEST(Certified_places, crossings_on_abstract_surfaces)
   }
 }
 
+// ---- Rounded places ----
+
+// Faces so thin that lengths of type `double` hardly know their height: the places are computed
+// from positions.
+TEST(Certified_places, rounded_places_in_thin_faces)
+{
+  std::size_t crossings = 0;
+  for(unsigned int seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Mesh mesh = planar_mesh(random_points(20 + seed, 1000, seed));
+    for(Vertex_index v : mesh.vertices())
+      mesh.point(v) = Point(mesh.point(v).x(),
+                            std::ldexp(mesh.point(v).y(), -10 - 3 * static_cast<int>(seed)), 0);
+    Exact_triangulation t(mesh);
+    IT::make_Delaunay(t);
+    const Plane plane(t, mesh);
+    const Exact_correspondence c(t);
+    crossings += c.number_of_crossings();
+    for(unsigned int id = 0; id < c.number_of_crossings(); ++id) {
+      const auto rounded = c.crossing(id);
+      const Halfedge_index input = rounded.on_input.halfedge,
+                           intrinsic = rounded.on_intrinsic.halfedge;
+      const auto error = [&](double place, const Rational& exact) {
+        return std::abs(CGAL::to_double(Rational(Rational(place) - exact)));
+      };
+      EXPECT_LT(error(rounded.on_input.t, plane.crossing(Side::input, input, intrinsic)), 1e-9);
+      EXPECT_LT(error(rounded.on_intrinsic.t, plane.crossing(Side::intrinsic, intrinsic, input)),
+                1e-9);
+    }
+  }
+  EXPECT_GT(crossings, 100u);
+}
+
+// Stretched tori, and meshes that double can hardly hold, with lengths of type `double`: the
+// distance of rounded places from the intervals, relative to the longest edge.
+void check_rounded_places(const Mesh& mesh)
+{
+  Triangulation t(mesh);
+  IT::make_Delaunay(t, IT::parameters::exact_decisions(true));
+  const IT::Correspondence<> c(t);
+  double longest = 0;
+  for(Edge_index e : t.input_mesh().edges())
+    longest = (std::max)(longest, t.input_length(e));
+  const auto distance = [](double place, const Interval& exact) {
+    return (std::max)({0., exact.inf() - place, place - exact.sup()});
+  };
+  EXPECT_LT(IT::certify_places(c).greatest_error, 1e-8);
+  for(Edge_index e : t.mesh().edges()) {
+    const auto exact = IT::enclose_crossings(c, e);
+    ASSERT_EQ(exact.size(), c.number_of_crossings(Side::intrinsic, e));
+    for(unsigned int p = 0; p < exact.size(); ++p) {
+      const auto rounded = c.crossing(c.crossings_on_intrinsic().before(e) + p);
+      const double on_input = t.input_length(Edge_index(rounded.on_input.halfedge));
+      EXPECT_LT(distance(rounded.on_input.t, exact[p].on_input.t) * on_input, 1e-8 * longest) << e;
+      EXPECT_LT(distance(rounded.on_intrinsic.t, exact[p].on_intrinsic.t) * t.length(e),
+                1e-8 * longest)
+        << e;
+    }
+  }
+}
+
+TEST(Certified_places, rounded_places_on_hard_meshes)
+{
+  for(std::uint64_t seed = 0; seed < 24; ++seed) {
+    SCOPED_TRACE(seed);
+    check_rounded_places(hard_mesh(seed).mesh);
+  }
+  for(unsigned int seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    Mesh mesh = perturbed(embedded_torus(12, 9), 0.2, seed);
+    for(Vertex_index v : mesh.vertices()) {
+      const Point p = mesh.point(v);
+      mesh.point(v) = Point(p.x(), p.y() * std::pow(10, -5. - seed), p.z() * std::pow(10, -9.));
+    }
+    check_rounded_places(mesh);
+  }
+}
+
+// ---- Hard meshes ----
+
 // Where faces are next to nothing, intervals are as narrow as asked, and next to each other as the
 // integers say.
 TEST(Certified_places, crossings_on_hard_meshes_are_in_order)

@@ -12,10 +12,13 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Corresponding_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_encloser.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Part_starts.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/face_heights.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
@@ -34,7 +37,9 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// The roles of the two triangulations are symmetric: every query takes the side on which it is
 /// asked. Orders and incidences are exact. Places are rounded, but never out of order: along every
-/// edge of either side they do not decrease.
+/// edge of either side they do not decrease. At faces that are so thin that rounded lengths would
+/// displace crossings by more than about \f$10^{-8}\f$ of a side, places are computed with more
+/// digits from the exact surface of \f$T_1\f$.
 ///
 /// An edge of \f$T_1\f$ consists of one or more parts: vertices that have been inserted on it lie
 /// between them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
@@ -313,6 +318,8 @@ private:
   {
     const std::size_t edges = m_tri.input_mesh().num_edges();
     std::vector<Chunk> chunks(internal::number_of_chunks(edges));
+    if(can_be_doubtful() && m_on_intrinsic.size() > 0)
+      note_heights(concurrency);
     internal::for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
       internal::Edge_tracer<Traits> tracer(m_tri);
       for(std::size_t e = begin; e < end; ++e)
@@ -321,6 +328,89 @@ private:
     });
     number_along_input(chunks, concurrency);
     settle_places(concurrency);
+    m_doubt = Doubt();
+  }
+
+  // ---- Thin faces ----
+
+  // What tells where rounded lengths do not determine places.
+  struct Doubt
+  {
+    std::vector<float> input_heights, heights; // of faces, empty if all places are certain
+    std::vector<char> is_doubtful;             // for each crossing
+  };
+
+  static constexpr bool can_be_doubtful()
+  {
+    return internal::has_metric<Traits>() && internal::is_rounded<FT>();
+  }
+
+  void note_heights(Concurrency concurrency)
+  {
+    Doubt& doubt = m_doubt;
+    doubt.input_heights = internal::face_heights(m_tri.input(), concurrency);
+    doubt.heights = internal::face_heights(m_tri.intrinsic(), concurrency);
+    const auto least = [](const std::vector<float>& x) {
+      return x.empty() ? 1 : *std::min_element(x.begin(), x.end());
+    };
+    if(is_doubtful(least(doubt.input_heights), least(doubt.heights)))
+      doubt.is_doubtful.assign(m_on_intrinsic.size(), false);
+    else
+      doubt = Doubt();
+  }
+
+  static bool is_doubtful(float input_height, float height)
+  {
+    return !(input_height * height * height >= internal::least_product_of_heights());
+  }
+
+  // Notes the crossings of a part of the edge of `input`, of which one or all are doubtful.
+  void note_doubt(Halfedge_index input, const internal::Edge_tracer<Traits>& tracer)
+  {
+    const Delta_complex& mesh = m_tri.mesh();
+    float height = 1;
+    for(std::size_t m = 0; m < tracer.size(); ++m)
+      height = (std::min)(
+        height, internal::height_around(tracer.crossing(m).halfedge, mesh, m_doubt.heights));
+    if(!is_doubtful(internal::height_around(input, m_tri.input_mesh(), m_doubt.input_heights),
+                    height))
+      return;
+    for(std::size_t m = 0; m < tracer.size(); ++m) {
+      const auto& c = tracer.crossing(m);
+      m_doubt.is_doubtful[m_on_intrinsic(c.halfedge, static_cast<size_type>(c.number))] = true;
+    }
+  }
+
+  // Finds the places of crossings on edges of T2 where one is doubtful on the exact surface. Where
+  // edges run along each other, they stay: any common place is right.
+  void enclose_doubtful(Concurrency concurrency)
+  {
+    typedef internal::Corresponding_crossings<Traits> Crossings;
+    if(m_doubt.is_doubtful.empty())
+      return;
+    const std::size_t edges = m_tri.mesh().num_edges();
+    internal::for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
+      internal::Crossing_encloser<Traits, Crossings> enclosed(m_tri, Crossings(*this));
+      for(std::size_t i = begin; i < end; ++i)
+        if(const Edge_index e(static_cast<size_type>(i)); has_doubtful(e))
+          set_places(e, enclosed.with_digits_that_help(first_halfedge(e), 0x1p-50));
+    });
+  }
+
+  bool has_doubtful(Edge_index e) const
+  {
+    const auto begin = m_doubt.is_doubtful.begin() + m_on_intrinsic.before(e);
+    return std::find(begin, begin + m_on_intrinsic.size(e), true) != begin + m_on_intrinsic.size(e);
+  }
+
+  void set_places(Edge_index e, const std::vector<Trace_point<Interval_nt<>>>& places)
+  {
+    const auto middle = [](const Interval_nt<>& x) { return x.inf() + (x.sup() - x.inf()) / 2; };
+    for(size_type p = 0; p < m_on_intrinsic.size(e); ++p)
+      if(const auto& place = places[p]; internal::is_narrow(place, 0x1p-40)) {
+        on_intrinsic(e, p).s = middle(place.on_input.t);
+        on_intrinsic(e, p).t = middle(place.on_intrinsic.t);
+      }
   }
 
   // Each part but the first starts where another ends.
@@ -336,6 +426,8 @@ private:
               m_tri.mesh().target(start.spoke)};
       if(!part.is_shared) {
         tracer.trace(start.spoke, start.k);
+        if(!m_doubt.is_doubtful.empty())
+          note_doubt(h, tracer);
         part.end = m_tri.mesh().target(tracer.last_spoke());
         record(internal::part_of_edge(h, v, part.end, m_tri), h, tracer, chunk);
         part.count = static_cast<size_type>(chunk.crossings.size()) - part.first;
@@ -409,6 +501,8 @@ private:
     constexpr bool has_distance = internal::Has_distance<Traits>::value;
     if constexpr(has_distance)
       for_each_disorder(concurrency, [this](Edge_index e) { place_along_intrinsic(e); });
+    if constexpr(can_be_doubtful())
+      enclose_doubtful(concurrency);
     for(int rounds = has_distance ? 32 : 0;
         !order_along_input(rounds > 0 ? rounding_unit<FT>() : FT(1), concurrency); --rounds)
       if constexpr(has_distance)
@@ -500,6 +594,7 @@ private:
   }
 
   const Triangulation& m_tri;
+  Doubt m_doubt;             // while places are found
   Edge_marks m_part_numbers; // of the parts of the edges of T1
   std::vector<Part> m_parts;
   std::vector<size_type> m_order_on_input; // crossings along each edge of T1

@@ -9,101 +9,51 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Corresponding_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_encloser.h>
 
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
-
-// The places of crossings, derived anew from the metric of T1, with the errors of numbers of type
-// `N`.
-template <typename Traits, typename N>
-class Crossing_enclosure
-{
-  typedef Corresponding_crossings<Traits> Crossings;
-  typedef Rounded_corners<N, Input_metric_of<Traits>,
-                          decltype(std::declval<Triangulation_pair<Traits>>().input())>
-    Corners;
-  typedef Corresponding_decisions<Traits> Decisions;
-
-public:
-  explicit Crossing_enclosure(const Correspondence<Traits>& correspondence)
-    : m_crossings(correspondence),
-      m_corners(correspondence.triangulation().input_metric(),
-                correspondence.triangulation().input()),
-      m_development(correspondence.triangulation(), m_crossings, m_corners)
-  {}
-
-  // Returns the places of crossing `m` on the halfedge `h` of T2, the first of its edge.
-  Trace_point<Interval_nt<>> operator()(Halfedge_index h, std::size_t m)
-  {
-    const Halfedge_index input = m_crossings(h, m);
-    const auto from_source = m_development.strip(h);
-    const auto from_target = m_development.strip(opposite(h));
-    const auto& near = from_source.crossed[m];
-    const auto& far = from_target.crossed[m_crossings.count(h) - 1 - m];
-    const auto direction = conj(from_source.end);
-    auto right = -(direction * near.source), left = direction * near.target;
-    if(!is_first_halfedge(near.halfedge))
-      std::swap(left, right);
-    return {{first_halfedge(Edge_index(input)), part(right, left)},
-            {h, part(Decisions::height(near) * Decisions::squared_length(far),
-                     Decisions::height(far) * Decisions::squared_length(near))}};
-  }
-
-private:
-  // Returns a / (a + b) for the imaginary parts of `a` and `b`, which are not negative. The
-  // quotient of sums is rounded a few times.
-  static Interval_nt<> part(const Ball<N>& a, const Ball<N>& b)
-  {
-    const N error(16 * Rounding<N>::unit());
-    const N lower = quotient(least(a), greatest(b), N(0)),
-            upper = quotient(greatest(a), least(b), N(1));
-    return {CGAL::to_interval(N(lower - error * lower)).first,
-            (std::min)(CGAL::to_interval(N(upper + error * upper)).second, 1.)};
-  }
-
-  static N quotient(const N& a, const N& b, const N& otherwise)
-  {
-    return a + b > 0 ? N(a / (a + b)) : otherwise;
-  }
-
-  static N least(const Ball<N>& a) { return (std::max)(N(a.y - N(a.radius)), N(0)); }
-  static N greatest(const Ball<N>& a) { return (std::max)(N(a.y + N(a.radius)), N(0)); }
-
-  Crossings m_crossings;
-  Corners m_corners;
-  Development<Traits, Crossings, Corners> m_development;
-};
-
-// a number of type `double` may lie between two that enclose it
-inline bool is_narrow(const Interval_nt<>& place, double width)
-{
-  return place.sup() - place.inf() <= width ||
-         std::nextafter(std::nextafter(place.inf(), 1.), 1.) >= place.sup();
-}
-
-} // namespace internal
-
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// encloses the places at which an edge of \f$T_1\f$ and an edge of \f$T_2\f$ cross on the exact
+/// encloses the places at which an edge of \f$T_2\f$ crosses edges of \f$T_1\f$ on the exact
 /// surface, however many flips led to \f$T_2\f$. More and more digits are used until the intervals
 /// are narrow enough.
 ///
 /// \param correspondence the crossings
-/// \param id the index of the crossing
+/// \param e the edge of \f$T_2\f$
 /// \param width the greatest width of an interval; if it is less than the spacing of numbers of
 ///        type `double`, at most one of them lies inside the interval
-/// \returns the places on the first halfedges of both edges, as `Correspondence::crossing()`
-///   returns them rounded. Intervals are wider than requested only if 1024 bits do not suffice:
-///   where two edges run along each other, in faces without area, any place that they share is a
-///   crossing.
+/// \returns for each crossing, from the source of the first halfedge of `e` on, the places on the
+///   first halfedges of both edges, as `Correspondence::crossing()` returns them rounded. Intervals
+///   are wider than requested only if 1024 bits do not suffice: where two edges run along each
+///   other, in faces without area, any place that they share is a crossing.
+///
+/// Complexity: linear in the crossings of `e`.
+/// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
+/// \pre the edges of \f$T_2\f$ are straight, see `Delaunay_certificate::is_geodesic()`
+template <typename Traits>
+std::vector<Trace_point<Interval_nt<>>>
+enclose_crossings(const Correspondence<Traits>& correspondence, Edge_index e,
+                  double width = 0x1p-50)
+{
+  static_assert(internal::has_metric<Traits>(), "places need the metric of a Euclidean geometry");
+  typedef internal::Corresponding_crossings<Traits> Crossings;
+  return internal::Crossing_encloser<Traits, Crossings>(
+    correspondence.triangulation(), Crossings(correspondence))(first_halfedge(e), width);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// encloses the places of one crossing, as `enclose_crossings()` does for those of an edge.
+///
+/// \param correspondence the crossings
+/// \param id the index of the crossing
+/// \param width the greatest width of an interval, see `enclose_crossings()`
+/// \returns the places on the first halfedges of both edges
 ///
 /// Complexity: linear in the crossings of the edge of \f$T_2\f$.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
@@ -112,17 +62,56 @@ template <typename Traits>
 Trace_point<Interval_nt<>> enclose_crossing(const Correspondence<Traits>& correspondence,
                                             Delta_complex::size_type id, double width = 0x1p-50)
 {
-  static_assert(internal::has_metric<Traits>(), "places need the metric of a Euclidean geometry");
-  const Halfedge_index h = correspondence.crossing(id).on_intrinsic.halfedge;
-  const std::size_t m = id - correspondence.crossings_on_intrinsic().before(Edge_index(h));
-  auto result = internal::Crossing_enclosure<Traits, double>(correspondence)(h, m);
-  const auto is_narrow = [&] {
-    return internal::is_narrow(result.on_input.t, width) &&
-           internal::is_narrow(result.on_intrinsic.t, width);
+  const Edge_index e(correspondence.crossing(id).on_intrinsic.halfedge);
+  return enclose_crossings(correspondence, e,
+                           width)[id - correspondence.crossings_on_intrinsic().before(e)];
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// how far rounded places of crossings can be from the exact ones.
+struct Place_certificate
+{
+  /// the greatest distance, along an edge of either triangulation, of a place of a `Correspondence`
+  /// from the farther end of the interval that encloses it; relative to the longest edge of
+  /// \f$T_1\f$
+  double greatest_error = 0;
+  /// the number of crossings of edges that run along each other in faces without area, which have no
+  /// exact place
+  std::size_t indefinite = 0;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// compares the places of all crossings with intervals that enclose them, see `enclose_crossings()`.
+///
+/// Complexity: linear in the edges and crossings.
+/// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
+/// \pre the edges of \f$T_2\f$ are straight, see `Delaunay_certificate::is_geodesic()`
+template <typename Traits>
+Place_certificate certify_places(const Correspondence<Traits>& correspondence)
+{
+  typedef internal::Corresponding_crossings<Traits> Crossings;
+  const auto& tri = correspondence.triangulation();
+  internal::Crossing_encloser<Traits, Crossings> enclosed(tri, Crossings(correspondence));
+  double longest = 0;
+  for(Edge_index e : tri.input_mesh().edges())
+    longest = (std::max)(longest, tri.input_length(e));
+  const auto error = [](double place, const Interval_nt<>& exact) {
+    return (std::max)(exact.sup() - place, place - exact.inf());
   };
-  for(long bits = 128; bits <= internal::most_digits && !is_narrow(); bits *= 2) {
-    const internal::Long_float_precision precision(bits);
-    result = internal::Crossing_enclosure<Traits, internal::Long_float>(correspondence)(h, m);
+  Place_certificate result;
+  for(Edge_index e : tri.mesh().edges()) {
+    Delta_complex::size_type id = correspondence.crossings_on_intrinsic().before(e);
+    for(const auto& exact : enclosed(first_halfedge(e), 0x1p-50)) {
+      const auto place = correspondence.crossing(id++);
+      if(internal::is_narrow(exact, 0x1p-40))
+        result.greatest_error =
+          (std::max)({result.greatest_error,
+                      error(place.on_input.t, exact.on_input.t) *
+                        tri.input_length(Edge_index(place.on_input.halfedge)) / longest,
+                      error(place.on_intrinsic.t, exact.on_intrinsic.t) * tri.length(e) / longest});
+      else
+        ++result.indefinite;
+    }
   }
   return result;
 }

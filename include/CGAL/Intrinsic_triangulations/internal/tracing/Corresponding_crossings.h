@@ -7,12 +7,18 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 
 #include <cstddef>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+template <typename Traits>
+class Correspondence;
+
+namespace internal {
 
 // The crossings of a correspondence, for those who keep them by value.
 template <typename Traits>
@@ -46,6 +52,7 @@ private:
 template <typename Traits>
 using Corresponding_decisions = Exact_decisions<Traits, Corresponding_crossings<Traits>>;
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CORRESPONDING_CROSSINGS_H

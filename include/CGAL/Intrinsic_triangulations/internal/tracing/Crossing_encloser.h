@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_ENCLOSER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_ENCLOSER_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The places of crossings, derived anew from the metric of T1, with the errors of numbers of type
+// `N`.
+template <typename Traits, typename Crossings, typename N>
+class Crossing_enclosure
+{
+  typedef Triangulation_pair<Traits> Pair;
+  typedef Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>
+    Corners;
+  typedef Exact_decisions<Traits, Crossings> Decisions;
+  typedef Trace_point<Interval_nt<>> Place;
+
+public:
+  Crossing_enclosure(const Pair& pair, const Crossings& crossings)
+    : m_crossings(crossings),
+      m_corners(pair.input_metric(), pair.input()),
+      m_development(pair, m_crossings, m_corners)
+  {}
+
+  // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge.
+  std::vector<Place> operator()(Halfedge_index h)
+  {
+    const auto from_source = m_development.strip(h);
+    const auto from_target = m_development.strip(opposite(h));
+    const auto direction = conj(from_source.end);
+    const std::size_t n = m_crossings.count(h);
+    std::vector<Place> result;
+    for(std::size_t m = 0; m < n; ++m)
+      result.push_back(place(h, direction, from_source.crossed[m], from_target.crossed[n - 1 - m]));
+    return result;
+  }
+
+private:
+  // Returns the place where `h`, which has this direction, passes a side of T1, as it is seen from
+  // both its ends.
+  template <typename Complex, typename Side>
+  static Place place(Halfedge_index h, const Complex& direction, const Side& near, const Side& far)
+  {
+    auto right = -(direction * near.source), left = direction * near.target;
+    if(!is_first_halfedge(near.halfedge))
+      std::swap(left, right);
+    return {{first_halfedge(Edge_index(near.halfedge)), part(right, left)},
+            {h, part(Decisions::height(near) * Decisions::squared_length(far),
+                     Decisions::height(far) * Decisions::squared_length(near))}};
+  }
+
+  // Returns a / (a + b) for the imaginary parts of `a` and `b`, which are not negative. The
+  // quotient of sums is rounded a few times.
+  static Interval_nt<> part(const Ball<N>& a, const Ball<N>& b)
+  {
+    const N error(16 * Rounding<N>::unit());
+    const N lower = quotient(least(a), greatest(b), N(0)),
+            upper = quotient(greatest(a), least(b), N(1));
+    return {rounded(N(lower - error * lower)).first,
+            (std::min)(rounded(N(upper + error * upper)).second, 1.)};
+  }
+
+  static std::pair<double, double> rounded(const N& x)
+  {
+    if constexpr(std::is_same_v<N, Double_double>) {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      return {std::nextafter(x.high(), -infinity), std::nextafter(x.high(), infinity)};
+    } else
+      return CGAL::to_interval(x);
+  }
+
+  static N quotient(const N& a, const N& b, const N& otherwise)
+  {
+    return a + b > N(0) ? N(a / (a + b)) : otherwise;
+  }
+
+  static N least(const Ball<N>& a) { return (std::max)(N(a.y - N(a.radius)), N(0)); }
+  static N greatest(const Ball<N>& a) { return (std::max)(N(a.y + N(a.radius)), N(0)); }
+
+  Crossings m_crossings;
+  Corners m_corners;
+  Development<Traits, Crossings, Corners> m_development;
+};
+
+// a number of type `double` may lie between two that enclose it
+inline bool is_narrow(const Interval_nt<>& place, double width)
+{
+  return place.sup() - place.inf() <= width ||
+         std::nextafter(std::nextafter(place.inf(), 1.), 1.) >= place.sup();
+}
+
+inline bool is_narrow(const Trace_point<Interval_nt<>>& place, double width)
+{
+  return is_narrow(place.on_input.t, width) && is_narrow(place.on_intrinsic.t, width);
+}
+
+// Encloses crossings of many edges, with more and more digits.
+template <typename Traits, typename Crossings>
+class Crossing_encloser
+{
+  typedef Triangulation_pair<Traits> Pair;
+  typedef std::vector<Trace_point<Interval_nt<>>> Places;
+
+public:
+  Crossing_encloser(const Pair& pair, const Crossings& crossings)
+    : m_pair(pair),
+      m_crossings(crossings),
+      m_in_double(pair, crossings),
+      m_extended(pair, crossings)
+  {}
+
+  // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge, in
+  // intervals of this width, or wider ones if `most_digits` do not suffice.
+  Places operator()(Halfedge_index h, double width)
+  {
+    Places result = with_few_digits(h, width);
+    for(long bits = 256; bits <= most_digits && !are_narrow(result, width); bits *= 2) {
+      const Long_float_precision precision(bits);
+      result = Crossing_enclosure<Traits, Crossings, Long_float>(m_pair, m_crossings)(h);
+    }
+    return result;
+  }
+
+  // Returns the same, but takes no more than 106 bits if `h` passes a face without area: where it
+  // runs along an edge, more do not help.
+  Places with_digits_that_help(Halfedge_index h, double width)
+  {
+    Places result = with_few_digits(h, width);
+    return are_narrow(result, width) || passes_flat_face(h) ? result : (*this)(h, width);
+  }
+
+private:
+  static bool are_narrow(const Places& places, double width)
+  {
+    return std::all_of(places.begin(), places.end(),
+                       [&](const auto& place) { return is_narrow(place, width); });
+  }
+
+  Places with_few_digits(Halfedge_index h, double width)
+  {
+    if(m_crossings.count(h) == 0)
+      return {};
+    Places result = m_in_double(h);
+    return are_narrow(result, width) ? result : m_extended(h);
+  }
+
+  bool passes_flat_face(Halfedge_index h) const
+  {
+    const Delta_complex& input = m_pair.input_mesh();
+    for(std::size_t m = 0; m < m_crossings.count(h); ++m)
+      for(const Halfedge_index side : {m_crossings(h, m), input.opposite(m_crossings(h, m))})
+        if(!input.is_border(side) && area_sign(side, m_pair.input_metric(), m_pair.input()) == ZERO)
+          return true;
+    return false;
+  }
+
+  const Pair& m_pair;
+  Crossings m_crossings;
+  Crossing_enclosure<Traits, Crossings, double> m_in_double;
+  Crossing_enclosure<Traits, Crossings, Double_double> m_extended;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_CROSSING_ENCLOSER_H
