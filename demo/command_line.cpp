@@ -369,10 +369,10 @@ void add_tiling(CLI::App& command, Hyperbolic_options& options)
 {
   command.add_option("--svg", options.picture, "Picture of the domain and its images in the disk");
   command
-    .add_option("--tiles", options.depth,
-                "Maximum number of sides between the domain and an image in the picture")
-    ->check(CLI::Range(0, 100))
-    ->capture_default_str();
+    .add_option(
+      "--tiles", options.depth,
+      "Maximum number of sides between the domain and an image in the picture; 3 by default")
+    ->check(CLI::Range(0, 100));
 }
 
 void add_hyperbolic(CLI::App& app, Options& options)
@@ -411,7 +411,7 @@ void add_sphere(CLI::App& app, Options& options)
              "off, obj, ply or vtp");
   command.add_option(
     "--precise", own.precise,
-    "Text file for the positions of the input vertices with 36 digits: index x y z");
+    "Text file for the positions of the input vertices with 31 digits: index x y z");
   add_keep_going(command, options.common);
   add_common_options(command, options.common);
   command.footer(Help::sphere);

@@ -184,9 +184,9 @@ int flatten(const Common_options& common, const Flatten_options& options);
 
 struct Hyperbolic_options : Texture_options
 {
-  std::string cones;   // a file; empty for none
-  std::string picture; // an SVG file
-  int depth = 3;       // of the tiling in the picture
+  std::string cones;        // a file; empty for none
+  std::string picture;      // an SVG file
+  std::optional<int> depth; // of the tiling in the picture; three if not given
 };
 
 // Gives the surface curvature -1, maps it to the hyperbolic plane, and writes the common

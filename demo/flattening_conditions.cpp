@@ -7,6 +7,10 @@
 #include "Program_error.h"
 #include "vertex_values.h"
 
+#include <CGAL/boost/graph/helpers.h>
+
+#include <string>
+
 using CGAL::Discrete_conformal_maps::Vertex_condition;
 
 namespace {
@@ -75,6 +79,9 @@ void check_boundary(const std::vector<std::string>& words)
 
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh)
 {
+  const std::string& boundary = options.boundary.front();
+  if(boundary != "free" && !is_shape(boundary) && CGAL::is_closed(mesh))
+    throw Program_error("--boundary " + boundary + ": the mesh has no boundary; leave it out");
   Conditions result(mesh.number_of_vertices());
   if(options.cones != "greedy" && options.cones != "none")
     set_from_file(result, mesh, options.cones, Vertex_condition::curvature, is_inside,

@@ -25,6 +25,8 @@ Colors, normals, texture coordinates and functions at the vertices of a mesh, an
 materials of faces of .obj files, are carried to the meshes that are written, if their format
 supports them.
 
+Edges must be between 2^-127 and 2^127 (5.9e-39 and 1.7e38) long.
+
 Exit code: 0 done, 1 the computation failed, 2 the input or the call was wrong, 3 a map that failed
 was written with --keep-going.)";
 
@@ -178,10 +180,11 @@ its logarithmic scale factor; of faces (and in .ply of edges) of which input, in
 face or edge they are a part. Edges with is_seam 1 are cut open.
 
 With --exact, the flips to the intrinsic Delaunay triangulation are decided exactly, on the
-surface of the edge lengths, and the map is certified: "certified" in the statistics says whether
-this triangulation is Delaunay, the flat one is ideal Delaunay with the scale factors as they
-are, and all crossings are in order, without a tolerance. "greatest_excess",
-"exchanged_crossings" and "undecided_crossings" are what fails: rounding decides ties.
+surface of the positions, whose lengths and curvature errors have 32 digits, and the map is
+certified: "certified" in the statistics says whether this triangulation is Delaunay, the flat one
+is ideal Delaunay with the scale factors as they are, and all crossings are in order, without a
+tolerance. "greatest_excess", "exchanged_crossings" and "undecided_crossings" are what fails:
+rounding decides ties.
 
 Solvers:
   newton  Newton's method
@@ -215,17 +218,19 @@ Examples:
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
 
 const char* const hyperbolic =
-  R"(Every component must have genus two or more, or sufficiently many boundaries or cones;
-boundaries become geodesics. The double of the surface is laid out; the output is the part of the
-mesh.
+  R"(Every component must have genus two or more, or sufficiently many boundaries or cones; for others
+there is `intrinsic uniformize`. Boundaries become geodesics. The double of the surface is laid
+out; the output is the part of the mesh.
 
 The output has the format of `intrinsic flatten`, with positions in the Poincare disk. With
 --homogeneous they are x t, y t, t, in Klein's disk, where the map is exact.
 
-Statistics: the area, which is 4 pi (genus - 1); for each component its genus and the motions z
--> (a z + b) / (conj(b) z + conj(a)) that glue the sides of its domain, as real and imaginary
-parts of a and b; a relation, the order in which their product is the identity (from 1, negative
-for inverse ones), and its error. max_gluing_error is that of the corners of the domain; radius
+Statistics: the area, which is 2 pi (2 genus - 2 + boundaries); for each component its genus,
+boundaries and area, and the motions z -> (a z + b) / (conj(b) z + conj(a)) that glue the sides of
+its domain, or of that of its double, as real and imaginary parts of a and b; a relation, the order
+in which their product is the identity (from 1, negative for inverse ones), and its error as they
+are written; these motions with all known digits, where the layout needed more than 16, and the
+error of their relation. max_gluing_error is that of the corners of the domain; radius
 is the greatest distance from its center: in double precision, positions at a distance d have
 errors of about 1e-16 exp(d).
 
@@ -239,6 +244,7 @@ const char* const uniformize =
   a torus       flat, as with `intrinsic flatten --cones none`
   a cylinder    with two boundaries and no handles: flat, with straight boundaries
   hyperbolic    with more handles or boundaries, as with `intrinsic hyperbolic`
+--svg and --tiles are for hyperbolic surfaces, --homogeneous for these and flat ones.
 
 Statistics are those of these commands, and "modulus": of a torus the quotient tau of the
 generators of its lattice in the fundamental domain of the modular group, as real and imaginary
@@ -262,7 +268,7 @@ A disk has its image in the unit disk as texture coordinates.
 
 Long limbs have small images. By rounding of the output, triangles can lose their convexity or be
 flipped: lost_in_output in the statistics counts them. --precise writes the positions of the input
-vertices with 36 digits.
+vertices with 31 digits, all of which hold: the points are on the unit sphere up to 1e-31.
 
 Vertices without faces are (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
 zero. If the image is not convex, nothing is written but with --keep-going.

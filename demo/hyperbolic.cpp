@@ -6,6 +6,7 @@
 
 #include "Command_run.h"
 #include "Mesh_writer.h"
+#include "Program_error.h"
 #include "disk_picture.h"
 #include "flat_mesh.h"
 #include "flattening_conditions.h"
@@ -46,21 +47,52 @@ DCM::Hyperbolic_conformal_map uniformized(Command_run& run, double epsilon,
                                             .visitor(std::ref(visitor)));
 }
 
+// Digits that JSON has no numbers for.
+Statistics decimal_entries(const DCM::Disk_motion<DCM::Fuchsian_group::Precise_number>& motion,
+                           int digits)
+{
+  Statistics result = Statistics::array();
+  for(const auto& x : motion.entries())
+    result.push_back(x.str(digits));
+  return result;
+}
+
+void describe_precise_generators(Statistics& statistics, const DCM::Fuchsian_group& group)
+{
+  if(group.precise_generators.empty())
+    return;
+  statistics["precise_relation_error"] = group.precise_relation_error;
+  statistics["precise_generators"] = Statistics::array();
+  for(const auto& motion : group.precise_generators)
+    statistics["precise_generators"].push_back(decimal_entries(motion, group.known_digits));
+}
+
 // Generators as real and imaginary parts of a and b; the relation as numbers of generators, from
 // 1, negative for inverse ones.
-Statistics description(const DCM::Fuchsian_group& group)
+void describe_group(Statistics& statistics, const DCM::Fuchsian_group& group)
 {
-  Statistics result{{"genus", group.genus}, {"area", group.area}};
   if(!group.relation.empty())
-    result["relation_error"] = group.relation_error;
-  result["generators"] = Statistics::array();
+    statistics["relation_error"] = group.relation_error;
+  statistics["generators"] = Statistics::array();
   for(const DCM::Disk_motion<>& motion : group.generators)
-    result["generators"].push_back(motion.entries());
-  result["relation"] = Statistics::array();
+    statistics["generators"].push_back(motion.entries());
+  statistics["relation"] = Statistics::array();
   for(const auto& letter : group.relation) {
     const auto number = static_cast<std::int64_t>(letter.generator) + 1;
-    result["relation"].push_back(letter.is_inverse ? -number : number);
+    statistics["relation"].push_back(letter.is_inverse ? -number : number);
   }
+  describe_precise_generators(statistics, group);
+}
+
+// The component itself, and the group, which with boundary is that of its double.
+Statistics description(const DCM::Hyperbolic_conformal_map& map, std::size_t component)
+{
+  const auto& type = map.topology(component);
+  Statistics result{
+    {"genus", type.genus}, {"boundary_loops", type.boundary_loops}, {"area", map.area(component)}};
+  if(type.boundary_loops > 0)
+    result["genus_of_double"] = map.group(component).genus;
+  describe_group(result, map.group(component));
   return result;
 }
 
@@ -80,7 +112,7 @@ void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map, const 
   describe_sizes(statistics, map, front.input(), straight);
   statistics["groups"] = Statistics::array();
   for(std::size_t c = 0; c < map.number_of_components(); ++c)
-    statistics["groups"].push_back(description(map.group(c)));
+    statistics["groups"].push_back(description(map, c));
 }
 
 std::string hyperbolic_summary(const Statistics& s)
@@ -109,6 +141,9 @@ std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conf
   return result;
 }
 
+// that of the tiling in the picture
+constexpr int default_depth = 3;
+
 // Texture coordinates are those of Klein's disk, where the map is projective; the picture is in
 // Poincare's.
 void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map& map,
@@ -123,6 +158,12 @@ void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_confo
 
 } // namespace
 
+void check_tiling(const Common_options& common, const Hyperbolic_options& options)
+{
+  if(options.depth && options.picture.empty() && common.view.empty())
+    throw Program_error("--tiles is for --svg and --view; leave it out, or add one of them");
+}
+
 int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
            const DCM::Hyperbolic_conformal_map& map, const std::vector<Mesh::Vertex_index>& cones)
 {
@@ -133,9 +174,11 @@ int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format form
     Output_mesh result = flat_mesh(map, front, cones, options.is_homogeneous);
     add_input_data(run.input(), front, result);
     run.add_output(options.output, result, format);
-    run.show([&](View_page& page) { show_in_disk(page, run, map, front, cones, options.depth); });
+    run.show([&](View_page& page) {
+      show_in_disk(page, run, map, front, cones, options.depth.value_or(default_depth));
+    });
     if(!options.picture.empty())
-      run.add_output(options.picture, disk_picture(map, options.depth));
+      run.add_output(options.picture, disk_picture(map, options.depth.value_or(default_depth)));
   });
   run.finish(hyperbolic_summary(run.statistics()));
   return exit_code(map);
@@ -143,6 +186,7 @@ int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format form
 
 int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
 {
+  check_tiling(common, options);
   const Mesh_format format = format_with_texture(options);
   Command_run run("hyperbolic", common, {options.output, options.picture});
   run.plan({{"build"}, map_stages(false)});
@@ -153,6 +197,8 @@ int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
     return options.cones.empty() ? Conditions(mesh.number_of_vertices())
                                  : prescribed_curvatures(options.cones, mesh);
   });
-  return finish(run, options, format, uniformized(run, epsilon, conditions),
-                cones_of(conditions, mesh));
+  const std::vector<Mesh::Vertex_index> cones = cones_of(conditions, mesh);
+  if(options.depth && !cones.empty())
+    throw Program_error("--tiles: a surface with cones has no tiling; leave it out");
+  return finish(run, options, format, uniformized(run, epsilon, conditions), cones);
 }

@@ -43,6 +43,9 @@ struct Stage_visitor
 // The stages of a map, in their order; `has_cones` says whether cones are placed.
 Stages map_stages(bool has_cones);
 
+// Throws Program_error if there is no picture for the depth of its tiling.
+void check_tiling(const Common_options& common, const Hyperbolic_options& options);
+
 // Throws Program_error if the format has no texture coordinates.
 Mesh_format format_with_texture(const Output_options& options);
 

@@ -101,15 +101,13 @@ Output_mesh sphere_mesh(const DCM::Spherical_conformal_map& map, const Map_front
 
 std::string precise_positions(const DCM::Spherical_conformal_map& map, const Mesh& input)
 {
-  typedef DCM::Spherical_conformal_map::Extended Extended;
-  const auto decimal = [](const Extended& x) {
-    return boost::multiprecision::cpp_bin_float_50(x.high()) + x.low();
-  };
+  // Digits that are computed are more than those that are written, all of which hold.
+  typedef boost::multiprecision::cpp_bin_float_50 Number;
   std::ostringstream text;
-  text.precision(std::numeric_limits<Extended>::max_digits10);
+  text.precision(std::numeric_limits<DCM::Spherical_conformal_map::Extended>::digits10);
   for(const Mesh::Vertex_index v : input.vertices()) {
-    const auto p = map.precise_position(Vertex_index(v.idx()));
-    text << v.idx() << ' ' << decimal(p[0]) << ' ' << decimal(p[1]) << ' ' << decimal(p[2]) << '\n';
+    const auto p = map.position_in<Number>(Vertex_index(v.idx()));
+    text << v.idx() << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   }
   return text.str();
 }

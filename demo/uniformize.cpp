@@ -11,6 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/uniformize.h>
 
 #include <functional>
+#include <string>
 
 namespace DCM = CGAL::Discrete_conformal_maps;
 
@@ -26,18 +27,39 @@ DCM::Uniformization uniformized(Command_run& run)
                            .visitor(std::ref(visitor)));
 }
 
+bool is_flat(DCM::Surface_type type)
+{
+  return type == DCM::Surface_type::torus || type == DCM::Surface_type::annulus;
+}
+
+// Throws Program_error if an option is not for a surface of this type.
+void check_options(const Hyperbolic_options& options, DCM::Surface_type type)
+{
+  const auto refuse = [&](const std::string& option, const char* kind) {
+    throw Program_error(option + " is for " + kind + "; this surface is of type " +
+                        DCM::to_string(type) + ": leave it out");
+  };
+  if(type == DCM::Surface_type::hyperbolic)
+    return;
+  if(!options.picture.empty())
+    refuse("--svg", "hyperbolic surfaces");
+  if(options.depth)
+    refuse("--tiles", "hyperbolic surfaces");
+  if(options.is_homogeneous && !is_flat(type))
+    refuse("--homogeneous", "flat and hyperbolic surfaces");
+}
+
 } // namespace
 
 int uniformize(const Common_options& common, const Hyperbolic_options& options)
 {
+  check_tiling(common, options);
   const Mesh_format format = format_with_texture(options);
   Command_run run("uniformize", common, {options.output, options.picture});
   const DCM::Surface_type type = DCM::surface_type(run.input().mesh);
   run.statistics()["surface_type"] = DCM::to_string(type);
-  if(!options.picture.empty() && type != DCM::Surface_type::hyperbolic)
-    throw Program_error("--svg is for hyperbolic surfaces; --picture shows this one");
-  const bool is_flat = type == DCM::Surface_type::torus || type == DCM::Surface_type::annulus;
-  run.plan({{"build"}, map_stages(is_flat)});
+  check_options(options, type);
+  run.plan({{"build"}, map_stages(is_flat(type))});
   const DCM::Uniformization result = uniformized(run);
   if(result.hyperbolic)
     return finish(run, options, format, *result.hyperbolic, {});

@@ -12,7 +12,10 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -557,6 +560,112 @@ TEST(Certify, agrees_with_exact_flips_of_maps)
     exact.replay(surface.flips());
     expect_equal(DCM::certify(map).on_C, expected_certificate(exact.mesh(), length, factor));
   }
+}
+
+// ---- Exact surfaces ----
+
+// A surface with lengths in a hundred digits, which is flipped by the law of cosines.
+struct Surface_100
+{
+  Delta_complex mesh;
+  std::vector<Real_100> length;
+
+  Real_100 of(Halfedge_index h) const { return length[mesh.edge(h)]; }
+
+  // where the third corner of the face of `h` lies, seen from the source of `h`, on its left
+  std::array<Real_100, 2> apex(Halfedge_index h) const
+  {
+    const Real_100 c = of(h), a = of(mesh.next(h)), b = of(mesh.prev(h)),
+                   x = (b * b + c * c - a * a) / (2 * c);
+    return {x, sqrt(b * b - x * x)};
+  }
+
+  // the angle at the source of `h` in its face
+  Real_100 angle(Halfedge_index h) const
+  {
+    const auto [x, y] = apex(h);
+    return atan2(y, x);
+  }
+
+  void make_Delaunay()
+  {
+    for(bool has_changed = true; has_changed;) {
+      has_changed = false;
+      for(Edge_index e : mesh.edges()) {
+        const Halfedge_index h = mesh.halfedge(e), o = mesh.opposite(h);
+        if(mesh.is_border(e) ||
+           angle(mesh.prev(h)) + angle(mesh.prev(o)) <= boost::math::constants::pi<Real_100>())
+          continue;
+        const auto p = apex(h), q = apex(o);
+        const Real_100 x = of(h) - q[0] - p[0], y = p[1] + q[1];
+        length[e] = sqrt(x * x + y * y);
+        IT::flip_edge(h, mesh);
+        has_changed = true;
+      }
+    }
+  }
+};
+
+// The greatest error of the curvature at a vertex that is no cone, if the scale factors of a map are
+// those of the intrinsic Delaunay triangulation of the mesh as it is.
+double true_curvature_error(const Mesh& mesh, const Planar_conformal_map& map)
+{
+  const Triangulation t(mesh);
+  Surface_100 flat{t.mesh(), distances(mesh)};
+  flat.make_Delaunay();
+  std::vector<Real_100> u;
+  for(Vertex_index v : flat.mesh.vertices())
+    u.emplace_back(map.log_scale(v));
+  DCM::Penner_surface<Real_100> scaled(
+    flat.mesh, boost::make_function_property_map<Edge_index>(
+                 [&](Edge_index e) -> const Real_100& { return flat.length[e]; }));
+  scaled.scale(u);
+  flat.mesh = scaled.mesh();
+  for(Edge_index e : flat.mesh.edges())
+    flat.length[e] = scaled.scaled_length(e);
+  std::vector<Real_100> defect(u.size(), 2 * boost::math::constants::pi<Real_100>());
+  for(Halfedge_index h : flat.mesh.halfedges())
+    defect[flat.mesh.source(h)] -= flat.angle(h);
+  for(Vertex_index v : map.cones())
+    defect[v] = 0;
+  Real_100 result = 0;
+  for(const Real_100& d : defect)
+    result = (std::max)(result, Real_100(abs(d)));
+  return static_cast<double>(result);
+}
+
+// A torus with vertices at a distance of `height` from the middle of edges.
+Mesh torus_with_needles(double height, unsigned int seed)
+{
+  Mesh mesh = perturbed(embedded_torus(6, 5), 0.2, seed);
+  const std::vector<Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
+  for(std::size_t i = 0; i < edges.size(); i += 7) {
+    const Halfedge_index h = mesh.halfedge(edges[i]);
+    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)),
+                r = mesh.point(mesh.target(mesh.next(h)));
+    const Halfedge_index center = CGAL::Euler::add_center_vertex(h, mesh);
+    mesh.point(mesh.target(center)) = p + 0.5 * (q - p) + height * (r - p);
+  }
+  return mesh;
+}
+
+// The errors of a map with exact decisions are true on the exact surface, where faces are so thin
+// that rounded lengths are those of another one. With the default, they are not.
+TEST(Certify, errors_of_exact_maps_are_those_on_the_exact_surface)
+{
+  for(const double height : {1e-4, 1e-7, 1e-9})
+    for(unsigned int seed = 0; seed < 2; ++seed) {
+      SCOPED_TRACE(height);
+      const Mesh mesh = torus_with_needles(height, seed);
+      const Planar_conformal_map map = DCM::flatten(mesh, DCM::parameters::exact_decisions(true));
+      const double truth = true_curvature_error(mesh, map);
+      EXPECT_NEAR(map.max_curvature_error(), truth, 1e-13 + 1e-6 * truth);
+      EXPECT_LT(truth, 1e-15 / height);
+      EXPECT_TRUE(IT::certify_Delaunay(map.Delaunay()).is_Delaunay());
+      EXPECT_TRUE(DCM::certify(map).on_C.is_Delaunay());
+      for(Edge_index e : map.ideal().input_mesh().edges())
+        EXPECT_NEAR(map.ideal().input_length(e) / map.Delaunay().length(e), 1, 1e-11);
+    }
 }
 
 TEST(Certify, finds_what_is_not_delaunay)

@@ -360,6 +360,40 @@ TEST(Uniformize_hyperbolic, generators_of_the_Bolza_surface_have_its_lengths)
   EXPECT_LT(rounded_relation_error(map.group(0)), 1e-8);
 }
 
+// The area of the surface, with a closed and a bounded component; half of that of its double.
+TEST(Uniformize_hyperbolic, areas_of_components_are_their_own)
+{
+  Mesh mesh = punctured(plate_with_holes(2), {3});
+  mesh += plate_with_holes(3);
+  const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(mesh);
+  ASSERT_EQ(map.number_of_components(), 2u);
+  for(std::size_t c = 0; c < 2; ++c) {
+    const IT::Topological_type& type = map.topology(c);
+    EXPECT_EQ(type.genus, c + 2);
+    EXPECT_EQ(type.boundary_loops, 1 - c);
+    EXPECT_NEAR(map.area(c), 2 * pi * (2. * double(type.genus) - 2 + double(type.boundary_loops)),
+                1e-9);
+  }
+  EXPECT_NEAR(map.area(), map.area(0) + map.area(1), 1e-12);
+  EXPECT_NEAR(map.group(0).area, 2 * map.area(0), 1e-9);
+}
+
+// What is said about the group is true of its generators as they are.
+TEST(Uniformize_hyperbolic, errors_of_relations_are_those_of_the_generators)
+{
+  const DCM::Fuchsian_group group = DCM::uniformize_hyperbolic(plate_with_holes(16)).group(0);
+  ASSERT_EQ(group.precise_generators.size(), group.generators.size());
+  const double precise = DCM::relation_error(group, group.precise_generators);
+  EXPECT_LE(precise, 1e-9);
+  EXPECT_EQ(precise, group.precise_relation_error);
+  EXPECT_GT(group.relation_error, precise);
+  for(std::size_t i = 0; i < group.generators.size(); ++i)
+    for(std::size_t k = 0; k < 4; ++k)
+      EXPECT_NEAR(group.generators[i].entries()[k],
+                  static_cast<double>(group.precise_generators[i].entries()[k]),
+                  1e-15 * std::abs(group.generators[i].entries()[k]));
+}
+
 // Four cones with angles of pi / 2: the faces are regular triangles with angles of pi / 6, in which
 // 2 cosh(x/2) sin(pi/12) = 1.
 TEST(Uniformize_hyperbolic, tetrahedron_with_cones)
@@ -517,6 +551,10 @@ TEST(Uniformize_hyperbolic, boundaries_are_geodesics)
   const Mesh mesh = punctured(plate_with_holes(2), {3, 40});
   const Hyperbolic_conformal_map map = DCM::uniformize_hyperbolic(mesh);
   check_map(map, 5);
+  EXPECT_EQ(map.topology(0).genus, 2u);
+  EXPECT_EQ(map.topology(0).boundary_loops, 2u);
+  EXPECT_NEAR(map.area(0), 8 * pi, 1e-9); // 2 pi (2 genus - 2 + boundaries)
+  EXPECT_NEAR(map.area(), 8 * pi, 1e-9);
   for(Vertex_index v : map.ideal().mesh().vertices())
     EXPECT_NEAR(map.log_scale(v), map.log_scale(map.input_vertex(v)), 1e-10);
 }

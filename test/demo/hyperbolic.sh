@@ -90,10 +90,65 @@ off regular '1 1 1,1 -1 -1,-1 1 -1,-1 -1 1' '0 1 2,0 2 3,0 3 1,1 3 2'
 for v in 0 1 2 3; do echo "$v $(awk -v pi=$pi 'BEGIN { printf "%.17g", 1.5 * pi }')"; done >cones.mesh.txt
 expect 0 hyperbolic regular.mesh.off -o plate.obj --cones cones.mesh.txt --stats plate.json
 claim "near(json('plate.json').area, 2 * pi, 1e-9)"
+expect 2 hyperbolic regular.mesh.off -o plate.obj --cones cones.mesh.txt --tiles 2 --svg plate.svg
+says 'a surface with cones has no tiling'
 expect 2 hyperbolic regular.mesh.off -o plate.obj
-says 'Gauss-Bonnet'
+says 'the surface is a sphere, which is hyperbolic only with cones: use uniformize'
+for v in 0 1 2 3; do echo "$v 1"; done >few.mesh.txt
+expect 2 hyperbolic regular.mesh.off -o plate.obj --cones few.mesh.txt
+says 'its area would be -8.56637 (Gauss-Bonnet)'
 expect 2 hyperbolic plate2.mesh.off -o plate.off
 says 'cannot carry texture coordinates'
+
+# A component with boundary has its own genus and area, not those of its double: with geodesic
+# boundaries, 2 pi (2 genus - 2 + boundaries), by Gauss and Bonnet.
+awk 'NR == 2 { $2 -= 2; n = $1 } NR == n + 6 || NR == n + 43 { next } { print }' plate2.mesh.off \
+  >punctured.mesh.off
+expect 0 hyperbolic punctured.mesh.off -o plate.obj --stats plate.json
+claim "s = json('plate.json')" "g = s.groups[0]" '(g.genus, g.boundary_loops) == (2, 2)' \
+  'near(g.area, 8 * pi, 1e-9) and near(s.area, 8 * pi, 1e-9)' 'g.genus_of_double == 5' \
+  'len(g.generators) == 10'
+# a square without two of its cells
+awk 'function full(x, y) { return !(y == 1 && (x == 1 || x == 3)) }
+  BEGIN {
+    for(y = 0; y < 3; ++y) for(x = 0; x < 5; ++x) m += 2 * full(x, y)
+    print "OFF\n24", m, 0
+    for(y = 0; y < 4; ++y) for(x = 0; x < 6; ++x) print x, y, 0
+    for(y = 0; y < 3; ++y)
+      for(x = 0; x < 5; ++x)
+        if(full(x, y)) { a = 6 * y + x; print 3, a, a + 1, a + 7 "\n" 3, a, a + 7, a + 6 }
+  }' >pants.mesh.off
+for command in hyperbolic uniformize; do
+  expect 0 $command pants.mesh.off -o plate.obj --stats plate.json
+  claim "s = json('plate.json')" "g = s.groups[0]" \
+    '(g.genus, g.boundary_loops, g.genus_of_double) == (0, 3, 2)' \
+    'near(g.area, 2 * pi, 1e-9) and near(s.area, 2 * pi, 1e-9)'
+done
+
+# The errors of relations are those of what is written, here in fractions: of the generators in
+# numbers of type double, and of those with more digits.
+plate plate16 16
+expect 0 hyperbolic plate16.mesh.off -o plate.obj --stats plate.json
+python3 - <<'PYTHON' || fail 'relation errors'
+import json
+from fractions import Fraction
+def error(generators, relation):
+  def times(x, y):
+    (p, q, r, s), (t, u, v, w) = x, y
+    return (p * t - q * u + r * v + s * w, p * u + q * t + s * v - r * w,
+            p * v - q * w + r * t + s * u, p * w + q * v + s * t - r * u)
+  product = (1, 0, 0, 0)
+  for i in relation:
+    a, b, c, d = map(Fraction, generators[abs(i) - 1])
+    product = times(product, (a, b, c, d) if i > 0 else (a, -b, -c, -d))
+  return float(max(abs(abs(product[0]) - 1), *map(abs, product[1:])))
+group = json.load(open('plate.json'))['groups'][0]
+rounded = error(group['generators'], group['relation'])
+precise = error(group['precise_generators'], group['relation'])
+assert abs(rounded - group['relation_error']) <= 1e-9 * rounded, (rounded, group['relation_error'])
+stated = group['precise_relation_error']
+assert precise <= 1e-9 and abs(precise - stated) <= 1e-6 * precise, (precise, stated)
+PYTHON
 
 # A torus of revolution with many points: its modulus is near i sqrt(3^2 - 1).
 awk -v m=80 -v n=40 -v pi=$pi 'BEGIN {
@@ -138,6 +193,30 @@ expect 0 uniformize plate2.mesh.off -o plate.obj --svg plate.svg --stats plate.j
 claim "s = json('plate.json')" "s.surface_type == 'hyperbolic'" 'len(s.groups[0].generators) > 0'
 expect 0 uniformize regular.mesh.off -o plate.obj --stats plate.json
 claim "json('plate.json').surface_type == 'sphere'"
-expect 2 uniformize torus.mesh.off -o plate.obj --svg plate.svg
-says 'hyperbolic surfaces'
+
+# Options that are not for a surface are refused, and what hyperbolic and sphere cannot do names the
+# command that can.
+refused()
+{
+  expect 2 "${@:2}" -o refused.obj
+  says "$1"
+}
+for flat in torus cylinder; do
+  refused '--svg is for hyperbolic surfaces' uniformize $flat.mesh.off --svg refused.svg
+  refused '--tiles is for hyperbolic surfaces' uniformize $flat.mesh.off --tiles 2 --view refused.html
+done
+for round in square regular; do
+  refused '--svg is for hyperbolic surfaces' uniformize $round.mesh.off --svg refused.svg
+  refused '--homogeneous is for flat and hyperbolic surfaces' uniformize $round.mesh.off --homogeneous
+done
+refused '--tiles is for --svg and --view' uniformize plate2.mesh.off --tiles 2
+refused '--tiles is for --svg and --view' hyperbolic plate2.mesh.off --tiles 2
+refused 'the surface is a disk, which' hyperbolic square.mesh.off
+refused 'the surface is a torus, which is hyperbolic only with cones: use uniformize' \
+  hyperbolic torus.mesh.off
+refused 'the surface is an annulus, which' hyperbolic cylinder.mesh.off
+refused 'the surface is a torus, neither a sphere nor a disk: use uniformize' sphere torus.mesh.off
+refused 'the surface is an annulus, neither' sphere cylinder.mesh.off
+refused 'the surface is a surface of genus 2 with 2 boundaries, neither' sphere punctured.mesh.off
+refused '--boundary straight: the mesh has no boundary' flatten torus.mesh.off --boundary straight
 expect_files first.obj plate.json plate.obj plate.svg

@@ -9,7 +9,9 @@
 
 #include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Disk_motion.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <algorithm>
 #include <array>
@@ -26,10 +28,14 @@ class Hyperbolic_uniformization;
 } // namespace internal
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
-/// the group of motions of the hyperbolic plane that belongs to one component of a closed
-/// hyperbolic surface: the images of its fundamental domain cover the plane.
+/// the group of motions of the hyperbolic plane that belongs to a closed hyperbolic surface, which
+/// is one component, or the double of a component with boundary: the images of its fundamental
+/// domain cover the plane.
 struct Fuchsian_group
 {
+  /// a number of 115 decimal digits.
+  typedef internal::More_extended Precise_number;
+
   /// a generator or its inverse.
   struct Letter
   {
@@ -37,20 +43,46 @@ struct Fuchsian_group
     bool is_inverse;       ///< whether it is the inverse
   };
 
-  std::size_t genus = 0; ///< the genus of the surface
+  std::size_t genus = 0; ///< the genus of the closed surface
   double area = 0;       ///< its area
 
   /// two motions per handle. Each takes the fundamental domain to a place beside it, across one of
   /// the edges that are open. Without cones, they generate the group.
   std::vector<Disk_motion<>> generators;
 
+  /// these motions with all digits that are known; empty if there are cones, or if the surface was
+  /// laid out in double precision.
+  std::vector<Disk_motion<Precise_number>> precise_generators;
+
+  /// the number of decimal digits of `precise_generators` that are known: with fewer, the product
+  /// of `relation` has a greater error; more do not make it less.
+  int known_digits = 0;
+
   /// The product of these letters, from left to right, is the identity: each generator is there
   /// once, and once inverse. Empty if there are cones.
   std::vector<Letter> relation;
 
-  /// how far that product is from the identity, in the precision in which the surface was laid out.
+  /// how far that product of `generators` is from the identity.
   double relation_error = 0;
+  /// how far that product of `precise_generators` is from the identity, if there are any.
+  double precise_relation_error = 0;
 };
+
+/// \ingroup PkgDiscreteConformalMapsHyperbolic
+/// returns how far the product of motions, in the order of `group.relation`, is from the identity:
+/// `Disk_motion::distance_to_identity()`. Complexity: linear in the relation.
+/// \param group the group
+/// \param generators its generators, in any precision
+template <typename FT>
+double relation_error(const Fuchsian_group& group, const std::vector<Disk_motion<FT>>& generators)
+{
+  Disk_motion<FT> product;
+  for(const Fuchsian_group::Letter& letter : group.relation) {
+    const Disk_motion<FT>& motion = generators[letter.generator];
+    product = product * (letter.is_inverse ? motion.inverse() : motion);
+  }
+  return product.distance_to_identity();
+}
 
 /// \ingroup PkgDiscreteConformalMapsHyperbolic
 /// a discrete conformal map of a surface to the hyperbolic plane: the faces of \f$T^C\f$ are
@@ -75,15 +107,28 @@ public:
   /// returns the component of the face `f` of \f$T^C\f$.
   std::size_t component(Face_index f) const { return m_component[f.idx()]; }
 
-  /// returns the group of component `c`.
+  /// returns the group of component `c`, or of its double.
   const Fuchsian_group& group(std::size_t c) const { return m_groups[c]; }
+
+  /// returns the genus and the number of boundary loops of component `c` itself, not of its double.
+  const Intrinsic_triangulations::Topological_type& topology(std::size_t c) const
+  {
+    return m_topology[c];
+  }
+
+  /// returns the area of component `c` itself: \f$2\pi(2g - 2 + b)\f$ without cones, for genus
+  /// \f$g\f$ and \f$b\f$ boundaries that are geodesics.
+  double area(std::size_t c) const
+  {
+    return topology(c).boundary_loops == 0 ? group(c).area : group(c).area / 2;
+  }
 
   /// returns the area of all components.
   double area() const
   {
     double result = 0;
-    for(const Fuchsian_group& group : m_groups)
-      result += group.area;
+    for(std::size_t c = 0; c < number_of_components(); ++c)
+      result += area(c);
     return result;
   }
 
@@ -173,6 +218,7 @@ private:
 
   std::vector<std::size_t> m_component; // of the faces of T^C
   std::vector<Fuchsian_group> m_groups;
+  std::vector<Intrinsic_triangulations::Topological_type> m_topology; // of each component
   std::vector<std::array<double, 3>> m_position; // of the sources of halfedges of T^C
   std::vector<std::size_t> m_seam;               // for each edge of T^C, its index among the seams
   std::vector<Disk_motion<>> m_gluing;           // of the first halfedge of each seam

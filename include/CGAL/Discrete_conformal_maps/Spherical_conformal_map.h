@@ -86,11 +86,24 @@ public:
   /// returns the position of `v` on the unit sphere, in more digits.
   std::array<Extended, 3> precise_position(Vertex_index v) const
   {
+    return position_in<Extended>(v);
+  }
+
+  /// returns the point of the unit sphere whose stereographic projection is
+  /// `stereographic_position(v)`, in the precision of `Number`, up to a few of its roundings. As a
+  /// point of the polyhedron it is as accurate as the scale factors, see `max_curvature_error()`.
+  /// \tparam Number a floating point type, of any precision
+  template <typename Number>
+  std::array<Number, 3> position_in(Vertex_index v) const
+  {
     if(v == m_at_infinity)
-      return turned({Extended(0), Extended(0), Extended(-1)});
-    const auto& [x, y] = m_in_plane[v.idx()];
-    const Extended square = x * x + y * y, scale = 1 / (1 + square);
-    return turned({2 * x * scale, 2 * y * scale, (1 - square) * scale});
+      return turned<Number>({Number(0), Number(0), Number(-1)});
+    const auto number = [](const Extended& x) {
+      return Number(Number(x.high()) + Number(x.low()));
+    };
+    const Number x = number(m_in_plane[v.idx()][0]), y = number(m_in_plane[v.idx()][1]),
+                 square = x * x + y * y, scale = 1 / (1 + square);
+    return turned<Number>({2 * x * scale, 2 * y * scale, (1 - square) * scale});
   }
 
   /// returns the position of `v` in the plane: the stereographic projection, from the vertex at
@@ -177,9 +190,10 @@ private:
   friend class internal::Sphere_mapping;
 
   // Of a disk, the mirror plane is turned into that of the equator.
-  std::array<Extended, 3> turned(const std::array<Extended, 3>& p) const
+  template <typename Number>
+  std::array<Number, 3> turned(const std::array<Number, 3>& p) const
   {
-    return is_disk() ? std::array<Extended, 3>{p[2], p[0], p[1]} : p;
+    return is_disk() ? std::array<Number, 3>{p[2], p[0], p[1]} : p;
   }
 
   Vertex_index m_at_infinity;

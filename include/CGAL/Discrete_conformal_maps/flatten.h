@@ -23,7 +23,9 @@
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <type_traits>
@@ -92,6 +94,9 @@ public:
       find_walls();
     lay_out();
     std::vector<Map_promise> promises = m_errors.promises(m_map.m_has_layout);
+    if(m_problem.has_precise_lengths())
+      promises.push_back({"rounded_curvature", m_rounded_error, tolerance::promised_rounded_angle,
+                          Map_status::wrong_curvature});
     m_problem.drop_surface();
     m_builder.subdivide(m_visitor);
     if(m_map.m_has_layout) {
@@ -99,7 +104,7 @@ public:
       for(const auto& part : {planar_promises(m_map), shape.promises(m_map, whole_charts())})
         promises.insert(promises.end(), part.begin(), part.end());
     }
-    m_builder.judge(m_errors.greatest(), std::move(promises));
+    m_builder.judge(greater_error(m_errors.greatest(), m_rounded_error), std::move(promises));
     return std::move(m_map);
   }
 
@@ -228,6 +233,8 @@ private:
     m_builder.add_to_scale_factors(correction);
     const std::vector<FT> exact = m_builder.scaled_lengths(u);
     m_errors = defect_errors<Flat_triangle<FT>>(m_problem, mesh(), exact);
+    if(m_problem.has_precise_lengths())
+      m_rounded_error = rounded_curvature_error();
     std::vector<double> length(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
@@ -239,6 +246,18 @@ private:
     m_map.m_is_seam.reserve(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       m_map.m_is_seam.push_back(cut.is_seam(e));
+  }
+
+  // Returns the greatest error of a curvature on the exact surface with the scale factors as the map
+  // has them, in `double`.
+  double rounded_curvature_error() const
+  {
+    const auto& u = m_builder.log_scale();
+    return defect_errors<Flat_triangle<Extended>>(
+             m_problem, mesh(),
+             m_builder.scaled_lengths(
+               std::vector<Extended>(u.begin(), u.begin() + std::ptrdiff_t(m_problem.size()))))
+      .greatest();
   }
 
   // The charts of different components side by side. What lies beyond the boundary does not count.
@@ -268,6 +287,7 @@ private:
   bool m_has_placed_cones = false;
   std::vector<char> m_is_wall;                      // edges of T^C that are not passed
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
+  double m_rounded_error = 0;                       // on the exact surface, if it is measured
   Layout m_layout = Layout::least_squares;
 };
 
@@ -394,7 +414,8 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether the flips to \f$T^B\f$, the intrinsic Delaunay triangulation,
-///                           are decided exactly on the surface of the edge lengths}
+///                           are decided exactly on the surface of the positions, whose lengths
+///                           and curvatures then have 32 digits; see \ref dcm_exact}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd

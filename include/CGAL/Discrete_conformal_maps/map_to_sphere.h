@@ -76,9 +76,15 @@ private:
       throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
     if(characteristic != 2)
       throw Intrinsic_triangulations::Invalid_input(
-        "the surface is neither a sphere nor a disk: without boundary, or doubled along it, it has "
-        "an Euler characteristic of " +
-        std::to_string(characteristic) + "; other surfaces can be uniformized");
+        "the surface is " + kind() + ", neither a sphere nor a disk: use uniformize");
+  }
+
+  std::string kind() const
+  {
+    for(const auto& type : m_problem.topology())
+      if(type.components > 0)
+        return description(type);
+    return "";
   }
 
   // A third of the area of each face of the double belongs to each of its corners.

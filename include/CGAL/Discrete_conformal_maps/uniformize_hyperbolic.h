@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -129,7 +130,9 @@ private:
       return result;
     double relation = 0;
     for(const Fuchsian_group& group : m_map.m_groups)
-      relation = greater_error(relation, group.relation_error);
+      relation =
+        greater_error(relation, group.precise_generators.empty() ? group.relation_error
+                                                                 : group.precise_relation_error);
     result.push_back(
       {"closing", m_map.max_gluing_error(), tolerance::gluing, Map_status::not_glued});
     result.push_back({"generators", relation, tolerance::gluing, Map_status::not_glued});
@@ -172,9 +175,14 @@ private:
     m_map.m_component.clear();
     for(Face_index f : mesh().faces())
       m_map.m_component.push_back(cut.component(f));
-    m_map.m_groups.resize(cut.number_of_components());
+    m_map.m_groups.assign(cut.number_of_components(), Fuchsian_group());
     for(std::size_t c = 0; c < m_map.m_groups.size(); ++c)
       m_map.m_groups[c].genus = cut.generators(c).size() / 2;
+    const auto topology = m_problem.topology();
+    m_map.m_topology.resize(m_map.m_groups.size());
+    for(Face_index f : mesh().faces())
+      m_map.m_topology[m_map.component(f)] =
+        topology[m_problem.component(mesh().target(mesh().halfedge(f)))];
     m_has_cone.assign(m_map.m_groups.size(), 0);
     for(Halfedge_index h : mesh().halfedges())
       m_has_cone[m_map.component(mesh().face(h))] |= m_is_cone[mesh().source(h).idx()];
@@ -196,11 +204,9 @@ private:
     set_areas(length);
     m_errors = defect_errors<Hyperbolic_triangle<FT>>(m_problem, mesh(), length);
     double error = m_map.m_max_gluing_error = gluing_error(layout, cut);
-    for(std::size_t c = 0; c < m_map.m_groups.size(); ++c) {
-      set_group(layout, cut, c);
-      if(!(m_map.m_groups[c].relation_error <= error)) // keeps NaN
-        error = m_map.m_groups[c].relation_error;
-    }
+    for(std::size_t c = 0; c < m_map.m_groups.size(); ++c)
+      if(const double relation = set_group(layout, cut, c); !(relation <= error)) // keeps NaN
+        error = relation;
     return error;
   }
 
@@ -275,8 +281,6 @@ private:
   template <typename FT>
   void set_areas(const std::vector<FT>& length)
   {
-    for(Fuchsian_group& group : m_map.m_groups)
-      group.area = 0;
     for(Face_index f : mesh().faces()) {
       const auto side = Intrinsic_triangulations::sides(f, mesh());
       const auto of = [&](std::size_t s) {
@@ -287,29 +291,62 @@ private:
     }
   }
 
+  // Returns the error of the relation in the precision of the layout.
   template <typename FT>
-  void set_group(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut, std::size_t c)
+  double set_group(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut, std::size_t c)
   {
     Fuchsian_group& group = m_map.m_groups[c];
     const std::vector<Edge_index>& edges = cut.generators(c);
     std::vector<Disk_motion<FT>> motion;
     for(Edge_index e : edges)
       motion.push_back(layout.gluing(mesh().halfedge(e)));
-    group.generators.clear();
     for(const Disk_motion<FT>& m : motion)
       group.generators.push_back(rounded(m));
-    group.relation.clear();
     if(m_has_cone[c])
-      return;
-    Disk_motion<FT> product;
+      return 0;
     for(Halfedge_index h : cut.relation(c)) {
       const auto i = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), Edge_index(h)) -
                                               edges.begin());
-      const bool is_inverse = !Intrinsic_triangulations::is_first_halfedge(h);
-      group.relation.push_back({i, is_inverse});
-      product = product * (is_inverse ? motion[i].inverse() : motion[i]);
+      group.relation.push_back({i, !Intrinsic_triangulations::is_first_halfedge(h)});
     }
-    group.relation_error = product.distance_to_identity();
+    group.relation_error = relation_error(group, rounded_to_digits(group.generators, 0));
+    if constexpr(std::is_same_v<FT, double>)
+      return group.relation_error;
+    else {
+      const double error = relation_error(group, motion);
+      set_precise_generators(motion, error, group);
+      return error;
+    }
+  }
+
+  // Rounds motions to the digits that matter for the error of the relation: more are noise.
+  template <typename FT>
+  static void set_precise_generators(const std::vector<Disk_motion<FT>>& motion, double error,
+                                     Fuchsian_group& group)
+  {
+    group.known_digits = std::numeric_limits<double>::digits10;
+    do {
+      group.precise_generators = rounded_to_digits(motion, ++group.known_digits);
+      group.precise_relation_error = relation_error(group, group.precise_generators);
+    } while(!(group.precise_relation_error <= 2 * error) &&
+            group.known_digits < std::numeric_limits<FT>::digits10);
+  }
+
+  // zero stands for all digits
+  template <typename FT>
+  static std::vector<Disk_motion<More_extended>>
+  rounded_to_digits(const std::vector<Disk_motion<FT>>& motions, int digits)
+  {
+    const auto number = [&](const FT& x) {
+      const More_extended exact = to_more_extended(x);
+      return digits == 0 ? exact : More_extended(exact.str(digits));
+    };
+    std::vector<Disk_motion<More_extended>> result;
+    for(const Disk_motion<FT>& motion : motions) {
+      const auto& e = motion.entries();
+      result.emplace_back(number(e[0]), number(e[1]), number(e[2]), number(e[3]));
+    }
+    return result;
   }
 
   Doubled_problem& m_problem;

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <unordered_set>
 #include <vector>
 
@@ -46,6 +47,28 @@ struct Topological_type
   std::size_t boundary_loops = 0; ///< the number of closed curves that form the boundary
   std::size_t genus = 0;          ///< the number of handles of all components
 };
+
+/// \ingroup PkgIntrinsicTriangulationsDeltaComplex
+/// returns what a surface is, as part of a sentence: "a disk", or "a surface of genus 2 with 3
+/// boundaries".
+inline std::string description(const Topological_type& type)
+{
+  const auto count = [](std::size_t n, const std::string& what, const std::string& plural) {
+    return std::to_string(n) + " " + (n == 1 ? what : plural);
+  };
+  if(type.components != 1)
+    return "a surface of " + count(type.components, "component", "components");
+  if(type.genus == 0 && type.boundary_loops < 3)
+    return type.boundary_loops == 0   ? "a sphere"
+           : type.boundary_loops == 1 ? "a disk"
+                                      : "an annulus";
+  if(type.genus == 1 && type.boundary_loops == 0)
+    return "a torus";
+  return "a surface of genus " + std::to_string(type.genus) +
+         (type.boundary_loops == 0
+            ? ""
+            : " with " + count(type.boundary_loops, "boundary", "boundaries"));
+}
 
 namespace internal {
 

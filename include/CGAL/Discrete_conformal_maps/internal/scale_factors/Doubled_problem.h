@@ -11,12 +11,15 @@
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -55,13 +58,13 @@ public:
 
   // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
   // is kept; `condition` has one entry for each of its vertices; the flips to T^B can be decided
-  // exactly, for rounded lengths then, which certificates take as exact
+  // exactly, and then its lengths are known with more digits
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, bool has_exact_flips = false)
     : m_flipping(flipping),
       m_has_exact_flips(has_exact_flips),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
-      m_point(has_exact_flips ? std::vector<std::array<double, 3>>() : half.input_metric().points),
+      m_point(half.input_metric().points),
       m_components(m_half),
       m_has_boundary(m_components.size(), 0),
       m_has_copy(m_half.num_faces(), 0),
@@ -105,6 +108,22 @@ public:
 
   // from T^A to T^B
   std::size_t number_of_flips() const { return m_number_of_flips; }
+
+  // whether the lengths of T^B are those on the exact surface, with more digits than `double` has
+  bool has_precise_lengths() const { return !m_precise_length.empty(); }
+
+  // Returns the lengths of T^B with the digits of `FT`. `t` is the triangulation of the problem,
+  // which may have been moved.
+  template <typename FT>
+  auto lengths(const Triangulation& t) const
+  {
+    return boost::make_function_property_map<Edge_index>([this, &t](Edge_index e) {
+      if(m_precise_length.empty())
+        return FT(t.length(e));
+      const Extended& length = m_precise_length[e.idx()];
+      return FT(FT(length.high()) + FT(length.low()));
+    });
+  }
 
   // the surface itself
   const Delta_complex& surface() const { return m_half; }
@@ -158,6 +177,23 @@ public:
   // that of a vertex of the triangulation
   std::size_t component(Vertex_index v) const { return m_components[m_front[v.idx()].idx()]; }
 
+  // the topology of each component of the surface; an isolated vertex is none
+  std::vector<Intrinsic_triangulations::Topological_type> topology() const
+  {
+    using Intrinsic_triangulations::Topological_type;
+    std::vector<Topological_type> result(m_components.size());
+    const std::vector<long> characteristic = characteristics();
+    for(Halfedge_index h : Intrinsic_triangulations::boundary_loops(m_half))
+      ++result[m_components[m_half.target(h).idx()]].boundary_loops;
+    for(Face_index f : m_half.faces())
+      result[m_components[m_half.target(m_half.halfedge(f)).idx()]].components = 1;
+    for(std::size_t c = 0; c < result.size(); ++c)
+      if(result[c].components > 0)
+        result[c].genus =
+          static_cast<std::size_t>(2 - characteristic[c] - long(result[c].boundary_loops)) / 2;
+    return result;
+  }
+
   bool has_no_copies() const { return m_front_face.size() == m_half.num_faces(); }
 
   // values at the vertices of the triangulation: those of the surface and of copies
@@ -195,6 +231,9 @@ public:
     return !m_exceeded.empty();
   }
 
+  // the edges of T^B between faces with and without copies
+  const std::vector<Edge_index>& seams() const { return m_seams; }
+
   // Makes the second copy deeper, and T^A and T^B with it, where it was not deep enough for these
   // flips.
   void deepen(const std::vector<Halfedge_index>& flips)
@@ -207,7 +246,7 @@ public:
   Penner_surface<double> scaled(const Vector& scale)
   {
     for(;;) {
-      Penner_surface<double> result(m_triangulation.mesh(), m_triangulation.length_map(),
+      Penner_surface<double> result(m_triangulation.mesh(), lengths<double>(m_triangulation),
                                     m_flipping);
       const Vector all = expanded(scale);
       result.scale({all.begin(), all.end()});
@@ -283,19 +322,10 @@ public:
   std::vector<double> curvature_excess() const
   {
     std::vector<double> sum(m_components.size(), 0);
-    std::vector<long> characteristic(m_components.size(), 0);
-    for(Vertex_index v : m_half.vertices()) {
-      if(m_half.is_isolated(v)) // a point has no curvature
-        continue;
-      const std::size_t c = m_components[v.idx()];
-      sum[c] +=
-        m_is_fixed[v.idx()] ? 0 : number_of_copies(v.idx()) * m_value[Eigen::Index(v.idx())];
-      ++characteristic[c];
-    }
-    for(Edge_index e : m_half.edges())
-      --characteristic[m_components[m_half.vertex(e, 0).idx()]];
-    for(Face_index f : m_half.faces())
-      ++characteristic[m_components[m_half.target(m_half.halfedge(f)).idx()]];
+    for(Vertex_index v : m_half.vertices())
+      if(!m_half.is_isolated(v) && !m_is_fixed[v.idx()]) // a point has no curvature
+        sum[m_components[v.idx()]] += number_of_copies(v.idx()) * m_value[Eigen::Index(v.idx())];
+    const std::vector<long> characteristic = characteristics();
     for(std::size_t c = 0; c < sum.size(); ++c)
       sum[c] -= 2 * pi() * double(characteristic[c]) * (m_has_boundary[c] ? 2 : 1);
     return sum;
@@ -343,13 +373,47 @@ public:
     const std::vector<std::size_t> fixed = number_of_fixed();
     for(std::size_t c = 0; c < area.size(); ++c)
       if(fixed[c] == 0 && !(area[c] > tolerance::curvature_sum))
-        throw Intrinsic_triangulations::Invalid_input(
-          "component " + std::to_string(c) +
-          " cannot be hyperbolic with the prescribed curvatures: " + "it would have an area of " +
-          std::to_string(area[c]) + " (Gauss-Bonnet)");
+        throw Intrinsic_triangulations::Invalid_input(not_hyperbolic(c, area[c]));
   }
 
 private:
+  // the Euler characteristic of each component of the surface, zero for an isolated vertex
+  std::vector<long> characteristics() const
+  {
+    std::vector<long> result(m_components.size(), 0);
+    for(Vertex_index v : m_half.vertices())
+      result[m_components[v.idx()]] += m_half.is_isolated(v) ? 0 : 1;
+    for(Edge_index e : m_half.edges())
+      --result[m_components[m_half.vertex(e, 0).idx()]];
+    for(Face_index f : m_half.faces())
+      ++result[m_components[m_half.target(m_half.halfedge(f)).idx()]];
+    return result;
+  }
+
+  // why a component, whose double would have the area `area`, is not hyperbolic
+  std::string not_hyperbolic(std::size_t component, double area) const
+  {
+    const std::string name = m_components.size() == 1 ? "the surface"
+                                                      : "component " + std::to_string(component),
+                      kind = Intrinsic_triangulations::description(topology()[component]);
+    if(is_flat(component))
+      return name + " is " + kind + ", which is hyperbolic only with cones: use uniformize";
+    std::ostringstream text;
+    text << name << " is " << kind << " and cannot be hyperbolic with the prescribed curvatures: "
+         << "its area would be " << (m_has_boundary[component] ? area / 2 : area)
+         << " (Gauss-Bonnet); greater curvatures make it greater";
+    return text.str();
+  }
+
+  // whether no curvature is prescribed anywhere in a component
+  bool is_flat(std::size_t component) const
+  {
+    for(std::size_t v = 0; v < size(); ++v)
+      if(m_components[v] == component && m_value[Eigen::Index(v)] != 0)
+        return false;
+    return true;
+  }
+
   void check_angles() const
   {
     for(std::size_t v = 0; v < size(); ++v)
@@ -462,6 +526,17 @@ private:
                          .visitor(std::ref(record)));
     if(has_exceeded(m_flips))
       deepen(0, {});
+    else if(m_has_exact_flips)
+      find_precise_lengths();
+  }
+
+  void find_precise_lengths()
+  {
+    Intrinsic_triangulations::internal::Precise_lengths<Triangulation::Traits> length(
+      m_triangulation);
+    m_precise_length.clear();
+    for(Edge_index e : m_triangulation.mesh().edges())
+      m_precise_length.push_back(length(m_triangulation.mesh().halfedge(e)));
   }
 
   // what is wrong with the curvatures of a component
@@ -490,6 +565,7 @@ private:
   std::vector<char> m_has_copy;     // for each face of the surface
   std::size_t m_rings = 1;          // that are copied the next time
   Triangulation m_triangulation;
+  std::vector<Extended> m_precise_length; // of T^B, if flips are exact
   std::size_t m_number_of_flips = 0;
   std::vector<Vertex_index> m_front;
   std::vector<Face_index> m_front_face;

@@ -14,6 +14,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
 
 #include <cstddef>
 #include <memory>
@@ -81,6 +82,8 @@ public:
   {
     flip(m_problem.scaled(scale.values()).flips());
     set_scale_factors(scale);
+    if(m_problem.has_precise_lengths())
+      flip_exactly();
   }
 
   // Takes the triangulation of the problem as it is, where lengths with these scale factors are out
@@ -109,7 +112,8 @@ public:
     std::vector<FT> all;
     for(Vertex_index v : m_data.input_vertex)
       all.push_back(u[v.idx()]);
-    Penner_surface<FT> surface(m_data.ab.mesh(), m_data.ab.length_map(), m_problem.flipping());
+    Penner_surface<FT> surface(m_data.ab.mesh(), m_problem.template lengths<FT>(m_data.ab),
+                               m_problem.flipping());
     surface.scale(all);
     set_flips(surface.flips());
     std::vector<FT> result;
@@ -158,7 +162,7 @@ public:
   template <typename FT>
   std::vector<FT> scaled_lengths(const std::vector<FT>& u) const
   {
-    Ptolemy_surface<FT> surface(m_data.bc.input_mesh(), m_data.bc.input_length_map());
+    Ptolemy_surface<FT> surface(m_data.bc.input_mesh(), m_problem.template lengths<FT>(m_data.ab));
     surface.replay(m_flips);
     std::vector<FT> result(mesh().num_edges());
     for(Edge_index e : mesh().edges())
@@ -170,11 +174,38 @@ public:
   }
 
 private:
+  // Makes T^C exactly ideal Delaunay with the scale factors and lengths as they are in `double`,
+  // where rounding has left it undecided. An edge at which the copy of the surface ends stays.
+  void flip_exactly()
+  {
+    std::vector<double> factor;
+    for(const double u : m_data.log_scale)
+      factor.push_back(length_factor(u));
+    for(bool has_changed = true; has_changed;) {
+      has_changed = false;
+      std::vector<char> stays(mesh().num_edges(), 0);
+      for(Edge_index e : m_problem.seams())
+        stays[e.idx()] = 1;
+      for(Edge_index e : certify_ideal_Delaunay(m_data.bc, factor).non_Delaunay_edges) {
+        const Halfedge_index h = mesh().halfedge(e);
+        const auto around = Intrinsic_triangulations::edges_around(h, mesh());
+        if(stays[e.idx()])
+          continue;
+        m_data.bc.flip(h);
+        m_flips.push_back(h);
+        has_changed = true;
+        for(Edge_index side : around)
+          stays[side.idx()] = 1; // it has another diamond now
+      }
+    }
+    m_data.number_of_flips[2] = m_flips.size();
+  }
+
   void set_flips(std::vector<Halfedge_index> flips)
   {
     m_data.bc = Discrete_conformal_map::Ideal_triangulation(
       m_data.ab.mesh(),
-      Intrinsic_triangulations::parameters::edge_length_map(m_data.ab.length_map()));
+      Intrinsic_triangulations::parameters::edge_length_map(m_problem.lengths<double>(m_data.ab)));
     for(Halfedge_index h : flips)
       m_data.bc.flip(h);
     m_data.number_of_flips[2] = flips.size();

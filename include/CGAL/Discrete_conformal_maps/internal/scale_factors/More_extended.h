@@ -7,6 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
+
 #ifdef CGAL_USE_MPFR
 #include <boost/multiprecision/mpfr.hpp>
 #else
@@ -25,6 +27,13 @@ typedef boost::multiprecision::cpp_bin_float<115> More_extended_backend;
 // takes over from `Extended` where errors grow on very long ways
 typedef boost::multiprecision::number<More_extended_backend, boost::multiprecision::et_off>
   More_extended;
+
+inline More_extended to_more_extended(const More_extended& x) { return x; }
+inline More_extended to_more_extended(double x) { return x; }
+inline More_extended to_more_extended(const Extended& x)
+{
+  return More_extended(x.high()) + x.low();
+}
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

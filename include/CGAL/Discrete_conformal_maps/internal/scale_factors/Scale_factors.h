@@ -72,6 +72,8 @@ public:
     m_extended.clear();
     auto energy = energy_at_start<double>(m_problem.triangulation());
     run(energy, minimizer, visitor);
+    if(m_problem.has_precise_lengths())
+      measure_precisely();
     if(is_rounded(tolerance) && !has_no_solution())
       minimize_extended(minimizer, tolerance, visitor);
     if(m_status == Map_status::not_converged && is_within(tolerance))
@@ -152,6 +154,15 @@ private:
     Energy<FT> result = symmetric_energy<FT, Triangle<FT>>(m_problem, triangulation);
     result.evaluate(m_u);
     return result;
+  }
+
+  // Computes what is left of the curvatures with all digits of the lengths.
+  void measure_precisely()
+  {
+    const auto energy = energy_at_start<Extended>(m_problem.triangulation());
+    note_values(energy);
+    m_result.gradient_error = (std::max)(m_max_curvature_error, energy.gradient_error());
+    m_extended = energy.scale_factors();
   }
 
   // The minimizer moves by numbers in double, which lose fewer digits the closer the origin is.

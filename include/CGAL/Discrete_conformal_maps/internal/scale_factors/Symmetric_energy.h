@@ -167,8 +167,9 @@ Symmetric_energy<Conformal_energy<FT, Triangle>>
 symmetric_energy(Doubled_problem& problem, const Doubled_problem::Triangulation& triangulation)
 {
   const auto make = [&problem](const Doubled_problem::Triangulation& t) {
-    Conformal_energy<FT, Triangle> result(
-      t.mesh(), t.length_map(), problem.expanded(problem.target_defect()), problem.flipping());
+    Conformal_energy<FT, Triangle> result(t.mesh(), problem.template lengths<FT>(t),
+                                          problem.expanded(problem.target_defect()),
+                                          problem.flipping());
     result.set_concurrency(problem.concurrency());
     return result;
   };

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_PRECISE_LENGTHS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_PRECISE_LENGTHS_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The lengths of straight edges of T2 on the exact surface of T1, in twice the digits of `double`.
+template <typename Traits>
+class Precise_lengths
+{
+  typedef Triangulation_pair<Traits> Pair;
+  typedef Referenced_crossings<Input_crossings> Crossings;
+  template <typename N>
+  using Corners =
+    Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>;
+
+public:
+  explicit Precise_lengths(const Pair& pair)
+    : m_pair(pair),
+      m_crossings(pair.coordinates(), pair.mesh(), pair.spokes()),
+      m_corners(pair.input_metric(), pair.input())
+  {}
+
+  // Returns the length of the edge of `h` with a relative error of at most 2^-90.
+  // \throws Numerical_error if 1024 bits do not suffice
+  Double_double operator()(Halfedge_index h)
+  {
+    std::optional<Double_double> result = length(h, m_corners);
+    for(long bits = 256; bits <= 1024 && !result; bits *= 2) {
+      const Long_float_precision precision(bits);
+      Corners<Long_float> corners(m_pair.input_metric(), m_pair.input());
+      result = length(h, corners);
+    }
+    if(!result)
+      throw Numerical_error("edge " + std::to_string(m_pair.mesh().edge(h).idx()) +
+                            " has no positive finite length");
+    return *result;
+  }
+
+private:
+  template <typename N>
+  std::optional<Double_double> length(Halfedge_index h, Corners<N>& corners) const
+  {
+    const auto strip =
+      Development<Traits, Crossings, Corners<N>>(m_pair, m_crossings, corners).uncrossed_strip(h);
+    const Ball<N> length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
+    const double high = to_double(length.x);
+    if(!(length.radius <= 0x1p-90 * high))
+      return std::nullopt;
+    return Double_double::exact_sum(high, to_double(N(length.x - N(high))));
+  }
+
+  const Pair& m_pair;
+  Input_crossings m_crossings;
+  Corners<Double_double> m_corners;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_PRECISE_LENGTHS_H
