@@ -143,8 +143,8 @@ private:
     const IT::Delaunay_certificate on_B = ::certify(m_run, map.Delaunay());
     const DCM::Map_certificate rest = m_run.timed("certify", [&] { return DCM::certify(map); });
     Statistics& statistics = m_run.statistics();
-    statistics["certified"] =
-      on_B.is_Delaunay() && rest.on_C.is_Delaunay() && rest.order.is_exact();
+    statistics["certified"] = map.status() == DCM::Map_status::success && on_B.is_Delaunay() &&
+                              rest.on_C.is_Delaunay() && rest.order.is_exact();
     statistics["ties"] = on_B.ties.size() + rest.on_C.ties.size() + rest.order.ties.size();
     Statistics& decisions = statistics["decisions"];
     const auto add = [&](const char* stage, std::size_t count) {
