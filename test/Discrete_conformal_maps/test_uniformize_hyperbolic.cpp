@@ -203,7 +203,8 @@ void check_group(const DCM::Fuchsian_group& group, std::size_t genus)
   EXPECT_EQ(group.genus, genus);
   EXPECT_NEAR(group.area, 4 * pi * (double(genus) - 1), 1e-9);
   EXPECT_EQ(group.generators.size(), 2 * genus);
-  EXPECT_LT(group.relation_error, 1e-8);
+  EXPECT_LT(group.precise_generators.empty() ? group.relation_error : group.precise_relation_error,
+            1e-8);
   std::vector<int> count(2 * (2 * genus), 0);
   for(const auto& letter : group.relation)
     ++count[2 * letter.generator + letter.is_inverse];
