@@ -218,8 +218,8 @@ Examples:
   intrinsic flatten face.ply -o flat.ply --boundary disk --stats flat.json)";
 
 const char* const hyperbolic =
-  R"(Every component must have genus two or more, or sufficiently many boundaries or cones; for others
-there is `intrinsic uniformize`. Boundaries become geodesics. The double of the surface is laid
+  R"(Every component must have genus two or more, or sufficiently many boundaries or cones; for
+others there is `intrinsic uniformize`. Boundaries become geodesics. The double of the surface is laid
 out; the output is the part of the mesh.
 
 The output has the format of `intrinsic flatten`, with positions in the Poincare disk. With

@@ -606,8 +606,8 @@ struct Surface_100
   }
 };
 
-// The greatest error of the curvature at a vertex that is no cone, if the scale factors of a map are
-// those of the intrinsic Delaunay triangulation of the mesh as it is.
+// The greatest error of the curvature at a vertex that is no cone, if the scale factors of a map
+// are those of the intrinsic Delaunay triangulation of the mesh as it is.
 double true_curvature_error(const Mesh& mesh, const Planar_conformal_map& map)
 {
   const Triangulation t(mesh);

@@ -137,8 +137,8 @@ claim "s = json('a.json')" 's.certified' 's.greatest_excess == 0' 's.exchanged_c
 expect 0 flatten square.mesh.off -o a.obj --boundary rectangle --exact --stats a.json
 claim "s = json('a.json')" \
   's.certified or s.greatest_excess > 0 or s.exchanged_crossings + s.undecided_crossings > 0'
-# An octahedron with a vertex at a distance of 1e-9 of an edge: on the surface of the positions, not of
-# their rounded distances, which takes the vertex to be on the edge.
+# An octahedron with a vertex at a distance of 1e-9 of an edge: on the surface of the positions, not
+# of their rounded distances, which takes the vertex to be on the edge.
 off thin '0 0 1,1 0 0,0 1 0,-1 0 0,0 -1 0,0 0 -1,0.499999999 0.5 1e-9' \
   '1 2 6,2 0 6,0 1 6,0 2 3,0 3 4,0 4 1,5 2 1,5 3 2,5 4 3,5 1 4'
 expect 0 flatten thin.mesh.off -o a.obj --exact --stats a.json

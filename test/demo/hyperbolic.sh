@@ -194,8 +194,8 @@ claim "s = json('plate.json')" "s.surface_type == 'hyperbolic'" 'len(s.groups[0]
 expect 0 uniformize regular.mesh.off -o plate.obj --stats plate.json
 claim "json('plate.json').surface_type == 'sphere'"
 
-# Options that are not for a surface are refused, and what hyperbolic and sphere cannot do names the
-# command that can.
+# Options that are not for a surface are refused, and what hyperbolic and sphere cannot do names
+# the command that can.
 refused()
 {
   expect 2 "${@:2}" -o refused.obj
@@ -203,11 +203,12 @@ refused()
 }
 for flat in torus cylinder; do
   refused '--svg is for hyperbolic surfaces' uniformize $flat.mesh.off --svg refused.svg
-  refused '--tiles is for hyperbolic surfaces' uniformize $flat.mesh.off --tiles 2 --view refused.html
+  refused '--tiles is for hyperbolic surfaces' uniformize $flat.mesh.off --tiles 2 --view a.html
 done
 for round in square regular; do
   refused '--svg is for hyperbolic surfaces' uniformize $round.mesh.off --svg refused.svg
-  refused '--homogeneous is for flat and hyperbolic surfaces' uniformize $round.mesh.off --homogeneous
+  refused '--homogeneous is for flat and hyperbolic surfaces' \
+    uniformize $round.mesh.off --homogeneous
 done
 refused '--tiles is for --svg and --view' uniformize plate2.mesh.off --tiles 2
 refused '--tiles is for --svg and --view' hyperbolic plate2.mesh.off --tiles 2

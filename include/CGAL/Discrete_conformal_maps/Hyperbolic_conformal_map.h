@@ -110,7 +110,7 @@ public:
   /// returns the group of component `c`, or of its double.
   const Fuchsian_group& group(std::size_t c) const { return m_groups[c]; }
 
-  /// returns the genus and the number of boundary loops of component `c` itself, not of its double.
+  /// returns the genus and the number of boundary loops of component `c`, not of its double.
   const Intrinsic_triangulations::Topological_type& topology(std::size_t c) const
   {
     return m_topology[c];

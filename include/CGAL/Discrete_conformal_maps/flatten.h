@@ -248,8 +248,8 @@ private:
       m_map.m_is_seam.push_back(cut.is_seam(e));
   }
 
-  // Returns the greatest error of a curvature on the exact surface with the scale factors as the map
-  // has them, in `double`.
+  // Returns the greatest error of a curvature on the exact surface, with the scale factors as the
+  // map has them, in `double`.
   double rounded_curvature_error() const
   {
     const auto& u = m_builder.log_scale();

@@ -399,8 +399,9 @@ private:
 
   bool has_doubtful(Edge_index e) const
   {
-    const auto begin = m_doubt.is_doubtful.begin() + m_on_intrinsic.before(e);
-    return std::find(begin, begin + m_on_intrinsic.size(e), true) != begin + m_on_intrinsic.size(e);
+    const auto begin = m_doubt.is_doubtful.begin() + m_on_intrinsic.before(e),
+               end = begin + m_on_intrinsic.size(e);
+    return std::find(begin, end, true) != end;
   }
 
   void set_places(Edge_index e, const std::vector<Trace_point<Interval_nt<>>>& places)

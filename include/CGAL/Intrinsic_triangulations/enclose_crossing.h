@@ -29,9 +29,9 @@ namespace CGAL::Intrinsic_triangulations {
 /// \param width the greatest width of an interval; if it is less than the spacing of numbers of
 ///        type `double`, at most one of them lies inside the interval
 /// \returns for each crossing, from the source of the first halfedge of `e` on, the places on the
-///   first halfedges of both edges, as `Correspondence::crossing()` returns them rounded. Intervals
-///   are wider than requested only if 1024 bits do not suffice: where two edges run along each
-///   other, in faces without area, any place that they share is a crossing.
+///   first halfedges of both edges, as `Correspondence::crossing()` returns them rounded.
+///   Intervals are wider than requested only if 1024 bits do not suffice: where two edges run
+///   along each other, in faces without area, any place that they share is a crossing.
 ///
 /// Complexity: linear in the crossings of `e`.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
@@ -71,17 +71,17 @@ Trace_point<Interval_nt<>> enclose_crossing(const Correspondence<Traits>& corres
 /// how far rounded places of crossings can be from the exact ones.
 struct Place_certificate
 {
-  /// the greatest distance, along an edge of either triangulation, of a place of a `Correspondence`
-  /// from the farther end of the interval that encloses it; relative to the longest edge of
-  /// \f$T_1\f$
+  /// the greatest distance, along an edge of either triangulation, of a rounded place from the
+  /// farther end of the interval that encloses it; relative to the longest edge of \f$T_1\f$
   double greatest_error = 0;
-  /// the number of crossings of edges that run along each other in faces without area, which have no
-  /// exact place
+  /// the number of crossings of edges that run along each other in faces without area, which have
+  /// no exact place
   std::size_t indefinite = 0;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
-/// compares the places of all crossings with intervals that enclose them, see `enclose_crossings()`.
+/// compares the places of all crossings with intervals that enclose them, see
+/// `enclose_crossings()`.
 ///
 /// Complexity: linear in the edges and crossings.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`

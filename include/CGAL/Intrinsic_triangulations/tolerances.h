@@ -89,8 +89,8 @@ constexpr FT path_tolerance()
 }
 
 // Lengths that are rounded displace crossings by about `rounding_unit()`, divided by the height of
-// faces of T1, and by the square of that of faces of T2, all relative to longest sides. For `double`,
-// from 2^-20 on this is less than 1e-8.
+// faces of T1, and by the square of that of faces of T2, all relative to longest sides. For
+// `double`, from 2^-20 on this is less than 1e-8.
 constexpr float least_product_of_heights() { return 0x1p-20f; }
 
 // The distance from a region, in barycentric coordinates of a face of T1, up to which a point
