@@ -129,11 +129,7 @@ private:
     m_visitor.start(Flattening_stage::layout);
     if(m_map.m_has_layout)
       try {
-        if(m_scale.is_extended())
-          lay_out(m_scale.extended_values(), area_correction());
-        else
-          lay_out(std::vector<double>(m_scale.values().begin(), m_scale.values().end()),
-                  area_correction());
+        lay_out_in_plane();
       } catch(const Intrinsic_triangulations::Numerical_error& e) {
         m_builder.set_cause(e.what());
         m_map.m_has_layout = false;
@@ -225,16 +221,36 @@ private:
     m_map.m_is_seam.assign(mesh().num_edges(), 1);
   }
 
+  // In more digits, if those of `double` do not give the curvatures that are promised.
+  void lay_out_in_plane()
+  {
+    const std::vector<double> correction = area_correction();
+    m_builder.add_to_scale_factors(correction);
+    if(m_scale.is_extended())
+      return lay_out(measured(m_scale.extended_values(), correction));
+    const std::vector<double> u(m_scale.values().begin(), m_scale.values().end());
+    const std::vector<double> length = measured(u, correction);
+    if(m_errors.greatest() <= tolerance::promised_angle)
+      return lay_out(length);
+    lay_out(measured(std::vector<Extended>(u.begin(), u.end()), correction));
+  }
+
+  // Returns the lengths of the edges of T^C, after their angles have been measured.
   template <typename FT>
-  void lay_out(std::vector<FT> u, const std::vector<double>& correction)
+  std::vector<FT> measured(std::vector<FT> u, const std::vector<double>& correction)
   {
     for(std::size_t v = 0; v < u.size(); ++v)
       u[v] += FT(correction[v]);
-    m_builder.add_to_scale_factors(correction);
-    const std::vector<FT> exact = m_builder.scaled_lengths(u);
-    m_errors = defect_errors<Flat_triangle<FT>>(m_problem, mesh(), exact);
+    std::vector<FT> result = m_builder.scaled_lengths(u);
+    m_errors = defect_errors<Flat_triangle<FT>>(m_problem, mesh(), result);
     if(m_problem.has_precise_lengths())
       m_rounded_error = rounded_curvature_error();
+    return result;
+  }
+
+  template <typename FT>
+  void lay_out(const std::vector<FT>& exact)
+  {
     std::vector<double> length(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));

@@ -163,7 +163,8 @@ private:
     m_map.m_at_infinity = sphere.vertex_at_infinity();
     m_map.m_is_extended = sphere.is_extended();
     const Defect_errors errors{sphere.max_curvature_error(), 0};
-    std::vector<Map_promise> promises = errors.promises(sphere.is_laid_out());
+    std::vector<Map_promise> promises =
+      errors.promises(sphere.is_laid_out(), tolerance::layout_angle);
     if(sphere.is_laid_out())
       take_positions(sphere, promises);
     m_builder.judge(errors.greatest(), std::move(promises));

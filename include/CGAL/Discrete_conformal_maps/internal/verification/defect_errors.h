@@ -29,12 +29,12 @@ struct Defect_errors
   double greatest() const { return greater_error(curvature, exterior_angle); }
 
   // The first that are made of any map. Without a layout, lengths can be too small to be measured.
-  std::vector<Map_promise> promises(bool is_laid_out) const
+  std::vector<Map_promise> promises(bool is_laid_out,
+                                    double bound = tolerance::promised_angle) const
   {
-    return {
-      {"layout", is_laid_out ? 0. : 1., 0, Map_status::not_laid_out},
-      {"curvature", curvature, tolerance::promised_angle, Map_status::wrong_curvature},
-      {"exterior_angle", exterior_angle, tolerance::promised_angle, Map_status::wrong_curvature}};
+    return {{"layout", is_laid_out ? 0. : 1., 0, Map_status::not_laid_out},
+            {"curvature", curvature, bound, Map_status::wrong_curvature},
+            {"exterior_angle", exterior_angle, bound, Map_status::wrong_curvature}};
   }
 };
 
