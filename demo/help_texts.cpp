@@ -59,7 +59,9 @@ smaller default of --max-insertions. If rounded lengths do not suffice, refineme
 with exact decisions; the last line and "exact_decisions" in the statistics report this. With
 --exact the decisions are exact from the beginning, and the result is certified: the statistics
 have "certified", whether it is geodesic and exactly Delaunay, "ties", the number of edges whose
-flip is Delaunay too, and "decisions", the number of decisions at each stage.
+flip is Delaunay too, "undecided", the number of edges and vertices for which a decision involves
+more than twelve independent square roots, and "decisions", the number of decisions at each stage.
+A result that is not certified is written, too; the last line says so.
 
 Vertices of the output have a property "kind" in .ply and .vtp: 0 input vertex, 1 crossing of an
 input edge with an intrinsic edge, 2 inserted vertex.
@@ -183,8 +185,8 @@ With --exact, the flips to the intrinsic Delaunay triangulation are decided exac
 surface of the positions, whose lengths and curvature errors have 32 digits, and the map is
 certified: "certified" in the statistics says whether this triangulation is Delaunay, the flat one
 is ideal Delaunay with the scale factors as they are, and all crossings are in order, without a
-tolerance. "greatest_excess", "exchanged_crossings" and "undecided_crossings" are what fails:
-rounding decides ties.
+tolerance. "greatest_excess", "exchanged_crossings", "undecided" and "undecided_crossings" are
+what fails: rounding decides ties.
 
 Solvers:
   newton  Newton's method

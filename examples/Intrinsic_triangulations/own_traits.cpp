@@ -16,7 +16,8 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
-// Each flip makes the sum of all lengths smaller, so that flipping ends.
+// Each flip makes the sum of all lengths smaller, so that flipping ends. The condition is decided by
+// lengths alone: exact decisions know only the one that it replaces.
 struct Thrifty_traits : IT::Euclidean_geometry_traits<>
 {
   struct Is_locally_Delaunay : IT::Euclidean_geometry_traits<>::Is_locally_Delaunay

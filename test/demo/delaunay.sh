@@ -47,6 +47,45 @@ expect 0 delaunay slivers.mesh.off -o exact.ply --exact --stats statistics.json
 claim "s = json('statistics.json')" 's.certified' 'sum(s.decisions.values()) >= s.edges'
 rm exact.ply statistics.json
 
+# accordion STEPS...: a strip that is folded along parallel lines; each step x,z leads to the next
+# fold. On both ends, four points are the corners of a rectangle, with the roots of all x^2 + z^2.
+accordion()
+{
+  python3 - "$@" <<'END' >accordion.mesh.off
+import sys
+
+steps = [tuple(map(int, s.split(","))) for s in sys.argv[1:]]
+x = z = 0
+points, faces, last = [], [], None
+for i, (dx, dz) in enumerate([(0, 0)] + steps):
+    x, z = x + dx, z + dz
+    heights = (-469, 0, 57, 469) if i in (0, len(steps)) else (-469, 469)
+    column = range(len(points), len(points) + len(heights))
+    points += [(x, y, z) for y in heights]
+    if last:
+        faces += [(a, column[0], b) for a, b in zip(last, last[1:])]
+        faces += [(last[-1], a, b) for a, b in zip(column, column[1:])]
+    last = column
+print("OFF", len(points), len(faces), 0)
+for p in points:
+    print(*p)
+for f in faces:
+    print(3, *f)
+END
+}
+
+# Eleven roots, three of which are products of others, are decided; thirteen primes are not.
+accordion 10,-10 5,11 11,-10 3,1 8,-9 6,1 7,-11 4,10 2,-4 8,10 9,-7
+expect 0 delaunay accordion.mesh.off -o exact.ply --exact --stats statistics.json
+claim "s = json('statistics.json')" 's.certified' 's.ties == 1' 's.undecided == 0' 's.is_delaunay'
+grep -q 'certified' err && fail "a certified result is nothing to speak of: $(cat err)"
+accordion 1,1 2,1 3,-2 4,1 5,-2 6,1 5,-4 7,2 6,-5 8,3 8,-5 9,4 10,-1
+expect 0 delaunay accordion.mesh.off -o exact.ply --exact --stats statistics.json
+claim "s = json('statistics.json')" 'not s.certified' 's.ties == 0' 's.undecided == 1' \
+  'not s.is_delaunay'
+says 'not certified: 1 decisions involve too many square roots'
+rm exact.ply statistics.json
+
 # Handled, not refused.
 expect 0 delaunay isolated.mesh.off -o -
 says 'note: isolated vertex: 1'

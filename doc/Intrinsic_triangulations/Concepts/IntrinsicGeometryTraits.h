@@ -48,7 +48,8 @@ public:
   /// just been made by flipping one for which it does not hold; otherwise `make_Delaunay()` may use
   /// up its flips. Further `bool is_certain(const Diamond<FT>& length) const`, which returns `true`
   /// only if the first does, and `false` if it would take long to decide; for a border
-  /// edge, two of the five lengths are unspecified.
+  /// edge, two of the five lengths are unspecified. Exact decisions know the condition of
+  /// `Euclidean_geometry_traits<double>` only: traits that replace it have none.
   typedef unspecified_type Is_locally_Delaunay;
 
   /// provides `bool operator()(const Diamond<FT>& length) const`, which returns whether the union

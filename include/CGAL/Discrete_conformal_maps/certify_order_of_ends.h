@@ -183,8 +183,8 @@ private:
 /// exactly which triangles an edge passes. Of two crossings that are not neighbors, the order
 /// follows from that of the neighbors between them.
 ///
-/// A pair remains undecided if 512 bits do not decide it and more than ten independent square roots
-/// are involved: that of the area of each face of \f$T^A\f$ that the edge passes. Edges of
+/// A pair remains undecided if 1024 bits do not decide it and more than twelve independent square
+/// roots are involved: that of the area of each face of \f$T^A\f$ that the edge passes. Edges of
 /// \f$T^A\f$ and \f$T^B\f$ that run along each other, in faces without area, count as ties.
 ///
 /// \param subdivision the subdivision

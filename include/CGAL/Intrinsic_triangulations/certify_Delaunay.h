@@ -25,8 +25,16 @@ namespace CGAL::Intrinsic_triangulations {
 /// lengths or lengths that it was given by. Inserted vertices lie at their barycentric coordinates
 /// divided by their sum, exactly; at each of them the faces must turn around once.
 ///
+/// A decision is exact unless 1024 bits cannot tell its sign from zero and it involves more than
+/// twelve square roots that are independent over the rationals, as a tie of so many unrelated
+/// faces. Such a decision remains undecided: the certificate names its edge or vertex, and does not
+/// confirm the result. Roots of rational numbers that are multiples of products of others do not
+/// count.
+///
 /// Complexity: linear in the edges and crossings, as long as decisions are made in floating point.
-/// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
+/// A tie that involves \f$m\f$ independent square roots takes \f$3^m\f$ products.
+/// \tparam Traits `Euclidean_geometry_traits<double>`, `Exact_Euclidean_geometry_traits`, or traits
+///   derived from them that measure in the same way
 /// \tparam NamedParameters a sequence of named parameters
 /// \param tri the triangulation
 /// \param np
@@ -39,8 +47,6 @@ namespace CGAL::Intrinsic_triangulations {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_input if \f$T_1\f$ is given by lengths that violate the triangle inequality
-/// \throws Numerical_error if a decision is not made by 512 bits and involves more than ten
-///         independent square roots
 template <typename Traits, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 Delaunay_certificate
 certify_Delaunay(const Intrinsic_triangulation<Traits>& tri,

@@ -27,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// vertices: as `point_across()`, and for every side of the regions that are looked at linear in
 /// its crossings.
 /// \tparam Traits `Euclidean_geometry_traits<double>` or `Exact_Euclidean_geometry_traits`
-/// \throws Numerical_error if a decision is not made by 512 bits and involves more than ten
+/// \throws Numerical_error if a decision is not made by 1024 bits and involves more than twelve
 ///         independent square roots, or edges of \f$T_2\f$ are bent
 /// \pre the edges of \f$T_2\f$ are straight, see `Delaunay_certificate::is_geodesic()`
 template <typename Traits>

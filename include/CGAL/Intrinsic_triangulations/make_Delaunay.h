@@ -175,7 +175,7 @@ Flipping_result flip_by_lengths(Intrinsic_triangulation<Traits>& tri, std::size_
   return {result.flips, false};
 }
 
-// Whether decisions are to be exact. To ask for that where it is not possible is an error.
+// Whether exact decisions are asked for, which is an error where they are not possible.
 template <typename Traits, typename NamedParameters>
 bool are_exact_decisions_wanted(const NamedParameters& np)
 {
@@ -186,9 +186,8 @@ bool are_exact_decisions_wanted(const NamedParameters& np)
                 "exact_decisions: the traits must be Euclidean_geometry_traits<double> or be "
                 "derived from them, without another strip, length, distance, convexity or "
                 "Delaunay condition");
-  return Is_exact<Traits>::value ||
-         CGAL::parameters::choose_parameter(
-           CGAL::parameters::get_parameter(np, internal_np::exact_decisions), false);
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal_np::exact_decisions), false);
 }
 
 inline void check_flip_limit(bool is_exceeded)
@@ -341,9 +340,10 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{exact_decisions}
 ///     \cgalParamDescription{whether all decisions are exact, with lengths of type `double`, too;
-///       lengths are then correct to a relative error of \f$2^{-40}\f$. A sign that involves more
-///       than two independent square roots, and that 512 bits cannot tell from zero, counts as
-///       zero}
+///       lengths are then correct to a relative error of \f$2^{-40}\f$. An edge that
+///       `certify_Delaunay()` reports as undecided is kept. Traits that are derived from
+///       `Euclidean_geometry_traits<double>` must inherit its strip, its lengths and distances, its
+///       convexity and its Delaunay condition: otherwise this does not compile}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -388,9 +388,9 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   Default_flip_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
-  [[maybe_unused]] const bool is_exact = internal::are_exact_decisions_wanted<Traits>(np);
+  [[maybe_unused]] const bool are_exact = internal::are_exact_decisions_wanted<Traits>(np);
   if constexpr(internal::has_exact_decisions<Traits>())
-    if(is_exact)
+    if(internal::Is_exact<Traits>::value || are_exact)
       return internal::flip_exactly(tri, limit, visitor, concurrency).number;
   return internal::make_Delaunay(tri, limit, visitor, concurrency).number;
 }

@@ -403,9 +403,9 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
   const internal::Face_bounds<Traits, decltype(predicate)> bounds(tri, degrees, circumradius,
                                                                   simplicial, predicate);
   const internal::Refinement_limits limits{insertions, flips};
-  [[maybe_unused]] const bool is_exact = internal::are_exact_decisions_wanted<Traits>(np);
+  [[maybe_unused]] const bool are_exact = internal::are_exact_decisions_wanted<Traits>(np);
   if constexpr(internal::has_exact_decisions<Traits>())
-    if(is_exact)
+    if(internal::Is_exact<Traits>::value || are_exact)
       return internal::refine_exactly(tri, bounds, limits, visitor);
   if constexpr(!internal::Is_exact<Traits>::value)
     return internal::refine_until_in_doubt(tri, bounds, limits, visitor);
