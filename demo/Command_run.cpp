@@ -172,8 +172,8 @@ std::string certificate_summary(const Statistics& s)
   const auto undecided =
     s.value("undecided", std::size_t(0)) + s.value("undecided_crossings", std::size_t(0));
   return undecided == 0 ? ", not certified"
-                        : ", not certified: " + std::to_string(undecided) +
-                            " decisions involve too many square roots";
+                        : ", not certified; undecided because of too many square roots: " +
+                            std::to_string(undecided);
 }
 
 } // namespace
