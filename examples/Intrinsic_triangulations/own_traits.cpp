@@ -16,8 +16,8 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
-// Each flip makes the sum of all lengths smaller, so that flipping ends. Lengths alone decide: exact
-// decisions know only the condition that is replaced here.
+// Each flip makes the sum of all lengths smaller, so that flipping ends. Lengths alone decide, as
+// exact decisions know only the condition that is replaced here.
 struct Thrifty_traits : IT::Euclidean_geometry_traits<>
 {
   struct Is_locally_Delaunay : IT::Euclidean_geometry_traits<>::Is_locally_Delaunay
