@@ -8,6 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Convex_polygons.h>
 
 #include <CGAL/Bbox_2.h>
@@ -121,6 +122,7 @@ private:
     return result;
   }
 
+  // Corners at one place up to rounding are not in convex position: their hull is.
   Convex_polygon part(Face_index f) const
   {
     Convex_polygon result;
@@ -129,7 +131,7 @@ private:
       const auto z = m_map.homogeneous_coordinates(m_map.subdivision().location(Layer::C, h));
       result.emplace_back(z[0] / z[2], z[1] / z[2]);
     }
-    return result;
+    return convex_hull(std::move(result));
   }
 
   const Planar_conformal_map& m_map;
