@@ -5,6 +5,7 @@
 #include "Command_run.h"
 
 #include "Program_error.h"
+#include "component_meshes.h"
 #include "surface_points.h"
 
 #include <algorithm>
@@ -65,6 +66,27 @@ void Command_run::read(const std::string& command, bool are_soups_allowed)
     m_statistics["polygons"] = m_input.parents.back() + 1;
   if(m_input.covered)
     describe_cover();
+  if(m_options.component || m_options.is_largest_chosen)
+    keep_chosen_component();
+}
+
+// All vertices stay, with their indices.
+void Command_run::keep_chosen_component()
+{
+  const auto components = component_faces(m_input.mesh);
+  const std::size_t chosen =
+    m_options.component ? *m_options.component : index_of_largest(components, m_input.mesh);
+  if(chosen >= components.size())
+    throw Program_error("--component " + std::to_string(chosen) + ": the mesh has " +
+                        std::to_string(components.size()) + ", counted from 0");
+  m_statistics["component"] = {{"index", chosen},
+                               {"of", components.size()},
+                               {"first_face", std::int64_t(components[chosen].front().idx())},
+                               {"faces", components[chosen].size()}};
+  Component_mesh kept = with_all_vertices(m_input.mesh, components[chosen]);
+  m_input.mesh = std::move(kept.mesh);
+  m_input.kept_faces = std::move(kept.faces);
+  m_input.kept_edges = std::move(kept.edges);
 }
 
 void Command_run::choose_section()
@@ -120,6 +142,11 @@ Output_mesh Command_run::input_as_read() const
 
 Output_mesh Command_run::with_input_faces(Output_mesh mesh) const
 {
+  if(!m_input.kept_edges.empty())
+    for(Attribute& a : mesh.edge_data)
+      if(a.name == "input_edge")
+        for(std::int64_t& e : std::get<0>(a.values).kept())
+          e = e < 0 ? e : number_of(m_input.kept_edges[static_cast<std::size_t>(e)]);
   const auto is_input_face = [](const Attribute& a) { return a.name == "input_face"; };
   auto& data = mesh.polygon_data;
   const auto found = std::find_if(data.begin(), data.end(), is_input_face);
@@ -128,6 +155,8 @@ Output_mesh Command_run::with_input_faces(Output_mesh mesh) const
   auto& faces = std::get<0>(found->values).kept();
   std::vector<std::int64_t> is_back, polygons;
   for(std::int64_t& f : faces) {
+    if(!m_input.kept_faces.empty() && f >= 0)
+      f = number_of(m_input.kept_faces[static_cast<std::size_t>(f)]);
     if(m_input.covered) {
       is_back.push_back(f % 2);
       f /= 2;

@@ -71,7 +71,7 @@ public:
   void add_output(const std::string& path, const Output_mesh& mesh, Mesh_format format)
   {
     m_output.add(path, [&](Text& text) {
-      if(m_input.covered || !m_input.parents.empty())
+      if(m_input.covered || !m_input.parents.empty() || !m_input.kept_faces.empty())
         write(text, with_input_faces(mesh), format);
       else
         write(text, mesh, format);
@@ -110,11 +110,13 @@ private:
   };
 
   void read(const std::string& command, bool are_soups_allowed);
+  void keep_chosen_component();
   void choose_section();
   void describe_cover();
   void write_page();
 
-  // Takes faces of the cover to those of the input, and names the polygons that these are parts of.
+  // Takes faces of the cover, or those that were kept, to those of the input, and names the
+  // polygons that these are parts of.
   Output_mesh with_input_faces(Output_mesh mesh) const;
 
   void end_stage() { m_timer.reset(); }

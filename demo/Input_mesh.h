@@ -38,6 +38,9 @@ struct Input_mesh
 {
   Mesh mesh; // the cover, if there is one
   std::optional<Covered_soup> covered;
+  // The triangles that faces are, and the edges, if some of the faces have been left out.
+  std::vector<Mesh::Face_index> kept_faces;
+  std::vector<Mesh::Edge_index> kept_edges;
   std::vector<std::int64_t> parents; // of the faces that were read, if polygons have been split
   std::vector<bool> is_reversed;     // whether a face was read the other way around; empty if none
   CGAL::Intrinsic_triangulations::Input_diagnosis diagnosis;
@@ -67,6 +70,8 @@ struct Input_mesh
   {
     if(!f.is_valid())
       return -1;
+    if(!kept_faces.empty())
+      f = kept_faces[f];
     return static_cast<std::int64_t>(covered ? covered->cover.input_face(f) : f.idx());
   }
 };

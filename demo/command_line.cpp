@@ -94,6 +94,18 @@ void add_keep_going(CLI::App& command, Common_options& options)
                    "the exit code is 3 then");
 }
 
+// Of the commands that map each component on its own.
+void add_components(CLI::App& command, Common_options& options)
+{
+  CLI::Option* const number =
+    command.add_option("--component", options.component,
+                       "Map only this component, counted from 0 in the order of their first faces");
+  command
+    .add_flag("--largest", options.is_largest_chosen,
+              "Map only the component with the greatest area")
+    ->excludes(number);
+}
+
 void add_neighbors(CLI::App& command, Common_options& options)
 {
   command
@@ -385,6 +397,7 @@ void add_hyperbolic(CLI::App& app, Options& options)
   command.add_option("--cones", own.cones, "File of angle defects; zero everywhere if not given");
   add_tiling(command, own);
   add_keep_going(command, options.common);
+  add_components(command, options.common);
   add_common_options(command, options.common);
   command.footer(Help::hyperbolic);
 }
@@ -398,6 +411,7 @@ void add_uniformize(CLI::App& app, Options& options)
   add_texture_output(command, own);
   add_tiling(command, own);
   add_keep_going(command, options.common);
+  add_components(command, options.common);
   add_common_options(command, options.common);
   command.footer(Help::uniformize);
 }
@@ -413,6 +427,7 @@ void add_sphere(CLI::App& app, Options& options)
     "--precise", own.precise,
     "Text file for the positions of the input vertices with 31 digits: index x y z");
   add_keep_going(command, options.common);
+  add_components(command, options.common);
   add_common_options(command, options.common);
   command.footer(Help::sphere);
 }

@@ -46,12 +46,14 @@ struct Common_options
   double mollification = 0;
   bool is_mollification_tried = false; // only if it changes lengths
   bool is_repair_wanted = false;
-  bool is_strict = false;              // faces must be triangles, and keep their lengths
-  bool is_direct = false;              // pages are drawn without a common subdivision
-  std::size_t number_of_neighbors = 0; // in a cloud of points; zero if there must be faces
-  bool is_exact = false;               // decisions about Delaunay edges, with a certificate
-  bool is_failure_kept = false;        // a map that is no success is written
-  bool is_failure_expected = false;    // this is what there is, after all else has been tried
+  bool is_strict = false;               // faces must be triangles, and keep their lengths
+  bool is_direct = false;               // pages are drawn without a common subdivision
+  std::size_t number_of_neighbors = 0;  // in a cloud of points; zero if there must be faces
+  std::optional<std::size_t> component; // the one that is mapped; all if not given
+  bool is_largest_chosen = false;       // the component with the greatest area
+  bool is_exact = false;                // decisions about Delaunay edges, with a certificate
+  bool is_failure_kept = false;         // a map that is no success is written
+  bool is_failure_expected = false;     // this is what there is, after all else has been tried
   bool is_quiet = false;
   std::size_t threads = 0; // 0 for as many as there are processors
 };

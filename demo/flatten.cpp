@@ -201,20 +201,21 @@ void describe_overlap(Statistics& statistics, const DCM::Planar_conformal_map& m
     statistics["overlapping_charts"].push_back({pair.first, pair.second});
 }
 
-void describe(Command_run& run, const DCM::Planar_conformal_map& map, const Output_mesh& result,
-              std::size_t iterations, std::size_t number_of_cones)
+void describe(Statistics& statistics, const DCM::Planar_conformal_map& map, const Map_front& front,
+              const Output_mesh& result, std::size_t iterations, std::size_t number_of_cones)
 {
-  Statistics& statistics = run.statistics();
   statistics["cones"] = number_of_cones;
   statistics["iterations"] = iterations;
   describe_status(statistics, map);
   statistics["max_cross_ratio_error"] = DCM::max_cross_ratio_error(map);
   describe_triangles(statistics, result);
   describe_overlap(statistics, map);
-  describe_sizes(statistics, map, run.input().mesh, result);
+  describe_sizes(statistics, map, front.input(), result);
 }
 
-std::string flat_summary(const Statistics& s)
+} // namespace
+
+std::string summary_of(const DCM::Planar_conformal_map&, const Statistics& s)
 {
   std::ostringstream text;
   text << s["cones"] << " cones, log scale factors " << s["log_scale_min"].get<double>() << " to "
@@ -228,7 +229,14 @@ std::string flat_summary(const Statistics& s)
   return text.str();
 }
 
-} // namespace
+Output_mesh described_mesh(Statistics& statistics, const DCM::Planar_conformal_map& map,
+                           const Map_front& front, std::size_t iterations,
+                           const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous)
+{
+  Output_mesh result = flat_mesh(map, front, cones, is_homogeneous);
+  describe(statistics, map, front, result, iterations, cones.size());
+  return result;
+}
 
 int finish(Command_run& run, const Texture_options& options, Mesh_format format,
            const DCM::Planar_conformal_map& map, std::size_t iterations,
@@ -237,8 +245,8 @@ int finish(Command_run& run, const Texture_options& options, Mesh_format format,
   check_status(run, map, map.is_laid_out());
   run.timed("write", [&] {
     const Map_front front(map, run.input().mesh);
-    Output_mesh result = flat_mesh(map, front, cones, options.is_homogeneous);
-    describe(run, map, result, iterations, cones.size());
+    Output_mesh result =
+      described_mesh(run.statistics(), map, front, iterations, cones, options.is_homogeneous);
     run.show([&](View_page& page) {
       show(page, run, map, front, flat_mesh(map, front, cones, true), Image_kind::plane);
       page.add_marks({"flipped triangles", true, flipped_polygons(result), {}, {}});
@@ -246,7 +254,7 @@ int finish(Command_run& run, const Texture_options& options, Mesh_format format,
     add_input_data(run.input(), front, result);
     run.add_output(options.output, result, format);
   });
-  run.finish(flat_summary(run.statistics()));
+  run.finish(summary_of(map, run.statistics()));
   return exit_code(map);
 }
 

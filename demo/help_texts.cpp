@@ -221,8 +221,8 @@ Examples:
 
 const char* const hyperbolic =
   R"(Every component must have genus two or more, or sufficiently many boundaries or cones; for
-others there is `intrinsic uniformize`. Boundaries become geodesics. The double of the surface is laid
-out; the output is the part of the mesh.
+others there is `intrinsic uniformize`. --component K and --largest choose one. Boundaries become
+geodesics. The double of the surface is laid out; the output is the part of the mesh.
 
 The output has the format of `intrinsic flatten`, with positions in the Poincare disk. With
 --homogeneous they are x t, y t, t, in Klein's disk, where the map is exact.
@@ -240,7 +240,7 @@ Example:
   intrinsic hyperbolic pretzel.obj -o disk.obj --svg tiling.svg --tiles 4 --stats pretzel.json)";
 
 const char* const uniformize =
-  R"(The mesh must be connected. By its topology it becomes
+  R"(Each component, by its topology, becomes
   a sphere      round, as with `intrinsic sphere`
   a disk        a hemisphere, as with `intrinsic sphere`; its texture is the image in the unit disk
   a torus       flat, as with `intrinsic flatten --cones none`
@@ -252,14 +252,22 @@ Statistics are those of these commands, and "modulus": of a torus the quotient t
 generators of its lattice in the fundamental domain of the modular group, as real and imaginary
 part; of a cylinder the height over the circumference, as imaginary part.
 
+Several components are mapped one by one and written into one mesh, in which the vertices of the
+input keep their indices. Their textures stand beside each other, and unit spheres stand in a row,
+to the right of the mesh if other components are there. "components" in the statistics has what
+each became: the keys above, its number, sizes and first face, and of a sphere its center. If one
+has no map, nothing is written, or, with --keep-going, only the others. --component K and --largest choose one; --view, --picture and --svg
+show only one.
+
 Example:
   intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";
 
 const char* const sphere =
-  R"(The mesh must be connected and a sphere or a disk. The image is a convex polyhedron with
+  R"(Each component must be a sphere or a disk. The image is a convex polyhedron with
 vertices on the unit sphere, discretely conformal to the mesh, that has its center of mass (with
 areas of the mesh) in the center; or one half of such a polyhedron, with the boundary on the
-equator. Convexity is decided exactly.
+equator. Convexity is decided exactly. A disk without vertices inside becomes a convex polygon in
+the equator, in the plane z = 0: "flat" in the statistics.
 
 The output is the common subdivision of the mesh, its intrinsic Delaunay triangulation and the
 polyhedron, projected to the sphere. .ply and .vtp have for each vertex the input vertex (-1 if it
@@ -274,6 +282,10 @@ vertices with 31 digits, all of which hold: the points are on the unit sphere up
 
 Vertices without faces are (0, 0, 1) or beside a disk (1, 0, 0), with homogeneous coordinates
 zero. If the image is not convex, nothing is written but with --keep-going.
+
+Several components are mapped one by one. Their spheres stand beside each other along the x axis,
+as "center" in the "components" of the statistics says; positions of --precise are relative to
+it, and vertices without faces stay where they are. --component K and --largest choose one.
 
 Example:
   intrinsic sphere cow.off -o sphere.ply --stats sphere.json --precise sphere.txt)";

@@ -17,6 +17,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <sstream>
@@ -96,10 +97,9 @@ Statistics description(const DCM::Hyperbolic_conformal_map& map, std::size_t com
   return result;
 }
 
-void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map, const Map_front& front,
-              const std::vector<Mesh::Vertex_index>& cones)
+void describe(Statistics& statistics, const DCM::Hyperbolic_conformal_map& map,
+              const Map_front& front, const std::vector<Mesh::Vertex_index>& cones)
 {
-  Statistics& statistics = run.statistics();
   statistics["cones"] = cones.size();
   statistics["iterations"] = map.minimization().iterations;
   describe_status(statistics, map);
@@ -115,7 +115,9 @@ void describe(Command_run& run, const DCM::Hyperbolic_conformal_map& map, const 
     statistics["groups"].push_back(description(map, c));
 }
 
-std::string hyperbolic_summary(const Statistics& s)
+} // namespace
+
+std::string summary_of(const DCM::Hyperbolic_conformal_map&, const Statistics& s)
 {
   std::ostringstream text;
   text << "area " << s["area"].get<double>() << ", log scale factors "
@@ -123,8 +125,22 @@ std::string hyperbolic_summary(const Statistics& s)
        << s["flips"] << " + " << s["ptolemy_flips"] << " flips, curvature error "
        << s["max_curvature_error"].get<double>() << ", gluing error "
        << s["max_gluing_error"].get<double>();
+  const Statistics& groups = s["groups"];
+  for(std::size_t c = 0; groups.size() > 1 && c < groups.size(); ++c)
+    text << "\n  component " << c << ": genus " << groups[c]["genus"] << ", area "
+         << groups[c]["area"].get<double>();
   return text.str();
 }
+
+Output_mesh described_mesh(Statistics& statistics, const DCM::Hyperbolic_conformal_map& map,
+                           const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
+                           bool is_homogeneous)
+{
+  describe(statistics, map, front, cones);
+  return flat_mesh(map, front, cones, is_homogeneous);
+}
+
+namespace {
 
 // Each component is in its own disk.
 std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conformal_map& map,
@@ -170,8 +186,8 @@ int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format form
   check_status(run, map, map.is_laid_out());
   run.timed("write", [&] {
     const Map_front front(map, run.input().mesh);
-    describe(run, map, front, cones);
-    Output_mesh result = flat_mesh(map, front, cones, options.is_homogeneous);
+    Output_mesh result =
+      described_mesh(run.statistics(), map, front, cones, options.is_homogeneous);
     add_input_data(run.input(), front, result);
     run.add_output(options.output, result, format);
     run.show([&](View_page& page) {
@@ -180,7 +196,7 @@ int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format form
     if(!options.picture.empty())
       run.add_output(options.picture, disk_picture(map, options.depth.value_or(default_depth)));
   });
-  run.finish(hyperbolic_summary(run.statistics()));
+  run.finish(summary_of(map, run.statistics()));
   return exit_code(map);
 }
 

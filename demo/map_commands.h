@@ -75,6 +75,31 @@ void show(View_page& page, Command_run& run,
           const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, const Map_front& front,
           Output_mesh mesh, Image_kind kind);
 
+// Describe a map, and return the mesh that is written for it.
+
+Output_mesh described_mesh(Statistics& statistics,
+                           const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
+                           const Map_front& front);
+
+// `cones` are the vertices with a curvature that is not zero.
+Output_mesh described_mesh(Statistics& statistics,
+                           const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
+                           const Map_front& front, std::size_t iterations,
+                           const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous);
+
+Output_mesh described_mesh(Statistics& statistics,
+                           const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+                           const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
+                           bool is_homogeneous);
+
+// What `described_mesh()` has found, in one line.
+std::string summary_of(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
+                       const Statistics& statistics);
+std::string summary_of(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
+                       const Statistics& statistics);
+std::string summary_of(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+                       const Statistics& statistics);
+
 // The ends of the commands: check the map, add it to the outputs in `format` and its properties to
 // the statistics, and finish the run. Return the exit code. Throw Map_failure as `check_status()`
 // does.

@@ -99,15 +99,21 @@ Output_mesh sphere_mesh(const DCM::Spherical_conformal_map& map, const Map_front
   return Sphere_mesh_builder(map, front).build();
 }
 
-std::string precise_positions(const DCM::Spherical_conformal_map& map, const Mesh& input)
+std::string precise_position(const DCM::Spherical_conformal_map& map, Mesh::Vertex_index v)
 {
   // Digits that are computed are more than those that are written, all of which hold.
   typedef boost::multiprecision::cpp_bin_float_50 Number;
   std::ostringstream text;
   text.precision(std::numeric_limits<DCM::Spherical_conformal_map::Extended>::digits10);
-  for(const Mesh::Vertex_index v : input.vertices()) {
-    const auto p = map.position_in<Number>(Vertex_index(v.idx()));
-    text << v.idx() << ' ' << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  }
+  const auto p = map.position_in<Number>(Vertex_index(v.idx()));
+  text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   return text.str();
+}
+
+std::string precise_positions(const DCM::Spherical_conformal_map& map, const Mesh& input)
+{
+  std::string result;
+  for(const Mesh::Vertex_index v : input.vertices())
+    result += std::to_string(v.idx()) + ' ' + precise_position(map, v);
+  return result;
 }

@@ -22,6 +22,10 @@
 Output_mesh sphere_mesh(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
                         const Map_front& front);
 
+// A line "x y z", with all digits that the map has, for a vertex of the input.
+std::string precise_position(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
+                             Mesh::Vertex_index v);
+
 // Lines "index x y z", with all digits that the map has, for each vertex of the input.
 std::string precise_positions(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
                               const Mesh& input);

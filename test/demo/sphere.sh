@@ -65,10 +65,101 @@ expect 0 uniformize isolated.mesh.off -o isolated.obj --stats isolated.json
 claim "json('isolated.json').surface_type == 'sphere'"
 rm isolated.json isolated.obj isolated.ply isolated.txt
 
+# strip NAME N: unit squares in a row; vertices 2 i and 2 i + 1 are across.
+strip()
+{
+  awk -v n="$2" 'BEGIN {
+    print "OFF\n" 2 * n + 2, 2 * n, 0
+    for(i = 0; i <= n; ++i) print i, 0, 0 "\n" i, 1, 0
+    for(i = 0; i < n; ++i) {
+      a = 2 * i
+      print 3, a, a + 2, a + 3 "\n" 3, a, a + 3, a + 1
+    }
+  }' >"$1.mesh.off"
+}
+
+# Disks without vertices inside become polygons in the unit circle: each square of a strip keeps its
+# cross ratio, whatever the command.
+strip strip 8
+for command in sphere uniformize; do
+  expect 0 $command strip.mesh.off -o strip.obj --stats strip.json
+  says 'inscribed polygon, convex'
+  is_convex strip.json
+  on_sphere strip.obj
+  claim "s = json('strip.json')" 's.flat and s.disk and s.lost_in_output == 0' \
+    "p = obj('strip.obj').points" 'len(p) == 18 and all(x[2] == 0 for x in p)' \
+    'near([dist(p[i], p[i + 2]) * dist(p[i + 3], p[i + 1]) / dist(p[i], p[i + 1]) / dist(p[i + 2], p[i + 3]) for i in range(0, 16, 2)], [1] * 8, 1e-8)' \
+    "obj('strip.obj').texture == [(x, y) for x, y, z in p]"
+done
+# of two triangles no more than two are lost, and the same with obtuse angles at the boundary
+off rectangle '0 0 0,4 0 0,4 3 0,0 3 0' '0 1 2,0 2 3'
+off kite '0 0 0,4 0 0,9 1 0,4 9 0' '0 1 2,0 2 3'
+for mesh in rectangle kite; do
+  expect 0 sphere $mesh.mesh.off -o strip.obj --stats strip.json
+  is_convex strip.json
+  claim "json('strip.json').lost_in_output == 0" "flat_area(obj('strip.obj')) > 0"
+done
+# a strip with ends that are too small even for 32 digits
+strip strip 400
+expect 1 sphere strip.mesh.off -o long.obj
+says 'layout_collapsed'
+rm strip.obj strip.json
+
+# Components are mapped one by one; vertices keep their indices, and one without faces its place.
+strip strip 3
+off parts '9 9 9,0 0 0,1 0 0,0 1 0,0 0 1,5 0 0,6 0 0,5 1 0,7 7 0' '1 3 2,1 2 4,5 6 7,2 3 4,3 1 4,6 8 7'
+expect 0 sphere parts.mesh.off -o parts.ply --stats parts.json --precise parts.txt
+says '2 components'
+says 'component 1, 2 faces, first face 2: inscribed polygon'
+claim "s = json('parts.json')" '[(c.component, c.vertices, c.faces, c.first_face) for c in s.components] == [(0, 4, 4, 0), (1, 4, 2, 2)]' \
+  "all(c.status == 'success' for c in s.components)" '[c.center[0] for c in s.components] == [0, 2.5]' \
+  "m = ply('parts.ply')" 'm.points[0] == (9, 9, 9)' 'm.vertex["input_vertex"][:9] == list(range(9))' \
+  'near([hypot(*m.points[i]) for i in (1, 2, 3, 4)], [1] * 4, 1e-14)' \
+  'near([hypot(m.points[i][0] - 2.5, m.points[i][1]) for i in (5, 6, 7, 8)], [1] * 4, 1e-14)' \
+  'set(m.face["input_face"]) == set(range(6))' \
+  'all(set(f) <= {5, 6, 7} | set(range(9, len(m.points))) for f, i in zip(m.faces, m.face["input_face"]) if i == 2)'
+[ "$(cut -d' ' -f1 parts.txt | tr '\n' ' ')" = '1 2 3 4 5 6 7 8 ' ] || fail 'precise positions'
+# one of them, as if it were alone
+expect 0 sphere parts.mesh.off -o part.ply --component 1 --stats parts.json
+claim "s = json('parts.json')" 's.component.index == 1 and s.component.of == 2 and s.component.first_face == 2' \
+  "m = ply('part.ply')" 'm.vertex["input_vertex"][:9] == list(range(9))' \
+  'near([hypot(*m.points[i]) for i in (5, 6, 7, 8)], [1] * 4, 1e-14)' \
+  'set(m.face["input_face"]) == {2, 5}'
+expect 0 sphere parts.mesh.off -o largest.ply --largest
+expect 0 sphere parts.mesh.off -o part.ply --component 0
+cmp part.ply largest.ply
+expect 2 sphere parts.mesh.off -o none.ply --component 2
+says 'the mesh has 2, counted from 0'
+expect 2 sphere parts.mesh.off -o none.ply --component 0 --largest
+expect 2 sphere parts.mesh.off -o none.ply --view none.html
+rm parts.* part.ply largest.ply
+# polygons that are split keep their numbers
+off quads "$square,5 0 0,6 0 0,6 1 0,5 1 0" '0 1 2 3,4 5 6 7'
+expect 0 sphere quads.mesh.off -o quads.ply
+claim "set(ply('quads.ply').face['input_polygon']) == {0, 1}"
+expect 0 sphere quads.mesh.off -o quads.ply --component 1
+claim "set(ply('quads.ply').face['input_polygon']) == {1}"
+rm quads.ply
+# a component that is neither a sphere nor a disk is named
+off three '0 0 0,1 0 0,0 1 0,5 0 0,8 0 0,5 3 0,5.5 .5 0,7 .5 0,5.5 2 0' \
+  '0 1 2,3 4 7,3 7 6,4 5 8,4 8 7,5 3 6,5 6 8'
+expect 2 sphere three.mesh.off -o none.ply
+says 'component 1, 6 faces, first face 1: '
+expect_files
+expect 3 sphere three.mesh.off -o three.ply --stats three.json --keep-going
+says 'left out: '
+claim "s = json('three.json')" "s.components[0].status == 'success' and 'left_out' in s.components[1]" \
+  "set(ply('three.ply').face['input_face']) == {0}"
+rm three.ply three.json
+expect 0 uniformize three.mesh.off -o three.obj --stats three.json
+claim "s = json('three.json')" "[c.surface_type for c in s.components] == ['disk', 'annulus']" \
+  's.components[1].modulus[1] > 0' "m = obj('three.obj')" 'm.points[3:6] == [(5, 0, 0), (8, 0, 0), (5, 3, 0)]' \
+  'near(hypot(m.points[0][0] - 9.5, m.points[0][1]), 1, 1e-14)' 'flat_area(m) > 0'
+expect 0 uniformize three.mesh.off -o again.obj
+cmp three.obj again.obj
+rm three.obj three.json again.obj
+
 # Bad input and bad calls write nothing.
-off two '0 0 0,1 0 0,0 1 0,5 5 5,6 5 5,5 6 5' '0 1 2,3 4 5'
-expect 2 sphere two.mesh.off -o two.ply
-says 'not connected'
 expect 2 sphere regular.mesh.off
 expect 2 sphere regular.mesh.off -o sphere.xyz
 expect_files
