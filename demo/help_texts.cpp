@@ -256,8 +256,8 @@ Several components are mapped one by one and written into one mesh, in which the
 input keep their indices. Their textures stand beside each other, and unit spheres stand in a row,
 to the right of the mesh if other components are there. "components" in the statistics has what
 each became: the keys above, its number, sizes and first face, and of a sphere its center. If one
-has no map, nothing is written, or, with --keep-going, only the others. --component K and --largest choose one; --view, --picture and --svg
-show only one.
+has no map, nothing is written, or, with --keep-going, only the others. --component K and --largest
+choose one; --view, --picture and --svg show only one.
 
 Example:
   intrinsic uniformize torus.obj -o flat.obj --stats torus.json)";

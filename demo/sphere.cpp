@@ -56,9 +56,8 @@ void describe(Statistics& statistics, const DCM::Spherical_conformal_map& map)
 std::string summary_of(const DCM::Spherical_conformal_map&, const Statistics& s)
 {
   std::ostringstream text;
-  text << (s.contains("flat") ? "inscribed polygon"
-           : s["disk"]        ? "hemisphere"
-                              : "sphere")
+  text << (s["disk"] ? s.contains("flat") ? "inscribed polygon" : "hemisphere" : "sphere")
+       << (s["disk"] || !s.contains("flat") ? "" : " that is a flat polygon, seen from both sides")
        << (s["convex"] ? ", convex" : "") << ", log scale factors "
        << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
        << s["flips"] << " + " << s["ptolemy_flips"] << " flips, " << s["lost_in_output"]

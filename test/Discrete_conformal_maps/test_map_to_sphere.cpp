@@ -568,6 +568,37 @@ TEST(Map_to_sphere, random_polygons)
   check_polygon(DCM::map_to_sphere(bent), bent);
 }
 
+// The two sides of a quadrilateral with different diagonals: the image of a square is a square, and
+// points of its sides stay in the plane of the vertices.
+TEST(Map_to_sphere, spheres_without_volume)
+{
+  CGAL::Random random(16);
+  for(int i = 0; i < 20; ++i) {
+    const std::vector<Point> points =
+      i == 0 ? std::vector<Point>{Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)}
+             : on_ellipse(4, 1, random);
+    const Mesh mesh = make_mesh(points, {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {2, 1, 3}});
+    const Spherical_conformal_map map = DCM::map_to_sphere(mesh);
+    check_map(map);
+    EXPECT_FALSE(map.is_disk());
+    EXPECT_TRUE(map.is_flat());
+    EXPECT_EQ(map.lost_in_output(), 0u);
+    for(const Position& p : {map.position(Vertex_index(0)), map.position(Vertex_index(1)),
+                             map.position(Vertex_index(2)), map.position(Vertex_index(3))})
+      EXPECT_EQ(p[1], 0);
+    if(i == 0) {
+      EXPECT_NEAR(distance(map.position(Vertex_index(0)), map.position(Vertex_index(1))),
+                  std::sqrt(2.), 1e-14);
+    }
+    for(Halfedge_index h : map.subdivision().mesh().halfedges()) {
+      const Position p =
+        map.image(map.homogeneous_coordinates(map.subdivision().location(Layer::C, h)));
+      EXPECT_EQ(p[1], 0);
+      EXPECT_LE(std::hypot(p[0], p[2]), 1 + 1e-15);
+    }
+  }
+}
+
 TEST(Map_to_sphere, is_continuous_on_the_subdivision)
 {
   const Mesh m = perturbed(random_sphere(60, 8), 0.25, 9);

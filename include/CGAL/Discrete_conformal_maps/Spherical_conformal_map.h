@@ -44,6 +44,8 @@ class Sphere_mapping;
 /// polyhedron of its double is a flat polygon, seen from both sides: `is_flat()`. Then the image is
 /// this polygon, in the plane of the equator. If 32 digits do not distinguish its vertices with the
 /// center of mass in the center, the two ends that are farthest from each other become antipodal.
+/// The convex polyhedron of a sphere can also be a flat polygon, seen from both sides: the image
+/// of a doubly covered polygon in space is one.
 ///
 /// An isolated vertex of the input has the position (0, 0, 1), or (1, 0, 0) beside a disk, and the
 /// logarithmic scale factor zero, which are unspecified otherwise.
@@ -64,13 +66,9 @@ public:
   /// returns whether the input is a disk.
   bool is_disk() const { return !is_front(Face_index(Delaunay().input_mesh().num_faces() - 1)); }
 
-  /// returns whether the image is a convex polygon inscribed in the equator: the input is a disk
-  /// without vertices inside.
-  bool is_flat() const
-  {
-    const Vertex_index last(ideal().mesh().num_vertices() - 1);
-    return is_disk() && input_vertex(last) == last; // no vertex has a copy
-  }
+  /// returns whether the image is a convex polygon inscribed in a great circle: in the equator, if
+  /// the input is a disk without vertices inside, or seen from both sides, if it is a sphere.
+  bool is_flat() const { return m_is_flat; }
 
   /// returns whether vertices have positions. They have none if the scale factors have not been
   /// found, or if numbers have too few digits for a layout.
@@ -121,7 +119,7 @@ public:
   /// as seen from the center, if they have their vertices at `position()`: exact for these rounded
   /// numbers. Edges between faces that are parts of one flat face can have any
   /// side, and count. Faces of a disk count if they have a vertex inside; those of a flat image if
-  /// they are flipped in its plane or have no area.
+  /// they have no area or, of a disk, are flipped in its plane.
   std::size_t lost_in_output() const { return m_lost_in_output; }
 
   /// returns the greatest distance of a `position()` from the sphere.
@@ -155,12 +153,11 @@ public:
   }
 
   /// returns the image of a point of the polyhedron with these homogeneous coordinates: on the
-  /// sphere, as `project()` gives it, or in the plane of the equator if `is_flat()`.
+  /// sphere, as `project()` gives it, or on the polygon if `is_flat()`.
   Point image(const std::array<double, 4>& homogeneous) const
   {
-    if(!is_flat())
-      return project(homogeneous);
-    return {homogeneous[0] / homogeneous[3], homogeneous[1] / homogeneous[3], 0};
+    const auto& [x, y, z, w] = homogeneous;
+    return is_flat() ? Point{x / w, y / w, z / w} : project(homogeneous);
   }
 
   /// returns the image of a point of the polyhedron on the sphere, along the ray from the center.
@@ -179,7 +176,7 @@ public:
   }
 
   /// returns the image of a point of the input, by piecewise projective interpolation: on the
-  /// sphere, or in the plane of the equator if `is_flat()`. Complexity: that of `place_on_C()`.
+  /// sphere, or on the polygon if `is_flat()`. Complexity: that of `place_on_C()`.
   Point operator()(const Face_location& p) const
   {
     return image(homogeneous_coordinates(place_on_C(p)));
@@ -201,7 +198,7 @@ private:
   std::vector<Point> m_position;
   Convexity_certificate m_certificate;
   std::size_t m_lost_in_output = 0, m_bound_violations = 0;
-  bool m_is_extended = false, m_is_laid_out = false;
+  bool m_is_extended = false, m_is_laid_out = false, m_is_flat = false;
 };
 
 inline double Spherical_conformal_map::max_inscribed_error() const

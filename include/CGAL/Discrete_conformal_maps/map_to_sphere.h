@@ -46,10 +46,12 @@ public:
     if(has_vertices_inside()) {
       const Unfolded_sphere sphere = unfold();
       take(sphere);
+      m_map.m_is_flat = sphere.is_laid_out() && m_problem.has_no_copies() && has_no_face_in_plane();
       if(sphere.is_laid_out())
-        m_map.m_lost_in_output = lost_in_output();
+        m_map.m_lost_in_output = m_map.is_flat() ? lost_in_flat_output() : lost_in_output();
     } else {
       const Inscribed_polygon polygon(m_problem, m_mass, candidates().front(), m_visitor);
+      m_map.m_is_flat = true;
       take(polygon);
       m_map.m_lost_in_output = lost_in_output(polygon);
     }
@@ -203,6 +205,36 @@ private:
     for(Vertex_index v : m_problem.surface().vertices()) {
       const double z = m_map.position(v)[2];
       result = greater_error(result, m_problem.is_on_boundary(v) ? std::abs(z) : -z);
+    }
+    return result;
+  }
+
+  // Then the polyhedron is a flat polygon, seen from both sides.
+  bool has_no_face_in_plane() const
+  {
+    const Delta_complex& mesh = m_map.ideal().mesh();
+    const auto is_at_infinity = [&](Face_index f) {
+      const auto side = Intrinsic_triangulations::sides(f, mesh);
+      return std::any_of(side.begin(), side.end(), [&](Halfedge_index h) {
+        return mesh.target(h) == m_map.vertex_at_infinity();
+      });
+    };
+    const auto faces = mesh.faces();
+    return std::all_of(faces.begin(), faces.end(), is_at_infinity);
+  }
+
+  // of a sphere, whose polygon is in the plane y = 0
+  std::size_t lost_in_flat_output() const
+  {
+    const Delta_complex& mesh = m_map.ideal().mesh();
+    const auto at = [&](Halfedge_index h) {
+      const Spherical_conformal_map::Point& p = m_map.position(mesh.source(h));
+      return Plane_predicates<double>::Point{p[0], p[2]};
+    };
+    std::size_t result = 0;
+    for(Face_index f : mesh.faces()) {
+      const auto side = Intrinsic_triangulations::sides(f, mesh);
+      result += Plane_predicates<double>().orientation(at(side[0]), at(side[1]), at(side[2])) == 0;
     }
     return result;
   }
