@@ -35,29 +35,37 @@ constexpr const char* no_path_advice = "; choose points of one connected compone
 
 using Path = IT::Surface_path<double>;
 using Place = IT::Surface_place<double>;
-using Halfedges = std::vector<IT::Halfedge_index>;
+using Halfedge = IT::Halfedge_index;
+using Halfedges = std::vector<Halfedge>;
 
 // All are kept, for the statistics too.
 constexpr std::size_t greatest_number_of_crossings = 1000000;
 
-bool is_vertex(const Place& p)
-{
-  return p.along.is_valid() &&
-         std::count(p.location.second.begin(), p.location.second.end(), 0.) == 2;
-}
-
-// A place of a path in JSON: at a vertex, on an edge with its ends, or in a face.
-Statistics description(const Place& p, const Input_mesh& input)
+// A place of a path in JSON: at a vertex, on an edge with its ends, or in a face. Its coordinates
+// decide which: a halfedge of a place need not start at it.
+Statistics description(const Place& p, const IT::Delta_complex& mesh)
 {
   Statistics result;
-  if(is_vertex(p))
-    result["vertex"] = input.mesh.source(p.along).idx();
-  else if(p.along.is_valid())
-    result["edge"] = {input.mesh.source(p.along).idx(), input.mesh.target(p.along).idx()};
-  const auto [face, coordinates] = input.as_read(p.location);
-  result["face"] = face.idx();
-  result["barycentric"] = coordinates;
+  const Place decoded = IT::internal::surface_place(p.location, mesh);
+  const Halfedge h = p.along.is_valid() ? p.along : decoded.along;
+  if(IT::internal::is_at_vertex(p))
+    result["vertex"] = mesh.source(decoded.along).idx();
+  else if(h.is_valid())
+    result["edge"] = {mesh.source(h).idx(), mesh.target(h).idx()};
+  result["face"] = p.location.first.idx();
+  result["barycentric"] = p.location.second;
   return result;
+}
+
+// Moves a place to a vertex that it can be told from by rounding only.
+void snap_to_vertex(Place& p)
+{
+  auto& weights = p.location.second;
+  const auto greatest = std::max_element(weights.begin(), weights.end());
+  if(*greatest < 1 && 1 - *greatest <= IT::rounding_unit<double>()) {
+    weights = {0, 0, 0};
+    *greatest = 1;
+  }
 }
 
 // A line on the input, and what the statistics have of it.
@@ -69,15 +77,16 @@ struct Found_path
 
 std::size_t number_of_crossings(const Path& path) { return path.places.size() - 2; }
 
-Found_path found_path(Path path, const std::string& status, const Input_mesh& input)
+Found_path found_path(Path path, const std::string& status, const IT::Delta_complex& mesh)
 {
   if(path.places.size() == 1) // a line has two ends, even if they are one point
     path.places.push_back(path.places.front());
+  std::for_each(path.places.begin() + 1, path.places.end() - 1, snap_to_vertex);
   Statistics s{{"status", status}, {"length", path.length}};
   s["crossings"] = number_of_crossings(path);
   s["places"] = Statistics::array();
   for(const Place& p : path.places)
-    s["places"].push_back(description(p, input));
+    s["places"].push_back(description(p, mesh));
   return {std::move(path), std::move(s)};
 }
 
@@ -156,12 +165,12 @@ private:
   {
     if(m_options.is_homology_basis)
       return;
-    const Input_mesh& input = m_run.input();
-    m_points.push_back(surface_point(m_options.from, input));
+    const Mesh& mesh = m_run.input().mesh;
+    m_points.push_back(surface_point_nearby(m_options.from, mesh));
     for(const std::string& text : m_options.via)
-      m_points.push_back(surface_point(text, input));
+      m_points.push_back(surface_point_nearby(text, mesh));
     if(!m_options.to.empty())
-      m_points.push_back(surface_point(m_options.to, input));
+      m_points.push_back(surface_point_nearby(m_options.to, mesh));
   }
 
   std::vector<Found_path> search(Triangulation& triangulation)
@@ -179,7 +188,7 @@ private:
     if(path.places.empty())
       throw Program_error("there is no path from " + m_options.from + " to " + m_options.to +
                           no_path_advice);
-    return found_path(std::move(path), "shortest", m_run.input());
+    return found_path(std::move(path), "shortest", triangulation.input_mesh());
   }
 
   // From vertex to vertex along edges, then by flips.
@@ -192,14 +201,14 @@ private:
         "the path contracts to a point; lead it around a handle, a hole or a vertex of "
         "negative curvature with --via");
     Statistics& edges = result.description["intrinsic_edges"] = Statistics::array();
-    for(IT::Halfedge_index h : path)
+    for(Halfedge h : path)
       edges.push_back({{"edge", Mesh::Edge_index(h).idx()},
                        {"source", triangulation.mesh().source(h).idx()},
                        {"target", triangulation.mesh().target(h).idx()}});
     return result;
   }
 
-  std::vector<Found_path> homology_loops(Triangulation& triangulation) const
+  static std::vector<Found_path> homology_loops(Triangulation& triangulation)
   {
     std::vector<Found_path> result;
     for(Halfedges& loop : IT::homology_basis(triangulation.input())) {
@@ -210,7 +219,7 @@ private:
   }
 
   // Shortens a path along edges, whose halfedges become those after flips; none if it contracts.
-  Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation) const
+  static Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation)
   {
     IT::Edge_paths paths(triangulation);
     is_loop ? paths.add_loop(path) : paths.add_path(path);
@@ -219,8 +228,9 @@ private:
     path = paths.halfedges(0);
     if(path.empty())
       return {};
-    Found_path result = found_path(IT::path_on_input(triangulation, path),
-                                   is_geodesic ? "geodesic" : "blocked", m_run.input());
+    Found_path result =
+      found_path(IT::path_on_input(triangulation, path), is_geodesic ? "geodesic" : "blocked",
+                 triangulation.input_mesh());
     result.description["length_along_edges"] = before;
     return result;
   }
@@ -245,9 +255,35 @@ private:
     return result;
   }
 
-  Found_path straightest_path(const Triangulation& triangulation) const
+  // The start, at a vertex in the first of its faces.
+  Surface_location start_of_straightest(const IT::Delta_complex& mesh) const
+  {
+    Surface_location result = m_points.front();
+    if(!IT::internal::is_corner(result.second) || m_options.from.find(':') != std::string::npos)
+      return result;
+    IT::for_each_spoke(IT::internal::vertex_at(result, mesh), mesh, [&](Halfedge h) {
+      if(!mesh.is_border(h) && mesh.face(h) <= result.first)
+        result = IT::face_location(IT::Edge_point<double>{h, 0}, mesh);
+    });
+    return result;
+  }
+
+  // Angles are measured from the first side of the face, at a corner from the side that leaves it.
+  std::complex<double> straightest_vector(const Surface_location& start,
+                                          const Triangulation& triangulation) const
   {
     const auto [degrees, length] = *m_options.straightest;
+    const IT::Delta_complex& mesh = triangulation.input_mesh();
+    const IT::internal::Flat_face<double> face(mesh.halfedge(start.first), triangulation.input());
+    const std::size_t side = IT::internal::is_corner(start.second)
+                               ? side_number(IT::internal::surface_place(start, mesh).along, mesh)
+                               : 0;
+    return face.direction(side) *
+           std::polar(length, std::remainder(degrees, 360.) * std::acos(-1.) / 180);
+  }
+
+  Found_path straightest_path(const Triangulation& triangulation) const
+  {
     const auto input = triangulation.input();
     const IT::Delta_complex& mesh = input.mesh();
     std::vector<IT::Edge_point<double>> crossings;
@@ -257,18 +293,30 @@ private:
                             std::to_string(greatest_number_of_crossings) + " edges; shorten it");
       crossings.push_back(p);
     };
+    const Surface_location start = start_of_straightest(mesh);
     const auto end =
-      IT::trace_geodesic(input, m_points.front(),
-                         std::polar(length, std::remainder(degrees, 360.) * std::acos(-1.) / 180),
+      IT::trace_geodesic(input, start, straightest_vector(start, triangulation),
                          IT::At_boundary::stop, boost::make_function_output_iterator(add));
-    Path path{end.length, {{IT::Halfedge_index(), m_points.front()}}};
+    if(end.status == IT::Geodesic_status::stopped_at_boundary)
+      check_length(end.length, start, triangulation);
+    Path path{end.length, {{Halfedge(), start}}};
     for(const auto& p : crossings)
       path.places.push_back({p.halfedge, IT::face_location(p, mesh)});
-    path.places.push_back({IT::Halfedge_index(), end.end});
-    return found_path(std::move(path),
-                      end.status == IT::Geodesic_status::reached ? "straightest"
-                                                                 : "stopped_at_boundary",
-                      m_run.input());
+    path.places.push_back({Halfedge(), end.end});
+    return found_path(
+      std::move(path),
+      end.status == IT::Geodesic_status::reached ? "straightest" : "stopped_at_boundary", mesh);
+  }
+
+  // What stops where it starts, up to rounding, has not gone anywhere.
+  void check_length(double length, const Surface_location& start,
+                    const Triangulation& triangulation) const
+  {
+    const auto h = triangulation.input_mesh().halfedge(start.first);
+    if(length <= IT::internal::Flat_face<double>(h, triangulation.input()).tolerance())
+      throw Program_error("'" + m_options.from + "' is on the boundary, and this direction leads " +
+                          "out of the surface; angles are counterclockwise from a side of face " +
+                          std::to_string(start.first.idx()) + ", choose another");
   }
 
   // ---- Output ----

@@ -96,14 +96,15 @@ public:
   /// \name Paths
   /// @{
 
-  /// adds a path and returns its index. \pre each halfedge starts where the one before ends
+  /// adds a path and returns its index. What it goes to and fro is left out.
+  /// \pre each halfedge starts where the one before ends
   std::size_t add_path(const std::vector<Halfedge_index>& halfedges)
   {
     return add(halfedges, false);
   }
 
-  /// adds a loop and returns its index. \pre each halfedge starts where the one before ends, and
-  /// the first one where the last one ends
+  /// adds a loop and returns its index. What it goes to and fro is left out.
+  /// \pre each halfedge starts where the one before ends, and the first one where the last one ends
   std::size_t add_loop(const std::vector<Halfedge_index>& halfedges)
   {
     return add(halfedges, true);
@@ -193,28 +194,49 @@ private:
 
   Halfedge_index halfedge(Index s) const { return m_segment[s].halfedge; }
 
+  // Paths to and fro have no sides: beside them, others could lie in an order that crosses.
+  static Spokes without_spurs(const Spokes& halfedges, bool is_loop)
+  {
+    Spokes result;
+    for(Halfedge_index h : halfedges)
+      if(!result.empty() && result.back() == opposite(h))
+        result.pop_back();
+      else
+        result.push_back(h);
+    auto first = result.begin(), last = result.end();
+    while(is_loop && last - first > 1 && *first == opposite(*(last - 1))) {
+      ++first;
+      --last;
+    }
+    return {first, last};
+  }
+
   std::size_t add(const Spokes& halfedges, bool is_loop)
   {
+    CGAL_precondition(is_connected(halfedges, is_loop));
     const Index path = static_cast<Index>(m_path.size());
-    Index last = Segments::null;
-    m_path.push_back({last, is_loop});
-    for(Halfedge_index h : halfedges) {
-      CGAL_precondition(last == Segments::null ||
-                        m_mesh.target(halfedge(last)) == m_mesh.source(h));
+    const Index first = static_cast<Index>(m_segment.size());
+    const Spokes spokes = without_spurs(halfedges, is_loop);
+    for(Halfedge_index h : spokes) {
       const Index s = m_segment.add(h, path);
-      m_segment.link(last, s);
-      if(last == Segments::null)
-        m_path.back().first = s;
-      last = s;
+      m_segment.link(s == first ? Segments::null : s - 1, s);
     }
-    CGAL_precondition(!is_loop || halfedges.empty() ||
-                      m_mesh.target(halfedges.back()) == m_mesh.source(halfedges.front()));
-    if(is_loop && !halfedges.empty())
-      m_segment.link(last, m_path.back().first);
-    for(Index s = last - static_cast<Index>(halfedges.size()) + 1; !halfedges.empty() && s <= last;
-        ++s)
+    const Index end = static_cast<Index>(m_segment.size());
+    if(is_loop && first < end)
+      m_segment.link(end - 1, first);
+    for(Index s = first; s < end; ++s)
       m_segment.insert(s, m_mesh);
+    m_path.push_back({first < end ? first : Segments::null, is_loop});
     return path;
+  }
+
+  bool is_connected(const Spokes& halfedges, bool is_loop) const
+  {
+    for(std::size_t i = is_loop ? 0 : 1; i < halfedges.size(); ++i)
+      if(m_mesh.target(halfedges[(i == 0 ? halfedges.size() : i) - 1]) !=
+         m_mesh.source(halfedges[i]))
+        return false;
+    return true;
   }
 
   // ---- Joints ----

@@ -39,7 +39,7 @@ Surface_place<typename Traits::FT> start_on_input(Halfedge_index h,
 ///        before ends
 /// \returns its length and its places on \f$T_1\f$, from the source of the first halfedge to the
 ///   target of the last one. Where it crosses an edge, `along` is the halfedge through which it
-///   leaves a face. At a vertex of \f$T_1\f$, `along` starts there: the path goes on along it, or
+///   leaves a face; rounding never moves a crossing to a vertex. At a vertex of \f$T_1\f$, `along` starts there: the path goes on along it, or
 ///   through the face on its left; if it is a border halfedge, the location is in the face of the
 ///   opposite halfedge. At a vertex inserted on an edge, `along` is a halfedge of this edge; it is
 ///   null if the vertex has been inserted inside a face. The sequence of crossed edges is exact.
@@ -58,7 +58,7 @@ Surface_path<typename Traits::FT> path_on_input(const Intrinsic_triangulation<Tr
     result.length += tri.length(mesh.edge(h));
     result.places.push_back(internal::start_on_input(h, trace.front().on_input, tri));
     for(std::size_t m = 1; m + 1 < trace.size(); ++m)
-      result.places.push_back(internal::place_on(trace[m].on_input, tri.input_mesh()));
+      result.places.push_back(internal::crossing_on(trace[m].on_input, tri.input_mesh()));
   }
   if(!halfedges.empty()) {
     const Halfedge_index o = mesh.opposite(halfedges.back());

@@ -33,6 +33,9 @@ public:
     bool is_removed;
   };
 
+  // the number of segments that have been added
+  std::size_t size() const { return m_segment.size(); }
+
   const Segment& operator[](Index s) const { return m_segment[s]; }
 
   bool is_free(Edge_index e) const
@@ -74,18 +77,21 @@ public:
   }
 
   // Puts the segment, whose path is linked, on its edge, beside the others so that paths that come
-  // together and part do not cross; on the right of those that never part.
+  // together and part do not cross; as far as that allows, on the right of those that never part.
   template <typename P>
   void insert(Index s, const Surface_mesh<P>& mesh)
   {
     const Halfedge_index h = m_segment[s].halfedge, first = first_halfedge(Edge_index(h));
-    const int at_end = h == first ? -1 : 1;
     auto& list = m_on_edge[Edge_index(h).idx()];
-    const auto is_left = [&](Index t) {
-      const int side = compare(s, t, first, mesh);
-      return (side == 0 ? at_end : side) > 0;
-    };
-    list.insert(std::find_if(list.begin(), list.end(), is_left), s);
+    auto after_those_on_left = list.begin(), position = list.begin();
+    for(; position != list.end(); ++position) {
+      const int side = compare(s, *position, first, mesh);
+      if(side > 0)
+        break;
+      if(side < 0)
+        after_those_on_left = position + 1;
+    }
+    list.insert(h == first ? position : after_those_on_left, s);
   }
 
   void remove(Index s)
