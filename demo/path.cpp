@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/exponential_map.h>
 #include <CGAL/Intrinsic_triangulations/homology_basis.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 
@@ -22,6 +23,8 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -208,22 +211,32 @@ private:
     return result;
   }
 
+  // The shortest geodesics that are a basis, from loops along edges of a Delaunay triangulation:
+  // these are hardly longer.
   static std::vector<Found_path> homology_loops(Triangulation& triangulation)
   {
+    IT::make_Delaunay(triangulation);
+    const Triangulation start = triangulation;
+    const auto geodesic = [&](Halfedges loop) {
+      triangulation = start;
+      return shortened(loop, true, triangulation);
+    };
+    const auto loops = IT::homology_basis(
+      start.intrinsic(), [&](const Halfedges& loop) { return geodesic(loop).path.length; });
     std::vector<Found_path> result;
-    for(Halfedges& loop : IT::homology_basis(triangulation.input())) {
-      triangulation.reset_to_input();
-      result.push_back(shortened(loop, true, triangulation));
-    }
+    std::transform(loops.begin(), loops.end(), std::back_inserter(result), geodesic);
     return result;
   }
 
   // Shortens a path along edges, whose halfedges become those after flips; none if it contracts.
   static Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation)
   {
+    const double before =
+      std::accumulate(path.begin(), path.end(), 0., [&](double sum, Halfedge h) {
+        return sum + triangulation.length(triangulation.mesh().edge(h));
+      });
     IT::Edge_paths paths(triangulation);
     is_loop ? paths.add_loop(path) : paths.add_path(path);
-    const double before = paths.length(0);
     const bool is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
     path = paths.halfedges(0);
     if(path.empty())

@@ -6,12 +6,16 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Intrinsic_triangulations/homology_basis.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace Test_homology_basis {
@@ -114,8 +118,7 @@ std::size_t rank(const Delta_complex& mesh)
 }
 
 // Loops that are independent of each other and of boundaries, as many as the rank, are a basis
-// (over a field). Over the integers they are one because the loops are those of the edges beside a
-// tree and a cotree.
+// (over a field).
 void expect_basis(const std::vector<Halfedges>& loops, const Delta_complex& mesh,
                   std::size_t expected_rank)
 {
@@ -162,6 +165,141 @@ TEST(Homology_basis, components_and_isolated_vertices)
   mesh += random_sphere(20, 3);
   const IT::Intrinsic_triangulation<> t(mesh);
   expect_basis(IT::homology_basis(t), t.mesh(), 2 + 3);
+}
+
+// ---- Short loops ----
+
+double length(const Halfedges& loop, const IT::Intrinsic_triangulation<>& t)
+{
+  double sum = 0;
+  for(Halfedge_index h : loop)
+    sum += t.length(t.mesh().edge(h));
+  return sum;
+}
+
+double sum_of_lengths(const std::vector<Halfedges>& loops, const IT::Intrinsic_triangulation<>& t)
+{
+  double sum = 0;
+  for(const Halfedges& loop : loops)
+    sum += length(loop, t);
+  return sum;
+}
+
+// Shortest paths from one vertex, by Bellman and Ford: the last halfedges of all paths.
+std::vector<Halfedge_index> shortest_path_tree(Vertex_index root,
+                                               const IT::Intrinsic_triangulation<>& t)
+{
+  const Delta_complex& mesh = t.mesh();
+  std::vector<double> distance(mesh.num_vertices(), 1e300);
+  std::vector<Halfedge_index> entry(mesh.num_vertices());
+  distance[root.idx()] = 0;
+  for(bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for(Halfedge_index h : mesh.halfedges())
+      if(const double d = distance[mesh.source(h).idx()] + t.length(mesh.edge(h));
+         d < distance[mesh.target(h).idx()]) {
+        distance[mesh.target(h).idx()] = d;
+        entry[mesh.target(h).idx()] = h;
+        has_changed = true;
+      }
+  }
+  return entry;
+}
+
+Halfedges path_to(Vertex_index v, const std::vector<Halfedge_index>& entry,
+                  const Delta_complex& mesh)
+{
+  Halfedges result;
+  for(Halfedge_index h = entry[v.idx()]; h.is_valid(); h = entry[mesh.source(h).idx()])
+    result.insert(result.begin(), h);
+  return result;
+}
+
+// The length of a shortest basis: of the loops that all edges close along the shortest paths from
+// all vertices, the shortest ones that are independent.
+double length_of_shortest_basis(const IT::Intrinsic_triangulation<>& t)
+{
+  const Delta_complex& mesh = t.mesh();
+  std::multimap<double, Chain> loops;
+  for(Vertex_index v : mesh.vertices()) {
+    const auto entry = shortest_path_tree(v, t);
+    for(Edge_index e : mesh.edges()) {
+      const Halfedge_index h = mesh.halfedge(e);
+      Halfedges loop = path_to(mesh.source(h), entry, mesh);
+      loop.push_back(h);
+      const Halfedges back = path_to(mesh.target(h), entry, mesh);
+      for(auto x = back.rbegin(); x != back.rend(); ++x)
+        loop.push_back(mesh.opposite(*x));
+      loops.emplace(length(loop, t), chain(loop));
+    }
+  }
+  Chain_space space = boundaries(mesh);
+  double sum = 0;
+  for(const auto& [l, c] : loops)
+    sum += space.add(c) ? l : 0;
+  return sum;
+}
+
+TEST(Homology_basis, is_shortest)
+{
+  for(const Named_complex& c : complexes())
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(c.name + ", seed " + std::to_string(seed));
+      const auto t = triangulation(c.mesh, random_lengths(c.mesh, seed));
+      const double expected = length_of_shortest_basis(t);
+      EXPECT_NEAR(sum_of_lengths(IT::homology_basis(t), t), expected, 1e-12 * expected);
+    }
+}
+
+double geodesic_length(const Halfedges& loop, const IT::Intrinsic_triangulation<>& t)
+{
+  IT::Intrinsic_triangulation<> copy = t;
+  IT::Edge_paths paths(copy);
+  paths.add_loop(loop);
+  paths.shorten();
+  return paths.length(0);
+}
+
+// On a flat torus they are as long as the shortest vectors of its lattice that are independent.
+TEST(Homology_basis, geodesics_of_flat_tori)
+{
+  const std::vector<std::pair<Vector, Vector>> cells{
+    {{1000, 130}, {-270, 900}}, {{1000, 0}, {900, 500}}, {{1000, 0}, {-700, 600}}};
+  for(const auto& [right, up] : cells)
+    for(unsigned int seed = 0; seed < 5; ++seed) {
+      const Flat_surface torus = flat_torus(5, 4, seed, right, up);
+      auto t = triangulation(torus);
+      IT::make_Delaunay(t); // a shortest geodesic may need many edges of other triangulations
+      std::multimap<double, Vector> lattice;
+      for(std::int64_t i = -9; i <= 9; ++i)
+        for(std::int64_t j = -9; j <= 9; ++j)
+          if(i != 0 || j != 0)
+            lattice.emplace(length(i * torus.a + j * torus.b), i * torus.a + j * torus.b);
+      const Vector shortest = lattice.begin()->second;
+      while(det(shortest, lattice.begin()->second) == 0)
+        lattice.erase(lattice.begin());
+      const auto loops = IT::homology_basis(
+        t.intrinsic(), [&](const Halfedges& loop) { return geodesic_length(loop, t); });
+      ASSERT_EQ(loops.size(), 2u);
+      EXPECT_NEAR(geodesic_length(loops[0], t), length(shortest), 1e-9) << seed;
+      EXPECT_NEAR(geodesic_length(loops[1], t), lattice.begin()->first, 1e-9) << seed;
+    }
+}
+
+// Two base vertices of a torus of revolution see the outer equator only; the inner one is shorter.
+TEST(Homology_basis, inner_equator)
+{
+  const std::size_t n = 24;
+  const double turn = 2 * std::acos(-1.) / n;
+  Mesh mesh = embedded_torus(n, n);
+  for(Vertex_index v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    const double r = std::hypot(p.x(), p.y());
+    mesh.point(v) = Point(p.x() * (r - 1) / r, p.y() * (r - 1) / r, p.z());
+  }
+  const IT::Intrinsic_triangulation<> t(mesh);
+  for(const Halfedges& loop : IT::homology_basis(t))
+    EXPECT_NEAR(length(loop, t), n * 2 * std::sin(turn / 2), 1e-12);
 }
 
 TEST(Homology_basis, all_loops_become_geodesics)

@@ -10,13 +10,17 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
-
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Intrinsic_triangulations/internal/topology/Homology_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/topology/Loop_signatures.h>
+#include <CGAL/Intrinsic_triangulations/internal/topology/tree_loop.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <numeric>
+#include <optional>
 #include <queue>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -24,159 +28,299 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Shortest paths along edges from one vertex of each component (Dijkstra), and the loops that edges
-// beside them close.
+inline std::vector<std::size_t> first_indices(std::size_t n)
+{
+  std::vector<std::size_t> result(n);
+  std::iota(result.begin(), result.end(), std::size_t(0));
+  return result;
+}
+
+// Finds short loops along edges, the shortest one of each homology class modulo 2 that is found.
+//
+// A loop that does not bound has an edge with a signature. One end of each of these edges, the
+// centers, is where searches begin: if a loop is the shortest of its class and not a sum of shorter
+// ones, it consists of two shortest paths from a center on it and an edge between their ends. All
+// centers together find a shortest basis (Erickson and Whittlesey 2005); so do those within half of
+// the length of the longest loop of a basis that is known already.
 template <typename Surface>
-class Edge_path_trees
+class Loop_search
 {
   typedef Length_of<Surface> FT;
+  typedef Loop_signatures::Signature Signature;
 
 public:
-  explicit Edge_path_trees(const Surface& surface)
+  struct Loop
+  {
+    FT length;
+    std::vector<Halfedge_index> halfedges;
+  };
+
+  // Loops are found up to `slack` times the length of the longest one of a basis.
+  Loop_search(const Surface& surface, const FT& slack)
     : m_surface(surface),
       m_mesh(surface.mesh()),
-      m_distance(m_mesh.num_vertices(), FT(0)),
-      m_entry(m_mesh.num_vertices()),
-      m_is_reached(m_mesh.num_vertices(), 0)
+      m_signatures(m_mesh, Boundary_loops::open),
+      m_coordinates(m_signatures),
+      m_label(m_mesh.num_vertices()),
+      m_slack(slack)
   {
-    for(Vertex_index v : m_mesh.vertices())
-      if(!m_is_reached[v.idx()])
-        grow_from(v);
+    for(Edge_index e : m_signatures.generators())
+      add(m_signatures.loop(e));
+    if(!m_loops.empty())
+      search_all();
   }
 
-  bool is_in_tree(Edge_index e) const
+  // returns the loops, the shortest ones first
+  const std::vector<Loop>& loops() const { return m_loops; }
+
+  // Returns the first loops in the order of `indices` that are a basis over the integers, by their
+  // indices; fewer if there is none among them.
+  std::vector<std::size_t> basis(const std::vector<std::size_t>& indices) const
   {
-    const Halfedge_index h = m_mesh.halfedge(e);
-    return entry(m_mesh.target(h)) == h || entry(m_mesh.source(h)) == opposite(h);
+    Partial_basis partial(dimension());
+    std::vector<std::size_t> result;
+    for(std::size_t i : indices)
+      if(!partial.is_complete() && partial.add(m_coordinates(m_loops[i].halfedges)))
+        result.push_back(i);
+    return result;
   }
 
-  FT loop_length(Edge_index e) const
-  {
-    const Halfedge_index h = m_mesh.halfedge(e);
-    return m_distance[m_mesh.source(h).idx()] + edge_length(h, m_surface) +
-           m_distance[m_mesh.target(h).idx()];
-  }
+  std::size_t dimension() const { return m_coordinates.dimension(); }
 
-  // without what it goes to and fro
-  std::vector<Halfedge_index> loop(Edge_index e) const
+  // Returns the halfedges of the loops of a basis; those of generators if it is not complete, which
+  // takes a class that is odd over the integers.
+  std::vector<std::vector<Halfedge_index>> halfedges(const std::vector<std::size_t>& basis) const
   {
-    const Halfedge_index h = m_mesh.halfedge(e);
-    std::vector<Halfedge_index> there = path_to_root(m_mesh.source(h)),
-                                back = path_to_root(m_mesh.target(h));
-    while(!there.empty() && !back.empty() && there.back() == back.back()) {
-      there.pop_back();
-      back.pop_back();
-    }
-    std::reverse(there.begin(), there.end());
-    for(Halfedge_index& x : there)
-      x = opposite(x);
-    there.push_back(h);
-    there.insert(there.end(), back.begin(), back.end());
-    return there;
+    std::vector<std::vector<Halfedge_index>> result;
+    if(basis.size() == dimension())
+      for(std::size_t i : basis)
+        result.push_back(m_loops[i].halfedges);
+    else
+      for(Edge_index e : m_signatures.generators())
+        result.push_back(m_signatures.loop(e));
+    return result;
   }
 
 private:
-  typedef std::pair<FT, Halfedge_index> Step; // the length of a path, and its last halfedge
-
-  // the last halfedge of the path to `v`; null if it is a root
-  Halfedge_index entry(Vertex_index v) const { return m_entry[v.idx()]; }
-
-  void grow_from(Vertex_index root)
+  struct Label
   {
-    std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
-    const auto go_on_from = [&](Vertex_index v) {
-      m_is_reached[v.idx()] = 1;
-      if(!m_mesh.is_isolated(v))
-        for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
-          if(!m_is_reached[m_mesh.target(h).idx()])
-            queue.push({m_distance[v.idx()] + edge_length(h, m_surface), h});
-        });
-    };
-    go_on_from(root);
-    while(!queue.empty()) {
-      const auto [length, h] = queue.top();
-      queue.pop();
-      const Vertex_index v = m_mesh.target(h);
-      if(m_is_reached[v.idx()])
-        continue;
-      m_distance[v.idx()] = length;
-      m_entry[v.idx()] = h;
-      go_on_from(v);
-    }
+    std::size_t round = 0;
+    FT distance = FT(0);
+    Halfedge_index entry; // the last of the path that leads here
+    Signature signature = 0;
+    bool is_final = false;
+  };
+
+  // how many vertices all searches reach together, and how many one may reach in any case
+  static constexpr std::size_t greatest_number_of_visits = std::size_t(1) << 22;
+  static constexpr std::size_t least_number_of_visits = 4096;
+
+  Label& label(Vertex_index v) { return m_label[v.idx()]; }
+
+  void search_all()
+  {
+    const std::vector<Vertex_index> center = centers();
+    const std::size_t most =
+      (std::max)(greatest_number_of_visits / center.size(), least_number_of_visits);
+    const Mesh_components components(m_mesh);
+    std::vector<char> is_reached(components.size(), 0);
+    std::optional<FT> bound;
+    std::size_t searches = 0, next = 1;
+    for_each_spread(center.size(), [&](std::size_t i) {
+      char& is_component_reached = is_reached[components[center[i].idx()]];
+      if(m_visits > greatest_number_of_visits && is_component_reached)
+        return;
+      search(center[i], is_component_reached ? bound : std::nullopt,
+             is_component_reached ? most : m_mesh.num_vertices());
+      is_component_reached = 1;
+      if(++searches == next) {
+        bound = m_slack * longest_of_basis();
+        next *= 2;
+      }
+    });
+    sort();
   }
 
-  // halfedges from `v` on
-  std::vector<Halfedge_index> path_to_root(Vertex_index v) const
+  // Calls `visit` for the numbers up to `n`: zero, those with the most factors of two, and so on.
+  template <typename Visit>
+  static void for_each_spread(std::size_t n, const Visit& visit)
   {
-    std::vector<Halfedge_index> result;
-    for(Halfedge_index h = entry(v); h.is_valid(); h = entry(m_mesh.source(h)))
-      result.push_back(opposite(h));
+    std::size_t step = 1;
+    while(step < n)
+      step *= 2;
+    visit(0);
+    for(; step > 1; step /= 2)
+      for(std::size_t i = step / 2; i < n; i += step)
+        visit(i);
+  }
+
+  std::vector<Vertex_index> centers() const
+  {
+    std::vector<Vertex_index> result;
+    std::vector<bool> is_center(m_mesh.num_vertices(), false);
+    for(Edge_index e : m_mesh.edges())
+      if(const Vertex_index v = m_mesh.vertex(e, 0);
+         m_signatures[e] != 0 && !is_center[v] && !is_center[m_mesh.vertex(e, 1)]) {
+        is_center[v] = true;
+        result.push_back(v);
+      }
     return result;
+  }
+
+  void sort()
+  {
+    std::stable_sort(m_loops.begin(), m_loops.end(),
+                     [](const Loop& a, const Loop& b) { return a.length < b.length; });
+  }
+
+  FT longest_of_basis() const
+  {
+    std::vector<std::size_t> order = first_indices(m_loops.size());
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return m_loops[a].length < m_loops[b].length;
+    });
+    FT result(0);
+    for(std::size_t i : basis(order))
+      result = (std::max)(result, m_loops[i].length);
+    return result;
+  }
+
+  // Dijkstra's algorithm around `center`, as far as loops have at most the length `bound`.
+  void search(Vertex_index center, const std::optional<FT>& bound, std::size_t most)
+  {
+    ++m_round;
+    m_queue = Queue();
+    push(center, FT(0), Halfedge_index(), 0);
+    std::unordered_map<Signature, std::size_t> found;
+    std::vector<std::pair<FT, Halfedge_index>> best; // of each class
+    for(std::size_t visits = 0; !m_queue.empty() && visits < most;) {
+      const auto [distance, v] = m_queue.top();
+      m_queue.pop();
+      if(label(v).is_final)
+        continue;
+      if(bound && 2 * distance > *bound)
+        break;
+      label(v).is_final = true;
+      ++visits;
+      ++m_visits;
+      for_each_spoke(v, m_mesh, [&, a = label(v)](Halfedge_index h) {
+        const Label& b = label(m_mesh.target(h));
+        const Signature s = a.signature ^ m_signatures[Edge_index(h)];
+        const FT reached = a.distance + edge_length(h, m_surface), length = reached + b.distance;
+        if(b.round != m_round || !b.is_final)
+          push(m_mesh.target(h), reached, h, s);
+        else if(s != b.signature && !(bound && length > *bound)) {
+          const auto [x, is_new] = found.emplace(s ^ b.signature, best.size());
+          if(is_new)
+            best.push_back({length, h});
+          else if(length < best[x->second].first)
+            best[x->second] = {length, h};
+        }
+      });
+    }
+    add_all(best);
+  }
+
+  void push(Vertex_index v, const FT& distance, Halfedge_index entry, Signature signature)
+  {
+    Label& l = label(v);
+    if(l.round == m_round && l.distance <= distance)
+      return;
+    l = {m_round, distance, entry, signature, false};
+    m_queue.push({distance, v});
+  }
+
+  void add_all(const std::vector<std::pair<FT, Halfedge_index>>& best)
+  {
+    for(const auto& [length, h] : best)
+      add(tree_loop(
+        h, [&](Vertex_index v) { return label(v).entry; }, m_mesh));
+  }
+
+  void add(std::vector<Halfedge_index> halfedges)
+  {
+    FT length(0);
+    for(Halfedge_index h : halfedges)
+      length += edge_length(h, m_surface);
+    const auto [x, is_new] = m_index.emplace(m_signatures.of(halfedges), m_loops.size());
+    if(is_new)
+      m_loops.push_back({length, std::move(halfedges)});
+    else if(length < m_loops[x->second].length)
+      m_loops[x->second] = {length, std::move(halfedges)};
   }
 
   const Surface& m_surface;
   const Delta_complex& m_mesh;
-  std::vector<FT> m_distance;
-  std::vector<Halfedge_index> m_entry;
-  std::vector<char> m_is_reached;
+  Loop_signatures m_signatures;
+  Homology_coordinates m_coordinates;
+  std::vector<Label> m_label;
+  FT m_slack;
+  std::size_t m_round = 0;
+  std::size_t m_visits = 0;
+  std::vector<Loop> m_loops;
+  std::unordered_map<Signature, std::size_t> m_index; // of the loop of a class
+  typedef std::pair<FT, Vertex_index> Entry;
+  typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
+  Queue m_queue;
 };
-
-// Joins the faces through edges beside the trees, those that close the longest loops first, as long
-// as they do not meet; the borders of a component are one face. Returns the edges that are left.
-template <typename Surface>
-std::vector<Edge_index> edges_beside_cotree(const Edge_path_trees<Surface>& trees,
-                                            const Delta_complex& mesh)
-{
-  std::vector<Edge_index> edges, result;
-  for(Edge_index e : mesh.edges())
-    if(!trees.is_in_tree(e))
-      edges.push_back(e);
-  std::stable_sort(edges.begin(), edges.end(), [&](Edge_index a, Edge_index b) {
-    return trees.loop_length(b) < trees.loop_length(a);
-  });
-  const Mesh_components components(mesh);
-  boost::disjoint_sets_with_storage<> faces(mesh.num_faces() + components.size());
-  const auto face = [&](Halfedge_index h) {
-    return mesh.is_border(h) ? mesh.num_faces() + components[mesh.target(h).idx()]
-                             : std::size_t(mesh.face(h).idx());
-  };
-  for(Edge_index e : edges) {
-    const Halfedge_index h = mesh.halfedge(e);
-    const std::size_t f = faces.find_set(face(h)), g = faces.find_set(face(mesh.opposite(h)));
-    if(f == g)
-      result.push_back(e);
-    else
-      faces.link(f, g);
-  }
-  std::reverse(result.begin(), result.end());
-  return result;
-}
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsPaths
-/// finds loops along edges that are a basis of the first homology group: every closed curve is
-/// homologous to exactly one integer combination of them.
+/// finds short loops along edges that are a basis of the first homology group: every closed curve
+/// is homologous to exactly one integer combination of them.
 ///
-/// In each component, shortest paths from its first vertex and edges between their ends make loops,
-/// of which a shortest basis is taken (Erickson and Whittlesey 2005); what a loop goes to and fro
-/// is left out. `Edge_paths` shortens them to geodesics.
+/// The loops are chosen by increasing length, each of which is no combination of those before
+/// (Erickson and Whittlesey 2005). They consist of two shortest paths from a base vertex and an edge
+/// between their ends. Every loop of a shortest basis meets one of the base vertices. Searches from
+/// all base vertices end after visits of \f$2^{22}\f$ vertices in all: if they have come to the end
+/// before, which takes at most as many base vertices times vertices, no basis of loops along edges
+/// is shorter. `Edge_paths` shortens the loops to geodesics.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \returns the halfedges of each loop, each starting where the one before ends. For a component of
 ///          genus \f$g\f$ these are \f$2g\f$ loops, or \f$2g+b-1\f$ if it has \f$b>0\f$ boundary
 ///          components. The shortest come first.
 ///
-/// Complexity: \f$O(n \log n)\f$, and linear in the length of the result. Which loops are found is
-/// decided by rounded lengths; that they are a basis is not.
+/// Complexity: \f$O(n \log n)\f$ for each base vertex. There are at most as many as edges that the
+/// generators of the dual group cross, and on large surfaces no more than the visits allow. Which
+/// loops are found is decided by rounded lengths; that they are a basis is decided by integers.
 template <typename Surface>
 std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface)
 {
-  const internal::Edge_path_trees<Surface> trees(surface);
-  std::vector<std::vector<Halfedge_index>> result;
-  for(Edge_index e : internal::edges_beside_cotree(trees, surface.mesh()))
-    result.push_back(trees.loop(e));
-  return result;
+  typedef Length_of<Surface> FT;
+  const internal::Loop_search<Surface> search(surface, FT(1));
+  return search.halfedges(search.basis(internal::first_indices(search.loops().size())));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// finds such loops that are short in another measure, as after they have been shortened.
+///
+/// The shortest loops along edges, up to 1.5 times as long as those of a shortest basis, are
+/// measured: at most \f$4k + 16\f$ beside a shortest basis of \f$k\f$ loops. By increasing measure
+/// each loop is chosen that is no combination of those before.
+///
+/// \param surface a model of `IntrinsicSurface`
+/// \param measure a function of the halfedges of a loop that returns a number
+/// \returns the loops, those of the least measure first
+template <typename Surface, typename Measure>
+std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface,
+                                                        const Measure& measure)
+{
+  typedef Length_of<Surface> FT;
+  const internal::Loop_search<Surface> search(surface, FT(1.5));
+  std::vector<std::size_t> measured = search.basis(internal::first_indices(search.loops().size()));
+  const std::size_t dimension = search.dimension();
+  for(std::size_t i = 0; i < (std::min)(search.loops().size(), 4 * dimension + 16); ++i)
+    if(std::find(measured.begin(), measured.end(), i) == measured.end())
+      measured.push_back(i);
+  std::vector<std::pair<decltype(measure(search.loops()[0].halfedges)), std::size_t>> order;
+  for(std::size_t i : measured)
+    order.push_back({measure(search.loops()[i].halfedges), i});
+  std::sort(order.begin(), order.end());
+  std::transform(order.begin(), order.end(), measured.begin(),
+                 [](const auto& x) { return x.second; });
+  return search.halfedges(search.basis(measured));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

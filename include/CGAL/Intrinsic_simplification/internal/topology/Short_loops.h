@@ -8,7 +8,8 @@
 #include <CGAL/license/Intrinsic_simplification.h>
 
 #include <CGAL/Intrinsic_simplification/Surface_surgery.h>
-#include <CGAL/Intrinsic_simplification/internal/topology/Loop_signatures.h>
+#include <CGAL/Intrinsic_triangulations/internal/topology/Loop_signatures.h>
+#include <CGAL/Intrinsic_triangulations/internal/topology/tree_loop.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -21,6 +22,8 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_simplification::internal {
+
+using Intrinsic_triangulations::internal::Loop_signatures;
 
 // Finds short curves of edges that do not separate the surface. The shortest one through a vertex
 // consists of two shortest paths from there and an edge between their ends.
@@ -192,26 +195,10 @@ private:
     m_queue.push({distance, v});
   }
 
-  std::vector<Halfedge_index> path_to(Vertex_index v) const
-  {
-    std::vector<Halfedge_index> result;
-    for(Halfedge_index h = m_label[v].last; h.is_valid(); h = m_label[m_mesh.source(h)].last)
-      result.push_back(h);
-    std::reverse(result.begin(), result.end());
-    return result;
-  }
-
-  // closed by `h`, without what its two paths have in common
   Loop loop_across(Halfedge_index h) const
   {
-    const auto there = path_to(m_mesh.source(h)), back = path_to(m_mesh.target(h));
-    std::size_t common = 0;
-    while(common < (std::min)(there.size(), back.size()) && there[common] == back[common])
-      ++common;
-    Loop result{0, {there.begin() + static_cast<std::ptrdiff_t>(common), there.end()}};
-    result.halfedges.push_back(h);
-    for(std::size_t i = back.size(); i-- > common;)
-      result.halfedges.push_back(opposite(back[i]));
+    Loop result{0, Intrinsic_triangulations::internal::tree_loop(
+                     h, [&](Vertex_index v) { return m_label[v].last; }, m_mesh)};
     for(Halfedge_index x : result.halfedges)
       result.length += length(x);
     return result;
