@@ -46,17 +46,19 @@ constexpr std::size_t greatest_number_of_crossings = 1000000;
 
 // A place of a path in JSON: at a vertex, on an edge with its ends, or in a face. Its coordinates
 // decide which: a halfedge of a place need not start at it.
-Statistics description(const Place& p, const IT::Delta_complex& mesh)
+Statistics description(const Place& p, const Input_mesh& input)
 {
   Statistics result;
+  const Mesh& mesh = input.mesh;
   const Place decoded = IT::internal::surface_place(p.location, mesh);
   const Halfedge h = p.along.is_valid() ? p.along : decoded.along;
   if(IT::internal::is_at_vertex(p))
     result["vertex"] = mesh.source(decoded.along).idx();
   else if(h.is_valid())
     result["edge"] = {mesh.source(h).idx(), mesh.target(h).idx()};
-  result["face"] = p.location.first.idx();
-  result["barycentric"] = p.location.second;
+  const auto [face, coordinates] = input.as_read(p.location);
+  result["face"] = face.idx();
+  result["barycentric"] = coordinates;
   return result;
 }
 
@@ -80,7 +82,7 @@ struct Found_path
 
 std::size_t number_of_crossings(const Path& path) { return path.places.size() - 2; }
 
-Found_path found_path(Path path, const std::string& status, const IT::Delta_complex& mesh)
+Found_path found_path(Path path, const std::string& status, const Input_mesh& input)
 {
   if(path.places.size() == 1) // a line has two ends, even if they are one point
     path.places.push_back(path.places.front());
@@ -89,7 +91,7 @@ Found_path found_path(Path path, const std::string& status, const IT::Delta_comp
   s["crossings"] = number_of_crossings(path);
   s["places"] = Statistics::array();
   for(const Place& p : path.places)
-    s["places"].push_back(description(p, mesh));
+    s["places"].push_back(description(p, input));
   return {std::move(path), std::move(s)};
 }
 
@@ -168,12 +170,12 @@ private:
   {
     if(m_options.is_homology_basis)
       return;
-    const Mesh& mesh = m_run.input().mesh;
-    m_points.push_back(surface_point_nearby(m_options.from, mesh));
+    const Input_mesh& input = m_run.input();
+    m_points.push_back(surface_point_nearby(m_options.from, input));
     for(const std::string& text : m_options.via)
-      m_points.push_back(surface_point_nearby(text, mesh));
+      m_points.push_back(surface_point_nearby(text, input));
     if(!m_options.to.empty())
-      m_points.push_back(surface_point_nearby(m_options.to, mesh));
+      m_points.push_back(surface_point_nearby(m_options.to, input));
   }
 
   std::vector<Found_path> search(Triangulation& triangulation)
@@ -191,7 +193,7 @@ private:
     if(path.places.empty())
       throw Program_error("there is no path from " + m_options.from + " to " + m_options.to +
                           no_path_advice);
-    return found_path(std::move(path), "shortest", triangulation.input_mesh());
+    return found_path(std::move(path), "shortest", m_run.input());
   }
 
   // From vertex to vertex along edges, then by flips.
@@ -213,7 +215,7 @@ private:
 
   // The shortest geodesics that are a basis, from loops along edges of a Delaunay triangulation:
   // these are hardly longer.
-  static std::vector<Found_path> homology_loops(Triangulation& triangulation)
+  std::vector<Found_path> homology_loops(Triangulation& triangulation) const
   {
     IT::make_Delaunay(triangulation);
     const Triangulation start = triangulation;
@@ -229,7 +231,7 @@ private:
   }
 
   // Shortens a path along edges, whose halfedges become those after flips; none if it contracts.
-  static Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation)
+  Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation) const
   {
     const double before =
       std::accumulate(path.begin(), path.end(), 0., [&](double sum, Halfedge h) {
@@ -241,9 +243,8 @@ private:
     path = paths.halfedges(0);
     if(path.empty())
       return {};
-    Found_path result =
-      found_path(IT::path_on_input(triangulation, path), is_geodesic ? "geodesic" : "blocked",
-                 triangulation.input_mesh());
+    Found_path result = found_path(IT::path_on_input(triangulation, path),
+                                   is_geodesic ? "geodesic" : "blocked", m_run.input());
     result.description["length_along_edges"] = before;
     return result;
   }
@@ -316,9 +317,10 @@ private:
     for(const auto& p : crossings)
       path.places.push_back({p.halfedge, IT::face_location(p, mesh)});
     path.places.push_back({Halfedge(), end.end});
-    return found_path(
-      std::move(path),
-      end.status == IT::Geodesic_status::reached ? "straightest" : "stopped_at_boundary", mesh);
+    return found_path(std::move(path),
+                      end.status == IT::Geodesic_status::reached ? "straightest"
+                                                                 : "stopped_at_boundary",
+                      m_run.input());
   }
 
   // What stops where it starts, up to rounding, has not gone anywhere.
