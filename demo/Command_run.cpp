@@ -51,7 +51,8 @@ void Command_run::read(const std::string& command, bool are_soups_allowed)
   {
     const Timer timer(m_seconds["read"]);
     Input_tolerance tolerance;
-    tolerance.is_repair_wanted = m_options.is_repair_wanted;
+    tolerance.is_repair_wanted = m_options.is_repair_wanted || m_options.weld_distance > 0;
+    tolerance.weld_distance = m_options.weld_distance;
     tolerance.is_strict = m_options.is_strict;
     tolerance.are_zero_lengths_allowed = m_options.mollification > 0;
     tolerance.are_soups_allowed = are_soups_allowed;
@@ -64,6 +65,10 @@ void Command_run::read(const std::string& command, bool are_soups_allowed)
     m_statistics["repairs"][what] = count;
   if(!m_input.parents.empty())
     m_statistics["polygons"] = m_input.parents.back() + 1;
+  if(m_input.cracks.coincident > 0)
+    m_statistics["coincident_points"] = m_input.cracks.coincident;
+  if(m_input.cracks.close > 0)
+    m_statistics["close_points"] = m_input.cracks.close;
   if(m_input.covered)
     describe_cover();
   if(m_options.component || m_options.is_largest_chosen)

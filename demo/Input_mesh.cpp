@@ -82,9 +82,9 @@ void check_acceptable(const std::string& path, const IT::Input_diagnosis& diagno
   throw Program_error(path + ": " + message + advice(diagnosis, tolerance));
 }
 
-Repair_report repair_aloud(const std::string& path, Polygon_soup& soup)
+Repair_report repair_aloud(const std::string& path, Polygon_soup& soup, double weld_distance)
 {
-  const Repair_report report = repair(soup);
+  const Repair_report report = repair(soup, weld_distance);
   for(const auto& [what, count] : report)
     std::cerr << path << ": repaired: " << what << ": " << count << '\n';
   if(soup.polygons.empty())
@@ -109,13 +109,17 @@ void print_notes(const std::string& path, const Polygon_soup& soup,
   const auto note = [&](const std::string& text) {
     std::cerr << path << ": note: " << text << '\n';
   };
+  if(!soup.format.empty())
+    note("read as " + soup.format + ", which its content is");
   if(soup.merged_corners > 0)
     note("corners merged because the file has no indices: " + std::to_string(soup.merged_corners));
   if(is_cloud)
     return note("no faces, so the points are triangulated with their neighbors");
   for(const IT::Defect_description& d : IT::defect_descriptions)
-    if(diagnosis.count(d.kind) > 0)
+    if(diagnosis.count(d.kind) > 0 && d.kind != IT::Defect_kind::SEVERAL_COMPONENTS)
       note(diagnosis.message(d.kind));
+  if(const std::size_t n = diagnosis.statistics().components; n > 1)
+    note("connected components: " + std::to_string(n));
   if(!soup.parents.empty())
     note("polygons split into triangles: " + std::to_string(number_of_polygons(diagnosis)));
   if(number_of_soup_defects(diagnosis) > 0)
@@ -143,7 +147,7 @@ Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance,
   Input_mesh result;
   result.diagnosis = diagnose(soup);
   if(tolerance.is_repair_wanted && is_repairable(result.diagnosis) && !is_cloud) {
-    result.repairs = repair_aloud(path, soup);
+    result.repairs = repair_aloud(path, soup, tolerance.weld_distance);
     result.diagnosis = diagnose(soup);
   }
   check_acceptable(path, result.diagnosis, tolerance);
@@ -167,7 +171,12 @@ Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance,
     auto cover = IT::tufted_cover(soup.points, soup.polygons);
     result.mesh = cover.mesh();
     result.covered.emplace(Covered_soup{std::move(soup), is_cloud, std::move(cover)});
-  } else
-    result.mesh = mesh_of(soup);
+    return result;
+  }
+  result.mesh = mesh_of(soup);
+  result.cracks = cracks(result.mesh);
+  if(!is_quiet)
+    for(const std::string& message : result.cracks.messages())
+      std::cerr << path << ": note: " << message << '\n';
   return result;
 }

@@ -7,6 +7,7 @@
 
 #include "Polygon_soup.h"
 #include "Soup_repair.h"
+#include "close_points.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Input_diagnosis.h>
@@ -45,6 +46,7 @@ struct Input_mesh
   std::vector<bool> is_reversed;     // whether a face was read the other way around; empty if none
   CGAL::Intrinsic_triangulations::Input_diagnosis diagnosis;
   Repair_report repairs;
+  Cracks cracks;      // of the mesh, unless it is a cover
   Triangle_data data; // at the vertices and triangles of what was read; these only if there are any
 
   // Of what was read.
@@ -80,7 +82,8 @@ struct Input_mesh
 struct Input_tolerance
 {
   bool is_repair_wanted = false;
-  bool is_strict = false; // no polygon is split into triangles
+  double weld_distance = 0; // at which a repair merges points
+  bool is_strict = false;   // no polygon is split into triangles
   bool are_zero_lengths_allowed = false;
   bool are_soups_allowed = false; // edges and vertices that are not manifold, any orientation
   std::size_t neighbors = 0;      // in a cloud of points; zero if there must be faces

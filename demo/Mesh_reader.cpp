@@ -4,7 +4,7 @@
 
 #include "Mesh_reader.h"
 
-#include "file_extension.h"
+#include "file_format.h"
 #include "format_readers.h"
 
 #include <new>
@@ -13,20 +13,16 @@
 
 namespace {
 
-void read(Scanner& in, const std::string& extension, Polygon_soup& soup, bool are_points_allowed)
+void read(Scanner& in, File_format format, Polygon_soup& soup)
 {
-  if(extension == ".off")
-    read_off(in, soup);
-  else if(extension == ".obj")
-    read_obj(in, soup);
-  else if(extension == ".ply")
-    read_ply(in, soup);
-  else if(extension == ".stl")
-    read_stl(in, soup);
-  else if(extension == ".xyz" && are_points_allowed)
-    read_xyz(in, soup);
-  else
-    in.fail_as_a_whole("the extension is not one of .off, .obj, .ply and .stl");
+  switch(format) {
+    case File_format::OFF: return read_off(in, soup);
+    case File_format::OBJ: return read_obj(in, soup);
+    case File_format::PLY: return read_ply(in, soup);
+    case File_format::STL: return read_stl(in, soup);
+    case File_format::VTP: return read_vtp(in, soup);
+    case File_format::XYZ: return read_xyz(in, soup);
+  }
 }
 
 } // namespace
@@ -36,7 +32,10 @@ Polygon_soup read_mesh(const std::filesystem::path& path, bool are_points_allowe
   Scanner in(path);
   Polygon_soup soup;
   try {
-    read(in, extension_of(path), soup, are_points_allowed);
+    const File_format format = file_format(in);
+    if(is_misnamed(in, format))
+      soup.format = name_of(format);
+    read(in, format, soup);
     clean(soup.data, soup.points.size());
   } catch(const std::bad_alloc&) {
     in.fail_as_a_whole("has more elements than fit into memory");
@@ -44,6 +43,8 @@ Polygon_soup read_mesh(const std::filesystem::path& path, bool are_points_allowe
     in.fail_as_a_whole("has more elements than there are numbers for");
   }
   if(soup.polygons.empty() && (!are_points_allowed || soup.points.empty()))
-    in.fail_as_a_whole("has no faces");
+    in.fail_as_a_whole(soup.points.empty() ? "has no faces"
+                                           : "has no faces; `intrinsic distance` and `intrinsic "
+                                             "operators` triangulate points with --neighbors 30");
   return soup;
 }

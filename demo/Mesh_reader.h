@@ -9,14 +9,14 @@
 
 #include <filesystem>
 
-// Reads a file in the format that its extension names: .off, .obj, .ply or .stl. Corners of .stl
-// files with the same coordinates become one vertex. The data are, as far as the format has them,
-// colors (red, green and blue, in .ply and .off alpha), normals (nx, ny and nz, or "normal" if
-// corners at a vertex differ), the texture coordinates of corners ("texcoord"), and all properties
-// of vertices in .ply, of which s and t, u and v without w, or texture_u and texture_v are texture
+// Reads a file of one of the formats of file_format(). Corners of .stl files with the same
+// coordinates become one vertex. The data are, as far as the format has them, colors (red, green
+// and blue, in .ply and .off alpha), normals (nx, ny and nz, or "normal" if corners at a vertex
+// differ), the texture coordinates of corners ("texcoord"), and all properties of vertices in .ply
+// and .vtp. In .ply s and t, u and v without w, or texture_u and texture_v are texture
 // coordinates, too. What only some vertices have is left out. Throws Program_error if the file
-// cannot be read or has no face, naming the line where it is known. Files of points alone are
-// allowed if that is said, then .xyz too.
+// cannot be read or has no face, naming the line where it is known. Files of points alone, .xyz
+// too, are allowed if that is said.
 Polygon_soup read_mesh(const std::filesystem::path& path, bool are_points_allowed = false);
 
 #endif // INTRINSIC_MESH_READER_H

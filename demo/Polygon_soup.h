@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -24,6 +25,7 @@ struct Polygon_soup
 {
   std::vector<Point> points;
   Polygons polygons;
+  std::string format;             // that of the content, if the extension names another
   std::size_t merged_corners = 0; // of a format that has no indices
   std::vector<std::int64_t>
     parents; // of triangles, the polygons they are parts of, if there are any

@@ -5,6 +5,7 @@
 #include "Scanner.h"
 
 #include "Program_error.h"
+#include "text_encoding.h"
 
 #include <charconv>
 #include <cmath>
@@ -16,6 +17,9 @@
 namespace fs = std::filesystem;
 
 namespace {
+
+// In place of the end of a line that goes on, which counts as one.
+constexpr char joint = '\v';
 
 constexpr bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
 constexpr bool is_space(char c) { return c == '\n' || is_blank(c); }
@@ -63,7 +67,7 @@ Scanner::Scanner(const fs::path& path) : m_path(path)
     fail_as_a_whole("no such file");
   if(fs::is_directory(path))
     fail_as_a_whole("is a directory");
-  m_bytes = content(path);
+  m_bytes = plain_text(content(path));
   m_position = m_bytes.data();
   if(m_bytes.empty())
     fail_as_a_whole("is empty");
@@ -120,6 +124,32 @@ bool Scanner::accept(std::string_view expected)
     return false;
   m_position += expected.size();
   return true;
+}
+
+bool Scanner::accept_in_any_case(std::string_view expected)
+{
+  skip_blanks();
+  const std::string_view word = rest_of_word();
+  const auto is_equal = [](char c, char lower) {
+    return c == lower || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == lower);
+  };
+  if(!std::equal(word.begin(), word.end(), expected.begin(), expected.end(), is_equal))
+    return false;
+  m_position += expected.size();
+  return true;
+}
+
+void Scanner::join_lines(char comment)
+{
+  for(std::size_t i = m_bytes.find('\\'); i != m_bytes.npos; i = m_bytes.find('\\', i + 1)) {
+    const std::size_t end = m_bytes.find_first_not_of(" \t\r", i + 1);
+    const std::size_t before = m_bytes.find_last_of(std::string{'\n', joint, comment}, i);
+    if(end == m_bytes.npos || m_bytes[end] != '\n' ||
+       (before != m_bytes.npos && m_bytes[before] == comment))
+      continue;
+    m_bytes[i] = ' ';
+    m_bytes[end] = joint;
+  }
 }
 
 std::string_view Scanner::take_rest_of_word()
@@ -218,7 +248,8 @@ void Scanner::fail(const std::string& reason) const
                     reason);
   if(m_position == end())
     fail_as_a_whole("ends too early; it is not complete");
-  const std::ptrdiff_t line = 1 + std::count(m_bytes.data(), m_position, '\n');
+  const std::ptrdiff_t line =
+    1 + std::count_if(m_bytes.data(), m_position, [](char c) { return c == '\n' || c == joint; });
   fail_as_a_whole("line " + std::to_string(line) + " cannot be understood: " + reason);
 }
 

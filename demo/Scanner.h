@@ -21,8 +21,12 @@
 class Scanner
 {
 public:
-  // Reads the file. Throws Program_error if that is not possible, or it is empty.
+  // Reads the file, without a byte-order mark. Throws Program_error if that is not possible, or it
+  // is empty.
   explicit Scanner(const std::filesystem::path& path);
+
+  const std::filesystem::path& path() const { return m_path; }
+  std::string_view bytes() const { return m_bytes; }
 
   std::size_t remaining() const { return static_cast<std::size_t>(end() - m_position); }
   std::size_t size() const { return m_bytes.size(); }
@@ -46,6 +50,12 @@ public:
 
   // Whether the next word is this one, which then is read.
   bool accept(std::string_view expected);
+
+  // As accept(), for a word in lower case that may be written with capital letters.
+  bool accept_in_any_case(std::string_view expected);
+
+  // Lines that end with a backslash go on in the next one, except in comments.
+  void join_lines(char comment);
 
   // The next number in the line, which is finite; as `float` or `double`.
   template <class Number>

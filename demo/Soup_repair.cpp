@@ -4,6 +4,8 @@
 
 #include "Soup_repair.h"
 
+#include "close_points.h"
+
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
@@ -52,10 +54,12 @@ public:
     }
   }
 
-  Repair_report operator()()
+  Repair_report operator()(double distance)
   {
+    const std::size_t welded = distance > 0 ? weld(m_soup.points, distance) : 0;
+    note("points merged with one nearby", welded);
     note("points merged with an equal one",
-         PMP::merge_duplicate_points_in_polygon_soup(m_soup.points, m_polygons));
+         PMP::merge_duplicate_points_in_polygon_soup(m_soup.points, m_polygons) - welded);
     clean();
     orient();
     if(!m_soup.data.empty())
@@ -173,4 +177,4 @@ private:
 
 } // namespace
 
-Repair_report repair(Polygon_soup& soup) { return Soup_repairer(soup)(); }
+Repair_report repair(Polygon_soup& soup, double distance) { return Soup_repairer(soup)(distance); }

@@ -15,11 +15,11 @@
 // What a repair did, each thing with the number of times it was done; never a zero.
 using Repair_report = std::vector<std::pair<std::string, std::size_t>>;
 
-// Mends what CGAL can mend in a polygon soup: equal points are merged, broken and duplicate faces
-// and isolated points removed, faces oriented, points where the surface is not manifold duplicated,
-// polygons triangulated. Indices may change. Corners keep their data; points get those of the first
+// Mends what CGAL can mend in a polygon soup: points at most `distance` apart are merged, broken
+// and duplicate faces and isolated points removed, faces oriented, points where the surface is not
+// manifold duplicated. Indices may change. Corners keep their data; points get those of the first
 // of the points of the file that have become one. Precondition: all coordinates are finite and all
 // indices in range.
-Repair_report repair(Polygon_soup& soup);
+Repair_report repair(Polygon_soup& soup, double distance = 0);
 
 #endif // INTRINSIC_SOUP_REPAIR_H

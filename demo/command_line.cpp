@@ -5,26 +5,18 @@
 #include "command_line.h"
 
 #include "help_texts.h"
+#include "number_ranges.h"
 
 #include <CGAL/version.h>
 
-#include <cmath>
-#include <cstdlib>
-
 namespace {
-
-// Ranges do not exclude it.
-std::string not_a_number(const std::string& text)
-{
-  return std::isnan(std::strtod(text.c_str(), nullptr)) ? "not a number: " + text : "";
-}
 
 constexpr const char* version = "intrinsic " INTRINSIC_VERSION " (with CGAL " CGAL_VERSION_STR ")";
 
 CLI::App& add_command(CLI::App& app, const char* name, const char* description, std::string& input)
 {
   CLI::App& command = *app.add_subcommand(name, description);
-  command.add_option("mesh", input, "Mesh (.off, .obj, .ply, .stl)")->required();
+  command.add_option("mesh", input, "Mesh (.off, .obj, .ply, .stl, .vtp)")->required();
   return command;
 }
 
@@ -43,7 +35,7 @@ template <class Number>
 CLI::Option* add_number(CLI::App& command, const std::string& name, Number& number,
                         const std::string& what, const CLI::Validator& range)
 {
-  return command.add_option(name, number, what)->check(range)->check(not_a_number);
+  return command.add_option(name, number, what)->check(range);
 }
 
 void add_common_options(CLI::App& command, Common_options& options)
@@ -59,9 +51,12 @@ void add_common_options(CLI::App& command, Common_options& options)
              "Lengthen all edges until every triangle inequality has this slack, "
              "relative to the mean edge length; done by itself where almost flat triangles leave "
              "no other way to a result, but not with --exact or --strict",
-             CLI::Range(1e-16, 1.));
+             number_from_to(1e-16, 1.));
   command.add_flag("--repair", options.is_repair_wanted,
                    "Repair defects of the mesh where possible and report it; indices may change");
+  add_number(command, "--weld", options.weld_distance,
+             "Repair the mesh, and merge points that are at most this far apart",
+             positive_number());
   command.add_flag("--strict", options.is_strict,
                    "Refuse faces that are not triangles, which are split otherwise; never change "
                    "the lengths of edges");
@@ -112,7 +107,7 @@ void add_neighbors(CLI::App& command, Common_options& options)
     .add_option("--neighbors", options.number_of_neighbors,
                 "Accept files without faces, .xyz too, and triangulate each point with this many "
                 "neighbors; 30 is usual")
-    ->check(CLI::Range(std::size_t(3), std::size_t(10000)));
+    ->check(integer_from_to(3, 10000));
 }
 
 void add_info(CLI::App& app, Options& options)
@@ -131,7 +126,8 @@ void add_info(CLI::App& app, Options& options)
 void add_view(CLI::App& app, Options& options)
 {
   CLI::App& command = *app.add_subcommand("view", "Write a page that shows meshes in a browser");
-  command.add_option("mesh", options.view.inputs, "Meshes (.off, .obj, .ply, .stl)")->required();
+  command.add_option("mesh", options.view.inputs, "Meshes (.off, .obj, .ply, .stl, .vtp)")
+    ->required();
   command.add_option("-o,--output", options.view.output, "HTML file; - for standard output")
     ->required();
   command.footer(Help::view);
@@ -150,7 +146,7 @@ void add_subdivision_options(CLI::App& command, Own_options& options, Common_opt
   add_direct(command, common);
   add_number(command, "--constrain-angle", options.constrained_angle,
              "Never flip an edge at which the normals differ by this many degrees or more",
-             CLI::Range(0.001, 180.));
+             number_from_to(0.001, 180.));
 }
 
 void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& bounds,
@@ -161,7 +157,7 @@ void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& boun
                 "Maximum number of insertions; if not given, 1,000,000 (with angles of more than "
                 "30 degrees 100,000) plus 20 for each face" +
                   exception)
-    ->check(CLI::NonNegativeNumber);
+    ->check(nonnegative_number());
 }
 
 // For the commands that refine only if it is wanted.
@@ -169,7 +165,7 @@ void add_angle(CLI::App& command, Refinement_bounds& bounds)
 {
   add_number(command, "--min-angle", bounds.minimum_angle,
              "Insert vertices until all angles have this many degrees, see `intrinsic refine`",
-             CLI::Range(0.001, 60.));
+             number_from_to(0.001, 60.));
   add_maximum_number_of_insertions(command, bounds);
 }
 
@@ -186,10 +182,10 @@ void add_delaunay(CLI::App& app, Options& options)
 void add_bounds(CLI::App& command, Refinement_bounds& bounds)
 {
   add_number(command, "--min-angle", bounds.minimum_angle,
-             "Least angle of the faces in degrees, 0 for no bound", CLI::Range(0., 60.))
+             "Least angle of the faces in degrees, 0 for no bound", number_from_to(0., 60.))
     ->capture_default_str();
   add_number(command, "--max-circumradius", bounds.maximum_circumradius,
-             "Greatest circumradius of the faces; no bound if not given", CLI::PositiveNumber);
+             "Greatest circumradius of the faces; no bound if not given", positive_number());
   add_maximum_number_of_insertions(command, bounds, ", but 10,000,000 with --max-circumradius");
 }
 
@@ -222,7 +218,7 @@ void add_distance_outputs(CLI::App& command, Distance_options& options)
     .add_option("--level", options.levels,
                 "A value of the distance for --level-sets; ten values if none is given")
     ->allow_extra_args(false)
-    ->check(CLI::Number);
+    ->check(finite_number());
 }
 
 void add_distance(CLI::App& app, Options& options)
@@ -249,7 +245,7 @@ void add_distance(CLI::App& app, Options& options)
     command, "--time-step", own.time_step_factor,
     "Time for which heat flows, in squared mean edge lengths; by default 1, 4 with --signed, or "
     "16 times as much as often as it takes to reach everything",
-    CLI::PositiveNumber);
+    positive_number());
   add_angle(command, own.refinement);
   add_direct(command, options.common);
   command.add_flag("--exact-distance", own.is_shortest,
@@ -341,12 +337,13 @@ void add_flattening_targets(CLI::App& command, Flatten_options& options)
   add_number(command, "--max-log-scale", options.maximum_log_scale,
              "Place greedy cones until the absolute values of all logarithmic scale factors are at "
              "most this; 5 by default",
-             CLI::PositiveNumber);
+             positive_number());
   command
     .add_option("--boundary", options.boundary,
-                "free, straight, scale FILE, curvature FILE, rectangle or disk, see below")
-    ->expected(1, 2)
+                "free, straight, scale, curvature, rectangle or disk, see below")
     ->capture_default_str();
+  command.add_option("--boundary-values", options.boundary_values,
+                     "File of values at vertices for --boundary scale or curvature");
 }
 
 void add_flatten(CLI::App& app, Options& options)
@@ -384,7 +381,7 @@ void add_tiling(CLI::App& command, Hyperbolic_options& options)
     .add_option(
       "--tiles", options.depth,
       "Maximum number of sides between the domain and an image in the picture; 3 by default")
-    ->check(CLI::Range(0, 100));
+    ->check(integer_from_to(0, 100));
 }
 
 void add_hyperbolic(CLI::App& app, Options& options)
@@ -436,11 +433,11 @@ void add_target(CLI::App& command, Simplify_options& options)
 {
   CLI::App& target = *command.add_option_group("Target", "Where to stop");
   target.add_option("--vertices", options.number_of_vertices, "Number of vertices to be left")
-    ->check(CLI::PositiveNumber);
+    ->check(integer_from(1));
   add_number(target, "--ratio", options.ratio, "Part of the vertices to be left",
-             CLI::Range(1e-9, 1.));
+             number_from_to(1e-9, 1.));
   add_number(target, "--error", options.maximum_cost, "Greatest cost of a removal, a length",
-             CLI::NonNegativeNumber);
+             nonnegative_number());
   target.require_option(1);
 }
 
@@ -463,11 +460,11 @@ void add_simplify_outputs(CLI::App& command, Options& options)
 void add_topology(CLI::App& command, Simplify_options& own)
 {
   add_number(command, "--close-loops", own.closed_length,
-             "First close boundary loops up to this length by disks", CLI::NonNegativeNumber);
+             "First close boundary loops up to this length by disks", nonnegative_number());
   add_number(command, "--pinch-handles", own.pinched_length,
              "First cut handles along closed curves of edges up to this length, and close both "
              "sides by disks",
-             CLI::NonNegativeNumber);
+             nonnegative_number());
 }
 
 void add_simplify(CLI::App& app, Options& options)
@@ -487,15 +484,15 @@ void add_simplify(CLI::App& app, Options& options)
   command
     .add_option("--levels", own.number_of_levels,
                 "Number of levels, each smaller by the same factor; the last is the coarse one")
-    ->check(CLI::Range(std::size_t(1), std::size_t(100)))
+    ->check(integer_from_to(1, 100))
     ->capture_default_str();
   add_number(command, "--refine", own.refinement.minimum_angle,
              "Refine to this angle in degrees first, so that there are vertices to choose from",
-             CLI::Range(0., 30.));
+             number_from_to(0., 30.));
   add_number(command, "--min-angle", own.coarse_minimum_angle,
              "Insert vertices into the coarse triangulation until all its angles have this many "
              "degrees, see `intrinsic refine`",
-             CLI::Range(0., 60.));
+             number_from_to(0., 60.));
   add_maximum_number_of_insertions(command, own.refinement);
   add_topology(command, own);
   add_common_options(command, options.common);
@@ -513,7 +510,8 @@ void define_command_line(CLI::App& app, Options& options)
   app.set_version_flag("--version", version);
   app.add_flag("-q,--quiet", options.common.is_quiet, "Print errors and repairs only");
   add_number(app, "--threads", options.common.threads,
-             "Maximum number of threads; the output does not depend on it", CLI::Range(1, 1024));
+             "Maximum number of threads; the output does not depend on it",
+             integer_from_to(1, 1024));
   app.footer(Help::examples);
   app.require_subcommand(1);
   app.fallthrough();

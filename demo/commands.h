@@ -46,6 +46,7 @@ struct Common_options
   double mollification = 0;
   bool is_mollification_tried = false; // only if it changes lengths
   bool is_repair_wanted = false;
+  double weld_distance = 0;             // zero for no repair by it
   bool is_strict = false;               // faces must be triangles, and keep their lengths
   bool is_direct = false;               // pages are drawn without a common subdivision
   std::size_t number_of_neighbors = 0;  // in a cloud of points; zero if there must be faces
@@ -172,11 +173,12 @@ struct Texture_options : Output_options
 struct Flatten_options : Texture_options
 {
   std::string cones; // "greedy", "none" or a file; empty for what suits the boundary
-  std::optional<double> maximum_log_scale;   // for greedy cones
-  std::vector<std::string> boundary{"free"}; // and the file of "scale" and "curvature"
-  std::string solver = "newton";             // or "ceres" or "cetm"
-  std::string matrix;                        // a file for the interpolation matrix
-  bool has_no_overlap = false;               // charts are cut where they overlap
+  std::optional<double> maximum_log_scale; // for greedy cones
+  std::string boundary = "free";
+  std::string boundary_values;   // the file of "scale" and "curvature"
+  std::string solver = "newton"; // or "ceres" or "cetm"
+  std::string matrix;            // a file for the interpolation matrix
+  bool has_no_overlap = false;   // charts are cut where they overlap
   bool is_in_unit_square = false;
 };
 

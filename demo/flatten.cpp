@@ -41,7 +41,7 @@ namespace {
 // Greedy, except for shapes that need no cones.
 Flatten_options with_defaults(Flatten_options options, bool is_exact)
 {
-  check_boundary(options.boundary);
+  check_boundary(options);
 #ifndef INTRINSIC_USE_CERES
   if(options.solver == "ceres")
     throw Program_error("--solver ceres: this program was built without the Ceres Solver; "
@@ -51,7 +51,7 @@ Flatten_options with_defaults(Flatten_options options, bool is_exact)
     throw Program_error(
       "--exact: --solver cetm makes no triangulation Delaunay; leave out one of them");
   if(options.cones.empty())
-    options.cones = is_shape(options.boundary[0]) ? "none" : "greedy";
+    options.cones = is_shape(options.boundary) ? "none" : "greedy";
   if(options.maximum_log_scale && options.cones != "greedy")
     throw Program_error("--max-log-scale is for --cones greedy; leave out one of them");
   return options;
@@ -123,7 +123,7 @@ private:
   template <class Parameters>
   DCM::Planar_conformal_map shaped(const Parameters& np)
   {
-    const std::string& shape = m_options.boundary[0];
+    const std::string& shape = m_options.boundary;
     if(!is_shape(shape))
       return DCM::flatten(mesh(), np);
     try {

@@ -46,15 +46,20 @@ void set_unscaled(Conditions& conditions, const Mesh& mesh)
       conditions[v] = Vertex_condition::log_scale(0);
 }
 
-// Nothing is prescribed for the shapes of `is_shape()`, nor for a straight boundary.
-void set_boundary(Conditions& conditions, const std::vector<std::string>& words, const Mesh& mesh)
+bool has_values(const std::string& boundary)
 {
-  const std::string& what = words.front();
-  if(what == "free")
+  return boundary == "scale" || boundary == "curvature";
+}
+
+// Nothing is prescribed for the shapes of `is_shape()`, nor for a straight boundary.
+void set_boundary(Conditions& conditions, const Flatten_options& options, const Mesh& mesh)
+{
+  if(options.boundary == "free")
     set_unscaled(conditions, mesh);
-  else if(what == "scale" || what == "curvature")
-    set_from_file(conditions, mesh, words[1],
-                  what == "scale" ? Vertex_condition::log_scale : Vertex_condition::curvature,
+  else if(has_values(options.boundary))
+    set_from_file(conditions, mesh, options.boundary_values,
+                  options.boundary == "scale" ? Vertex_condition::log_scale
+                                              : Vertex_condition::curvature,
                   is_on_boundary, "on the boundary");
 }
 
@@ -62,19 +67,16 @@ void set_boundary(Conditions& conditions, const std::vector<std::string>& words,
 
 bool is_shape(const std::string& boundary) { return boundary == "rectangle" || boundary == "disk"; }
 
-void check_boundary(const std::vector<std::string>& words)
+void check_boundary(const Flatten_options& options)
 {
-  const std::string& what = words.front();
-  const bool has_file = what == "scale" || what == "curvature";
-  if(!has_file && !is_shape(what) && what != "free" && what != "straight")
+  const std::string& what = options.boundary;
+  if(!has_values(what) && !is_shape(what) && what != "free" && what != "straight")
     throw Program_error("--boundary: '" + what +
                         "' is none of free, straight, scale, curvature, rectangle and disk");
-  if(has_file && words.size() == 1)
-    throw Program_error("--boundary " + what +
-                        ": the name of a file is missing; give it after the word");
-  if(!has_file && words.size() == 2)
-    throw Program_error("--boundary " + what + ": '" + words[1] +
-                        "' is one word too many; leave it out");
+  if(has_values(what) && options.boundary_values.empty())
+    throw Program_error("--boundary " + what + " needs a file of values: add --boundary-values");
+  if(!has_values(what) && !options.boundary_values.empty())
+    throw Program_error("--boundary-values is for --boundary scale and curvature");
 }
 
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh)
@@ -86,7 +88,7 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
   if(options.cones != "greedy" && options.cones != "none")
     set_from_file(result, mesh, options.cones, Vertex_condition::curvature, is_inside,
                   "inside the surface");
-  set_boundary(result, options.boundary, mesh);
+  set_boundary(result, options, mesh);
   return result;
 }
 

@@ -23,10 +23,10 @@ Conditions flattening_conditions(const Flatten_options& options, const Mesh& mes
 // Throws Program_error if the file is wrong.
 Conditions prescribed_curvatures(const std::string& path, const Mesh& mesh);
 
-// Whether a word after --boundary names a shape, which the library finds the angles for.
+// Whether the word after --boundary names a shape, which the library finds the angles for.
 bool is_shape(const std::string& boundary);
 
-// Throws Program_error if the words after --boundary make no sense.
-void check_boundary(const std::vector<std::string>& words);
+// Throws Program_error if --boundary and --boundary-values make no sense.
+void check_boundary(const Flatten_options& options);
 
 #endif // INTRINSIC_FLATTENING_CONDITIONS_H

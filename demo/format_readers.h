@@ -15,9 +15,7 @@
 // With polylines, of .ply the edges, unless `lines` is null.
 void read_obj(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);
 void read_ply(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);
-
-// Points and polylines alone.
-void read_vtp(Scanner& in, Polygon_soup& soup, Polygons& lines);
+void read_vtp(Scanner& in, Polygon_soup& soup, Polygons* lines = nullptr);
 
 void read_xyz(Scanner& in, Polygon_soup& soup);
 void read_stl(Scanner& in, Polygon_soup& soup);

@@ -149,15 +149,15 @@ const char* const flatten =
   R"(The map is discretely conformal. Without --boundary the boundary is not scaled. A surface
 without boundary is cut through its cones.
 
-Values of --boundary, which must follow MESH:
-  free            vertices on the boundary are not scaled (the default)
-  straight        all exterior angles are zero; cones are placed inside
-  scale FILE      logarithms of their scale factors are prescribed
-  curvature FILE  their exterior angles are prescribed
-  rectangle       each component is mapped to a rectangle; its corners are as far apart along the
-                  boundary as possible with a sum of angles of at least nine tenths of that of the
-                  four sharpest vertices
-  disk            the boundary of each component is mapped to a circle
+Values of --boundary:
+  free       vertices on the boundary are not scaled (the default)
+  straight   all exterior angles are zero; cones are placed inside
+  scale      --boundary-values FILE prescribes the logarithms of their scale factors
+  curvature  --boundary-values FILE prescribes their exterior angles
+  rectangle  each component is mapped to a rectangle; its corners are as far apart along the
+             boundary as possible with a sum of angles of at least nine tenths of that of the
+             four sharpest vertices
+  disk       the boundary of each component is mapped to a circle
 Rectangles and disks are for components with one boundary. They have no cones unless --cones is
 given, as handles require, and then only inside.
 

@@ -18,14 +18,6 @@
 
 namespace {
 
-// What says nothing about faces and vertices.
-constexpr std::string_view ignored_keywords[] = {
-  "vp",       "s",     "l",        "p",          "usemap",    "bevel",  "lod",      "ctech",
-  "c_interp", "stech", "d_interp", "shadow_obj", "trace_obj", "cstype", "deg",      "step",
-  "bmat",     "con",   "curv",     "curv2",      "surf",      "parm",   "trim",     "hole",
-  "scrv",     "sp",    "end",      "surf_1",     "q0_1",      "q1_1",   "curv2d_1", "surf_2",
-  "q0_2",     "q1_2",  "curv2d_2", "bsp",        "bzp",       "cdc",    "cdp",      "res"};
-
 // The lines that begin a group of faces: each stays until the next with its keyword.
 constexpr std::array<std::string_view, 3> group_keywords = {"o", "g", "usemtl"};
 
@@ -140,20 +132,22 @@ public:
 
   void operator()()
   {
+    m_in.join_lines('#');
     for(m_in.skip_comments('#'); !m_in.at_end(); m_in.skip_comments('#'))
       read_line();
     add_data();
   }
 
 private:
-  // Polylines are read unless `m_lines` is null.
+  // Polylines are read unless `m_lines` is null. Unknown statements are ignored, but a line that
+  // begins with a number belongs to the one before.
   void read_line()
   {
     const Scanner::Place start = m_in.place();
     const std::string_view key = m_in.word();
     if(key == "v")
       read_point();
-    else if(key == "f")
+    else if(key == "f" || key == "fo")
       read_corners(m_soup.polygons, true);
     else if(key == "vt")
       m_texture.add(m_in.numbers());
@@ -162,10 +156,9 @@ private:
     else if(key == "l" && m_lines != nullptr)
       read_corners(*m_lines, false);
     else if(!m_groups.read_line(key, m_in, m_soup.polygons.size()) &&
-            std::find(std::begin(ignored_keywords), std::end(ignored_keywords), key) ==
-              std::end(ignored_keywords)) {
+            key.find_first_of("0123456789+-.") == 0) {
       m_in.return_to(start);
-      m_in.fail("'" + std::string(key) + "' is not a keyword of .obj; begin a comment with #");
+      m_in.fail("a line begins with a number; a line that goes on ends with a backslash");
     }
     m_in.skip_line();
   }

@@ -6,8 +6,12 @@
 
 #include <CGAL/IO/OFF/File_scanner_OFF.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <string>
 #include <string_view>
 
 namespace {
@@ -47,11 +51,28 @@ public:
 private:
   // ---- Header ----
 
+  // Returns an empty text if there is none. Digits of a number may follow directly.
+  std::string read_first_word()
+  {
+    m_in.skip_comments('#');
+    const Scanner::Place start = m_in.place();
+    const std::string_view word = m_in.word();
+    const std::size_t size = word.find_last_not_of("0123456789") + 1;
+    m_in.return_to(start + size);
+    const std::string result(word.substr(0, size));
+    const bool is_written_as_usual =
+      size >= 3 && (result.compare(size - 3, 3, "OFF") == 0 || result == "SKEL");
+    return is_written_as_usual ? result : boost::to_upper_copy(result, std::locale::classic());
+  }
+
   void read_keyword()
   {
     m_in.skip_comments('#');
     const Scanner::Place start = m_in.place();
-    std::string_view keyword = m_in.word();
+    const std::string text = read_first_word();
+    if(text.empty())
+      return;
+    std::string_view keyword = text;
     const auto accept = [&](std::string_view prefix) {
       const bool is_there = keyword.substr(0, prefix.size()) == prefix;
       keyword.remove_prefix(is_there ? prefix.size() : 0);
@@ -65,10 +86,10 @@ private:
     m_header.is_skeleton = keyword == "SKEL";
     if(keyword != "OFF" && keyword != "SKEL") {
       m_in.return_to(start);
-      m_in.fail("'OFF' expected at the beginning; does another extension name the format?");
+      m_in.fail("'OFF' or a number of vertices expected at the beginning");
     }
     m_in.skip_comments('#');
-    m_header.is_binary = m_in.accept("BINARY");
+    m_header.is_binary = m_in.accept_in_any_case("binary");
     if(m_header.is_binary) {
       m_in.skip_line();
       m_in.set_binary();
@@ -94,11 +115,63 @@ private:
       read_number();
     m_header.vertices = read_number();
     m_header.faces = read_number();
-    if(!m_header.is_skeleton) // edges
+    if(!m_header.is_skeleton)
+      skip_number_of_edges();
+  }
+
+  // Some programs leave it out. In a line of its own it is alone.
+  void skip_number_of_edges()
+  {
+    if(m_header.is_binary || !m_in.at_line_end('#')) {
       read_number();
+      return;
+    }
+    m_in.skip_comments('#');
+    const Scanner::Place next = m_in.place();
+    if(m_in.word().find_first_not_of("0123456789") != std::string_view::npos ||
+       !m_in.at_line_end('#'))
+      m_in.return_to(next);
   }
 
   // ---- Text: a vertex or face in each line, with what else there is ----
+
+  void begin_line()
+  {
+    m_in.skip_comments('#');
+    m_break = nullptr;
+  }
+
+  // Numbers may go on in the next line.
+  void find_number()
+  {
+    if(!m_in.at_line_end('#') || m_in.at_end())
+      return;
+    if(m_break == nullptr)
+      m_break = m_in.place();
+    m_in.skip_comments('#');
+    if(m_in.at_end())
+      fail_at_break();
+  }
+
+  // Where numbers went on, nothing follows them: otherwise one was missing in the line before.
+  void end_line()
+  {
+    if(m_break != nullptr && !m_in.at_line_end('#'))
+      fail_at_break();
+    m_in.skip_line();
+  }
+
+  [[noreturn]] void fail_at_break()
+  {
+    m_in.return_to(m_break);
+    m_in.fail("a number is missing");
+  }
+
+  double read_coordinate()
+  {
+    find_number();
+    return m_in.number<double>();
+  }
 
   void add_point(double x, double y, double z, double w)
   {
@@ -107,21 +180,22 @@ private:
 
   void read_vertex()
   {
-    m_in.skip_comments('#');
-    const double x = m_in.number<double>(), y = m_in.number<double>(), z = m_in.number<double>();
-    const double w = m_header.is_homogeneous ? m_in.number<double>() : 1;
+    begin_line();
+    const double x = read_coordinate(), y = read_coordinate(), z = read_coordinate();
+    const double w = m_header.is_homogeneous ? read_coordinate() : 1;
     if(w == 0)
       m_in.fail("a vertex is infinitely far away; its fourth coordinate must not be 0");
     add_point(x, y, z, w);
     if(m_header.has_normal || m_header.has_color || m_header.has_texture)
       read_data();
-    m_in.skip_line();
+    end_line();
   }
 
   void read_face()
   {
-    m_in.skip_comments('#');
+    begin_line();
     for(std::size_t corners = m_in.count(); corners > 0; --corners) {
+      find_number();
       const Scanner::Place start = m_in.place();
       const std::int64_t i = m_in.integer();
       if(i < 0 || static_cast<std::size_t>(i) >= m_header.vertices) {
@@ -132,7 +206,7 @@ private:
       m_soup.polygons.add_corner(static_cast<std::size_t>(i));
     }
     m_soup.polygons.close();
-    m_in.skip_line();
+    end_line();
   }
 
   // ---- Data ----
@@ -244,6 +318,7 @@ private:
   Scanner& m_in;
   Polygon_soup& m_soup;
   Off_header m_header;
+  Scanner::Place m_break = nullptr; // the first end of a line inside a vertex or a face
   std::vector<double> m_normals[3], m_colors[4];
   std::vector<Corner_data_builder::Coordinates> m_texture; // of vertices
 };

@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Strip_splitter.h"
 #include "format_readers.h"
 
 #include <algorithm>
@@ -70,39 +71,6 @@ struct Element
   }
 };
 
-// Strips are sequences of corners, of which each after the second makes a triangle with the two
-// before; the orientation alternates, and a negative index ends a strip.
-class Strip_splitter
-{
-public:
-  explicit Strip_splitter(Polygons& polygons) : m_polygons(polygons) {}
-
-  void add_corner(std::size_t index)
-  {
-    if(index == Polygons::none) {
-      m_corners = 0;
-      return;
-    }
-    if(m_corners >= 2)
-      add_triangle(index, m_corners % 2 == 1);
-    m_last = {m_last[1], index};
-    ++m_corners;
-  }
-
-private:
-  // One without area leads from one part of a strip to another.
-  void add_triangle(std::size_t index, bool is_reversed)
-  {
-    if(m_last[0] != m_last[1] && m_last[0] != index && m_last[1] != index)
-      m_polygons.push_back(
-        std::array{m_last[is_reversed ? 1 : 0], m_last[is_reversed ? 0 : 1], index});
-  }
-
-  Polygons& m_polygons;
-  std::size_t m_corners = 0;
-  std::array<std::size_t, 2> m_last{};
-};
-
 class Ply_reader
 {
 public:
@@ -125,8 +93,8 @@ private:
 
   void read_header()
   {
-    if(!m_in.accept("ply"))
-      m_in.fail("'ply' expected at the beginning; does another extension name the format?");
+    if(!m_in.accept_in_any_case("ply"))
+      m_in.fail("'ply' expected at the beginning");
     m_in.skip_line();
     read_format();
     for(; !m_in.accept("end_header"); m_in.skip_line())

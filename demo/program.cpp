@@ -7,6 +7,7 @@
 #include "Program_error.h"
 #include "Thread_limit.h"
 #include "command_line.h"
+#include "unknown_words.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 
@@ -20,7 +21,15 @@ namespace {
 using CGAL::Intrinsic_triangulations::Numerical_error;
 
 // Help and version are not errors.
-int exit_code(const CLI::App& app, const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : 2; }
+int exit_code(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv)
+{
+  const bool is_error = e.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
+  const std::string unknown = is_error ? unknown_word(app, argc, argv) : "";
+  if(unknown.empty())
+    return app.exit(e) == 0 ? 0 : 2;
+  std::cerr << "intrinsic: " << unknown << "\nRun with --help for more information.\n";
+  return 2;
+}
 
 int report(const std::exception& e, int code)
 {
@@ -150,7 +159,7 @@ int run_program(int argc, const char* const* argv)
   try {
     app.parse(argc, argv);
   } catch(const CLI::ParseError& e) {
-    return exit_code(app, e);
+    return exit_code(app, e, argc, argv);
   }
   return run(app, options);
 }

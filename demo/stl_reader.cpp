@@ -42,7 +42,7 @@ private:
     }
     m_in.return_to(start);
     m_in.skip_space();
-    result = result || !m_in.accept("solid");
+    result = result || !m_in.accept_in_any_case("solid");
     m_in.return_to(start);
     return result;
   }
@@ -78,9 +78,9 @@ private:
   void read_text()
   {
     for(m_in.skip_space(); !m_in.at_end(); m_in.skip_space())
-      if(m_in.accept("facet"))
+      if(m_in.accept_in_any_case("facet"))
         read_facet();
-      else if(m_in.accept("solid") || m_in.accept("endsolid"))
+      else if(m_in.accept_in_any_case("solid") || m_in.accept_in_any_case("endsolid"))
         m_in.skip_line();
       else
         m_in.fail("'facet' or 'endsolid' expected");
@@ -90,8 +90,8 @@ private:
   void read_facet()
   {
     int corners = 0;
-    for(m_in.skip_space(); !m_in.accept("endfacet"); m_in.skip_space()) {
-      if(m_in.accept("vertex")) {
+    for(m_in.skip_space(); !m_in.accept_in_any_case("endfacet"); m_in.skip_space()) {
+      if(m_in.accept_in_any_case("vertex")) {
         if(++corners > 3)
           m_in.fail("a facet has more than three vertices; split it into triangles");
         const double x = m_in.number<double>(), y = m_in.number<double>();

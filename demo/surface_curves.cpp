@@ -5,7 +5,7 @@
 #include "surface_curves.h"
 
 #include "Program_error.h"
-#include "file_extension.h"
+#include "file_format.h"
 #include "format_readers.h"
 #include "surface_points.h"
 
@@ -79,18 +79,18 @@ private:
   std::vector<bool> m_is_used;
 };
 
-void read_points_and_lines(Scanner& in, const std::string& extension, Polygon_soup& soup,
-                           Polygons& lines)
+void read_points_and_lines(Scanner& in, Polygon_soup& soup, Polygons& lines)
 {
-  if(extension == ".obj")
+  const File_format format = file_format(in);
+  if(format == File_format::OBJ)
     read_obj(in, soup, &lines);
-  else if(extension == ".ply") {
+  else if(format == File_format::PLY) {
     Polygons edges;
     read_ply(in, soup, &edges);
     lines = Joined_edges(edges, soup.points.size())();
-  } else if(extension == ".vtp")
-    read_vtp(in, soup, lines);
-  else if(extension == ".xyz") {
+  } else if(format == File_format::VTP)
+    read_vtp(in, soup, &lines);
+  else if(format == File_format::XYZ) {
     read_xyz(in, soup);
     for(std::size_t i = 0; i < soup.points.size(); ++i)
       lines.add_corner(i);
@@ -104,7 +104,7 @@ Polylines read_polylines(const std::string& path)
   Scanner in(path);
   Polygon_soup soup;
   Polygons lines;
-  read_points_and_lines(in, extension_of(path), soup, lines);
+  read_points_and_lines(in, soup, lines);
   for(const Polygons::Polygon& line : lines) {
     if(line.size() < 2)
       in.fail_as_a_whole("a polyline has less than two points");

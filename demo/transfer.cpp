@@ -7,6 +7,7 @@
 #include "Text.h"
 #include "commands.h"
 #include "surface_points.h"
+#include "text_encoding.h"
 #include "triangulation_stages.h"
 #include "vertex_values.h"
 
@@ -46,7 +47,7 @@ std::vector<std::string> read_words(const std::string& path, bool is_last)
     throw Program_error(path + ": cannot be opened; is there such a file?");
   std::vector<std::string> result;
   for(std::string line; std::getline(file, line);) {
-    std::istringstream words(line.substr(0, line.find('#')));
+    std::istringstream words(without_byte_order_mark(line.substr(0, line.find('#'))));
     std::string word, chosen;
     while(words >> word)
       if(chosen.empty() || is_last)

@@ -5,6 +5,7 @@
 #include "vertex_values.h"
 
 #include "Program_error.h"
+#include "text_encoding.h"
 
 #include <cmath>
 #include <cstdint>
@@ -28,7 +29,7 @@ public:
       throw Program_error(m_path + ": cannot be opened; is there such a file?");
     std::string text;
     for(m_line = 1; std::getline(file, text); ++m_line)
-      read_line(text.substr(0, text.find('#')));
+      read_line(without_byte_order_mark(text.substr(0, text.find('#'))));
     if(file.bad())
       throw Program_error(m_path + ": cannot be read");
     return m_values;

@@ -412,8 +412,8 @@ while IFS='|' read -r said change; do
 done <<'TABLE'
 line 3 cannot be understood: <VTKFile type="PolyData"> expected at the beginning | s/ type="PolyData"/ type="ImageData"/
 line 1 cannot be understood: <VTKFile type="PolyData"> expected at the beginning | 1s/xml/x/
-line 7 cannot be understood: the numbers are encoded; save the file with the format ascii | 7s/ascii/binary/
-line 16 cannot be understood: the numbers are encoded; save | 16s/ascii/appended/
+line 8 cannot be understood: a character is not of base64 | 7s/ascii/binary/
+line 16 cannot be understood: the offset of appended numbers is missing | 16s/ascii/appended/
 line 7 cannot be understood: points do not have three coordinates each | 7s/"3"/"2"/
 line 7 cannot be understood: points do not have three coordinates each | 7s/NumberOfComponents="3"//
 line 10 cannot be understood: '<InformationKey' is not a number | 9s/ 0$//
@@ -424,7 +424,7 @@ line 21 cannot be understood: a line names a point that does not exist; there ar
 line 16 cannot be understood: an index of a point or an offset is negative | 16s/0 1 2/0 -1 2/
 line 15 cannot be understood: an index of a point or an offset is negative | 15s/3/-3/
 line 16 cannot be understood: '1.5' is not an integer | 16s/0 1 2/0 1.5 2/
-line 21 cannot be understood: the offsets of lines are not ascending | 21s/2 4$/4 2/
+line 21 cannot be understood: the offsets of cells are not ascending | 21s/2 4$/4 2/
 line 19 cannot be understood: the last of the offsets of lines is not the number of their points | 16s/0 1 2/0 1 2 1/
 line 19 cannot be understood: the last of the offsets of lines is not the number of their points | 15s/3/4/
 line 19 cannot be understood: the last of the offsets of lines is not the number of their points | 15s/3//

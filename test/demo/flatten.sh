@@ -118,14 +118,14 @@ done
 # Exterior angles of a triangle on the boundary of the square; straight elsewhere.
 printf '0 %s\n8 %s\n80 %s\n' "$(awk -v p=$pi 'BEGIN { printf "%.17g", 2 * p / 3 }')"{,,} | tr -s '\n' >angles
 [ "$(wc -l <angles)" -eq 3 ] || fail "angles: $(cat angles)"
-expect 0 flatten square.mesh.off -o a.obj --boundary curvature angles --cones none --stats a.json
+expect 0 flatten square.mesh.off -o a.obj --boundary curvature --boundary-values angles --cones none --stats a.json
 is_conformal a.json
 claim "b = box(obj('a.obj').texture)" 'near(b[1] / b[0], sqrt(3) / 2, 1e-9)'
 
 # Scaled by two on all of the boundary, a flat surface is scaled by two.
 awk 'BEGIN { for(v = 0; v < 81; ++v)
   if(v < 9 || v > 71 || v % 9 == 0 || v % 9 == 8) printf "%d %.17g\n", v, log(2) }' >scales
-expect 0 flatten square.mesh.off -o a.obj --boundary scale scales --stats a.json
+expect 0 flatten square.mesh.off -o a.obj --boundary scale --boundary-values scales --stats a.json
 is_conformal a.json
 claim "near(json('a.json').log_scale_min, log(2), 1e-12)" "near(flat_area(obj('a.obj')), 4, 1e-11)"
 
@@ -283,10 +283,10 @@ bad 'values: line 1: there is no vertex -1;' '-1 1\n' regular.mesh.off --cones v
 bad 'values: line 3: vertex 1 is in line 1 already' '1 1\n2 1\n1 2\n' regular.mesh.off --cones values
 bad 'values: line 1: vertex 0 is not inside the surface' '0 1\n' square.mesh.off --cones values
 bad 'values: line 1: vertex 0 is not inside the surface' '0 1\n' isolated.mesh.off --cones values
-bad 'values: line 1: vertex 10 is not on the boundary' '10 1\n' square.mesh.off --boundary scale values
-bad 'values: line 1: vertex 10 is not on the boundary' '10 1\n' square.mesh.off --boundary curvature values
-bad 'sum up to 5.28319 radians less than' '0 1\n' square.mesh.off --cones none --boundary curvature values
-bad 'sum up to 0.716815 radians more than' '0 3\n8 3\n80 1\n' square.mesh.off --cones none --boundary curvature values
+bad 'values: line 1: vertex 10 is not on the boundary' '10 1\n' square.mesh.off --boundary scale --boundary-values values
+bad 'values: line 1: vertex 10 is not on the boundary' '10 1\n' square.mesh.off --boundary curvature --boundary-values values
+bad 'sum up to 5.28319 radians less than' '0 1\n' square.mesh.off --cones none --boundary curvature --boundary-values values
+bad 'sum up to 0.716815 radians more than' '0 3\n8 3\n80 1\n' square.mesh.off --cones none --boundary curvature --boundary-values values
 bad 'no angle is left at vertex 0' '0 7\n' regular.mesh.off --cones values
 
 # Wrong calls.
@@ -301,8 +301,8 @@ says 'missing: cannot be opened'
 expect 2 flatten regular.mesh.off -o a.obj --cones none --max-log-scale 3
 expect 2 flatten regular.mesh.off -o a.obj --max-log-scale 0
 expect 2 flatten square.mesh.off -o a.obj --boundary scale
-says 'the name of a file is missing'
-expect 2 flatten square.mesh.off -o a.obj --boundary disk free
+says '--boundary scale needs a file of values'
+expect 2 flatten square.mesh.off -o a.obj --boundary disk --boundary-values scales
 expect 2 flatten square.mesh.off -o a.obj --boundary round
 says "'round' is none of free, straight, scale, curvature, rectangle and disk"
 for shape in rectangle disk; do

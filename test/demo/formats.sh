@@ -36,15 +36,44 @@ binary_faces+='\0\0\0\3\0\0\0\1\0\0\0\2\0\0\0\3@\0\0\0\3\0\0\0\2\0\0\0\0\0\0\0\3
 alike a.mesh.off "$head${binary_faces//@/}"
 alike a.mesh.off "$head${binary_faces//@/\\0\\0\\0\\1aaaa}"
 
+# What other programs write.
+plain='0 0 0\n1 0 0\n0 1 0\n0 0 1\n'
+alike a.mesh.off "OFF4 4 6\n$plain$faces"
+alike a.mesh.off "COFF4 4 0\n${plain//\\n/ 9 9 9\\n}$faces"
+alike a.mesh.off "4 4 0\n$plain$faces"
+alike a.mesh.off "# a\n4 4\n$plain$faces"
+alike a.mesh.off "OFF\n4 4\n$plain$faces"
+alike a.mesh.off "OFF\n4 4 # no edges\n\n$plain$faces"
+alike a.mesh.off "OFF\n4\n4\n6\n$plain$faces"
+for keyword in off Off coff noff; do
+  alike a.mesh.off "$keyword\n4 4 0\n$plain$faces"
+done
+alike a.mesh.off "OFF\n4 4 0\n$plain${faces/0 2 1/0\n2 # a\n\n1}"
+alike a.mesh.off "OFF\n4 4 0\n0 0\n0\n${plain#*n}${faces//3 /3\n}"
+mark='\xef\xbb\xbf'
+alike a.mesh.off "${mark}OFF\n4 4 0\n$plain$faces"
+alike a.mesh.off "OFF\r4 4 0\r${plain//n/r}${faces//n/r}"
+for encoding in UTF-16LE UTF-16BE; do
+  { [ $encoding = UTF-16LE ] && printf '\xff\xfe' || printf '\xfe\xff'; } >b.mesh.off
+  iconv -t $encoding good.off >>b.mesh.off
+  expect 0 delaunay b.mesh.off -o o.off --quiet
+  cmp o.off good.off
+  rm o.off b.mesh.off
+done
+
 points='v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1.0\nv 0 0 1\n'
 alike a.mesh.obj "# a\nmtllib b\n${points}vt 0 0\ng c\nf 1 3 2\nf 1/1 2/1 4/1 # d\nf 2//1 3//1 4//\nl 1 2\nf -2 1 -1"
 alike a.mesh.obj "f 1 3 2\r\nf\t1  2 4 \r\n${points//\\n/\\r\\n}s off\r\nf 2/1/1 3/2/1 4/3/1\r\n  f 3 1 4\r\n"
+
+alike a.mesh.obj "${mark}${points}f 1 3 \\\\\n 2\nf 1 \\\\ \r\n2 \\\\\n4\nfo 2 3 4\nf 3 1 4\n"
+alike a.mesh.obj "# C:\\\\\n${points}unknown 7 \\\\\nf 1 2 3\n@ x\nf 1 3 2 # b \\\\\nf 1 2 4\nf 2 3 4\nf 3 1 4\nvp 0.3\np 1"
 
 header='format ascii 1.0\nelement vertex 4\nproperty uchar a\nproperty float x\nproperty list int int l\n'
 header+='property double y\nproperty int8 z\n'
 rows='0 0 2 5 5 0 0\n0 1 0\n0 0\n0 0 1 5 1 0\n0 0 0 0 1\n'
 list='property list uchar int vertex_indices\nproperty short s\nend_header\n'
 alike a.mesh.ply "ply\n${header}element face 4\n$list${rows}${faces//\\n/ 9\\n}"
+alike a.mesh.ply "${mark}ply\n${header}element face 4\n$list${rows}${faces//\\n/ 9\\n}"
 alike a.mesh.ply "ply\r\ncomment a\r\n${header//\\n/\\r\\n}obj_info b\r\nelement other 2\r\nproperty char c
 element face 4\r\nproperty list uint16 uint vertex_index\r\nend_header\r\n${rows}7 8 3 0 2 1 3 0 1 3
 3 1 2 3 3 2 0 3"
@@ -69,6 +98,101 @@ mesh a.mesh.stl "solid facet\n${facets}facet\nvertex 0 0 0 vertex 1 0 0 vertex 0
 expect 0 info a.mesh.stl
 says 'note: corners merged because the file has no indices: 2'
 says 'faces                 2'
+mesh b.mesh.stl "SOLID FACET\n$(tr a-z A-Z <<<"${facets//\\n/@}" | sed 's/@/\\n/g')FACET\nVertex 0 0 0 vertex 1 0 0 VERTEX 0 0 1
+EndFacet\nENDSOLID\n"
+mesh c.mesh.stl "${mark}solid\n${facets}facet\nvertex 0 0 0 vertex 1 0 0 vertex 0 0 1\nendfacet\nendsolid\n"
+expect 0 delaunay a.mesh.stl -o a.off --quiet
+for other in b c; do
+  expect 0 delaunay $other.mesh.stl -o o.off --quiet
+  cmp a.off o.off
+done
+rm a.off o.off
+
+# The content says what the format is.
+mesh a.mesh.stl "solid x\n${facets}endsolid\n"
+"$program" delaunay a.mesh.stl -o stl.off --quiet
+for format in off obj ply stl vtp; do
+  [ $format = stl ] && cp a.mesh.stl o.stl || "$program" delaunay good.mesh.off -o o.$format --quiet
+  for extension in off obj ply stl vtp txt; do
+    [ $format != $extension ] || continue
+    cp o.$format a.mesh.$extension
+    expect 0 delaunay a.mesh.$extension -o p.off
+    says "a.mesh.$extension: note: read as ${format^^}, which its content is"
+    [ $format = stl ] || cmp p.off good.off
+    [ $format != stl ] || cmp p.off stl.off
+    expect 0 info a.mesh.$extension
+    says "note: read as ${format^^}, which its content is"
+  done
+  rm o.$format
+done
+rm p.off stl.off a.mesh.*
+
+# foreign NAME TEXT CONVERTER
+foreign()
+{
+  mesh "$1" "$2"
+  expect 2 info "$1"
+  says "$1: this format is not read; \`$3 $1"
+}
+foreign a.mesh.msh '$MeshFormat\n4.1 0 8\n' 'meshio convert'
+foreign b.mesh.obj '$MeshFormat\n4.1 0 8\n' 'meshio convert'
+foreign a.mesh.vtk '# vtk DataFile Version 3.0\n' 'meshio convert'
+foreign b.mesh.off '# vtk DataFile Version 3.0\n' 'meshio convert'
+foreign a.mesh.glb 'glTF\2\0\0\0' 'assimp export'
+foreign a.mesh.GLTF '{}' 'assimp export'
+foreign a.mesh.3mf 'PK\3\4' 'assimp export'
+foreign a.mesh.step 'ISO-10303-21;\n' 'gmsh -2'
+foreign a.mesh.STP 'x' 'gmsh -2'
+mesh a.mesh.mtx 'x'
+expect 2 info a.mesh.mtx
+says 'neither the extension nor the content is of .off, .obj, .ply, .stl or .vtp'
+rm a.mesh.* b.mesh.*
+
+# VTP: what the program writes, and other encodings of numbers.
+for output in good.vtp; do
+  expect 0 delaunay good.mesh.off -o $output --quiet
+  expect 0 delaunay $output -o o.off --quiet
+  cmp o.off good.off
+  rm o.off
+done
+python3 - <<'PYTHON'
+import base64, struct
+points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]
+cells, ends = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3], [3, 6, 9, 12]
+for name, order, size, point, index, is_base64 in (
+        ("inline", "<", "I", "d", "q", True), ("short", ">", "Q", "f", "i", True),
+        ("raw", "<", "I", "d", "i", False), ("appended", "<", "Q", "f", "q", True)):
+    types = {"d": "Float64", "f": "Float32", "q": "Int64", "i": "Int32"}
+    appended = b""
+
+    def array(attributes, code, numbers):
+        global appended
+        data = struct.pack(f"{order}{len(numbers)}{code}", *numbers)
+        data = struct.pack(order + size, len(data)) + data
+        data = base64.b64encode(data) if is_base64 else data
+        if name in ("inline", "short"):
+            return f'<DataArray type="{types[code]}" {attributes} format="binary">{data.decode()}</DataArray>\n'
+        appended += data
+        return f'<DataArray type="{types[code]}" {attributes} format="appended" offset="{len(appended) - len(data)}"/>\n'
+
+    text = (f'<?xml version="1.0"?>\n<VTKFile type="PolyData" byte_order="{"Little" if order == "<" else "Big"}Endian"'
+            f' header_type="UInt{64 if size == "Q" else 32}"><PolyData>\n<Piece><CellData>'
+            + array('Name="x"', "i", [7] * 4) + "</CellData><Points>"
+            + array('NumberOfComponents="3"', point, points) + "</Points>\n<Verts></Verts><Polys>"
+            + array('Name="connectivity"', index, cells) + array('Name="offsets"', index, ends)
+            + "</Polys></Piece></PolyData>\n")
+    if appended:
+        text += f'<AppendedData encoding="{"base64" if is_base64 else "raw"}">_'
+    with open(name + ".mesh.vtp", "wb") as file:
+        file.write(text.encode() + appended + (b"</AppendedData>" if appended else b"") + b"</VTKFile>")
+PYTHON
+for name in inline short raw appended; do
+  expect 0 delaunay $name.mesh.vtp -o o.off --quiet
+  cmp o.off good.off
+  rm o.off
+done
+expect 2 info <(sed 's/header_type/compressor="vtkZLibDataCompressor" header_type/' inline.mesh.vtp)
+says 'the numbers are compressed; save the file without compression'
 
 # wrong NAME TEXT MESSAGE
 wrong()
@@ -79,7 +203,13 @@ wrong()
 }
 
 bad='cannot be understood:'
-wrong a.mesh.off 'OFFF\n' "line 1 $bad 'OFF' expected"
+wrong a.mesh.off 'OFFF\n' "line 1 $bad 'OFF' or a number of vertices expected at the beginning"
+wrong a.mesh.off "OFF\n4 4 0\n$plain${faces/ 2 1/ 2}" "line 7 $bad a number is missing"
+wrong a.mesh.off "OFF\n4 4 0\n${plain/1 0 0/1 0}$faces" "line 4 $bad a number is missing"
+wrong a.mesh.off "4 4 x\n$plain$faces" "line 1 $bad 'x' is not a number"
+wrong a.mesh.off "OFF\n4 5\n$plain$faces" 'ends too early'
+wrong a.mesh.obj "${points}f 1 2\n 3\n" "line 6 $bad a line begins with a number"
+wrong a.mesh.obj "${points}f 1 \\\\\n 2 \\\\\n x\n" "line 7 $bad 'x' is not a number"
 wrong a.mesh.off '# a\nOFF\n-1 1 0\n' "line 3 $bad a number of elements is negative"
 wrong a.mesh.off 'OFF\n3 99999999999 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' 'ends too early'
 wrong a.mesh.off 'OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n' "line 4 $bad a number is missing"

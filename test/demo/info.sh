@@ -12,7 +12,10 @@ expect 0 info good.mesh.obj
 expect 0 info isolated.mesh.off
 says 'note: isolated vertex: 1, first at vertex 0'
 expect 0 info two_components.mesh.off
-says 'note: connected component: 2'
+says 'components            2'
+! grep -E 'component: |(note|error):' out || fail 'two components are called a defect'
+expect 0 delaunay two_components.mesh.off -o -
+says 'note: connected components: 2'
 expect 0 info cap.mesh.off
 says 'note: degenerate face: 1, first at face 2'
 expect 0 info needle.mesh.off
@@ -30,7 +33,6 @@ broken()
   expect_files
 }
 
-broken polygon.mesh.off 'face that is not a triangle: 1, first at face 0'
 broken repeated.mesh.off 'face with a repeated vertex: 1, first at face 1'
 broken edge_of_three.mesh.off 'non-manifold edge: 1, first between vertices 0 and 1 (face 0)'
 broken orientation.mesh.off 'inconsistent orientation: 1, first between vertices 0 and 2'
@@ -46,9 +48,9 @@ broken nan.mesh.off 'line 4 cannot be understood'
 broken garbage.mesh.off 'line 4 cannot be understood'
 broken truncated.mesh.off 'ends too early'
 broken no_faces.mesh.off 'has no faces'
-broken words.mesh.obj 'line 1 cannot be understood'
+broken words.mesh.obj 'has no faces'
 broken empty.mesh.off 'is empty'
-broken unknown.mesh.xyz 'the extension is not one of'
+broken unknown.mesh.xyz 'line 1 cannot be understood'
 broken missing.mesh.off 'no such file'
 broken / 'is a directory'
 
@@ -76,3 +78,17 @@ expect 2
 expect 2 info
 expect 2 unknown_command
 expect 2 info good.mesh.off --unknown-option
+
+# Polygons are no error, as commands split them, unless that is impossible.
+expect 0 info polygon.mesh.off
+says 'note: face that is not a triangle: 1, first at face 0 - commands split it, unless --strict is given'
+! grep -q 'error:' out || fail 'a quadrilateral is called an error'
+expect 0 info polygon.mesh.off --json
+says '"is_valid": true'
+says '"is_fatal": false'
+expect 2 delaunay polygon.mesh.off -o a.off --strict
+off crossed '0 0 0,1 0 0,1 1 0,0 1 0' '0 2 1 3'
+expect 2 info crossed.mesh.off
+says 'error: crossed.mesh.off: face 0 crosses or touches itself'
+expect 2 info crossed.mesh.off --json
+says '"is_valid": false'

@@ -29,7 +29,7 @@ text half.mesh.off 'OFF;3 1 0;0 0 0;1 0 0;0 1 0;3 0 1 1.5'
 text far.mesh.off '4OFF;3 1 0;0 0 0 0;1 0 0 1;0 1 0 1;3 0 1 2'
 text index.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 0'
 text later.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2 4'
-text word.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;what 1 2 3'
+text word.mesh.obj 'v 0 0 0;v 1 0 0;v 0 1 0;f 1 2;3'
 text a.mesh.ply 'plx'
 text b.mesh.ply 'ply;element vertex 3'
 text c.mesh.ply 'ply;format ebcdic 1.0'
@@ -92,14 +92,14 @@ done <<'TABLE'
 2 | ends too early | info missing.mesh.off
 2 | a number is missing | info short.mesh.off
 2 | '1e999' is not a finite number | info infinite.mesh.off
-2 | 'OFF' expected | info head.mesh.off
+2 | 'OFF' or a number of vertices expected at the beginning | info head.mesh.off
 2 | a number of elements is negative | info negative.mesh.off
 2 | a number of elements is negative; the first line counts vertices, faces and edges | info binary.mesh.off
 2 | there is no vertex 7 | info index.mesh.off
 2 | '1.5' is not an integer | info half.mesh.off
 2 | a vertex is infinitely far away | info far.mesh.off
 2 | there is no vertex 0 | info index.mesh.obj
-2 | 'what' is not a keyword of .obj; begin a comment with # | info word.mesh.obj
+2 | a line begins with a number; a line that goes on ends with a backslash | info word.mesh.obj
 2 | 'ply' expected | info a.mesh.ply
 2 | 'format' expected | info b.mesh.ply
 2 | the format is none of ascii, binary_little_endian and binary_big_endian | info c.mesh.ply
@@ -152,8 +152,29 @@ done <<'TABLE'
 2 | --exact: --solver cetm makes no triangulation Delaunay | flatten flat.mesh.off -o a.obj --exact --solver cetm
 2 | --max-log-scale is for --cones greedy | flatten flat.mesh.off -o a.obj --max-log-scale 3 --cones none
 2 | --boundary: 'round' is none of free, straight, scale, curvature, rectangle and disk | flatten flat.mesh.off -o a.obj --boundary round
-2 | --boundary scale: the name of a file is missing | flatten flat.mesh.off -o a.obj --boundary scale
-2 | --boundary free: 'x' is one word too many | flatten flat.mesh.off -o a.obj --boundary free x
+2 | --boundary scale needs a file of values: add --boundary-values | flatten flat.mesh.off -o a.obj --boundary scale
+2 | needs a file of values: add --boundary-values | flatten --boundary curvature flat.mesh.off -o a.obj
+2 | --boundary-values is for --boundary scale and curvature | flatten flat.mesh.off -o a.obj --boundary-values inside.txt
+2 | there is no command 'flaten'; did you mean 'flatten'? | flaten flat.mesh.off -o a.obj
+2 | there is no command 'dist'; did you mean 'distance'? | --threads 2 dist flat.mesh.off
+2 | there is no command 'geodesics' | geodesics
+2 | there is no option '--bounary'; did you mean '--boundary'? | flatten flat.mesh.off -o a.obj --bounary free
+2 | there is no option '--vertcies'; did you mean '--vertices'? | simplify flat.mesh.off -o a.ply --vertcies=9
+2 | there is no option '--thread'; did you mean '--threads'? | delaunay flat.mesh.off -o a.ply --thread 2
+2 | there is no option '--xyzzy' | --xyzzy delaunay flat.mesh.off -o a.ply
+2 | --error: '-1' is not a number from 0 upwards | simplify flat.mesh.off -o a.ply --error -1
+2 | --error: 'nan' is not a number from 0 upwards | simplify flat.mesh.off -o a.ply --error nan
+2 | --ratio: '2' is not a number from 1e-09 to 1 | simplify flat.mesh.off -o a.ply --ratio 2
+2 | --max-log-scale: '0' is not a number above 0 | flatten flat.mesh.off -o a.obj --max-log-scale 0
+2 | --vertices: '-3' is not an integer from 1 upwards | simplify flat.mesh.off -o a.ply --vertices -3
+2 | --vertices: '1.5' is not an integer from 1 upwards | simplify flat.mesh.off -o a.ply --vertices 1.5
+2 | --max-insertions: '-1' is not an integer from 0 upwards | refine flat.mesh.off -o a.ply --max-insertions -1
+2 | --min-angle: '61' is not a number from 0 to 60 | refine flat.mesh.off -o a.ply --min-angle 61
+2 | --neighbors: '2' is not an integer from 3 to 10000 | operators flat.mesh.off --prefix a --neighbors 2
+2 | --level: 'inf' is not a finite number | distance flat.mesh.off --source 0 -o a.ply --level-sets b.ply --level inf
+2 | --weld: '0' is not a number above 0 | delaunay flat.mesh.off -o a.ply --weld 0
+2 | has no faces; `intrinsic distance` and `intrinsic operators` triangulate points with --neighbors 30 | info a.mesh.xyz
+2 | neither the extension nor the content is of .off, .obj, .ply, .stl or .vtp | info words.txt
 2 | line 1: vertex 0 is not inside | flatten flat.mesh.off -o a.obj --cones inside.txt
 2 | is not "index value" | flatten flat.mesh.off -o a.obj --cones words.txt
 2 | 'one' is not a finite number | flatten flat.mesh.off -o a.obj --cones value.txt
@@ -218,3 +239,11 @@ for source in sorted(Path(sys.argv[1]).glob("*.[ch]*")):
 print(*missing, sep="\n")
 sys.exit(bool(missing))
 PYTHON
+
+# No option takes the mesh, or has a range of hundreds of digits.
+expect 0 flatten --boundary free flat.mesh.off -o a.obj
+rm a.obj
+for command in delaunay refine distance path transfer operators flatten hyperbolic uniformize sphere simplify; do
+  expect 0 $command --help
+  ! grep -E '[0-9]{20}' out || fail "$command --help prints a range of many digits"
+done

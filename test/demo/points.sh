@@ -56,7 +56,7 @@ rm a* first
 expect 2 operators cloud.mesh.off --prefix a
 says 'has no faces'
 expect 2 operators cloud.mesh.xyz --prefix a
-says 'the extension is not one of'
+says 'triangulate points with --neighbors 30'
 expect 2 operators cloud.mesh.off --prefix a --neighbors 2
 printf '0 0 0\n1 0 0\n2 0 0\n' >line.mesh.xyz
 expect 2 operators line.mesh.xyz --prefix a --neighbors 5

@@ -12,8 +12,8 @@ claim "a, s = ply('a.ply'), json('a.json')" 'len(a.faces) == 2' "a.face['input_p
   's.faces == 2' 's.polygons == 1'
 expect 2 delaunay polygon.mesh.off -o a.off --strict
 says 'face that is not a triangle: 1, first at face 0'
-expect 2 info polygon.mesh.off
-says 'note: other commands split polygons, unless --strict is given'
+expect 0 info polygon.mesh.off
+says 'note: face that is not a triangle: 1, first at face 0 - commands split it, unless --strict is given'
 expect 0 delaunay good.mesh.off -o b.ply --strict
 cp b.ply first
 expect 0 delaunay good.mesh.off -o b.ply

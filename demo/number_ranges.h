@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_NUMBER_RANGES_H
+#define INTRINSIC_NUMBER_RANGES_H
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <system_error>
+
+// Validators like those of CLI11, whose messages name a range as people write it.
+
+namespace Number_range_details {
+
+inline bool parse(const std::string& text, double& x)
+{
+  char* end = nullptr;
+  x = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0';
+}
+
+inline bool parse(const std::string& text, std::uint64_t& x)
+{
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+// NaN is in no range.
+template <class Number>
+CLI::Validator range(Number least, Number most, const std::string& description)
+{
+  const auto check = [=](const std::string& text) {
+    Number x{};
+    const bool is_in_range = parse(text, x) && least <= x && x <= most;
+    return is_in_range ? std::string() : "'" + text + "' is not " + description;
+  };
+  return CLI::Validator(check, description, "");
+}
+
+inline std::string text(double x)
+{
+  std::ostringstream result;
+  result << x;
+  return result.str();
+}
+
+} // namespace Number_range_details
+
+inline CLI::Validator number_from_to(double least, double most)
+{
+  namespace Details = Number_range_details;
+  return Details::range(least, most,
+                        "a number from " + Details::text(least) + " to " + Details::text(most));
+}
+
+inline CLI::Validator positive_number()
+{
+  return Number_range_details::range(std::numeric_limits<double>::denorm_min(),
+                                     (std::numeric_limits<double>::max)(), "a number above 0");
+}
+
+inline CLI::Validator nonnegative_number()
+{
+  return Number_range_details::range(0., (std::numeric_limits<double>::max)(),
+                                     "a number from 0 upwards");
+}
+
+inline CLI::Validator finite_number()
+{
+  return Number_range_details::range(std::numeric_limits<double>::lowest(),
+                                     (std::numeric_limits<double>::max)(), "a finite number");
+}
+
+inline CLI::Validator integer_from_to(std::uint64_t least, std::uint64_t most)
+{
+  return Number_range_details::range(
+    least, most, "an integer from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+inline CLI::Validator integer_from(std::uint64_t least)
+{
+  return Number_range_details::range(least, (std::numeric_limits<std::uint64_t>::max)(),
+                                     "an integer from " + std::to_string(least) + " upwards");
+}
+
+#endif // INTRINSIC_NUMBER_RANGES_H
