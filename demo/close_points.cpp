@@ -68,7 +68,8 @@ private:
   Cell cell(const Point& p) const
   {
     const auto number = [&](double x, double least) {
-      return static_cast<std::int64_t>(std::floor((x - least) / m_size));
+      const double n = std::floor((x - least) / m_size);
+      return n >= 0 && n < 0x1p62 ? static_cast<std::int64_t>(n) : 0; // a box may be infinite
     };
     return {number(p.x(), m_box.xmin()), number(p.y(), m_box.ymin()), number(p.z(), m_box.zmin())};
   }

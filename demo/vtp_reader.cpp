@@ -103,7 +103,8 @@ struct Vtp_cells
   std::vector<Vtp_number> ends;
 };
 
-// Indices of points and ends of cells are those of a piece of the file.
+// Reads polygons and strips or, if they are wanted, lines in place of them. Indices of points and
+// ends of cells are those of a piece of the file.
 class Vtp_reader
 {
 public:
@@ -227,10 +228,10 @@ private:
   {
     if(m_section == "Points")
       read_points(tag);
-    else if(m_section == "PointData")
+    else if(m_section == "PointData" && m_lines == nullptr)
       read_point_data(tag);
-    else if(m_section == "Polys" || m_section == "Strips" ||
-            (m_section == "Lines" && m_lines != nullptr)) {
+    else if(m_lines == nullptr ? m_section == "Polys" || m_section == "Strips"
+                               : m_section == "Lines") {
       if(tag.attribute("Name") == "connectivity")
         read_indices(tag, m_cells[m_section].points);
       else if(tag.attribute("Name") == "offsets")

@@ -53,6 +53,11 @@ text a.mesh.stl 'solid;what'
 text b.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;vertex 0 1 0;vertex 1 1 1;endloop;endfacet;endsolid'
 text c.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;vertex 0 1 0;endloop'
 text d.mesh.stl 'solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;endloop;endfacet;endsolid'
+vtp='<VTKFile type="PolyData"><Piece><Points><DataArray type="Float32" NumberOfComponents="3" format='
+text a.mesh.vtp "$vtp\"binary\">AAAA"
+text b.mesh.vtp "$vtp\"binary\">AA.A"
+text c.mesh.vtp "$vtp\"binary\">AA=="
+text d.mesh.vtp "$vtp\"ascii\">0 1 2 3</DataArray>"
 text words.txt '0 1 2'
 text nothing.txt '# nothing'
 text line.obj 'v 0 0 0;v 1 0 0;l 1 2'
@@ -115,6 +120,10 @@ done <<'TABLE'
 2 | a facet has more than three vertices | info b.mesh.stl
 2 | ends too early | info c.mesh.stl
 2 | a facet has fewer than three vertices | info d.mesh.stl
+2 | ends too early | info a.mesh.vtp
+2 | a character is not of base64 | info b.mesh.vtp
+2 | ends too early | info c.mesh.vtp
+2 | line 1 cannot be understood: a number is missing | info d.mesh.vtp
 2 | has no faces after the repair | delaunay repeated_only.mesh.off --repair -o a.ply
 2 | no point has neighbors in two directions | operators a.mesh.xyz --neighbors 3 --prefix a
 2 | has fewer than three corners | delaunay narrow_polygon.mesh.off -o a.ply
