@@ -50,16 +50,6 @@ struct Source_part
   bool is_vertex() const { return corners.size() == 1; }
 };
 
-// The distance of 0 from the segment between two points.
-template <typename FT>
-FT distance_from_segment(const std::complex<FT>& p, const std::complex<FT>& q)
-{
-  const std::complex<FT> d = q - p;
-  const FT squared = dot(d, d);
-  const FT t = squared > 0 ? std::clamp<FT>(-dot(p, d) / squared, FT(0), FT(1)) : FT(0);
-  return norm_of(p + t * d);
-}
-
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOperators

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -56,20 +56,28 @@ public:
   /// @{
 
   /// adds a vertex as a source and returns the index of this source.
-  /// \pre `v` is not isolated
-  std::size_t add_source(Vertex_index v)
-  {
-    CGAL_precondition(!mesh().is_isolated(v));
-    return add(v, m_search.at_vertex(v));
-  }
+  std::size_t add_source(Vertex_index v) { return add(v); }
 
   /// adds a point on an edge as a source and returns the index of this source.
-  std::size_t add_source(const Edge_point<FT>& p) { return add_source(location(p)); }
+  std::size_t add_source(const Edge_point<FT>& p) { return add(location(p)); }
 
   /// adds a point of a face, also on its boundary, as a source and returns the index of this
   /// source.
   /// \pre the coordinates of `p` are not negative and sum up to one
-  std::size_t add_source(const Face_location<FT>& p) { return add(p, p); }
+  std::size_t add_source(const Face_location<FT>& p) { return add(p); }
+
+  /// adds all points of a segment as one source and returns its index.
+  /// \pre the coordinates of its ends are not negative and sum up to one
+  std::size_t add_source(const Curve_segment<FT>& segment)
+  {
+    return add(Surface_curve<FT>{segment});
+  }
+
+  /// adds all points of a curve as one source and returns its index. Segments that share an end
+  /// need fewer windows if they are added as one curve. Complexity: \f$O(n \log n)\f$ for \f$n\f$
+  /// segments.
+  /// \pre the coordinates of all ends are not negative and sum up to one
+  std::size_t add_source(const Surface_curve<FT>& curve) { return add(curve); }
 
   /// computes what distances and paths need. Complexity: \f$O(k)\f$ for \f$k\f$ views, of which
   /// there are at most \f$O(n^2)\f$ between saddle vertices on embedded surfaces with \f$n\f$
@@ -108,11 +116,13 @@ public:
   /// After `run()`.
   /// @{
 
-  /// returns the shortest path from the nearest source to a vertex.
-  /// \pre `v` is not isolated
+  /// returns the shortest path from the nearest source to a vertex. There are no places if the
+  /// vertex is isolated.
   Surface_path<FT> path(Vertex_index v) const
   {
-    CGAL_precondition(m_is_run && !mesh().is_isolated(v));
+    CGAL_precondition(m_is_run);
+    if(mesh().is_isolated(v))
+      return {distance(v), {}};
     return path(m_search.to(v), m_search.at_vertex(v));
   }
 
@@ -135,11 +145,14 @@ public:
   }
 
   /// returns the index of the nearest source of a point of a face. \pre there is a path
-  std::size_t source(const Face_location<FT>& p) const { return source(m_search.to(p), p); }
+  std::size_t source(const Face_location<FT>& p) const
+  {
+    return source(m_search.to(p), internal::vertex_at(p, mesh()));
+  }
   /// returns the index of the nearest source of a point on an edge. \pre there is a path
   std::size_t source(const Edge_point<FT>& p) const { return source(location(p)); }
   /// returns the index of the nearest source of a vertex. \pre there is a path
-  std::size_t source(Vertex_index v) const { return source(m_search.to(v), m_search.at_vertex(v)); }
+  std::size_t source(Vertex_index v) const { return source(m_search.to(v), v); }
 
   /// @}
 
@@ -150,12 +163,10 @@ private:
   const Delta_complex& mesh() const { return m_search.mesh(); }
 
   template <typename Source>
-  std::size_t add(const Source& source, const Face_location<FT>& p)
+  std::size_t add(const Source& source)
   {
     m_is_run = false;
-    m_search.add_source(source);
-    m_number.push_back(m_search.source_at(p));
-    return m_number.size() - 1;
+    return m_search.add_source(source);
   }
 
   Face_location<FT> location(const Edge_point<FT>& p) const
@@ -172,15 +183,13 @@ private:
     return result;
   }
 
-  std::size_t source(const Last_part& part, const Face_location<FT>& p) const
+  std::size_t source(const Last_part& part, Vertex_index v) const
   {
     CGAL_precondition(m_is_run && part.length < std::numeric_limits<FT>::infinity());
-    const auto found = std::find(m_number.begin(), m_number.end(), m_search.source_of(part, p));
-    return static_cast<std::size_t>(found - m_number.begin());
+    return m_search.source_of(part, v);
   }
 
   Search m_search;
-  std::vector<std::uint32_t> m_number; // of each source, in the search
   bool m_is_run = false;
 };
 

@@ -46,6 +46,16 @@ std::complex<FT> normalized(const std::complex<FT>& v)
   return v / norm_of(v);
 }
 
+// The distance of 0 from the segment between two points.
+template <typename FT>
+FT distance_from_segment(const std::complex<FT>& p, const std::complex<FT>& q)
+{
+  const std::complex<FT> d = q - p;
+  const FT squared = dot(d, d);
+  const FT t = squared > 0 ? std::clamp<FT>(-dot(p, d) / squared, FT(0), FT(1)) : FT(0);
+  return norm_of(p + t * d);
+}
+
 // A face in the plane, any of its halfedges on the x-axis. Its sides have directions of their own,
 // turned by the corner angles, and its points barycentric coordinates: no position is subtracted
 // from another.

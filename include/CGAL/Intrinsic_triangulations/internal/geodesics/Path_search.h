@@ -9,8 +9,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Curve_ends.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/View_propagation.h>
 
@@ -18,6 +20,8 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <numeric>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -54,33 +58,48 @@ public:
     : m_mesh(surface.mesh()), m_views(surface)
   {}
 
-  void add_source(Vertex_index v) { m_views.add_source(v); }
-
-  void add_source(const Location& p)
+  // Adds a source and returns its number.
+  std::size_t add_source(Vertex_index v)
   {
-    const Place place = surface_place(p, m_mesh);
-    if(is_corner(p.second))
-      return add_source(m_mesh.source(place.along));
+    add_vertex(v);
+    return m_number_of_sources++;
+  }
+
+  std::size_t add_source(const Location& p)
+  {
     add_point(p);
-    const Halfedge_index o = place.along.is_valid() ? m_mesh.opposite(place.along) : place.along;
-    if(o.is_valid() && !m_mesh.is_border(o))
-      add_point(face_location(reversed(edge_point(place.along, p, m_mesh), m_mesh), m_mesh));
-    else
-      m_point.push_back({Delta_complex::null_face(), p.second});
+    return m_number_of_sources++;
   }
 
-  // Makes distances up to `limit()` final.
+  // Segments no longer than rounding are points. Ends come first: they open fewer views.
+  std::size_t add_source(const Surface_curve<FT>& curve)
+  {
+    Surface_curve<FT> segments;
+    for(const Curve_segment<FT>& s : curve)
+      if(is_point(s))
+        add_point({s.face, s.source});
+      else
+        segments.push_back(s);
+    Curve_ends<Surface_view<EdgeLengthMap>>(m_views.surface(), segments)
+      .for_each_point([&](const Location& p, const auto& sectors) { add_end(p, sectors); });
+    for(const Curve_segment<FT>& s : segments)
+      m_views.add_source({s, m_number_of_sources, Index(m_views.number_of_origins())});
+    return m_number_of_sources++;
+  }
+
+  // Makes distances up to `limit()` final and returns true, unless more than so many views have to
+  // be looked through.
   template <typename Limit>
-  void run(const Limit& limit)
+  bool run(const Limit& limit, std::size_t most_steps = (std::numeric_limits<std::size_t>::max)())
   {
-    m_views.run(limit);
+    const bool is_done = m_views.run(limit, most_steps);
     sort_views();
+    sort_origins();
+    return is_done;
   }
 
-  void run()
-  {
-    run([] { return std::numeric_limits<FT>::infinity(); });
-  }
+  void run() { run(unlimited); }
+  bool run(std::size_t most_steps) { return run(unlimited, most_steps); }
 
   // Makes the distance of `v` final, or of `q`.
   void run_to(Vertex_index v)
@@ -92,6 +111,9 @@ public:
     const Flat_face<FT> face(m_mesh.halfedge(q.first), m_views.surface());
     run([&] { return by_corners(q, face).length; });
   }
+
+  // Returns the length up to which distances are final; infinite at the end.
+  FT final_length() { return m_views.final_length(); }
 
   const FT& distance(Vertex_index v) const { return m_views.distance(v.idx()); }
 
@@ -110,33 +132,24 @@ public:
       return to(v);
     const Flat_face<FT> face(m_mesh.halfedge(q.first), m_views.surface());
     Last_part result = by_corners(q, face);
-    for(std::size_t i = 0; i < m_point.size(); ++i)
-      if(m_point[i].first == q.first)
-        improve(result, {norm_of(face.between(m_point[i].second, q.second)), Views::null,
-                         Index(m_mesh.num_vertices() + i), m_mesh.halfedge(q.first)});
+    const auto [first, last] =
+      std::equal_range(m_origins.begin(), m_origins.end(), q.first, In_order_of_faces{*this});
+    for(auto i = first; i != last; ++i) {
+      const auto nearest = m_views.origin(*i).nearest(face, q.second).second;
+      improve(result, {norm_of(face.between(nearest, q.second)), Views::null, *i,
+                       m_mesh.halfedge(q.first)});
+    }
     for(Index c = 3 * q.first.idx(); c < 3 * q.first.idx() + 3; ++c)
       look_through(c, q, face, result);
     return result;
   }
 
-  // Returns the number of the source of a path: that of its vertex, or one after those.
-  Index source_of(Last_part part, const Location& q) const
+  // Returns the number of the source of a path that ends with `part`, at `v` if that is a vertex.
+  std::size_t source_of(Last_part part, Vertex_index v) const
   {
-    Vertex_index v = vertex_at(q, m_mesh);
     for(; part.origin != Views::null && m_views.is_vertex(part.origin); part = to(v))
       v = Vertex_index(part.origin);
-    return part.origin == Views::null
-             ? v.idx()
-             : part.origin - (part.origin - Index(m_mesh.num_vertices())) % 2;
-  }
-
-  // Returns the number of the source at `p` that has been added last.
-  Index source_at(const Location& p) const
-  {
-    const Vertex_index v = vertex_at(p, m_mesh);
-    return v == Delta_complex::null_vertex()
-             ? static_cast<Index>(m_mesh.num_vertices() + m_point.size() - 2)
-             : Index(v.idx());
+    return part.origin == Views::null ? m_vertex.at(v.idx()) : m_views.origin(part.origin).number;
   }
 
   // Returns a spoke of the source, or a halfedge of its face, and the direction of the path in the
@@ -157,14 +170,19 @@ public:
   void trace(Last_part part, const Location& q, std::vector<Place>& places) const
   {
     add(surface_place(q, m_mesh), places);
-    for(;;) {
+    for(bool is_at_end = true;; is_at_end = false) {
+      const bool is_in_face = part.origin != Views::null && !m_views.is_vertex(part.origin);
       Halfedge_index first = part.last;
-      if(part.view != Views::null)
-        first = Charts::halfedge(add_crossings(part, places), m_mesh);
+      if(part.view != Views::null) {
+        const auto [root, z] = add_crossings(part, places);
+        if(is_in_face)
+          return add(start_of(root, z), places);
+        first = Charts::halfedge(Charts::previous(root.edge), m_mesh);
+      } else if(is_in_face)
+        return add(start_in_face_of(part, is_at_end ? q : at_spoke(opposite(first)).location),
+                   places);
       if(part.origin == Views::null)
         return;
-      if(!m_views.is_vertex(part.origin))
-        return add(surface_place(point(part.origin), m_mesh), places);
       add(at_spoke(first), places);
       part = to(Vertex_index(part.origin));
     }
@@ -176,10 +194,53 @@ public:
   const Delta_complex& mesh() const { return m_mesh; }
 
 private:
+  typedef typename Views::Origin Origin;
+
+  static FT unlimited() { return std::numeric_limits<FT>::infinity(); }
+
+  // ---- Sources ----
+
+  Origin origin(const Location& p) const { return origin(p, Index(m_views.number_of_origins())); }
+  Origin origin(const Location& p, Index first) const
+  {
+    return {{p.first, p.second, p.second}, m_number_of_sources, first};
+  }
+
+  void add_vertex(Vertex_index v)
+  {
+    m_views.add_source(v);
+    m_vertex.emplace(v.idx(), m_number_of_sources);
+  }
+
+  // A point on an edge is added in both faces.
   void add_point(const Location& p)
   {
-    m_views.add_source(p, static_cast<Index>(m_mesh.num_vertices() + m_point.size()));
-    m_point.push_back(p);
+    const Place place = surface_place(p, m_mesh);
+    if(is_corner(p.second))
+      return add_vertex(m_mesh.source(place.along));
+    const Index first = m_views.add_source(origin(p));
+    const Halfedge_index o = place.along.is_valid() ? m_mesh.opposite(place.along) : place.along;
+    if(o.is_valid() && !m_mesh.is_border(o))
+      m_views.add_source(
+        origin(face_location(reversed(edge_point(place.along, p, m_mesh), m_mesh), m_mesh), first));
+  }
+
+  bool is_point(const Curve_segment<FT>& s) const
+  {
+    const Flat_face<FT> face(m_mesh.halfedge(s.face), m_views.surface());
+    return norm_of(face.between(s.source, s.target)) <= face.tolerance();
+  }
+
+  void add_end(const Location& p, const std::vector<Sector_in_face<FT>>& sectors)
+  {
+    if(const Vertex_index v = vertex_at(p, m_mesh); v != Delta_complex::null_vertex()) {
+      m_views.add_source(v, sectors);
+      m_vertex.emplace(v.idx(), m_number_of_sources);
+      return;
+    }
+    const Index first = Index(m_views.number_of_origins());
+    for(const auto& sector : sectors)
+      m_views.add_source(origin(sector.at, first), sector);
   }
 
   // ---- Views by the sides that they look through ----
@@ -198,6 +259,23 @@ private:
     for(Index i = 0; i < views.size(); ++i)
       if(views[i].edge != Views::null)
         m_sorted[next[views[i].edge]++] = i;
+  }
+
+  struct In_order_of_faces
+  {
+    const Path_search& search;
+
+    bool operator()(Index i, Face_index f) const { return face(i) < f; }
+    bool operator()(Face_index f, Index i) const { return f < face(i); }
+    bool operator()(Index i, Index j) const { return face(i) < face(j); }
+    Face_index face(Index i) const { return search.m_views.origin(i).segment.face; }
+  };
+
+  void sort_origins()
+  {
+    m_origins.resize(m_views.number_of_origins() - m_mesh.num_vertices());
+    std::iota(m_origins.begin(), m_origins.end(), Index(m_mesh.num_vertices()));
+    std::stable_sort(m_origins.begin(), m_origins.end(), In_order_of_faces{*this});
   }
 
   static void improve(Last_part& part, const Last_part& other)
@@ -231,9 +309,9 @@ private:
     const Vector z = l + face.to_corner(c % 3, q.second) * std::conj(face.direction(c % 3));
     for(Index i = m_first[edge]; i < m_first[edge + 1]; ++i) {
       const View& view = m_views.views()[m_sorted[i]];
-      const FT length = Views::distance(view, z);
+      const FT length = view.length_to(z);
       if(length <= part.length * (1 + rounding_unit<FT>()) &&
-         Views::is_seen(view, z, m_views.tolerance(view)))
+         view.sees(z, m_views.tolerance(view)))
         improve(part, {length, m_sorted[i], view.origin, Halfedge_index(), z,
                        m_views.is_source(view.origin)});
     }
@@ -263,27 +341,62 @@ private:
     }
   }
 
-  // Adds where the path crosses edges, and returns the side before the first of them in its face:
-  // it starts at the origin if that is a vertex.
-  Index add_crossings(const Last_part& part, std::vector<Place>& places) const
+  // Adds where the path crosses edges, and returns the view opened at its origin, and the end of
+  // the line in its frame.
+  std::pair<View, Vector> add_crossings(const Last_part& part, std::vector<Place>& places) const
   {
     const Index o = m_views.charts().across(m_views.views()[part.view].edge);
     const Location& q = places.back().location; // which may lie on the last edge; vertices do not
     bool is_crossing = places.size() > 1 || is_at_vertex(places.back()) || q.first.idx() != o / 3 ||
                        q.second[(o + 2) % 3] != 0;
-    const auto [root, z] = root_of(part.view, part.end, [&](const View& view, const Vector& end) {
-      if(is_crossing)
+    return root_of(part.view, part.end, [&](const View& view, const Vector& end) {
+      if(is_crossing && !is_along_origin(view))
         add(crossing(view, end), places);
       is_crossing = true;
     });
-    return Charts::previous(root.edge);
+  }
+
+  // Returns whether the view looks through the side on which its own segment lies.
+  bool is_along_origin(const View& view) const
+  {
+    if(!view.is_parallel || view.parent != Views::null)
+      return false;
+    const Curve_segment<FT>& s = m_views.origin(view.origin).segment;
+    const std::size_t opposite_corner = (view.edge + 2) % 3;
+    return s.source[opposite_corner] == 0 && s.target[opposite_corner] == 0;
+  }
+
+  // Returns where a line to `z` starts that is seen in a view opened at a point or a segment: in
+  // the face through which it leaves.
+  Place start_of(const View& root, const Vector& z) const
+  {
+    const Origin& origin = m_views.origin(root.origin);
+    if(!root.is_parallel)
+      return surface_place(origin.source(), m_mesh);
+    const Flat_face<FT> face(m_mesh.halfedge(origin.segment.face), m_views.surface());
+    const Location foot = origin.foot(face, root.edge % 3, z);
+    if(!is_along_origin(root))
+      return surface_place(foot, m_mesh);
+    const Halfedge_index h = Charts::halfedge(root.edge, m_mesh);
+    return surface_place(face_location(reversed(edge_point(h, foot, m_mesh), m_mesh), m_mesh),
+                         m_mesh);
+  }
+
+  // Returns where a path starts that ends at `q` in the same face, or at a vertex.
+  Place start_in_face_of(const Last_part& part, const Location& q) const
+  {
+    const Location end = vertex_at(q, m_mesh) == Delta_complex::null_vertex()
+                           ? q
+                           : face_location(Edge_point<FT>{part.last, FT(1)}, m_mesh);
+    const Flat_face<FT> face(m_mesh.halfedge(end.first), m_views.surface());
+    return surface_place(m_views.origin(part.origin).nearest(face, end.second), m_mesh);
   }
 
   // Vertices within rounding of the path count as hit.
   Place crossing(const View& view, const Vector& end) const
   {
     const Index o = m_views.charts().across(view.edge);
-    const FT x = Views::crossing(view, end), l = m_views.charts().length(view.edge);
+    const FT x = view.crossing(end), l = m_views.charts().length(view.edge);
     const FT tolerance = m_views.tolerance(view);
     if(x <= tolerance || l - x <= tolerance)
       return at_spoke(Charts::halfedge(x < l - x ? Charts::next(o) : o, m_mesh));
@@ -293,7 +406,7 @@ private:
 
   Place at_spoke(Halfedge_index h) const { return place_on(Edge_point<FT>{h, FT(0)}, m_mesh); }
 
-  const Location& point(Index origin) const { return m_point[origin - m_mesh.num_vertices()]; }
+  Location point(Index origin) const { return m_views.origin(origin).source(); }
 
   // Adds a place, a vertex only once. Between two vertices the path follows an edge, the shortest
   // from one to the other.
@@ -360,9 +473,10 @@ private:
   std::pair<Halfedge_index, Vector> in_first_face(Index origin,
                                                   std::pair<Halfedge_index, Vector> start) const
   {
-    if((origin - m_mesh.num_vertices()) % 2 == 0)
+    const Index first = m_views.origin(origin).first;
+    if(first == origin)
       return start;
-    const Location& p = point(origin - 1);
+    const Location p = point(first);
     const Index c = Charts::side_of(surface_place(p, m_mesh).along, m_mesh);
     const Index frame = 3 * p.first.idx(), o = m_views.charts().across(c);
     return {m_mesh.halfedge(p.first),
@@ -371,8 +485,10 @@ private:
 
   const Delta_complex& m_mesh;
   Views m_views;
-  std::vector<Location> m_point;        // two for each source: on an edge, it is in both faces
-  std::vector<Index> m_first, m_sorted; // views by sides
+  std::size_t m_number_of_sources = 0;
+  std::unordered_map<Index, std::size_t> m_vertex; // the sources that are vertices
+  std::vector<Index> m_first, m_sorted;            // views by sides
+  std::vector<Index> m_origins;                    // other sources by faces
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -14,7 +14,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Bucket_queue.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Face_charts.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Sector_in_face.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Segment_origin.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/View.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -45,17 +48,8 @@ public:
   static_assert(std::is_floating_point<FT>::value, "directions are angles");
   static constexpr Index null = Charts::null;
 
-  // What an origin sees through a part of an edge; the face of the side `edge`, whose frame this
-  // is, is on the side of the origin.
-  struct View
-  {
-    Vector position; // of the origin
-    FT begin, end;
-    FT before;    // the length of the path to the origin
-    Index edge;   // null if the view has been given up
-    Index origin; // a vertex, or the number of vertices plus that of a source
-    Index parent; // from which it was handed on; null if it was opened at the origin
-  };
+  typedef internal::View<FT> View;
+  typedef Segment_origin<FT> Origin;
 
   // How the shortest path known so far comes to a vertex: through a view, or from the origin along
   // the halfedge `last`, which ends there, or through a face, whose side `last` ends there.
@@ -83,34 +77,58 @@ public:
   {
     m_distance[v.idx()] = FT(0);
     m_arrival[v.idx()] = Arrival();
-    m_bends.push(FT(0), v.idx());
+    if(!m_mesh.is_isolated(v))
+      m_bends.push(FT(0), v.idx());
   }
 
-  // `origin` is the index of the source, which is not a vertex, after those of the vertices; a
-  // point on an edge is added in both faces.
-  void add_source(const Face_location<FT>& p, Index origin)
+  // Adds a point that is not a vertex, in one of its faces, or the inside of a segment, and returns
+  // its number as an origin.
+  Index add_source(const Origin& source)
   {
-    const Face_in_frame face(m_mesh.halfedge(p.first), *this);
-    for(std::size_t s = 0; s < 3; ++s) {
-      reach(m_charts.source(face.side(s)), norm_of(face.to_corner(s, p.second)),
-            {null, origin, m_mesh.prev(face.halfedge(s)), true});
-      if(p.second[(s + 2) % 3] != 0)
-        open_view(face, s, p.second, FT(0), origin);
-    }
+    const Index origin = add_origin(source);
+    const Face_in_frame face(m_mesh.halfedge(source.segment.face), *this);
+    reach_corners(face, origin);
+    for(std::size_t s = 0; s < 3; ++s)
+      if(!source.is_point())
+        push(source.view(face, s, m_charts.length(face.side(s)), face.side(s), origin));
+      else if(source.segment.source[(s + 2) % 3] != 0)
+        open_view(face, s, source.segment.source, FT(0), origin);
+    return origin;
   }
 
-  // Goes on until no path that is shorter than `limit()` can be missing.
+  // Adds a point where segments end, in one of its faces; paths start in these directions.
+  Index add_source(const Origin& source, const Sector_in_face<FT>& sector)
+  {
+    const Index origin = add_origin(source);
+    reach_corners(Face_in_frame(m_mesh.halfedge(source.segment.face), *this), origin);
+    open_views(sector, origin);
+    return origin;
+  }
+
+  // Adds a vertex where segments end; paths start in these directions.
+  void add_source(Vertex_index v, const std::vector<Sector_in_face<FT>>& sectors)
+  {
+    m_distance[v.idx()] = m_opened[v.idx()] = FT(0);
+    m_arrival[v.idx()] = Arrival();
+    for_each_spoke(v, m_mesh, [&](Halfedge_index h) {
+      reach(m_mesh.target(h).idx(), edge_length(h, m_surface), {null, Index(v.idx()), h, true});
+    });
+    for(const auto& sector : sectors)
+      open_views(sector, v.idx());
+  }
+
+  // Goes on until no path that is shorter than `limit()` can be missing, and returns true, or until
+  // so many views have been looked through.
   template <typename Limit>
-  void run(const Limit& limit)
+  bool run(const Limit& limit, std::size_t most_steps)
   {
-    const FT infinity = std::numeric_limits<FT>::infinity();
-    for(;; ++m_steps) {
+    for(std::size_t steps = 0;; ++steps, ++m_steps) {
       check_bound(m_steps);
-      const FT view = m_next.is_empty() ? infinity : m_next.least_key();
-      const FT bend = m_bends.is_empty() ? infinity : m_bends.least_key();
-      if((std::min)(view, bend) == infinity ||
-         (std::min)(view, bend) > limit() * (1 + rounding_unit<FT>()))
-        return;
+      const FT view = least_view(), bend = least_bend(), next = (std::min)(view, bend);
+      if(next == std::numeric_limits<FT>::infinity() || next > limit() * (1 + rounding_unit<FT>()))
+        return true;
+      if(steps == most_steps)
+        return false;
       if(view <= bend)
         follow(m_next.pop());
       else
@@ -118,28 +136,20 @@ public:
     }
   }
 
+  // Returns the length up to which distances are final; infinite at the end.
+  FT final_length() { return (std::min)(least_view(), least_bend()); }
+
   const Surface_view<EdgeLengthMap>& surface() const { return m_surface; }
   const Charts& charts() const { return m_charts; }
   const FT& distance(Index v) const { return m_distance[v]; }
   const Arrival& arrival(Index v) const { return m_arrival[v]; }
   const std::vector<View>& views() const { return m_views; }
+  const Origin& origin(Index origin) const { return m_origins[origin - m_number_of_vertices]; }
+  std::size_t number_of_origins() const { return m_number_of_vertices + m_origins.size(); }
   bool is_vertex(Index origin) const { return origin < m_number_of_vertices; }
   bool is_source(Index origin) const
   {
     return !is_vertex(origin) || m_arrival[origin].origin == null;
-  }
-
-  // returns the length of the path to the point `z` through a view
-  static FT distance(const View& view, const Vector& z)
-  {
-    return view.before + norm_of(z - view.position);
-  }
-
-  // Returns whether `z`, beyond the edge or on it, is seen.
-  static bool is_seen(const View& view, const Vector& z, const FT& tolerance)
-  {
-    const FT x = crossing(view, z);
-    return view.begin - tolerance <= x && x <= view.end + tolerance;
   }
 
   // lengths up to this are rounding where the view goes on into the next face
@@ -147,15 +157,7 @@ public:
   {
     const Index o = m_charts.across(view.edge);
     return rounding_unit<FT>() * (m_charts.length(o) + m_charts.length(Charts::next(o)) +
-                                  m_charts.length(Charts::previous(o)) + norm_of(view.position));
-  }
-
-  // Returns where the line from the origin to the point `z` beyond the edge crosses the edge.
-  static FT crossing(const View& view, const Vector& z)
-  {
-    const Vector& p = view.position;
-    const FT height = p.imag() - z.imag();
-    return height > 0 ? p.real() + (z.real() - p.real()) * (p.imag() / height) : z.real();
+                                  m_charts.length(Charts::previous(o)) + view.scale());
   }
 
 private:
@@ -176,6 +178,15 @@ private:
     const Delta_complex& m_mesh;
     Halfedge_index m_halfedge;
   };
+
+  FT least_view()
+  {
+    return m_next.is_empty() ? std::numeric_limits<FT>::infinity() : m_next.least_key();
+  }
+  FT least_bend()
+  {
+    return m_bends.is_empty() ? std::numeric_limits<FT>::infinity() : m_bends.least_key();
+  }
 
   // a quarter of a typical edge: many views for each bucket, and few that come late
   FT width_of_buckets() const
@@ -199,6 +210,24 @@ private:
     if(views > greatest_number_of_views())
       throw Numerical_error("the search for shortest paths does not end within " +
                             std::to_string(greatest_number_of_views()) + " views");
+  }
+
+  // ---- Sources in faces ----
+
+  Index add_origin(const Origin& origin)
+  {
+    m_origins.push_back(origin);
+    return static_cast<Index>(m_number_of_vertices + m_origins.size() - 1);
+  }
+
+  void reach_corners(const Face_in_frame& face, Index number)
+  {
+    const Curve_segment<FT>& segment = origin(number).segment;
+    for(std::size_t s = 0; s < 3; ++s)
+      reach(m_charts.source(face.side(s)),
+            distance_from_segment(face.to_corner(s, segment.source),
+                                  face.to_corner(s, segment.target)),
+            {null, number, m_mesh.prev(face.halfedge(s)), true});
   }
 
   // ---- Vertices ----
@@ -255,17 +284,31 @@ private:
     const Arrival& arrival = m_arrival[v.idx()];
     Halfedge_index spoke = m_mesh.opposite(arrival.last);
     FT offset(0);
-    if(arrival.view != null) {
+    if(arrival.view == null && !is_vertex(arrival.origin)) {
+      spoke = m_mesh.next(arrival.last);
+      offset = angle_in_face(arrival.origin, spoke);
+    } else if(arrival.view != null) {
       const View& view = m_views[arrival.view];
       const Index o = m_charts.across(view.edge);
       const Vector apex = m_charts.apex_beyond(o);
       spoke = Charts::halfedge(Charts::previous(o), m_mesh);
-      offset = std::arg((view.position - apex) * std::conj(m_charts.length(o) - apex));
+      const Vector back = view.is_parallel ? view.position : view.position - apex;
+      offset = std::arg(back * std::conj(m_charts.length(o) - apex));
     }
     FT angle(0);
     for(Halfedge_index h = first_spoke(v, m_mesh); h != spoke; h = next_spoke(h, m_mesh))
       angle += std::arg(m_charts.turn(Charts::side_of(h, m_mesh)));
     return angle + offset;
+  }
+
+  // Returns the angle from the halfedge `h` to the path from its source to an origin in its face.
+  FT angle_in_face(Index number, Halfedge_index h) const
+  {
+    const Face_in_frame face(m_mesh.halfedge(m_mesh.face(h)), *this);
+    const std::size_t s = side_number(h, m_mesh);
+    const auto corner = barycentric_coordinates(s, FT(0));
+    return std::arg(face.between(corner, origin(number).nearest(face, corner).second) *
+                    std::conj(face.direction(s)));
   }
 
   // Paths may have become shorter since the bend was noted.
@@ -300,7 +343,7 @@ private:
     const Arrival& arrival = m_arrival[v.idx()];
     const bool is_source = arrival.origin == null;
     const FT before = m_distance[v.idx()];
-    const bool is_at_source = arrival.view == null && !is_vertex(arrival.origin);
+    const bool is_at_source = arrival.view == null && arrival.origin == null;
     const FT error = is_at_source ? FT(0) : direction_error(v);
     const bool is_all_seen = is_at_source || error >= 1;
     const Sector sector(Vertex_angles<FT>(first_spoke(v, m_mesh), m_surface), is_all_seen,
@@ -329,17 +372,33 @@ private:
     push({position, FT(0), m_charts.length(edge), before, edge, origin, null});
   }
 
+  // Opens the views through the sides that are seen in some directions.
+  void open_views(const Sector_in_face<FT>& sector, Index origin)
+  {
+    const Face_in_frame face(m_mesh.halfedge(sector.at.first), *this);
+    for(std::size_t s = 0; s < 3; ++s)
+      if(sector.at.second[(s + 2) % 3] != 0)
+        if(const auto [from, to] = sector.part_of_side(face, s); from < to) {
+          const FT l = m_charts.length(face.side(s));
+          const Vector position =
+            -face.to_corner(s, sector.at.second) * std::conj(face.direction(s));
+          push({position, from * l, to * l, FT(0), face.side(s), origin, null});
+        }
+  }
+
+  // An empty one is left out.
   void push(const View& opened)
   {
     View view = opened;
+    if(!(view.begin <= view.end))
+      return;
     view.position.imag((std::max)(view.position.imag(), FT(0)));
     if(m_charts.across(view.edge) == null || !cut_off(view))
       return;
-    const FT nearest = distance(view, std::clamp(view.position.real(), view.begin, view.end));
     check_bound(m_views.size() + 1);
     if(m_views.size() == m_views.capacity())
       reserve_views();
-    m_next.push(nearest, static_cast<Index>(m_views.size()));
+    m_next.push(view.least_length(), static_cast<Index>(m_views.size()));
     m_views.push_back(view);
   }
 
@@ -350,37 +409,10 @@ private:
     m_views.reserve(doubled < bound / 2 ? doubled : bound);
   }
 
-  // Cuts off where all paths through the view are longer than those by one of the ends of the edge,
-  // and returns whether something is left.
   bool cut_off(View& view) const
   {
-    const FT by_source = m_distance[m_charts.source(view.edge)] - view.before;
-    const FT by_target = m_distance[m_charts.target(view.edge)] - view.before;
-    const FT& length = m_charts.length(view.edge);
-    const Vector &p = view.position, from_target(length - p.real(), p.imag());
-    const FT slack = path_tolerance<FT>() * (view.before + norm_of(p) + length);
-    const FT rest = cut_off(p, by_source + slack, view.begin, view.end);
-    if(!(rest <= view.end))
-      return false;
-    const FT other = cut_off(from_target, by_target + slack, FT(length - view.end), length - rest);
-    view.begin = rest;
-    view.end = (std::min)(view.end, FT(length - other));
-    return other <= length - rest;
-  }
-
-  // Returns up to which place, from `begin` to `end`, paths from `p` are longer by more than
-  // `slack` than those that have the length `before` at 0 and follow the edge: the difference
-  // decreases. A place beyond `end` stands for all.
-  FT cut_off(const Vector& p, const FT& before, const FT& begin, const FT& end) const
-  {
-    const auto is_longer = [&](const FT& x) { return norm_of(p - x) > before + x; };
-    if(!is_longer(begin))
-      return begin;
-    if(is_longer(end))
-      return std::numeric_limits<FT>::infinity();
-    const FT x = (std::norm(p) - before * before) / (2 * (p.real() + before));
-    const FT safe = x - path_tolerance<FT>() * norm_of(p);
-    return begin < safe && safe < end && is_longer(safe) ? safe : begin;
+    return view.cut_off(m_distance[m_charts.source(view.edge)],
+                        m_distance[m_charts.target(view.edge)], m_charts.length(view.edge));
   }
 
   void follow(Index number)
@@ -395,47 +427,54 @@ private:
     const Index o = m_charts.across(view.edge);
     const Vector apex = m_charts.apex_beyond(o);
     const FT closed = tolerance(view);
-    if(is_seen(view, apex, closed))
-      reach(m_charts.source(Charts::previous(o)), distance(view, apex),
+    if(view.sees(apex, closed))
+      reach(m_charts.source(Charts::previous(o)), view.length_to(apex),
             {number, view.origin, Halfedge_index(), is_source(view.origin)});
     split(view, number, apex, closed);
-  }
-
-  // Returns the place on the side from 0 to `apex` where the ray through the point of the edge at
-  // `x` from `p` meets it, from 0 to 1: no products that are nearly equal are subtracted. Where all
-  // is on one line, the ray meets it in that point.
-  static FT hit(const Vector& p, const FT& x, const Vector& apex)
-  {
-    const FT to_source = p.imag() * x;
-    const FT to_both = p.imag() * apex.real() + apex.imag() * (x - p.real());
-    if(to_both > 0)
-      return (std::min)(FT(to_source / to_both), FT(1));
-    return apex.real() > x ? FT(x / apex.real()) : FT(1);
   }
 
   // Hands the view on to the two sides beyond the edge, left and right of the apex.
   void split(const View& view, Index number, const Vector& apex, const FT& closed)
   {
     const Index o = m_charts.across(view.edge), left = Charts::next(o), right = Charts::previous(o);
-    const FT &l = m_charts.length(o), middle = crossing(view, apex);
-    const Vector& p = view.position;
-    const auto hand_on = [&](Index edge, const Vector& position, FT from, FT to) {
+    const FT &l = m_charts.length(o), middle = view.crossing(apex);
+    const auto hand_on = [&](Index edge, FT from, FT to) {
       from *= m_charts.length(edge);
       to *= m_charts.length(edge);
-      const View next{position, from, to, view.before, edge, view.origin, number};
-      if(to - from > closed && !is_behind_corner(next, edge == left, l))
+      if(!(to - from > closed))
+        return;
+      const View next = edge == left ? on_left(view, edge, from, to, number)
+                                     : on_right(view, edge, from, to, number, apex);
+      if(!is_behind_corner(next, edge == left, l))
         push(next);
     };
     if(view.begin < middle)
-      hand_on(left, p * m_charts.turn(left), hit(p, view.begin, apex),
-              middle < view.end ? FT(1) : hit(p, view.end, apex));
-    const auto from_target = [&](const Vector& z) { return Vector(l - z.real(), z.imag()); };
-    const auto hit_right = [&](const FT& x) {
-      return 1 - hit(from_target(p), l - x, from_target(apex));
-    };
+      hand_on(left, view.hit(view.begin, apex),
+              middle < view.end ? FT(1) : view.hit(view.end, apex));
     if(middle < view.end)
-      hand_on(right, (p - apex) * std::conj(m_charts.turn(o)),
-              view.begin < middle ? FT(0) : hit_right(view.begin), hit_right(view.end));
+      hand_on(right, view.begin < middle ? FT(0) : view.hit_beyond(view.begin, apex, l),
+              view.hit_beyond(view.end, apex, l));
+  }
+
+  View on_left(const View& view, Index edge, const FT& from, const FT& to, Index number) const
+  {
+    return {view.position * m_charts.turn(edge), from, to, view.before, edge, view.origin, number,
+            view.is_parallel};
+  }
+
+  // The frame starts at `apex`.
+  View on_right(const View& view, Index edge, const FT& from, const FT& to, Index number,
+                const Vector& apex) const
+  {
+    const Vector turn = std::conj(m_charts.turn(Charts::next(edge)));
+    return {(view.is_parallel ? view.position : view.position - apex) * turn,
+            from,
+            to,
+            view.is_parallel ? FT(view.before - dot(apex, view.position)) : view.before,
+            edge,
+            view.origin,
+            number,
+            view.is_parallel};
   }
 
   // Returns whether all paths through a view that has been handed on over an edge of length `l`
@@ -444,19 +483,20 @@ private:
   {
     const Index o = is_left ? Charts::previous(view.edge) : Charts::next(view.edge);
     const FT& corner_distance = m_distance[is_left ? m_charts.source(o) : m_charts.target(o)];
-    if(!(corner_distance < distance(view, is_left ? view.begin : view.end)))
+    if(!(corner_distance < view.length_to(is_left ? view.begin : view.end)))
       return false;
     const FT x = is_left ? view.begin : m_charts.length(view.edge) - view.end;
     const Vector corner =
       l * (is_left ? m_charts.turn(view.edge) : m_charts.turn(Charts::next(view.edge)));
     const FT way = corner_distance + norm_of(corner - x);
-    return distance(view, is_left ? view.begin : view.end) > way * (1 + path_tolerance<FT>());
+    return view.length_to(is_left ? view.begin : view.end) > way * (1 + path_tolerance<FT>());
   }
 
   Surface_view<EdgeLengthMap> m_surface;
   const Delta_complex& m_mesh;
   Charts m_charts;
   Index m_number_of_vertices;
+  std::vector<Origin> m_origins;  // after the vertices
   std::vector<FT> m_distance;     // of each vertex
   std::vector<Arrival> m_arrival; // at each vertex
   std::vector<FT> m_opened;       // the distance at which views were opened at each vertex
