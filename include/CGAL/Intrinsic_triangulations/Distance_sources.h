@@ -28,6 +28,8 @@ namespace internal {
 template <typename FT>
 class Heat_method;
 
+struct Access_to_sources;
+
 // The data of a vertex about a source in one of its faces: the integral of its hat function over
 // the source, and the distance within the face.
 template <typename FT>
@@ -69,7 +71,11 @@ public:
   explicit Distance_sources(const Surface& surface) : m_surface(internal::view_of(surface)) {}
 
   /// adds a vertex.
-  void add(Vertex_index v) { m_parts.push_back(internal::Source_part<FT>::at_vertex(v)); }
+  void add(Vertex_index v)
+  {
+    m_vertices.push_back(v);
+    m_parts.push_back(internal::Source_part<FT>::at_vertex(v));
+  }
 
   /// adds a point of a face, also on its boundary.
   /// \pre the coordinates of `p` are not negative and sum up to one
@@ -81,6 +87,7 @@ public:
   /// adds all points of a segment.
   void add(const Curve_segment<FT>& segment)
   {
+    m_curve.push_back(segment);
     const auto h = sides(segment.face, m_surface.mesh());
     const internal::Flat_face<FT> face(h[0], m_surface);
     const FT length = internal::norm_of(face.between(segment.source, segment.target));
@@ -96,6 +103,8 @@ public:
   /// adds all sources of another set on the surface.
   void add(const Distance_sources& other)
   {
+    m_vertices.insert(m_vertices.end(), other.m_vertices.begin(), other.m_vertices.end());
+    m_curve.insert(m_curve.end(), other.m_curve.begin(), other.m_curve.end());
     m_parts.insert(m_parts.end(), other.m_parts.begin(), other.m_parts.end());
   }
 
@@ -109,10 +118,43 @@ public:
 
 private:
   friend class internal::Heat_method<FT>;
+  friend struct internal::Access_to_sources;
 
   Surface_view<Length_map_of<Surface>> m_surface;
+  std::vector<Vertex_index> m_vertices;
+  Surface_curve<FT> m_curve; // points are segments of length zero
   std::vector<internal::Source_part<FT>> m_parts;
 };
+
+namespace internal {
+
+struct Access_to_sources
+{
+  template <typename Surface>
+  static const std::vector<Vertex_index>& vertices(const Distance_sources<Surface>& sources)
+  {
+    return sources.m_vertices;
+  }
+  template <typename Surface>
+  static const Surface_curve<Length_of<Surface>>& curve(const Distance_sources<Surface>& sources)
+  {
+    return sources.m_curve;
+  }
+
+  // Returns for each vertex whether its distance is zero.
+  template <typename Surface>
+  static std::vector<char> is_source(const Distance_sources<Surface>& sources)
+  {
+    std::vector<char> result(sources.m_surface.mesh().num_vertices(), 0);
+    for(const auto& part : sources.m_parts)
+      for(const auto& corner : part.corners)
+        if(corner.distance == 0)
+          result[corner.vertex.idx()] = 1;
+    return result;
+  }
+};
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

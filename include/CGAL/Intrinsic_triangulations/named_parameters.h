@@ -18,6 +18,7 @@
   DO(exact_decisions)                                                                              \
   DO(concurrency_tag)                                                                              \
   DO(time_step_factor)                                                                             \
+  DO(distance_method)                                                                              \
   DO(minimum_angle)                                                                                \
   DO(maximum_circumradius)                                                                         \
   DO(simplicial)                                                                                   \
@@ -88,6 +89,10 @@ auto concurrency_tag(const ConcurrencyTag& tag);
 /// the surface more closely, more is smoother.
 template <typename Number>
 auto time_step_factor(const Number& factor);
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// names the `Distance_method` of `geodesic_distances()`.
+auto distance_method(Distance_method method);
 
 /// \ingroup PkgIntrinsicTriangulationsRefinement
 /// names the least angle that faces shall have, in degrees.

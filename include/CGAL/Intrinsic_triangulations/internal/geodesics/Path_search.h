@@ -54,8 +54,9 @@ public:
     bool is_straight = true; // the whole path
   };
 
-  explicit Path_search(const Surface_view<EdgeLengthMap>& surface)
-    : m_mesh(surface.mesh()), m_views(surface)
+  // Without paths, only distances of vertices are known, and memory is linear.
+  explicit Path_search(const Surface_view<EdgeLengthMap>& surface, bool are_paths_wanted = true)
+    : m_mesh(surface.mesh()), m_views(surface, are_paths_wanted), m_are_paths_wanted(are_paths_wanted)
   {}
 
   // Adds a source and returns its number.
@@ -93,13 +94,15 @@ public:
   bool run(const Limit& limit, std::size_t most_steps = (std::numeric_limits<std::size_t>::max)())
   {
     const bool is_done = m_views.run(limit, most_steps);
-    sort_views();
-    sort_origins();
+    if(m_are_paths_wanted) {
+      sort_views();
+      sort_origins();
+    }
     return is_done;
   }
 
   void run() { run(unlimited); }
-  bool run(std::size_t most_steps) { return run(unlimited, most_steps); }
+  bool run_for(std::size_t most_steps) { return run(unlimited, most_steps); }
 
   // Makes the distance of `v` final, or of `q`.
   void run_to(Vertex_index v)
@@ -485,6 +488,7 @@ private:
 
   const Delta_complex& m_mesh;
   Views m_views;
+  bool m_are_paths_wanted;
   std::size_t m_number_of_sources = 0;
   std::unordered_map<Index, std::size_t> m_vertex; // the sources that are vertices
   std::vector<Index> m_first, m_sorted;            // views by sides

@@ -61,7 +61,9 @@ public:
     bool is_straight = true;
   };
 
-  explicit View_propagation(const Surface_view<EdgeLengthMap>& surface)
+  // Views that have been looked through are kept only for paths; distances of vertices need the
+  // last one of each.
+  explicit View_propagation(const Surface_view<EdgeLengthMap>& surface, bool are_views_kept = true)
     : m_surface(surface),
       m_mesh(surface.mesh()),
       m_charts(surface),
@@ -70,7 +72,9 @@ public:
       m_arrival(m_number_of_vertices),
       m_opened(m_number_of_vertices, std::numeric_limits<FT>::infinity()),
       m_next(width_of_buckets()),
-      m_bends(width_of_buckets())
+      m_bends(width_of_buckets()),
+      m_are_views_kept(are_views_kept),
+      m_last_view(are_views_kept ? 0 : m_number_of_vertices)
   {}
 
   void add_source(Vertex_index v)
@@ -244,6 +248,8 @@ private:
       return;
     m_distance[v] = length;
     m_arrival[v] = arrival;
+    if(!m_are_views_kept && arrival.view != null)
+      m_last_view[v] = m_views[arrival.view];
     m_bends.push(length, v);
   }
 
@@ -288,7 +294,7 @@ private:
       spoke = m_mesh.next(arrival.last);
       offset = angle_in_face(arrival.origin, spoke);
     } else if(arrival.view != null) {
-      const View& view = m_views[arrival.view];
+      const View& view = m_are_views_kept ? m_views[arrival.view] : m_last_view[v.idx()];
       const Index o = m_charts.across(view.edge);
       const Vector apex = m_charts.apex_beyond(o);
       spoke = Charts::halfedge(Charts::previous(o), m_mesh);
@@ -395,11 +401,22 @@ private:
     view.position.imag((std::max)(view.position.imag(), FT(0)));
     if(m_charts.across(view.edge) == null || !cut_off(view))
       return;
+    m_next.push(view.least_length(), store(view));
+  }
+
+  Index store(const View& view)
+  {
+    if(!m_free.empty()) {
+      const Index number = m_free.back();
+      m_free.pop_back();
+      m_views[number] = view;
+      return number;
+    }
     check_bound(m_views.size() + 1);
     if(m_views.size() == m_views.capacity())
       reserve_views();
-    m_next.push(view.least_length(), static_cast<Index>(m_views.size()));
     m_views.push_back(view);
+    return static_cast<Index>(m_views.size() - 1);
   }
 
   // Twice as many as now, but not much memory near the bound: there all that may be needed at once.
@@ -416,6 +433,13 @@ private:
   }
 
   void follow(Index number)
+  {
+    look_through(number);
+    if(!m_are_views_kept)
+      m_free.push_back(number);
+  }
+
+  void look_through(Index number)
   {
     View& stored = m_views[number];
     const bool is_outdated = is_vertex(stored.origin) && m_distance[stored.origin] < stored.before;
@@ -504,6 +528,10 @@ private:
 
   Bucket_queue<FT> m_next, m_bends; // views, and vertices, from which views have to be opened
   std::size_t m_steps = 0;
+
+  bool m_are_views_kept;
+  std::vector<Index> m_free;     // views that are not needed any more
+  std::vector<View> m_last_view; // through which the shortest path comes to each vertex
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,333 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/Heat_error.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_view.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
+#include <CGAL/Intrinsic_triangulations/curve_across.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Exact_distances.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Straight_distances.h>
+#include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// names how `geodesic_distances()` computes distances.
+enum class Distance_method
+{
+  automatic, ///< exact unless that is expected to take more than two seconds
+  exact,     ///< as `Shortest_paths`, accurate to rounding
+  heat       ///< as `heat_distance()`, with an estimate of the error
+};
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// distances of all vertices, and how they were computed.
+template <typename FT>
+struct Geodesic_distances
+{
+  std::vector<FT> distance; ///< by the index of the vertex; infinite if no source can reach it
+  Distance_method method;   ///< the method that was used, exact or heat
+
+  /// \name With Heat
+  /// @{
+  FT time_step_factor = FT(0);           ///< the time for which heat flowed
+  std::optional<Heat_error<FT>> error = std::nullopt; ///< the estimate; none on a
+                                                     ///< `Tufted_surface`
+  std::size_t number_of_raised_vertices = 0; ///< how many values heat put below a bound, which is
+                                         ///< the value then: the distance in space if positions
+                                         ///< are known, otherwise zero
+  /// @}
+};
+
+namespace internal {
+
+// About two seconds, at ten million windows per second, and the number after which exact distances
+// that take more than expected are given up.
+constexpr std::size_t most_expected_windows() { return std::size_t(1) << 24; }
+constexpr std::size_t most_windows() { return 2 * most_expected_windows(); }
+// for an estimate of errors
+constexpr std::size_t most_compared_windows() { return std::size_t(1) << 22; }
+
+// Vertices with several umbrellas have no exact distances.
+template <typename Surface>
+struct Has_umbrellas : std::true_type
+{};
+template <typename FT>
+struct Has_umbrellas<Tufted_surface<FT>> : std::false_type
+{};
+
+template <typename NamedParameters>
+Distance_method method_of(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter(
+    CGAL::parameters::get_parameter(np, internal_np::distance_method), Distance_method::automatic);
+}
+
+template <typename FT>
+using Positions = std::vector<std::array<FT, 3>>;
+
+// Returns the positions of vertices if a map is among the named parameters.
+template <typename Surface, typename NamedParameters>
+Positions<Length_of<Surface>> positions_of(const Surface& surface, const NamedParameters& np)
+{
+  Positions<Length_of<Surface>> result;
+  if constexpr(has_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>()) {
+    const auto point = CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point);
+    for(const Vertex_index v : surface.mesh().vertices())
+      result.push_back(position_of<Length_of<Surface>>(get(point, v)));
+  }
+  return result;
+}
+
+// Returns the positions of vertices, unless lengths take their place.
+template <typename Mesh, typename NamedParameters>
+Positions<double> positions_in(const Mesh& mesh, const NamedParameters& np)
+{
+  Positions<double> result;
+  if constexpr(!has_parameter<NamedParameters, internal_np::edge_length_map_t>() &&
+               !has_parameter<NamedParameters, internal_np::squared_edge_length_map_t>()) {
+    const auto point = vertex_points(mesh, np);
+    for(const auto v : vertices(mesh))
+      result.push_back(position_of<double>(get(point, v)));
+  }
+  return result;
+}
+
+// Raises what is below the distance in space, or not above zero away from the sources.
+template <typename Surface>
+void raise_to_bounds(const Surface& surface, const Distance_sources<Surface>& sources,
+                     const Positions<Length_of<Surface>>& positions,
+                     Geodesic_distances<Length_of<Surface>>& result)
+{
+  typedef Length_of<Surface> FT;
+  const std::vector<char> is_source = Access_to_sources::is_source(sources);
+  const Straight_distances<FT> straight(surface, sources, positions);
+  for(const Vertex_index v : surface.mesh().vertices()) {
+    if(is_source[v.idx()])
+      continue;
+    FT& d = result.distance[v.idx()];
+    const FT least = positions.empty() ? FT(0) : straight(positions[v.idx()]);
+    if(d < least * (1 - path_tolerance<FT>()) || !(d > 0)) {
+      d = least;
+      ++result.number_of_raised_vertices;
+    }
+  }
+}
+
+// Unless a time is given, heat flows for as long as it takes to reach everything: where some edges
+// are far shorter than others, the standard is too short.
+template <typename Surface, typename NamedParameters>
+Geodesic_distances<Length_of<Surface>>
+distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sources,
+                  const Positions<Length_of<Surface>>& positions, const NamedParameters& np)
+{
+  typedef Length_of<Surface> FT;
+  constexpr bool is_time_given =
+    has_parameter<NamedParameters, internal_np::time_step_factor_t>();
+  Geodesic_distances<FT> result{{}, Distance_method::heat, checked_time_step_factor<FT>(np, FT(1))};
+  for(;; result.time_step_factor *= 16)
+    try {
+      const auto values = heat_distance(
+        surface, sources, parameters::time_step_factor(result.time_step_factor));
+      result.distance.assign(values.begin(), values.end());
+      raise_to_bounds(surface, sources, positions, result);
+      return result;
+    } catch(const Underflow_error&) {
+      if(is_time_given || result.time_step_factor > FT(1e12))
+        throw;
+    }
+}
+
+// Returns nothing if heat is to be used. What has been found then is in `exact`.
+template <typename Surface>
+std::optional<Geodesic_distances<Length_of<Surface>>>
+distances_by_windows(Exact_distances<Surface>& exact, Distance_method method)
+{
+  const bool is_exact_wanted = method == Distance_method::exact;
+  if(!is_exact_wanted && (method == Distance_method::heat ||
+                          exact.expected_windows() > double(most_expected_windows())))
+    return std::nullopt;
+  if(!exact.run(is_exact_wanted ? (std::numeric_limits<std::size_t>::max)() : most_windows()))
+    return std::nullopt;
+  return Geodesic_distances<Length_of<Surface>>{exact.distances(), Distance_method::exact};
+}
+
+template <typename Surface>
+Heat_error<Length_of<Surface>> heat_error(Exact_distances<Surface>& exact,
+                                          const std::vector<Length_of<Surface>>& distance)
+{
+  if(!exact.has_run())
+    exact.run(most_compared_windows());
+  return {distance, exact.distances(), exact.final_length()};
+}
+
+// The sources of T1 on T2.
+template <typename Traits, typename Input, typename Surface>
+void add_sources_across(const Intrinsic_triangulation<Traits>& tri,
+                        const Distance_sources<Input>& sources, Distance_sources<Surface>& across)
+{
+  typedef typename Traits::FT FT;
+  across.add(Access_to_sources::vertices(sources));
+  if(Access_to_sources::curve(sources).empty())
+    return;
+  const Correspondence<Traits> correspondence(tri);
+  Surface_curve<FT> curve;
+  for(const Curve_segment<FT>& s : Access_to_sources::curve(sources))
+    if(s.source == s.target)
+      across.add(point_across(correspondence, Side::input, Face_location<FT>(s.face, s.source)));
+    else
+      curve.push_back(s);
+  across.add(curve_across(correspondence, Side::input, curve));
+}
+
+template <typename T, typename = void>
+struct Is_surface : std::false_type
+{};
+template <typename T>
+struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
+{};
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// computes the geodesic distance of every vertex to the nearest source: exactly if that is cheap,
+/// otherwise by heat, with an estimate of the error.
+///
+/// Exact distances are accurate to rounding. They are computed by default as long as they are
+/// expected to take no more than \f$2^{24}\f$ windows, which is about two seconds: on a surface
+/// with \f$n\f$ vertices and \f$k\f$ sources they are expected to take
+/// \f$4 n \sqrt{n / k}\f$, so that with one source heat begins at 26,000 vertices. A search that
+/// takes twice as many is given up for heat.
+///
+/// Distances by heat are approximate, see `heat_distance()`. The estimate of their error compares
+/// them with exact distances at all vertices that \f$2^{22}\f$ windows reach, the nearest ones.
+/// Values below the distance in space, and values that are not above zero at other vertices than
+/// the sources, are raised and counted.
+///
+/// `Shortest_paths` and `Heat_distance` are for repeated use.
+///
+/// \param surface a model of `IntrinsicSurface` with floating point lengths, on which heat flows as
+///   it is, or a `Tufted_surface`, which has heat alone
+/// \param sources a vertex, an `Edge_point`, a `Face_location`, a `Curve_segment`, a range of one
+///   of these, such as a `Surface_curve`, or `Distance_sources`
+/// \param np
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{distance_method}
+///     \cgalParamDescription{how distances are computed}
+///     \cgalParamType{`Distance_method`}
+///     \cgalParamDefault{`Distance_method::automatic`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{time_step_factor}
+///     \cgalParamDescription{the time for which heat flows, in squared mean edge lengths}
+///     \cgalParamType{a number}
+///     \cgalParamDefault{1, and 16 times as much as often as it takes to reach everything}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{positions of the vertices in space, which bound distances by heat}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+/// \throws Invalid_input if exact distances are wanted of a `Tufted_surface`
+/// \throws Numerical_error if heat is used as `heat_distance()`, or if exact distances are wanted and
+///   take more windows than `Shortest_paths` allows
+template <typename Surface, typename Sources,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+auto geodesic_distances(const Surface& surface, const Sources& sources,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+  -> std::enable_if_t<internal::Is_surface<Surface>::value, Geodesic_distances<Length_of<Surface>>>
+{
+  Distance_sources<Surface> all(surface);
+  all.add(sources);
+  if constexpr(internal::Has_umbrellas<Surface>::value) {
+    internal::Exact_distances<Surface> exact(surface, all);
+    if(auto result = internal::distances_by_windows(exact, internal::method_of(np)))
+      return std::move(*result);
+    auto result =
+      internal::distances_by_heat(surface, all, internal::positions_of(surface, np), np);
+    result.error = internal::heat_error(exact, result.distance);
+    return result;
+  } else {
+    if(internal::method_of(np) == Distance_method::exact)
+      throw Invalid_input("exact distances need a surface, in which every vertex has one umbrella");
+    return internal::distances_by_heat(surface, all, internal::positions_of(surface, np), np);
+  }
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// compares distances of all vertices, however they were computed, with exact distances at the
+/// vertices nearest to the sources, as `geodesic_distances()` does with heat.
+/// \param surface a model of `IntrinsicSurface` with floating point lengths
+/// \param sources as for `geodesic_distances()`
+/// \param distance the distances by the index of the vertex
+template <typename Surface, typename Sources>
+Heat_error<Length_of<Surface>> estimate_error(const Surface& surface, const Sources& sources,
+                                              const std::vector<Length_of<Surface>>& distance)
+{
+  Distance_sources<Surface> all(surface);
+  all.add(sources);
+  internal::Exact_distances<Surface> exact(surface, all);
+  return internal::heat_error(exact, distance);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// computes the geodesic distance of every vertex of a mesh to the nearest source, as the function
+/// for surfaces: exactly on the mesh itself, or by heat on its intrinsic Delaunay triangulation.
+/// Vertices, edges and faces have the numbers of their order in the ranges of the mesh.
+/// \param mesh a model of `FaceListGraph` and `HalfedgeListGraph` with triangles
+/// \param sources as for a surface
+/// \param np as for a surface, and for `Intrinsic_triangulation`
+/// \throws Invalid_input as `Intrinsic_triangulation`
+/// \throws Numerical_error as for a surface
+template <typename Mesh, typename Sources,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+auto geodesic_distances(const Mesh& mesh, const Sources& sources,
+                        const NamedParameters& np = CGAL::parameters::default_values())
+  -> std::enable_if_t<!internal::Is_surface<Mesh>::value, Geodesic_distances<double>>
+{
+  Intrinsic_triangulation<> tri(mesh, np);
+  const auto input = tri.input();
+  Distance_sources<std::decay_t<decltype(input)>> all(input);
+  all.add(sources);
+  internal::Exact_distances<std::decay_t<decltype(input)>> exact(input, all);
+  if(auto result = internal::distances_by_windows(exact, internal::method_of(np)))
+    return std::move(*result);
+  make_Delaunay(tri);
+  const auto surface = tri.intrinsic();
+  Distance_sources<std::decay_t<decltype(surface)>> across(surface);
+  internal::add_sources_across(tri, all, across);
+  auto result =
+    internal::distances_by_heat(surface, across, internal::positions_in(mesh, np), np);
+  result.error = internal::heat_error(exact, result.distance);
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
