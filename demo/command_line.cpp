@@ -221,9 +221,26 @@ void add_distance_outputs(CLI::App& command, Distance_options& options)
     ->check(finite_number());
 }
 
+void add_distance_method(CLI::App& command, Distance_options& options)
+{
+  CLI::Option* const method =
+    command
+      .add_option(
+        "--method", options.method,
+        "exact (lengths of shortest paths, up to rounding), heat (the heat method, with "
+        "an estimate of its error), or auto: exact where it is expected to take less than "
+        "two seconds, without --signed and --time-step")
+      ->check(CLI::IsMember({"exact", "heat", "auto"}))
+      ->capture_default_str();
+  command
+    .add_flag_callback(
+      "--exact-distance", [&options] { options.method = "exact"; }, "The same as --method exact")
+    ->excludes(method);
+}
+
 void add_distance(CLI::App& app, Options& options)
 {
-  CLI::App& command = add_command(app, "distance", "Compute geodesic distances by the heat method",
+  CLI::App& command = add_command(app, "distance", "Compute geodesic distances, exactly or by heat",
                                   options.common.input);
   Distance_options& own = options.distance;
   command
@@ -243,13 +260,13 @@ void add_distance(CLI::App& app, Options& options)
   add_exact(command, options.common);
   add_number(
     command, "--time-step", own.time_step_factor,
-    "Time for which heat flows, in squared mean edge lengths; by default 1, 4 with --signed, or "
-    "16 times as much as often as it takes to reach everything",
+    "Time for which heat flows, in squared mean edge lengths, with --method heat unless another "
+    "is given; by default 1, 4 with --signed, or 16 times as much as often as it takes to reach "
+    "everything",
     positive_number());
   add_angle(command, own.refinement);
   add_direct(command, options.common);
-  command.add_flag("--exact-distance", own.is_shortest,
-                   "Compute the lengths of shortest paths instead, up to rounding");
+  add_distance_method(command, own);
   add_neighbors(command, options.common);
   command.footer(Help::distance);
 }

@@ -114,7 +114,7 @@ struct Distance_options : Output_options
   bool is_signed = false;
   std::optional<double> time_step_factor;
   Refinement_bounds refinement; // none without an angle
-  bool is_shortest = false;     // exact distances, by shortest paths
+  std::string method = "auto";  // or "exact", "heat"
 };
 
 // Computes distances on the intrinsic Delaunay triangulation, refined if that is wanted, and writes

@@ -14,20 +14,21 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
-#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
 #include <CGAL/Intrinsic_triangulations/curve_across.h>
-#include <CGAL/Intrinsic_triangulations/heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
 
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <iomanip>
+#include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -110,44 +111,63 @@ Sources sources_across(Sources sources, const Triangulation& triangulation)
   return sources;
 }
 
-// Values below zero are errors of the method.
-double presentable(double distance)
+std::vector<double> presentable(std::vector<double> distances)
 {
-  return std::isfinite(distance) ? (std::max)(distance, 0.) : unreachable;
-}
-
-std::vector<double> lengths_of_shortest_paths(const Triangulation& triangulation,
-                                              const Sources& sources)
-{
-  const auto surface = triangulation.intrinsic();
-  IT::Shortest_paths paths(surface);
-  for(const std::int64_t v : sources.vertices)
-    paths.add_source(Sources::vertex(v));
-  for(const Surface_location& p : sources.points)
-    paths.add_source(p);
-  paths.run();
-  std::vector<double> result;
-  for(IT::Vertex_index v : surface.mesh().vertices())
-    result.push_back(presentable(paths.distance(v)));
-  return result;
+  std::replace_if(
+    distances.begin(), distances.end(), [](double d) { return !std::isfinite(d); }, unreachable);
+  return distances;
 }
 
 template <class Surface>
-std::vector<double> heat_distances(const Surface& surface, const Sources& sources,
-                                   double time_step_factor)
+IT::Distance_sources<Surface> sources_on(const Surface& surface, const Sources& sources)
 {
-  IT::Distance_sources<Surface> all(surface);
+  IT::Distance_sources<Surface> result(surface);
   for(const std::int64_t v : sources.vertices)
-    all.add(Sources::vertex(v));
-  all.add(sources.points);
-  all.add(sources.curve);
-  const auto values =
-    IT::heat_distance(surface, all, IT::parameters::time_step_factor(time_step_factor));
-  std::vector<double> result(values.begin(), values.end());
-  std::transform(result.begin(), result.end(), result.begin(), presentable);
+    result.add(Sources::vertex(v));
+  result.add(sources.points);
+  result.add(sources.curve);
   return result;
 }
 
+// Of the input, those of a soup if there is a cover; then of inserted vertices.
+std::vector<Point> positions(const Triangulation& triangulation, const Input_mesh& input)
+{
+  const auto& points = input.mesh.points();
+  std::vector<Point> result =
+    input.covered ? input.covered->soup.points : std::vector<Point>(points.begin(), points.end());
+  for(const auto& place : triangulation.inserted_vertices())
+    result.push_back(position(place.location, input.mesh));
+  return result;
+}
+
+using Distances = IT::Geodesic_distances<double>;
+
+// A time for heat is a wish for heat.
+IT::Distance_method library_method(const Distance_options& options)
+{
+  if(options.method == "exact")
+    return IT::Distance_method::exact;
+  return options.method == "heat" || options.time_step_factor ? IT::Distance_method::heat
+                                                              : IT::Distance_method::automatic;
+}
+
+// At the vertices of the input, then at inserted ones.
+template <class Surface>
+Distances distances_on(const Surface& surface, const Sources& sources,
+                       const Distance_options& options, const std::vector<Point>& points)
+{
+  const auto point = boost::make_function_property_map<IT::Vertex_index>(
+    [&](IT::Vertex_index v) { return points[v.idx()]; });
+  const auto parameters =
+    IT::parameters::vertex_point_map(point).distance_method(library_method(options));
+  const auto all = sources_on(surface, sources);
+  return options.time_step_factor
+           ? IT::geodesic_distances(surface, all,
+                                    parameters.time_step_factor(*options.time_step_factor))
+           : IT::geodesic_distances(surface, all, parameters);
+}
+
+// The heat of curves flows for longer than that of geodesic_distances().
 std::vector<double> signed_distances(const Triangulation& triangulation, const Sources& sources,
                                      double time_step_factor)
 {
@@ -161,37 +181,55 @@ std::vector<double> signed_distances(const Triangulation& triangulation, const S
   return {values.begin(), values.end()};
 }
 
-std::vector<double> distances_by_heat(const Triangulation& triangulation,
-                                      const std::optional<Covered_soup>& covered,
-                                      const Sources& sources, bool are_signed,
-                                      double time_step_factor)
+// The estimate compares them without their signs.
+Distances signed_distances(const Triangulation& triangulation, const Sources& sources,
+                           const Distance_options& options)
 {
-  if(are_signed)
-    return signed_distances(triangulation, sources, time_step_factor);
+  Distances result{{}, IT::Distance_method::heat, options.time_step_factor.value_or(4)};
+  constexpr double greatest_factor = 1e12;
+  while(result.distance.empty())
+    try {
+      result.distance = signed_distances(triangulation, sources, result.time_step_factor);
+    } catch(const IT::Underflow_error&) {
+      if(options.time_step_factor || result.time_step_factor > greatest_factor)
+        throw;
+      result.time_step_factor *= 16;
+    }
+  std::vector<double> lengths = result.distance;
+  std::transform(lengths.begin(), lengths.end(), lengths.begin(),
+                 [](double d) { return std::abs(d); });
   const auto surface = triangulation.intrinsic();
-  return covered ? heat_distances(IT::Tufted_surface<>(covered->cover, surface, covered->share()),
-                                  sources, time_step_factor)
-                 : heat_distances(surface, sources, time_step_factor);
+  result.error = IT::estimate_error(surface, sources.curve, lengths);
+  return result;
 }
 
-// At the vertices of the input, then at inserted ones. Unless a time is given, heat flows for as
-// long as it takes to reach everything: where some edges are far shorter than others, the standard
-// is too short.
-std::vector<double> distances(const Triangulation& triangulation,
-                              const std::optional<Covered_soup>& covered, const Sources& sources,
-                              const Distance_options& options, Statistics& statistics)
+Distances distances(const Triangulation& triangulation, const Input_mesh& input,
+                    const Sources& sources, const Distance_options& options)
 {
-  if(options.is_shortest)
-    return lengths_of_shortest_paths(triangulation, sources);
-  constexpr double greatest_factor = 1e12;
-  for(double factor = options.time_step_factor.value_or(options.is_signed ? 4 : 1);; factor *= 16)
-    try {
-      statistics["time_step_factor"] = factor;
-      return distances_by_heat(triangulation, covered, sources, options.is_signed, factor);
-    } catch(const IT::Underflow_error&) {
-      if(options.time_step_factor || factor > greatest_factor)
-        throw;
-    }
+  if(options.is_signed)
+    return signed_distances(triangulation, sources, options);
+  const auto surface = triangulation.intrinsic();
+  const std::vector<Point> points = positions(triangulation, input);
+  if(!input.covered)
+    return distances_on(surface, sources, options, points);
+  return distances_on(IT::Tufted_surface<>(input.covered->cover, surface, input.covered->share()),
+                      sources, options, points);
+}
+
+void describe_method(Statistics& statistics, const Distances& distances)
+{
+  const bool is_exact = distances.method == IT::Distance_method::exact;
+  statistics["method"] = is_exact ? "exact" : "heat";
+  if(is_exact)
+    return;
+  statistics["time_step_factor"] = distances.time_step_factor;
+  if(const auto& error = distances.error)
+    statistics["relative_error"] = {{"vertices", error->number_of_vertices},
+                                    {"greatest_distance", error->greatest_distance},
+                                    {"mean", error->mean},
+                                    {"ninety_percent", error->ninety_percent},
+                                    {"greatest", error->greatest}};
+  statistics["raised_vertices"] = distances.number_of_raised_vertices;
 }
 
 // At the vertices of the triangulation.
@@ -249,6 +287,31 @@ Output_mesh with_functions(const std::vector<Attribute>& functions, const Subdiv
   return result;
 }
 
+std::string percentage(const Statistics& share)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << 100 * share.get<double>() << " %";
+  return text.str();
+}
+
+std::string summary_of_method(const Statistics& s)
+{
+  if(s["method"] == "exact")
+    return "(exact)";
+  std::string result = "(by heat, ";
+  if(!s.contains("relative_error"))
+    return result + "with an unknown error)";
+  const Statistics& error = s["relative_error"];
+  result += "errors " + percentage(error["mean"]) + " on average, up to " +
+            percentage(error["ninety_percent"]) + " at nine of ten and " +
+            percentage(error["greatest"]) + " at all of " +
+            std::to_string(error["vertices"].get<std::size_t>()) + " vertices";
+  if(s["raised_vertices"] > 0)
+    result += "; " + std::to_string(s["raised_vertices"].get<std::size_t>()) +
+              " values raised to the distance in space";
+  return result + ")";
+}
+
 std::string summary_of_distances(Command_run& run)
 {
   const Statistics& s = run.statistics();
@@ -258,7 +321,23 @@ std::string summary_of_distances(Command_run& run)
     text << ", least " << s["min_distance"].get<double>();
   if(s["unreachable_vertices"] > 0)
     text << ", " << s["unreachable_vertices"] << " vertices out of reach (distance -1)";
+  text << ' ' << summary_of_method(s);
   return text.str();
+}
+
+constexpr double greatest_silent_error = 0.1;
+
+void warn_of_errors(const Statistics& s, const Common_options& common,
+                    const Distance_options& options)
+{
+  if(common.is_quiet || !s.contains("relative_error") ||
+     !(s["relative_error"]["ninety_percent"] > greatest_silent_error))
+    return;
+  std::cerr << common.input << ": warning: a tenth of the distances by heat are wrong by "
+            << percentage(s["relative_error"]["ninety_percent"]) << " or more; "
+            << (options.is_signed ? "a smaller --time-step or --min-angle may help"
+                                  : "--method exact has none of these errors")
+            << '\n';
 }
 
 class Distance_command
@@ -270,7 +349,7 @@ public:
       m_subdivision_format(subdivision_format(options)),
       m_level_format(level_format(options)),
       m_run("distance", common, {options.output, options.subdivision, options.level_sets},
-            !options.is_shortest && options.curve.empty())
+            options.method != "exact" && options.curve.empty())
   {
     check_options();
     m_run.plan({delaunay_stages,
@@ -286,15 +365,19 @@ public:
     Triangulation triangulation = make_delaunay_triangulation(m_run);
     refine_if_wanted(m_run, triangulation, m_options.refinement);
     describe(m_run, triangulation);
-    const std::vector<double> values = m_run.timed("solve", [&] {
+    const Distances found = m_run.timed("solve", [&] {
       read_curve_if_wanted(triangulation);
-      return distances(triangulation, m_run.input().covered,
-                       sources_across(m_sources, triangulation), m_options, m_run.statistics());
+      return distances(triangulation, m_run.input(), sources_across(m_sources, triangulation),
+                       m_options);
     });
+    m_method = found.method;
+    describe_method(m_run.statistics(), found);
+    const std::vector<double> values = presentable(found.distance);
     describe_distances(m_run, m_options, m_sources, at_input_vertices(values));
     const auto subdivision = subdivide_if_wanted(triangulation);
     m_run.timed("write", [&] { write(values, subdivision, triangulation); });
     m_run.finish(summary_of_distances(m_run));
+    warn_of_errors(m_run.statistics(), m_run.options(), m_options);
   }
 
 private:
@@ -307,8 +390,10 @@ private:
       throw Program_error("--source or --curve is missing; say where distances are zero");
     if(m_options.is_signed && !m_options.sources.empty())
       throw Program_error("--signed is for a --curve alone, without --source");
-    if(m_options.is_shortest && has_curve)
-      throw Program_error("--exact-distance is for --source, not for --curve");
+    if(m_options.is_signed && m_options.method == "exact")
+      throw Program_error("--signed is by heat; leave out --method exact and --exact-distance");
+    if(m_options.time_step_factor && m_options.method == "exact")
+      throw Program_error("--time-step is for heat; leave out --method exact and --exact-distance");
     if(!m_options.levels.empty() && !m_level_format)
       throw Program_error("--level is for --level-sets; name a file for the curves");
     if(m_level_format && m_run.input().covered)
@@ -412,18 +497,21 @@ private:
     m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
   }
 
-  // Shortest paths start at points, and take their time.
+  // Shortest paths take their time.
   bool are_errors_known(const Triangulation& triangulation)
   {
-    return m_options.curve.empty() && !m_options.is_shortest && !m_run.input().covered &&
-           triangulation.mesh().number_of_vertices() <= most_vertices;
+    return m_method == IT::Distance_method::heat && !m_options.is_signed &&
+           !m_run.input().covered && triangulation.mesh().number_of_vertices() <= most_vertices;
   }
 
   // Of the heat method, at the vertices of the triangulation.
   std::vector<double> errors(std::vector<double> values, const Triangulation& triangulation) const
   {
-    const std::vector<double> lengths =
-      lengths_of_shortest_paths(triangulation, sources_across(m_sources, triangulation));
+    const auto surface = triangulation.intrinsic();
+    const std::vector<double> lengths = presentable(
+      IT::geodesic_distances(surface, sources_on(surface, sources_across(m_sources, triangulation)),
+                             IT::parameters::distance_method(IT::Distance_method::exact))
+        .distance);
     for(std::size_t v = 0; v < values.size(); ++v)
       values[v] -= lengths[v];
     return values;
@@ -470,6 +558,7 @@ private:
   std::optional<Mesh_format> m_subdivision_format, m_level_format; // none if they are not wanted
   Command_run m_run;
   Sources m_sources; // on the input
+  IT::Distance_method m_method = IT::Distance_method::automatic;
 };
 
 } // namespace

@@ -81,7 +81,7 @@ void check_boundary(const Flatten_options& options)
 
 Conditions flattening_conditions(const Flatten_options& options, const Mesh& mesh)
 {
-  const std::string& boundary = options.boundary.front();
+  const std::string& boundary = options.boundary;
   if(boundary != "free" && !is_shape(boundary) && CGAL::is_closed(mesh))
     throw Program_error("--boundary " + boundary + ": the mesh has no boundary; leave it out");
   Conditions result(mesh.number_of_vertices());

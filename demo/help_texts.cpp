@@ -75,9 +75,13 @@ Examples:
   intrinsic refine scan.ply -o refined.vtp --min-angle 25 --stats refined.json)";
 
 const char* const distance =
-  R"(Distances are approximate, with an error of about two percent on average on evenly
-distributed vertices, and more on coarse or uneven ones. With --exact-distance they are the
-lengths of shortest paths. The distance of a vertex that no source can reach is -1.
+  R"(Distances are exact by default, the lengths of shortest paths up to rounding, as long as that is
+expected to take less than two seconds: up to 31,000 vertices with one source, more with several.
+Beyond that, for triangles that are not a surface, with --signed and with --method heat, they are
+approximate: heat has an error of about two percent on average on evenly distributed vertices, and
+more on coarse or uneven ones. The last line and the statistics name the method; with heat they have
+an estimate of the error, from exact distances to the nearest vertices. A warning says where a tenth
+of these are wrong by more than 10 %. The distance of a vertex that no source can reach is -1.
 
 A file of --curve is written by path, or has polylines of another program: elements l of .obj,
 edges of .ply, Lines of .vtp with ascii numbers, the points of .xyz. Its points are moved to the

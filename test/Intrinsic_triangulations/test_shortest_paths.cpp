@@ -443,4 +443,35 @@ TEST(Shortest_paths, other_component)
   EXPECT_EQ(paths.path(Vertex_index(0)).places.size(), 1u);
 }
 
+// The surfaces on which little is left: isolated vertices, one face, two faces on all of their
+// sides, sources at one place.
+TEST(Shortest_paths, on_the_smallest_surfaces)
+{
+  Mesh isolated = make_mesh({Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}});
+  const Vertex_index alone = isolated.add_vertex(Point(5, 5, 5));
+  const Triangulation t(isolated);
+  Paths paths(t.input());
+  EXPECT_EQ(paths.add_source(alone), 0u);
+  paths.run();
+  EXPECT_EQ(paths.distance(alone), 0);
+  EXPECT_EQ(paths.source(alone), 0u);
+  EXPECT_EQ(paths.path(alone).length, 0);
+  EXPECT_TRUE(paths.path(alone).places.empty());
+  EXPECT_EQ(paths.distance(Vertex_index(0)), infinity);
+  EXPECT_EQ(paths.add_source(Vertex_index(0)), 1u);
+  EXPECT_EQ(paths.add_source(Vertex_index(0)), 2u);
+  paths.run();
+  EXPECT_EQ(paths.distance(alone), 0);
+  EXPECT_EQ(paths.distance(Vertex_index(1)), 1);
+  EXPECT_EQ(paths.source(Vertex_index(1)), 1u);
+
+  const auto pillow = glue({{1, 2, 3}, {-3, -2, -1}});
+  const Triangulation p = triangulation(pillow, std::vector<double>(3, 1));
+  Paths on_pillow(p.input());
+  on_pillow.add_source(Location(Face_index(0), {1. / 3, 1. / 3, 1. / 3}));
+  on_pillow.run();
+  EXPECT_NEAR(on_pillow.distance(Location(Face_index(1), {1. / 3, 1. / 3, 1. / 3})),
+              1 / std::sqrt(3.), 1e-15);
+}
+
 } // namespace Test_shortest_paths

@@ -19,11 +19,21 @@ grid square 40 0
 grid sheared 40 2
 for source in 0 840 1100; do
   for mesh in square sheared; do
-    expect 0 distance $mesh.mesh.off --source $source -o a.ply --subdivision b.ply --quiet
+    expect 0 distance $mesh.mesh.off --source $source -o a.ply --subdivision b.ply --quiet --method heat
     is_euclidean a.ply $source
     is_euclidean b.ply $source
   done
 done
+
+# By default, they are those to rounding.
+for options in '' '--method auto' '--method exact' --exact-distance; do
+  # shellcheck disable=SC2086
+  expect 0 distance sheared.mesh.off --source 840 -o a.ply --stats a.json $options
+  says '(exact)'
+  claim "m = ply('a.ply')" "json('a.json').method == 'exact'" \
+    "all(near(d, dist(p, m.points[840]), 1e-12) for d, p in zip(m.vertex['distance'], m.points))"
+done
+expect 0 distance sheared.mesh.off --source 840 -o a.ply --subdivision b.ply
 
 # The input again, with one more number for each vertex; the subdivision has the same numbers there,
 # and between two of them on the edges.
@@ -33,20 +43,20 @@ claim "a, b, m = ply('a.ply'), ply('b.ply'), off('sheared.mesh.off')" \
 
 # Mirrored in the diagonal, the square is itself, and so are the distances to a vertex on the
 # diagonal.
-expect 0 distance square.mesh.off --source 0 -o a.ply
+expect 0 distance square.mesh.off --source 0 -o a.ply --method heat
 # The bound is the condition of the matrices times 1e-16.
 claim "d = ply('a.ply').vertex['distance']" \
   'all(near(d[41 * j + i], d[41 * i + j], 1e-9) for j in range(41) for i in range(j))'
 
 # Several sources: the nearest counts.
-expect 0 distance square.mesh.off --source 0 --source 1680 -o a.ply --stats a.json
+expect 0 distance square.mesh.off --source 0 --source 1680 -o a.ply --stats a.json --method heat
 claim "m = ply('a.ply')" \
   "e, truth = errors(m.vertex['distance'], m.points, (0, 0), (1, 1))" 'sum(e) <= 0.03 * sum(truth)'
 
 cp "$shipped" slivers.mesh.off
 expect 0 distance slivers.mesh.off --source 7 -o - --subdivision b.vtp --stats statistics.json
 expected='command input vertices edges faces euler_characteristic boundary_loops components flips '
-expected+='is_delaunay shared_edges crossings edge_length_sum min_angle_degrees time_step_factor '
+expected+='is_delaunay shared_edges crossings edge_length_sum min_angle_degrees method '
 expected+='sources max_distance '
 expected+='unreachable_vertices subdivision vertices edges faces seconds read build flip solve trace '
 expected+='subdivide write peak_memory_bytes'
@@ -87,12 +97,14 @@ rm a.* b.*
 
 # A face without area has no heat equation: its edges become longer, unless that is not allowed.
 off flat '0 0 0,1 0 0,2 0 0' '0 1 2'
-expect 0 distance flat.mesh.off --source 0 -o a.ply --stats a.json
+expect 0 distance flat.mesh.off --source 0 -o a.ply
+claim "ply('a.ply').vertex['distance'] == [0, 1, 2]"
+expect 0 distance flat.mesh.off --source 0 -o a.ply --stats a.json --method heat
 says 'flat.mesh.off: computed with --mollify 1e-8: the area of face 0 is zero or out of range'
 claim "s = json('a.json')" 's.mollification == 1e-8' 'near(s.added_length, 4e-8 / 3, 1e-15)'
 rm a.*
 for option in --strict --exact; do
-  expect 1 distance flat.mesh.off --source 0 -o a.ply "$option"
+  expect 1 distance flat.mesh.off --source 0 -o a.ply --method heat "$option"
   says 'the area of face 0 is zero or out of range'
   [ ! -e a.ply ] || fail 'a file after a failure'
 done
@@ -111,6 +123,8 @@ for i in range(0, 2 * len(columns) - 2, 2):
     print('3 %d %d %d\n3 %d %d %d' % (i, i + 2, i + 1, i + 1, i + 2, i + 3))
 end
 expect 0 distance strip.mesh.off --source 0 -o a.ply --stats a.json
+claim "near(json('a.json').max_distance, hypot(402, 0.001), 1e-9)"
+expect 0 distance strip.mesh.off --source 0 -o a.ply --stats a.json --method heat
 claim "s = json('a.json')" 's.time_step_factor > 1' 'near(s.max_distance, 402, 4)'
 rm a.*
 expect 1 distance strip.mesh.off --source 0 -o a.ply --time-step 1
@@ -136,6 +150,87 @@ expect 2 distance slivers.mesh.off --source 0 -o a.ply --subdivision a.ply
 expect 2 distance slivers.mesh.off --source 0 -o a.ply --time-step 0
 expect 2 distance polygon.mesh.off --source 0 -o a.ply --strict
 expect_files
+
+# ---- Methods ----
+
+# With heat, the last line and the statistics have the estimate of the error; it is that of all
+# vertices here.
+expect 0 distance slivers.mesh.off --source 7 -o a.ply --stats a.json --method heat
+says '(by heat, errors '
+expect 0 distance slivers.mesh.off --source 7 -o b.ply
+claim "h, e = (ply(f).vertex['distance'] for f in ('a.ply', 'b.ply'))" "s = json('a.json')" \
+  'errors_of = sorted(abs(a / b - 1) for a, b in zip(h, e) if b > 0)' "s.method == 'heat'" \
+  's.relative_error.vertices == len(errors_of)' 'near(s.relative_error.greatest, errors_of[-1], 1e-5)' \
+  'near(s.relative_error.mean, sum(errors_of) / len(errors_of), 1e-5)' \
+  's.relative_error.ninety_percent <= .1' 's.time_step_factor == 1'
+! grep -q warning err || fail "a warning: $(cat err)"
+expect 0 distance slivers.mesh.off --source 7 -o a.ply --stats a.json --time-step 1
+claim "json('a.json').method == 'heat'"
+
+# Two triangles, a cube of squares, a grid whose boundary is the source: exact by default.
+off rhombus '0 0 0,1 3 0,2 0 0,1 -3 0' '0 2 1,0 3 2'
+expect 0 distance rhombus.mesh.off --source 2 -o a.ply
+claim "ply('a.ply').vertex['distance'] == [2, sqrt(10), 0, sqrt(10)]"
+off quads '1 1 -1,1 -1 -1,1 1 1,1 -1 1,-1 1 -1,-1 -1 -1,-1 1 1,-1 -1 1' \
+  '0 4 6 2,3 2 6 7,7 6 4 5,5 1 3 7,1 0 2 3,5 4 0 1'
+expect 0 distance quads.mesh.off --source 0 -o a.ply --stats a.json
+claim "d = ply('a.ply').vertex['distance']" 'near(max(d), sqrt(20), 1e-14)' \
+  "[near(x, y, 1e-14) for x, y in zip(sorted(d), [0, 2, 2, 2, sqrt(8), sqrt(8), sqrt(8), sqrt(20)])] == [True] * 8"
+expect 0 distance quads.mesh.off --source 0 -o a.ply --method heat
+says 'quads.mesh.off: warning: a tenth of the distances by heat are wrong by'
+expect 0 distance quads.mesh.off --source 0 -o a.ply --method heat --quiet
+[ ! -s err ] || fail "not quiet: $(cat err)"
+grid even 20 0
+python3 -c "print(*('--source %d' % (21 * j + i) for j in range(21) for i in range(21)
+  if i * j * (20 - i) * (20 - j) == 0))" >boundary
+# shellcheck disable=SC2046
+expect 0 distance even.mesh.off $(cat boundary) -o a.ply
+claim "m = ply('a.ply')" "all(near(d, min(p[0], 1 - p[0], p[1], 1 - p[1]), 1e-13)
+  for d, p in zip(m.vertex['distance'], m.points))"
+printf 'v %s 0\n' '0 0' '1 0' '1 1' '0 1' >border.mesh.obj
+echo 'l 1 2 3 4 1' >>border.mesh.obj
+expect 0 distance even.mesh.off --curve border.mesh.obj -o b.ply
+claim "all(near(c, d, 1e-13) for c, d in zip(ply('a.ply').vertex['distance'], ply('b.ply').vertex['distance']))"
+
+# By heat no value is below the distance in space, nor zero away from the sources; how many were is
+# said.
+for i in 1 2 3 4 5 6 7 8; do
+  python3 - $i >needles.mesh.off <<'END'
+import random, sys
+dice = random.Random(int(sys.argv[1]))
+n = 6
+print('OFF\n%d %d 0' % (2 * n, 2 * n - 2))
+for k in range(2 * n):
+    print(k // 2 + dice.uniform(-.4, .4), 8 * dice.random() * (k % 2) + k % 2, dice.uniform(-3, 3))
+for k in range(2 * n - 2):
+    print(3, k, k + 1 + k % 2, k + 2 - k % 2)
+END
+  for source in 1 4; do
+    expect 0 distance needles.mesh.off --source $source -o a.ply --method heat --stats a.json
+    claim "m = ply('a.ply')" "d = m.vertex['distance']" "all(x > 0 for v, x in enumerate(d) if v != $source)" \
+      "all(x >= dist(p, m.points[$source]) * (1 - 1e-11) for x, p in zip(d, m.points))" \
+      "json('a.json').raised_vertices == 0 or '$(grep -c 'values raised' err)' == '1'"
+  done
+done
+
+# An isolated vertex as a source, sources at one place.
+off alone '0 0 0,1 0 0,0 1 0,5 5 5' '0 1 2'
+for method in auto exact heat; do
+  expect 0 distance alone.mesh.off --source 3 -o a.ply --method $method
+  claim "ply('a.ply').vertex['distance'] == [-1, -1, -1, 0]"
+  expect 0 distance alone.mesh.off --source 0 --source 3 --source 3 --source 0:1,0,0 -o a.ply --method $method
+  claim "d = ply('a.ply').vertex['distance']" 'd[0] == d[3] == 0' 'd[1] > .9' 'd[2] > .9'
+done
+for options in '--signed --method exact --curve border.mesh.obj' '--signed --exact-distance --curve border.mesh.obj'; do
+  # shellcheck disable=SC2086
+  expect 2 distance even.mesh.off -o c.ply $options
+  says '--signed is by heat; leave out --method exact and --exact-distance'
+done
+expect 2 distance even.mesh.off --source 0 -o c.ply --method exact --time-step 2
+says '--time-step is for heat'
+expect 2 distance even.mesh.off --source 0 -o c.ply --method best
+expect 2 distance even.mesh.off --source 0 -o c.ply --method heat --exact-distance
+rm a.* b.* boundary
 
 # ---- Points anywhere ----
 
@@ -437,7 +532,7 @@ TABLE
 refuses_curve '--signed needs a --curve' square.mesh.off --source 0 --signed
 refuses_curve '--source or --curve is missing' square.mesh.off
 refuses_curve 'without --source' square.mesh.off --source 0 --curve left.mesh.obj --signed
-refuses_curve 'not for --curve' square.mesh.off --curve left.mesh.obj --exact-distance
+refuses_curve 'leave out --method exact' square.mesh.off --curve left.mesh.obj --signed --exact-distance
 printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >edge.mesh.obj
 refuses_curve 'has no signed distance' two_components.mesh.off --curve edge.mesh.obj --signed
 expect_files

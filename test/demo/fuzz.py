@@ -55,7 +55,7 @@ OPTIONS = {
     "refine": {"--constrain-angle": NUMBERS, "--min-angle": NUMBERS, "--max-circumradius": NUMBERS,
                "--exact": None, "--simplicial": None, "--save": ["", "o.txt"]},
     "distance": {"--source": NUMBERS, "--curve": ["", "."], "--time-step": NUMBERS, "--neighbors": NUMBERS, "--exact": None,
-                 "--exact-distance": None, "--level-sets": ["", "q.obj", "q.off", "q.vtp"], "--level": NUMBERS, "--subdivision": ["", "o.off", "p.ply", "p.vtp"],
+                 "--exact-distance": None, "--method": ["exact", "heat", "auto"], "--level-sets": ["", "q.obj", "q.off", "q.vtp"], "--level": NUMBERS, "--subdivision": ["", "o.off", "p.ply", "p.vtp"],
                  "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
     "path": {"--from": PLACES, "--to": PLACES, "--via": PLACES, "--flips": None, "--loop": None, "--homology": None,
              "--straightest": NUMBERS, "--save": ["", "o.txt"]},

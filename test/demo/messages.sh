@@ -150,7 +150,7 @@ done <<'TABLE'
 2 | --source or --curve is missing | distance flat.mesh.off -o a.ply
 2 | --signed is for a --curve alone, without --source | distance flat.mesh.off --source 0 --curve line.obj --signed -o a.ply
 2 | ; choose one on it, or give FACE:a,b,c | distance flat.mesh.off --source 0,0,9 -o a.ply
-2 | --exact-distance is for --source, not for --curve | distance flat.mesh.off --curve line.obj --exact-distance -o a.ply
+2 | --signed is by heat; leave out --method exact and --exact-distance | distance flat.mesh.off --curve line.obj --signed --exact-distance -o a.ply
 2 | away from the surface, more than | distance flat.mesh.off --curve far.obj -o a.ply
 2 | line 14 cannot be understood: an edge names a vertex that does not exist; there are 3 | distance flat.mesh.off --curve edge.ply -o a.ply
 2 | point 2 has a coordinate that is not finite | distance flat.mesh.off --curve nan.ply -o a.ply

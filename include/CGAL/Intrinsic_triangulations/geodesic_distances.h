@@ -57,23 +57,23 @@ struct Geodesic_distances
 
   /// \name With Heat
   /// @{
-  FT time_step_factor = FT(0);           ///< the time for which heat flowed
+  FT time_step_factor = FT(0);                        ///< the time for which heat flowed
   std::optional<Heat_error<FT>> error = std::nullopt; ///< the estimate; none on a
-                                                     ///< `Tufted_surface`
+                                                      ///< `Tufted_surface`
   std::size_t number_of_raised_vertices = 0; ///< how many values heat put below a bound, which is
-                                         ///< the value then: the distance in space if positions
-                                         ///< are known, otherwise zero
+                                             ///< the value then: the distance in space if positions
+                                             ///< are known, otherwise zero
   /// @}
 };
 
 namespace internal {
 
-// About two seconds, at ten million windows per second, and the number after which exact distances
+// About two seconds, at four million windows per second, and the number after which exact distances
 // that take more than expected are given up.
-constexpr std::size_t most_expected_windows() { return std::size_t(1) << 24; }
-constexpr std::size_t most_windows() { return 2 * most_expected_windows(); }
+constexpr std::size_t most_expected_windows() { return std::size_t(1) << 23; }
+constexpr std::size_t most_windows() { return 4 * most_expected_windows(); }
 // for an estimate of errors
-constexpr std::size_t most_compared_windows() { return std::size_t(1) << 22; }
+constexpr std::size_t most_compared_windows() { return most_expected_windows() / 2; }
 
 // Vertices with several umbrellas have no exact distances.
 template <typename Surface>
@@ -149,13 +149,12 @@ distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sourc
                   const Positions<Length_of<Surface>>& positions, const NamedParameters& np)
 {
   typedef Length_of<Surface> FT;
-  constexpr bool is_time_given =
-    has_parameter<NamedParameters, internal_np::time_step_factor_t>();
+  constexpr bool is_time_given = has_parameter<NamedParameters, internal_np::time_step_factor_t>();
   Geodesic_distances<FT> result{{}, Distance_method::heat, checked_time_step_factor<FT>(np, FT(1))};
   for(;; result.time_step_factor *= 16)
     try {
-      const auto values = heat_distance(
-        surface, sources, parameters::time_step_factor(result.time_step_factor));
+      const auto values =
+        heat_distance(surface, sources, parameters::time_step_factor(result.time_step_factor));
       result.distance.assign(values.begin(), values.end());
       raise_to_bounds(surface, sources, positions, result);
       return result;
@@ -221,13 +220,14 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 /// otherwise by heat, with an estimate of the error.
 ///
 /// Exact distances are accurate to rounding. They are computed by default as long as they are
-/// expected to take no more than \f$2^{24}\f$ windows, which is about two seconds: on a surface
+/// expected to take no more than \f$2^{23}\f$ windows, which is about two seconds: on a surface
 /// with \f$n\f$ vertices and \f$k\f$ sources they are expected to take
-/// \f$4 n \sqrt{n / k}\f$, so that with one source heat begins at 26,000 vertices. A search that
-/// takes twice as many is given up for heat.
+/// \f$1.5 n \sqrt{n / k}\f$, so that heat begins at 31,000 vertices with one source. A search that
+/// takes four times as many is given up for heat. The method does not depend on the machine.
 ///
 /// Distances by heat are approximate, see `heat_distance()`. The estimate of their error compares
-/// them with exact distances at all vertices that \f$2^{22}\f$ windows reach, the nearest ones.
+/// them with exact distances at the vertices nearest to the sources, all that \f$2^{22}\f$ windows
+/// reach: on small surfaces, at all.
 /// Values below the distance in space, and values that are not above zero at other vertices than
 /// the sources, are raised and counted.
 ///
@@ -322,8 +322,7 @@ auto geodesic_distances(const Mesh& mesh, const Sources& sources,
   const auto surface = tri.intrinsic();
   Distance_sources<std::decay_t<decltype(surface)>> across(surface);
   internal::add_sources_across(tri, all, across);
-  auto result =
-    internal::distances_by_heat(surface, across, internal::positions_in(mesh, np), np);
+  auto result = internal::distances_by_heat(surface, across, internal::positions_in(mesh, np), np);
   result.error = internal::heat_error(exact, result.distance);
   return result;
 }

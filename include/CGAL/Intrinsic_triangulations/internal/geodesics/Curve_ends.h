@@ -82,8 +82,8 @@ private:
   End end(const Face_location<FT>& p, const std::array<FT, 3>& q) const
   {
     const Halfedge_index along = surface_place(p, m_mesh).along;
-    End result{p, along, flat_face(p.first).between(p.second, q), 2, p.first.idx(), p.second[1],
-               p.second[2]};
+    End result{p,           along,      flat_face(p.first).between(p.second, q), 2, p.first.idx(),
+               p.second[1], p.second[2]};
     if(is_corner(p.second)) {
       result.kind = 0;
       result.index = m_mesh.source(along).idx();

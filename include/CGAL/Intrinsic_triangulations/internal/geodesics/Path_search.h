@@ -56,7 +56,9 @@ public:
 
   // Without paths, only distances of vertices are known, and memory is linear.
   explicit Path_search(const Surface_view<EdgeLengthMap>& surface, bool are_paths_wanted = true)
-    : m_mesh(surface.mesh()), m_views(surface, are_paths_wanted), m_are_paths_wanted(are_paths_wanted)
+    : m_mesh(surface.mesh()),
+      m_views(surface, are_paths_wanted),
+      m_are_paths_wanted(are_paths_wanted)
   {}
 
   // Adds a source and returns its number.
@@ -313,8 +315,7 @@ private:
     for(Index i = m_first[edge]; i < m_first[edge + 1]; ++i) {
       const View& view = m_views.views()[m_sorted[i]];
       const FT length = view.length_to(z);
-      if(length <= part.length * (1 + rounding_unit<FT>()) &&
-         view.sees(z, m_views.tolerance(view)))
+      if(length <= part.length * (1 + rounding_unit<FT>()) && view.sees(z, m_views.tolerance(view)))
         improve(part, {length, m_sorted[i], view.origin, Halfedge_index(), z,
                        m_views.is_source(view.origin)});
     }

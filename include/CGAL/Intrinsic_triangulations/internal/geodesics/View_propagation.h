@@ -228,10 +228,10 @@ private:
   {
     const Curve_segment<FT>& segment = origin(number).segment;
     for(std::size_t s = 0; s < 3; ++s)
-      reach(m_charts.source(face.side(s)),
-            distance_from_segment(face.to_corner(s, segment.source),
-                                  face.to_corner(s, segment.target)),
-            {null, number, m_mesh.prev(face.halfedge(s)), true});
+      reach(
+        m_charts.source(face.side(s)),
+        distance_from_segment(face.to_corner(s, segment.source), face.to_corner(s, segment.target)),
+        {null, number, m_mesh.prev(face.halfedge(s)), true});
   }
 
   // ---- Vertices ----
@@ -482,7 +482,13 @@ private:
 
   View on_left(const View& view, Index edge, const FT& from, const FT& to, Index number) const
   {
-    return {view.position * m_charts.turn(edge), from, to, view.before, edge, view.origin, number,
+    return {view.position * m_charts.turn(edge),
+            from,
+            to,
+            view.before,
+            edge,
+            view.origin,
+            number,
             view.is_parallel};
   }
 

@@ -1,0 +1,351 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hard_meshes.h"
+#include "known_surfaces.h"
+#include "path_checks.h"
+#include "refined_meshes.h"
+
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Distances from curves.
+namespace Test_curve_distances {
+
+using namespace Test_surfaces;
+using View = decltype(std::declval<Triangulation>().input());
+using Paths = IT::Shortest_paths<View>;
+using Segment = IT::Curve_segment<double>;
+using Curve = IT::Surface_curve<double>;
+
+Location point_on(const Segment& s, double t)
+{
+  Location result{s.face, {}};
+  for(std::size_t k = 0; k < 3; ++k)
+    result.second[k] = (1 - t) * s.source[k] + t * s.target[k];
+  return result;
+}
+
+Paths paths_from(const View& surface, const Curve& curve)
+{
+  Paths result(surface);
+  EXPECT_EQ(result.add_source(curve), 0u);
+  result.run();
+  return result;
+}
+
+// ---- The least of the distances to all points ----
+
+// Distances from points are tested elsewhere, so a minimum over the curve is an independent truth:
+// by samples, and between the neighbors of each that is lower than both by sections.
+double least_distance(const Paths& from_point, const Segment& s)
+{
+  constexpr int samples = 64;
+  const auto at = [&](double t) { return from_point.distance(point_on(s, t)); };
+  std::vector<double> value;
+  for(int i = 0; i <= samples; ++i)
+    value.push_back(at(double(i) / samples));
+  double result = *std::min_element(value.begin(), value.end());
+  for(int i = 0; i <= samples; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if((i > 0 && value[k - 1] < value[k]) || (i < samples && value[k + 1] < value[k]))
+      continue;
+    double low = (std::max)(0., (i - 1.) / samples), high = (std::min)(1., (i + 1.) / samples);
+    for(int step = 0; step < 60; ++step) {
+      const double third = (high - low) / 3;
+      (at(low + third) < at(high - third) ? high : low) +=
+        at(low + third) < at(high - third) ? -third : third;
+    }
+    result = (std::min)(result, at((low + high) / 2));
+  }
+  return result;
+}
+
+Segment random_segment(const Delta_complex& mesh, int kind, CGAL::Random& random)
+{
+  const Location p = random_location(mesh, random);
+  Segment result{p.first, p.second, random_location(mesh, random).second};
+  const auto side = static_cast<std::size_t>(random.get_int(0, 3));
+  if(kind % 4 == 1)
+    result.source = IT::barycentric_coordinates(side, random.get_double());
+  if(kind % 4 == 2) // from a corner to a side
+    result = {p.first, IT::barycentric_coordinates(side, 0.),
+              IT::barycentric_coordinates((side + 1) % 3, random.get_double())};
+  if(kind % 4 == 3) // along a side
+    result = {p.first, IT::barycentric_coordinates(side, 0.2),
+              IT::barycentric_coordinates(side, kind % 8 == 3 ? 0.9 : 1.)};
+  return result;
+}
+
+void check_by_minima(Side side, const Triangulation& t, unsigned int seed)
+{
+  const Flat_faces faces(side, t);
+  const auto surface = t.surface(side);
+  CGAL::Random random(seed);
+  Curve curve;
+  for(int i = 0; i < 3; ++i)
+    curve.push_back(random_segment(faces.mesh(), static_cast<int>(seed) + i, random));
+  const Paths paths = paths_from(surface, curve);
+  const double tolerance = 1e-11 * static_cast<double>(faces.longest_edge());
+  const auto check = [&](const auto& q) {
+    Paths from_q(surface);
+    from_q.add_source(q);
+    from_q.run();
+    double truth = std::numeric_limits<double>::infinity();
+    for(const Segment& s : curve)
+      truth = (std::min)(truth, least_distance(from_q, s));
+    EXPECT_NEAR(paths.distance(q), truth, tolerance);
+    const Path path = paths.path(q);
+    ASSERT_FALSE(path.places.empty());
+    expect_valid(path, faces, tolerance);
+    EXPECT_NEAR(paths.distance(path.places.front().location), 0, tolerance);
+    EXPECT_EQ(paths.source(q), 0u);
+  };
+  for(Vertex_index v : faces.mesh().vertices())
+    check(v);
+  for(int i = 0; i < 3; ++i)
+    check(random_location(faces.mesh(), random));
+}
+
+TEST(Curve_distances, are_least_distances)
+{
+  const std::vector<Named_mesh> small{
+    {"tetrahedron", tetrahedron()},
+    {"cube", cube()},
+    {"spikes", perturbed(random_sphere(9, 4), 0.8, 1)},
+    {"rough torus", perturbed(embedded_torus(4, 3), 0.5, 3)},
+    {"holes", punctured(perturbed(embedded_torus(4, 3), 0.3, 6), {1, 16})},
+    {"grid", perturbed(grid(3, 2, [](double x, double y) { return Point(x, y, 0); }), 0.4, 4)}};
+  for(const Named_mesh& m : small)
+    for(unsigned int seed = 0; seed < 8; ++seed) {
+      SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+      Triangulation t(m.mesh);
+      check_by_minima(Side::input, t, seed);
+      flip_at_random(t, 10, seed);
+      check_by_minima(Side::intrinsic, t, seed);
+    }
+}
+
+TEST(Curve_distances, are_least_distances_on_Delta_complexes)
+{
+  for(const auto& [name, mesh] :
+      std::vector<Named_complex>{{"triangle", glue({{1, 2, 3}})},
+                                 {"pillow", glue({{1, 2, 3}, {-3, -2, -1}})},
+                                 {"cone", cone(false)},
+                                 {"mirrored cone", cone(true)},
+                                 {"spindle", spindle()},
+                                 {"bigon", bigon()},
+                                 {"double torus", double_torus()}})
+    for(unsigned int seed = 0; seed < 8; ++seed) {
+      SCOPED_TRACE(name + std::string(", seed ") + std::to_string(seed));
+      check_by_minima(Side::input, triangulation(mesh, random_lengths(mesh, seed)), seed);
+    }
+}
+
+// ---- Closed forms ----
+
+Location locate(const Point& p, const Triangulation& t, const Mesh& mesh)
+{
+  for(Face_index f : mesh.faces()) {
+    const auto h = IT::sides(f, t.input_mesh());
+    const auto corner = [&](std::size_t k) { return mesh.point(t.input_mesh().source(h[k % 3])); };
+    const auto area = [](const Point& a, const Point& b, const Point& c) {
+      return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
+    };
+    std::array<double, 3> b;
+    for(std::size_t k = 0; k < 3; ++k)
+      b[k] = area(p, corner(k + 1), corner(k + 2)) / area(corner(0), corner(1), corner(2));
+    if((std::min)({b[0], b[1], b[2]}) >= 0)
+      return {f, b};
+  }
+  throw std::logic_error("the point is not on the surface");
+}
+
+// The polyline through some points of a flat convex surface.
+Curve polyline(const Triangulation& t, const Mesh& mesh, const std::vector<Point>& points)
+{
+  Curve result;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto path =
+      IT::shortest_path(t.input(), locate(points[i], t, mesh), locate(points[i + 1], t, mesh));
+    const Curve part = IT::curve_through(t.input(), path.places);
+    result.insert(result.end(), part.begin(), part.end());
+  }
+  return result;
+}
+
+double distance_from_segment(const Complex& p, const Complex& a, const Complex& b)
+{
+  const Complex d = b - a;
+  const double s = std::real((p - a) * std::conj(d)) / std::norm(d);
+  return std::abs(p - a - std::clamp(s, 0., 1.) * d);
+}
+
+void check_in_plane(const std::vector<Point>& points, std::size_t n)
+{
+  const Mesh mesh = unit_square(n, 3);
+  const Triangulation t(mesh);
+  const Paths paths = paths_from(t.input(), polyline(t, mesh, points));
+  const auto complex = [](const Point& p) { return Complex(p.x(), p.y()); };
+  for(Vertex_index v : mesh.vertices()) {
+    double truth = 2;
+    for(std::size_t i = 0; i + 1 < points.size(); ++i)
+      truth = (std::min)(truth, distance_from_segment(complex(mesh.point(v)), complex(points[i]),
+                                                      complex(points[i + 1])));
+    EXPECT_NEAR(paths.distance(v), truth, 1e-13) << v;
+  }
+}
+
+TEST(Curve_distances, lines_and_polygons_in_the_plane)
+{
+  check_in_plane({Point(0.12, 0.23, 0), Point(0.81, 0.74, 0)}, 30);
+  check_in_plane({Point(0, 0.5, 0), Point(1, 0.5, 0)}, 30);
+  check_in_plane({Point(0.1, 0.2, 0), Point(0.8, 0.7, 0), Point(0.3, 0.9, 0), Point(0.3, 0.1, 0)},
+                 30);
+  std::vector<Point> circle;
+  for(int k = 0; k <= 200; ++k)
+    circle.emplace_back(0.5 + 0.3 * std::cos(k * pi / 100), 0.45 + 0.3 * std::sin(k * pi / 100), 0);
+  check_in_plane(circle, 20);
+}
+
+// To the true circle, a polygon is as near as its sagitta.
+TEST(Curve_distances, fine_circle_in_a_face)
+{
+  const Triangulation t(make_mesh({Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)}, {{0, 1, 2}}));
+  const int n = 60000;
+  const auto at = [&](int k) {
+    const double x = (1 + 0.5 * std::cos(2 * pi * (k % n) / n)) / 4,
+                 y = (1 + 0.5 * std::sin(2 * pi * (k % n) / n)) / 4;
+    return std::array<double, 3>{1 - x - y, x, y};
+  };
+  Curve circle;
+  for(int k = 0; k < n; ++k)
+    circle.push_back({Face_index(0), at(k), at(k + 1)});
+  Paths paths(t.input());
+  paths.add_source(circle);
+  paths.run();
+  EXPECT_NEAR(paths.distance(Vertex_index(0)), std::sqrt(2.) - 0.5, 1e-9);
+  EXPECT_NEAR(paths.distance(Vertex_index(1)), std::sqrt(10.) - 0.5, 1e-9);
+  EXPECT_NEAR(paths.distance(Location(Face_index(0), {0.5, 0.25, 0.25})), 0.5, 1e-9);
+}
+
+// All boundary edges of a square, and all boundary vertices of a grid.
+TEST(Curve_distances, boundary_of_a_square)
+{
+  const Mesh mesh = unit_square(20, 5);
+  const Triangulation t(mesh);
+  std::vector<Halfedge_index> border;
+  for(Halfedge_index h : t.input_mesh().halfedges())
+    if(t.input_mesh().is_border(h))
+      border.push_back(h);
+  const Paths paths = paths_from(t.input(), IT::curve_along_edges(t.input(), border));
+  for(Vertex_index v : mesh.vertices()) {
+    const Point p = mesh.point(v);
+    EXPECT_NEAR(paths.distance(v), (std::min)({p.x(), 1 - p.x(), p.y(), 1 - p.y()}), 1e-14) << v;
+  }
+}
+
+// A line that winds around a cylinder, and the line itself in the plane modulo the girth.
+TEST(Curve_distances, geodesics_on_cylinders)
+{
+  for(int twists = 0; twists < 3; ++twists) {
+    const Flat_surface surface = flat_cylinder(5, twists);
+    Flat_triangulation flat(surface);
+    const Flat_places places(Side::input, flat);
+    CGAL::Random random(3);
+    const double girth = static_cast<double>(surface.a.x);
+    for(int i = 0; i < 20; ++i) {
+      const Location p = random_location(flat->input_mesh(), random);
+      const Path path =
+        IT::shortest_path(flat->input(), p, random_location(flat->input_mesh(), random));
+      const Paths paths = paths_from(flat->input(), IT::curve_through(flat->input(), path.places));
+      const Complex start = places.place(p),
+                    way = places.place(path.places.back().location) - start;
+      const Complex end = start + Complex(std::remainder(way.real(), girth), way.imag());
+      for(int k = 0; k < 20; ++k) {
+        const Location q = random_location(flat->input_mesh(), random);
+        double truth = std::numeric_limits<double>::infinity();
+        for(int turn = -3; turn <= 3; ++turn)
+          truth =
+            (std::min)(truth, distance_from_segment(places.place(q) + turn * girth, start, end));
+        EXPECT_NEAR(paths.distance(q), truth, 1e-9);
+        expect_valid(paths.path(q), places.faces(), 1e-9);
+      }
+    }
+  }
+}
+
+// ---- Hard surfaces ----
+
+// Between those from points on the curve, and these less what lies between two of the points.
+void check_by_points(const Named_mesh& m, unsigned int seed)
+{
+  const Triangulation t(m.mesh);
+  CGAL::Random random(seed);
+  const Path path = IT::shortest_path(t.input(), random_location(t.input_mesh(), random),
+                                      random_location(t.input_mesh(), random));
+  if(path.places.size() < 2)
+    return;
+  const Curve curve = IT::curve_through(t.input(), path.places);
+  const Paths paths = paths_from(t.input(), curve);
+  Paths from_points(t.input());
+  double spacing = 0;
+  for(const Segment& s : curve) {
+    for(const double x : {0., 0.25, 0.5, 0.75, 1.})
+      from_points.add_source(point_on(s, x));
+    spacing = (std::max)(spacing, IT::internal::segment_length(t.input(), s) / 4);
+  }
+  from_points.run();
+  double farthest = 0;
+  for(Vertex_index v : m.mesh.vertices())
+    if(from_points.distance(v) < std::numeric_limits<double>::infinity())
+      farthest = (std::max)(farthest, from_points.distance(v));
+  const double tolerance = 1e-7 * (farthest + path.length);
+  for(Vertex_index v : m.mesh.vertices()) {
+    if(paths.distance(v) == from_points.distance(v))
+      continue; // out of reach too
+    EXPECT_LE(paths.distance(v), from_points.distance(v) + tolerance) << v;
+    EXPECT_GE(paths.distance(v), from_points.distance(v) - spacing / 2 - tolerance) << v;
+  }
+}
+
+TEST(Curve_distances, on_hard_meshes)
+{
+  for(unsigned int seed = 0; seed < 80; ++seed) {
+    const Named_mesh m = seed < 50 ? hard_mesh(seed) : near_degenerate_mesh(seed);
+    SCOPED_TRACE(m.name + ", seed " + std::to_string(seed));
+    if(m.mesh.number_of_faces() < 1500)
+      check_by_points(m, seed);
+  }
+}
+
+TEST(Curve_distances, empty_curves_and_points_as_segments)
+{
+  const Triangulation t(tetrahedron());
+  Paths paths(t.input());
+  EXPECT_EQ(paths.add_source(Curve()), 0u);
+  paths.run();
+  EXPECT_EQ(paths.distance(Vertex_index(0)), std::numeric_limits<double>::infinity());
+  const Location p{Face_index(1), {0.2, 0.3, 0.5}};
+  EXPECT_EQ(paths.add_source(Segment{p.first, p.second, p.second}), 1u);
+  paths.run();
+  EXPECT_EQ(paths.source(Vertex_index(2)), 1u);
+  Paths from_point(t.input());
+  from_point.add_source(p);
+  from_point.run();
+  for(Vertex_index v : t.input_mesh().vertices())
+    EXPECT_EQ(paths.distance(v), from_point.distance(v));
+}
+
+} // namespace Test_curve_distances
