@@ -121,7 +121,8 @@ inline Side other(Side side) { return side == Side::input ? Side::intrinsic : Si
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// returns the halfedges of a face in the order of its barycentric coordinates: side \f$s\f$ leads
 /// from corner \f$s\f$ to corner \f$s+1\f$.
-inline std::array<Halfedge_index, 3> sides(Face_index f, const Delta_complex& mesh)
+template <typename P>
+std::array<Halfedge_index, 3> sides(Face_index f, const Surface_mesh<P>& mesh)
 {
   const Halfedge_index h = mesh.halfedge(f);
   return {h, mesh.next(h), mesh.prev(h)};

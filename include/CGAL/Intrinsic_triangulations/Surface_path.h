@@ -52,9 +52,9 @@ bool is_at_vertex(const Surface_place<FT>& p)
   return is_corner(p.location.second);
 }
 
-// returns the place of a point with its halfedge, if it lies on one or at a vertex
-template <typename FT>
-Surface_place<FT> surface_place(const Face_location<FT>& p, const Delta_complex& mesh)
+// Returns the place of a point with its halfedge, if it lies on one or at a vertex.
+template <typename FT, typename P>
+Surface_place<FT> surface_place(const Face_location<FT>& p, const Surface_mesh<P>& mesh)
 {
   for(std::size_t s = 0; s < 3; ++s)
     if(p.second[(s + 2) % 3] == 0 && p.second[s] != 0)
