@@ -318,8 +318,9 @@ private:
   {
     const std::size_t edges = m_tri.input_mesh().num_edges();
     std::vector<Chunk> chunks(internal::number_of_chunks(edges));
-    if(can_be_doubtful() && m_on_intrinsic.size() > 0)
-      note_heights(concurrency);
+    if constexpr(can_be_doubtful())
+      if(m_on_intrinsic.size() > 0)
+        note_heights(concurrency);
     internal::for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
       internal::Edge_tracer<Traits> tracer(m_tri);
       for(std::size_t e = begin; e < end; ++e)

@@ -25,13 +25,17 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-[[noreturn]] inline void fail_at_length(Edge_index e, const Delta_complex& mesh, double length)
+template <typename FT>
+[[noreturn]] void fail_at_length(Edge_index e, const Delta_complex& mesh,
+                                 [[maybe_unused]] const FT& length)
 {
   std::ostringstream text;
   text << "the length of edge " << e.idx() << " between vertices " << mesh.vertex(e, 0).idx()
-       << " and " << mesh.vertex(e, 1).idx() << " is " << length
-       << ", which is zero, not finite, or beyond the range of its number type: from 2^-127 to "
-          "2^127 for double";
+       << " and " << mesh.vertex(e, 1).idx();
+  if constexpr(std::is_floating_point_v<FT>)
+    text << " is " << length << ", which";
+  text << " is zero, not finite, or beyond the range of its number type: from 2^-127 to 2^127 for "
+          "double";
   throw Invalid_input(text.str());
 }
 
@@ -39,7 +43,7 @@ template <typename Surface, typename Traits>
 void check_length(Edge_index e, const Surface& surface, const Traits& traits)
 {
   if(!traits.is_length_object()(get(surface.length_map(), e)))
-    fail_at_length(e, surface.mesh(), CGAL::to_double(get(surface.length_map(), e)));
+    fail_at_length(e, surface.mesh(), get(surface.length_map(), e));
 }
 
 // Returns the length of the edge `e` that the metric determines.
