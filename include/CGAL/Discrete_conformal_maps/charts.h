@@ -48,23 +48,23 @@ namespace internal {
 inline double multiply_covered_area(const Chart_pieces& pieces,
                                     const std::vector<Chart_pieces::Overlap>& overlaps)
 {
-  std::vector<std::vector<std::size_t>> partners(pieces.size());
+  std::vector<std::vector<std::size_t>> earlier(pieces.size()), later(pieces.size());
   for(const Chart_pieces::Overlap& o : overlaps) {
-    partners[o.second].push_back(o.first); // earlier pieces come first
-    partners[o.first].push_back(o.second);
+    earlier[o.second].push_back(o.first);
+    later[o.first].push_back(o.second);
   }
   double sum = 0;
   for(std::size_t i = 0; i < pieces.size(); ++i) {
-    std::sort(partners[i].begin(), partners[i].end());
+    if(later[i].empty())
+      continue;
     std::vector<Convex_polygon> common;
-    double earlier = 0; // the part of a piece that has been counted with an earlier one
-    for(std::size_t j : partners[i]) {
-      if(j > i && !common.empty() && earlier == 0)
-        earlier = Covered_area(common)();
+    const auto add = [&](std::size_t j) {
       common.push_back(intersection(pieces[i].polygon, pieces[j].polygon));
-    }
-    if(!common.empty() && partners[i].back() > i)
-      sum += Covered_area(common)() - earlier;
+    };
+    std::for_each(earlier[i].begin(), earlier[i].end(), add);
+    const double counted = Covered_area(common)(); // with earlier pieces
+    std::for_each(later[i].begin(), later[i].end(), add);
+    sum += Covered_area(common)() - counted;
   }
   return sum;
 }
