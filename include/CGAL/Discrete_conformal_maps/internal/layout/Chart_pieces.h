@@ -83,7 +83,9 @@ public:
     std::vector<Overlap> result;
     box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
       const std::size_t i = (std::min)(a.info(), b.info()), j = (std::max)(a.info(), b.info());
-      if(m_pieces[i].face == m_pieces[j].face)
+      if(m_pieces[i].face == m_pieces[j].face ||
+         separates(m_pieces[i].polygon, m_pieces[j].polygon) ||
+         separates(m_pieces[j].polygon, m_pieces[i].polygon))
         return;
       const double area = signed_area(intersection(m_pieces[i].polygon, m_pieces[j].polygon));
       const Bbox_2 one = a.bbox();

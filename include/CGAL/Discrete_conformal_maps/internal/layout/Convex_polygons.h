@@ -33,6 +33,18 @@ inline double signed_area(const Convex_polygon& polygon)
   return sum / 2;
 }
 
+// whether the line through a side of `a` separates it from `b`
+inline bool separates(const Convex_polygon& a, const Convex_polygon& b)
+{
+  for(std::size_t n = 0; n < a.size(); ++n) {
+    const std::complex<double> p = a[n], side = a[(n + 1) % a.size()] - p;
+    if(std::all_of(b.begin(), b.end(),
+                   [&](const std::complex<double>& z) { return cross_product(side, z - p) <= 0; }))
+      return true;
+  }
+  return false;
+}
+
 // the part of a polygon on the left of the line from `p` to `q` (Sutherland and Hodgman)
 inline Convex_polygon left_part(const Convex_polygon& polygon, const std::complex<double>& p,
                                 const std::complex<double>& q)
