@@ -290,8 +290,9 @@ TEST(Map_status, cones_leave_straight_boundaries_alone)
       EXPECT_FALSE(mesh.is_border(v));
     const std::vector<double> angle = angle_sums(map);
     for(Vertex_index v : mesh.vertices())
-      if(mesh.is_border(v))
+      if(mesh.is_border(v)) {
         EXPECT_NEAR(angle[v], 2 * pi, 1e-9); // on the double
+      }
   }
 }
 
