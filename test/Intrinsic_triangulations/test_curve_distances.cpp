@@ -240,19 +240,21 @@ TEST(Curve_distances, fine_circle_in_a_face)
   EXPECT_NEAR(paths.distance(Location(Face_index(0), {0.5, 0.25, 0.25})), 0.5, 1e-9);
 }
 
-// All boundary edges of a square, and all boundary vertices of a grid.
+// All boundary edges of a square. On an even grid, many rays run along edges.
 TEST(Curve_distances, boundary_of_a_square)
 {
-  const Mesh mesh = unit_square(20, 5);
-  const Triangulation t(mesh);
-  std::vector<Halfedge_index> border;
-  for(Halfedge_index h : t.input_mesh().halfedges())
-    if(t.input_mesh().is_border(h))
-      border.push_back(h);
-  const Paths paths = paths_from(t.input(), IT::curve_along_edges(t.input(), border));
-  for(Vertex_index v : mesh.vertices()) {
-    const Point p = mesh.point(v);
-    EXPECT_NEAR(paths.distance(v), (std::min)({p.x(), 1 - p.x(), p.y(), 1 - p.y()}), 1e-14) << v;
+  const Mesh even = grid(20, 20, [](double x, double y) { return Point(x / 20, y / 20, 0); });
+  for(const Mesh& mesh : {even, unit_square(20, 5)}) {
+    const Triangulation t(mesh);
+    std::vector<Halfedge_index> border;
+    for(Halfedge_index h : t.input_mesh().halfedges())
+      if(t.input_mesh().is_border(h))
+        border.push_back(h);
+    const Paths paths = paths_from(t.input(), IT::curve_along_edges(t.input(), border));
+    for(Vertex_index v : mesh.vertices()) {
+      const Point p = mesh.point(v);
+      EXPECT_NEAR(paths.distance(v), (std::min)({p.x(), 1 - p.x(), p.y(), 1 - p.y()}), 1e-14) << v;
+    }
   }
 }
 

@@ -20,9 +20,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The number of windows that exact distances are expected to take: what the greatest took of ten
-// scanned and modelled surfaces, and an eighth to double that on others. It grows as the number of
-// edges that a straight line crosses, and each of several sources has its share of the surface.
+// The number of windows that exact distances are expected to take; twelve scanned and modelled
+// surfaces took from a sixth to twice of it. It grows as the number of edges that a straight line
+// crosses, and each of several sources has its share of the surface.
 inline double expected_windows(std::size_t vertices, std::size_t sources)
 {
   const auto n = static_cast<double>(vertices);

@@ -51,12 +51,13 @@ struct View
                                  : std::clamp(position.real(), begin, end));
   }
 
-  // Returns where the line from the origin to the point `z` beyond the edge crosses the edge.
+  // Returns where the line from the origin to the point `z` beyond the edge crosses the edge; rays
+  // along the edge cross it at infinity.
   FT crossing(const Vector& z) const
   {
     const Vector& p = position;
     if(is_parallel)
-      return p.imag() > 0 ? FT(z.real() - p.real() * (z.imag() / p.imag())) : z.real();
+      return z.imag() == 0 ? z.real() : FT(z.real() - p.real() * (z.imag() / p.imag()));
     const FT height = p.imag() - z.imag();
     return height > 0 ? p.real() + (z.real() - p.real()) * (p.imag() / height) : z.real();
   }
