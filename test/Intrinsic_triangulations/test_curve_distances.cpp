@@ -222,22 +222,20 @@ TEST(Curve_distances, lines_and_polygons_in_the_plane)
 // To the true circle, a polygon is as near as its sagitta.
 TEST(Curve_distances, fine_circle_in_a_face)
 {
-  const Triangulation t(make_mesh({Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)}, {{0, 1, 2}}));
+  const Mesh mesh = make_mesh({Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)}, {{0, 1, 2}});
+  const Triangulation t(mesh);
   const int n = 60000;
   const auto at = [&](int k) {
-    const double x = (1 + 0.5 * std::cos(2 * pi * (k % n) / n)) / 4,
-                 y = (1 + 0.5 * std::sin(2 * pi * (k % n) / n)) / 4;
-    return std::array<double, 3>{1 - x - y, x, y};
+    const double angle = 2 * pi * (k % n) / n;
+    return locate(Point(1 + 0.5 * std::cos(angle), 1 + 0.5 * std::sin(angle), 0), t, mesh).second;
   };
   Curve circle;
   for(int k = 0; k < n; ++k)
     circle.push_back({Face_index(0), at(k), at(k + 1)});
-  Paths paths(t.input());
-  paths.add_source(circle);
-  paths.run();
+  const Paths paths = paths_from(t.input(), circle);
   EXPECT_NEAR(paths.distance(Vertex_index(0)), std::sqrt(2.) - 0.5, 1e-9);
   EXPECT_NEAR(paths.distance(Vertex_index(1)), std::sqrt(10.) - 0.5, 1e-9);
-  EXPECT_NEAR(paths.distance(Location(Face_index(0), {0.5, 0.25, 0.25})), 0.5, 1e-9);
+  EXPECT_NEAR(paths.distance(locate(Point(1, 1, 0), t, mesh)), 0.5, 1e-9);
 }
 
 // All boundary edges of a square. On an even grid, many rays run along edges.
