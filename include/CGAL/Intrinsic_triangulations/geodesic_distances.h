@@ -128,12 +128,14 @@ void raise_to_bounds(const Surface& surface, const Distance_sources<Surface>& so
 {
   typedef Length_of<Surface> FT;
   const std::vector<char> is_source = Access_to_sources::is_source(sources);
-  const Straight_distances<FT> straight(surface, sources, positions);
+  std::optional<Straight_distances<FT>> straight;
+  if(!positions.empty())
+    straight.emplace(surface, sources, positions);
   for(const Vertex_index v : surface.mesh().vertices()) {
     if(is_source[v.idx()])
       continue;
     FT& d = result.distance[v.idx()];
-    const FT least = positions.empty() ? FT(0) : straight(positions[v.idx()]);
+    const FT least = straight ? (*straight)(positions[v.idx()]) : FT(0);
     if(d < least * (1 - path_tolerance<FT>()) || !(d > 0)) {
       d = least;
       ++result.number_of_raised_vertices;
