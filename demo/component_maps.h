@@ -39,8 +39,8 @@ public:
   // Invalid_input or Map_failure; but if failures are written, leaves it out.
   void for_each(const std::function<std::string(const Component_mesh&, Statistics&)>& map);
 
-  // Adds a map; `more` are the arguments of `described_mesh()` after the front. Returns its summary.
-  // Throws Map_failure as `check_status()` does.
+  // Adds a map; `more` are the arguments of `described_mesh()` after the front. Returns its
+  // summary. Throws Map_failure as `check_status()` does.
   template <class Map, class... More>
   std::string add(const Component_mesh& component, Statistics& statistics, const Map& map,
                   const More&... more)

@@ -533,8 +533,8 @@ TEST(Map_to_sphere, polygons_that_are_too_small_have_no_success)
   }
 }
 
-// One flip leads across the side ij of an obtuse triangle ijk: a loop at k of length 2h, if h is its
-// height. Ptolemy's relation gives ij the length ki kj / h instead of ki kj sin(k) / h.
+// One flip leads across the side ij of an obtuse triangle ijk: a loop at k of length 2h, if h is
+// its height. Ptolemy's relation gives ij the length ki kj / h instead of ki kj sin(k) / h.
 TEST(Map_to_sphere, obtuse_angles_opposite_the_boundary)
 {
   for(const double height : {0.9, 0.6, 0.45}) {

@@ -306,8 +306,8 @@ private:
 /// vertices at infinity. The best result is returned: `Spherical_conformal_map::status()` is
 /// `Map_status::success` only if it is convex and its length cross ratios have errors of at most
 /// \f$10^{-8}\f$ (see \ref dcm_status). A map that is no success may have no positions: see
-/// `Spherical_conformal_map::is_laid_out()`. The polygon needs no minimization, and is computed with
-/// 106 binary digits at once; its status is `Map_status::layout_collapsed` if these do not
+/// `Spherical_conformal_map::is_laid_out()`. The polygon needs no minimization, and is computed
+/// with 106 binary digits at once; its status is `Map_status::layout_collapsed` if these do not
 /// distinguish its vertices.
 ///
 /// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`

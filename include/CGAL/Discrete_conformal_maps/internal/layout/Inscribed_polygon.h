@@ -35,12 +35,13 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // the polyhedron is an ideal polygon seen from both sides. Its boundary are the geodesics of the
 // boundary of the disk, and every triangulation of it is one of the convex hull.
 //
-// So nothing is minimized. Edges of T^B that cross the boundary are flipped, and the chords from the
-// vertex at infinity follow from face to face by Ptolemy's relation, from sums, products and
+// So nothing is minimized. Edges of T^B that cross the boundary are flipped, and the chords from
+// the vertex at infinity follow from face to face by Ptolemy's relation, from sums, products and
 // quotients of positive numbers. The bounds of Section 4.4.3 are the scale factors.
 //
-// Positions near infinity and near the origin have all digits, whatever their scale. So these two are
-// as far from each other as possible: a strip whose ends are 1e-100 of it keeps its vertices apart.
+// Positions near infinity and near the origin have all digits, whatever their scale. So these two
+// are as far from each other as possible: a strip with ends of 1e-60 of its size keeps its vertices
+// apart.
 class Inscribed_polygon
 {
   typedef std::array<Extended, 2> Point;
@@ -251,8 +252,8 @@ private:
     certify();
   }
 
-  // Puts the source of a side at `x`, and all others beside it. Sums that start there lose the fewest
-  // digits.
+  // Puts the source of a side at `x`, and all others beside it. Sums that start there lose the
+  // fewest digits.
   void add_gaps(const std::vector<Halfedge_index>& sides, std::size_t first, const Extended& x)
   {
     at(mesh().source(sides[first])) = x;
