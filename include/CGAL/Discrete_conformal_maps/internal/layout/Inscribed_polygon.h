@@ -73,9 +73,6 @@ public:
     }
     m_log_scale =
       spherical_log_scales(m_u, m_scale, m_position, m_at_infinity, m_problem.surface());
-    m_cross_ratio_error = max_stereographic_cross_ratio_error(
-      mesh(), [this](Edge_index e) { return static_cast<double>(m_surface.length(e)); }, m_position,
-      m_at_infinity);
   }
 
   Vertex_index vertex_at_infinity() const { return m_at_infinity; }
@@ -98,7 +95,10 @@ public:
   // Scale factors need no search.
   Map_status status() const { return Map_status::success; }
   bool is_laid_out() const { return true; }
-  bool is_good() const { return m_certificate.is_convex(); }
+  bool is_good() const
+  {
+    return m_certificate.is_convex() && m_cross_ratio_error <= tolerance::cross_ratio;
+  }
   // the message of the error that has ended the layout; empty if none has
   const std::string& cause() const { return m_cause; }
   double cross_ratio_error() const { return m_cross_ratio_error; }
@@ -202,8 +202,8 @@ private:
       [this](Halfedge_index h, Halfedge_index o) { return gap(h) < gap(o); });
   }
 
-  // With the center of mass in the center, or, if 32 digits do not distinguish the vertices then,
-  // with the origin and infinity at both ends: positions beside the origin have all digits.
+  // With the center of mass in the center, or, if 32 digits are too few for the vertices then, with
+  // the origin and infinity at both ends: positions beside the origin have all digits.
   void lay_out(const std::vector<double>& mass)
   {
     const std::vector<Halfedge_index> sides = sides_in_plane();
@@ -220,7 +220,7 @@ private:
     const Extended base = center.base()[0];
     const std::size_t nearest = nearest_side(sides, base);
     place(sides, nearest, at(mesh().source(sides[nearest])) - base);
-    if(!m_certificate.is_convex())
+    if(!is_good())
       place(sides, end, Extended(0));
   }
 
@@ -250,6 +250,14 @@ private:
     for(Point& p : m_position)
       p[0] = p[0] / m_scale;
     certify();
+    measure_cross_ratios();
+  }
+
+  void measure_cross_ratios()
+  {
+    m_cross_ratio_error = max_stereographic_cross_ratio_error(
+      mesh(), [this](Edge_index e) { return static_cast<double>(m_surface.length(e)); }, m_position,
+      m_at_infinity);
   }
 
   // Puts the source of a side at `x`, and all others beside it. Sums that start there lose the
