@@ -2,18 +2,20 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Runs the program on damaged files: fuzz.py PROGRAM DATA [--runs N] [--first I] [--jobs J]
-[--keep DIRECTORY] [--server]. Run i is always the same: a small mesh of CGAL's data directory, in one of the
-formats that are read, with a few changes, and one of the commands, at times with an absurd option.
-The program must end in a minute with the exit code 0, 1 or 2, say something unless that is 0, and
-leave no file after a failure. A curve is a damaged file, too, and the mesh then half of the time is none.
-Files that fail are kept in the directory, if there is one. With --server the program is the target
-`fuzz_server`, which is loaded once for all runs. Exit code 77 without data."""
+"""Runs the program on damaged files and degenerate surfaces: fuzz.py PROGRAM DATA [--runs N] [--first I]
+[--jobs J] [--keep DIRECTORY] [--server]. Run i is always the same, as long as the options of the program are.
+Half of the runs read a small mesh of CGAL's data directory, in one of the formats that are read, with a few
+changes, and at times with an absurd option; a curve is a damaged file, too, and the mesh then half of the time
+is none. The others read a surface of few faces and isolated vertices, with sources on it and options, valid,
+borderline or absurd, that the help of the command lists. The program must end in a minute with the exit code
+0, 1 or 2, say something unless that is 0, and leave no file after a failure. Files that fail are kept in the
+directory, if there is one. With --server the program is the target `fuzz_server`, which is loaded once for all
+runs. Exit code 77 without data."""
 
 import argparse
-import base64
 import os
 import random
+import re
 import resource
 import shutil
 import signal
@@ -34,8 +36,7 @@ WORDS = """-1 0 1 2 3 255 256 65536 2147483647 2147483648 4294967295 4294967296 
     CN4nOFF SKEL BINARY ply end_header element property list vertex face tristrips uchar float double
     int x y z red alpha nx s t texcoord normal vertex_indices ascii binary_little_endian binary_big_endian v vt vn f l o solid
     facet endfacet endsolid vertex edge vertex1 vertex2 <Lines> </Lines> <Points> </Piece> <!-- --> < > <>
-    </DataArray> format="binary" Name="offsets" format="appended" offset="5" encoding="base64" _ = \\ fo unknown
-    <AppendedData> header_type="UInt64" off SOLID Facet """.split() + ["", "\0", "\r", "\n", "\n\n", "\\\n", "\xff\xfe", "\xef\xbb\xbf", "9" * 400]
+    </DataArray> format="binary" Name="offsets" """.split() + ["", "\0", "\r", "\n", "\n\n", "\xff\xfe", "9" * 400]
 
 
 # Values for options, and the options of each command that take some.
@@ -46,37 +47,64 @@ NUMBERS = """nan inf -inf 1e308 -1e308 1e309 1e-320 1e-400 -1 -0 0 1 2.5 60 180 
 PLACES = NUMBERS + """0 1 3 0:1,0,0 1:0.2,0.3,0.5 0:nan,0,1 0:1e308,-1e308,1 99:1,0,0 0,0,0 1e308,-1e308,0
     nan,0,0 1,2 0: :0 ,, 0:,, 0:0.5,0.5,0.5 1e-320,0,0""".split()
 
-COMMON = {"--mollify": NUMBERS, "--weld": NUMBERS, "--threads": NUMBERS, "--stats": ["", ".", "-", "/none/o", "mesh.off"],
-          "--section": PLACES, "--view": ["", "o.x", "o.html"], "--picture": ["", "o.svg", "o.png"],
-          "--format": ["", "x", "off", "vtp"]}
+BAD_FILES = ["", ".", "/none/o", "mesh.off", "o.x"]
+MESHES = ["o.off", "o.ply", "o.obj", "o.vtp"]
 
-OPTIONS = {
-    "delaunay": {"--constrain-angle": NUMBERS, "--exact": None, "--save": ["", "o.txt", "."]},
-    "refine": {"--constrain-angle": NUMBERS, "--min-angle": NUMBERS, "--max-circumradius": NUMBERS,
-               "--exact": None, "--simplicial": None, "--save": ["", "o.txt"]},
-    "distance": {"--source": NUMBERS, "--curve": ["", "."], "--time-step": NUMBERS, "--neighbors": NUMBERS, "--exact": None,
-                 "--exact-distance": None, "--method": ["exact", "heat", "auto"], "--level-sets": ["", "q.obj", "q.off", "q.vtp"], "--level": NUMBERS, "--subdivision": ["", "o.off", "p.ply", "p.vtp"],
-                 "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
-    "path": {"--from": PLACES, "--to": PLACES, "--via": PLACES, "--flips": None, "--loop": None, "--homology": None,
-             "--straightest": NUMBERS, "--save": ["", "o.txt"]},
-    "transfer": {"--back": None, "--exact": None, "--save": ["", "o.txt"],
-                 "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
-    "operators": {"--neighbors": NUMBERS, "--exact": None, "--save": ["", "o.txt"],
-                  "--min-angle": ["nan", "-1", "0", "1e-320", "5", "20", "61", "inf", ""]},
-    "flatten": {"--cones": ["", "none", "greedy", ".", "/none", "o.cones"], "--max-log-scale": NUMBERS,
-                "--boundary": ["", "free", "straight", "rectangle", "disk", "scale", "x"],
-                "--boundary-values": ["", ".", "/none", "mesh.off"],
-                "--solver": ["", "newton", "cetm", "ceres"], "--matrix": ["", "o.mtx"], "--exact": None,
-                "--homogeneous": None},
-    "hyperbolic": {"--cones": ["", ".", "/none"], "--tiles": NUMBERS, "--svg": ["", "o.svg", "p.svg"],
-                   "--homogeneous": None},
-    "uniformize": {"--tiles": NUMBERS, "--svg": ["", "o.svg", "p.svg"], "--homogeneous": None},
-    "sphere": {"--precise": ["", "o.txt", "/none/o"]},
-    "simplify": {"--vertices": NUMBERS, "--ratio": NUMBERS, "--error": NUMBERS, "--levels": NUMBERS,
-                 "--refine": ["nan", "-1", "0", "5", "25", "31", ""], "--exact": None,
-                 "--min-angle": ["nan", "-1", "0", "5", "25", "61", ""], "--save": ["", "o.txt"],
-                 "--close-loops": NUMBERS, "--pinch-handles": NUMBERS,
-                 "--weight": ["", "=", "area", "area=nan", "area=-1", "area=1e308", "=1", "x=1"]}}
+# Values of options that make sense, beside those of their types.
+HINTS = {
+    "--stats": ["o.json"], "--view": ["o.html"], "--picture": ["o.svg", "o.png"],
+    "--format": ["off", "obj", "ply", "vtp"], "--save": ["o.txt"], "--svg": ["o.svg", "p.svg"],
+    "--matrix": ["o.mtx"], "--prolongation": ["o.mtx"], "--precise": ["o.txt"],
+    "--max-insertions": ["0", "1", "50"], "--curve": ["mesh.off", "mesh.obj", "mesh.ply"],
+    "--level-sets": ["q.obj", "q.ply", "q.vtp"], "--subdivision": MESHES, "--coarse": MESHES,
+    "--cones": ["none", "greedy", "points.txt"],
+    "--boundary": ["free", "straight", "rectangle", "disk", "scale", "curvature"],
+    "--method": ["exact", "heat", "auto"], "--neighbors": ["3", "9"], "--tiles": ["0", "1", "3"],
+    "--weight": ["area=1", "color=1", "curvature=0", "curvature=1", "area=1e300"]}
+
+
+class Option:
+    """An option as the help of a command lists it."""
+
+    def __init__(self, name, type):
+        self.name, self.type = name, type
+        many = re.match(r"\[(.*?)\]", type)
+        self.number_of_values = many[1].count(",") + 1 if many else 1 if type else 0
+
+    def sensible(self, dice, points):
+        if self.name in HINTS:
+            return dice.choice(HINTS[self.name])
+        if choice := re.search(r"\{(.*?)\}", self.type):
+            return dice.choice(choice[1].split(","))
+        if bounds := re.search(r"in \[(\S+) - (\S+)\]", self.type):
+            value = dice.uniform(float(bounds[1]), float(bounds[2]))
+            return dice.choice([bounds[1], bounds[2], str(int(value) if "INT" in self.type else value)])
+        if re.match(r"\[?FLOAT", self.type):
+            return dice.choice("0 1e-9 0.1 0.5 1 3 30 1e9".split())
+        return dice.choice("0 1 2 3 4 10".split()) if "INT" in self.type else dice.choice(points)
+
+    def drawn(self, dice, points):
+        """The option with its values; one in five is borderline or absurd."""
+        return [self.name] + [self.sensible(dice, points) if dice.random() < 0.8 else
+                              dice.choice(PLACES if self.type[:5] == "[TEXT" else
+                                          BAD_FILES + NUMBERS[:6] if "TEXT" in self.type else NUMBERS)
+                              for _ in range(self.number_of_values)]
+
+
+def listed_options(help):
+    """The options in a help text but for those that a call has in any case; of synonyms, each."""
+    result = []
+    for line in help.splitlines():
+        if match := re.match(r"  ((?:-\w,)?--[a-z][^ ]*)(?: (\S+(?: \S+)*))?(?:  |$)", line):
+            names = [name.split("{")[0] for name in match[1].split(",") if name.startswith("--")]
+            result += [Option(name, match[2] or "") for name in names
+                       if name not in ("--help", "--output", "--prefix", "--version")]
+    return result
+
+
+def listed_commands(help):
+    block = help.split("Subcommands:")[1].split("\n\n")[0]
+    return re.findall(r"^  (\w+)", block, re.MULTILINE)
 
 
 # ---- Seeds ----
@@ -112,6 +140,10 @@ def obj(points, faces):
             + "vn 0 0 1\nvn 0 1 0\ng a\n"
             + rows(["f"] + [f"{i - len(points)}/{c}/1" if i % 2 else f"{i + 1}/{-c if i % 5 else ''}/2"
                             for i, c in zip(f, corner)] for f in faces))
+
+
+def plain_obj(points, faces):
+    return rows(["v"] + p for p in points) + rows(["f"] + [i + 1 for i in f] for f in faces)
 
 
 def ply_header(form, points, faces):
@@ -181,46 +213,10 @@ def binary_stl(points, faces):
             + b"".join(struct.pack("<12fH", 0, 0, 1, *sum(t, []), 0) for t in all))
 
 
-def vtp(points, faces):
-    return (f"""<?xml version="1.0"?>
-<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">\n<PolyData>\n<Piece>\n<PointData>
-<DataArray format="ascii" type="Float64" Name="f">\n""" + rows([i] for i, _ in enumerate(points))
-            + """</DataArray>\n</PointData>\n<Points>
-<DataArray format="ascii" type="Float64" Name="Points" NumberOfComponents="3">\n""" + rows(points)
-            + "</DataArray>\n</Points>\n<Polys>\n<DataArray format=\"ascii\" Name=\"connectivity\">\n"
-            + rows(faces) + "</DataArray>\n<DataArray format=\"ascii\" Name=\"offsets\">\n"
-            + rows([sum(map(len, faces[:i + 1]))] for i in range(len(faces)))
-            + "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n")
-
-
-def encoded_vtp(is_raw):
-    def write(points, faces):
-        appended = b""
-
-        def array(attributes, code, numbers):
-            nonlocal appended
-            data = struct.pack(f"<I{len(numbers)}{code}", struct.calcsize(code) * len(numbers), *numbers)
-            type = {"f": "Float32", "i": "Int32"}[code]
-            if not is_raw:
-                return (f'<DataArray type="{type}" {attributes} format="binary">'
-                        f"{base64.b64encode(data).decode()}</DataArray>\n").encode()
-            appended += data
-            return (f'<DataArray type="{type}" {attributes} format="appended" '
-                    f'offset="{len(appended) - len(data)}"/>\n').encode()
-
-        text = (b'<?xml version="1.0"?>\n<VTKFile type="PolyData" byte_order="LittleEndian"><PolyData>\n<Piece><Points>'
-                + array('NumberOfComponents="3"', "f", sum(points, [])) + b"</Points>\n<Polys>"
-                + array('Name="connectivity"', "i", sum(faces, []))
-                + array('Name="offsets"', "i", [sum(map(len, faces[:i + 1])) for i in range(len(faces))])
-                + b"</Polys></Piece></PolyData>\n")
-        return text + (b'<AppendedData encoding="raw">_' + appended + b"</AppendedData>" if is_raw else b"") + b"</VTKFile>"
-    return write
-
-
 FORMATS = [("off", off), ("off", colored_off), ("off", binary_off), ("obj", obj), ("ply", ply),
            ("ply", binary_ply("<", "binary_little_endian")), ("ply", strips),
            ("ply", binary_ply(">", "binary_big_endian")), ("stl", stl), ("stl", binary_stl),
-           ("vtp", vtp), ("vtp", encoded_vtp(False)), ("vtp", encoded_vtp(True)), ("xyz", xyz)]
+           ("xyz", xyz)]
 
 
 def ply_curve(form, order=None):
@@ -314,23 +310,83 @@ def damaged(dice, content, others):
     return content
 
 
+# ---- Degenerate surfaces ----
+
+PARTS = [(1, []),  # an isolated vertex
+         (3, [[0, 1, 2]]),
+         (4, [[0, 1, 2], [0, 2, 3]]),
+         (3, [[0, 1, 2], [2, 1, 0]]),  # closed
+         (4, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]),
+         (5, [[0, 1, 2], [0, 2, 3], [0, 3, 4]]),  # a fan
+         (5, [[0, 1, 2], [2, 3, 4]]),  # two fans at a vertex
+         (4, [[0, 1, 2], [0, 2, 3], [0, 3, 1]]),  # around a vertex
+         (6, [[0, 1, 3], [1, 4, 3], [1, 2, 4], [2, 5, 4], [2, 0, 5], [0, 3, 5]]),  # an annulus
+         (5, [[0, 1, 2], [1, 0, 3], [0, 1, 4]]),  # three faces at an edge
+         (4, [[0, 1, 2], [0, 1, 3]]),  # two orientations
+         (5, [[0, 1, 2, 3, 4]])]  # a polygon
+
+
+def torus(m, n):
+    corner = [[i * n + j, (i + 1) % m * n + j, (i + 1) % m * n + (j + 1) % n, i * n + (j + 1) % n]
+              for i in range(m) for j in range(n)]
+    return m * n, [[c[0], c[1], c[2]] for c in corner] + [[c[0], c[2], c[3]] for c in corner]
+
+
+def degenerate_surface(dice):
+    """Points and faces of a few parts in any order; coordinates may be equal, or tiny, or huge."""
+    points, faces = [], []
+    grid = dice.choice([2, 10, 1000])
+    scale = dice.choice([1] * 8 + [1e-3, 1e6, 1e-150, 1e150, 1e-320])
+    for _ in range(dice.choice([1, 1, 1, 2, 2, 3, 4])):
+        n, part = torus(3, 3) if dice.random() < 0.05 else dice.choice(PARTS[:5] if dice.random() < 0.6 else PARTS)
+        faces += [[len(points) + i for i in f] for f in part]
+        is_on_grid = dice.random() < 0.4
+        points += [[dice.randrange(grid + 1) / grid * scale if is_on_grid else dice.gauss(0, 1) * scale
+                    for _ in range(3)] for _ in range(n)]
+    order = list(range(len(points)))
+    dice.shuffle(order)
+    dice.shuffle(faces)
+    result = [None] * len(points)
+    for i, p in zip(order, points):
+        result[i] = p
+    return result, [[order[i] for i in f] for f in faces]
+
+
+def points_on(dice, points, faces):
+    """Texts of points, most of them on the surface: few, so that some of a call are equal."""
+    result = []
+    for _ in range(dice.choice([1, 2, 4])):
+        weights = dice.choice(["1,0,0", "0,1,0", "0,0,1", "0.5,0.5,0", "0,0.25,0.75", "0.5,0,0.5", "0.2,0.3,0.5",
+                               "1,1e-17,0", "0.3333333333333333,0.3333333333333333,0.3333333333333334"])
+        result.append(dice.choice([str(dice.randrange(len(points))), f"{dice.randrange(max(len(faces), 1))}:{weights}",
+                                   ",".join(map(str, dice.choice(points)))]))
+    return result + ([str(len(points)), dice.choice(PLACES)] if dice.random() < 0.1 else [])
+
+
 # ---- Runs ----
 
+OUTPUTS = {"distance": ["ply", "vtp"], "path": ["obj", "ply", "vtp"], "hyperbolic": ["obj", "ply", "vtp"],
+           "flatten": ["obj", "ply", "vtp"], "uniformize": ["obj", "ply", "vtp"]}
 
-def arguments(dice, mesh, curve):
-    command = dice.choice("info view delaunay refine distance path flatten hyperbolic uniformize sphere"
-                          " simplify operators transfer".split())
+
+def output(dice, command):
+    if command == "info":
+        return []
+    extension = dice.choice(OUTPUTS.get(command, ["off", "obj", "ply", "vtp"]) + ["ply"])
+    extension = "html" if command == "view" else extension
+    return ["--prefix", "o"] if command == "operators" else ["-o", "o." + extension]
+
+
+def arguments(dice, mesh, curve, commands):
+    command = dice.choice(sorted(commands))
     result = [command, mesh]
     picture = dice.choice(["o.svg", "o.png"])
     if command == "info":
         return result + dice.choice([[], ["--json"], ["--view", "o.html", "--picture", picture]])
+    result += output(dice, command)
     if command == "view":
-        return result + ["-o", "o.html"]
-    formats = {"distance": ["ply", "vtp"], "path": ["obj", "ply", "vtp"], "hyperbolic": ["obj", "ply", "vtp"],
-               "flatten": ["obj", "ply", "vtp"], "uniformize": ["obj", "ply", "vtp"]}
-    output = "o." + dice.choice(formats.get(command, ["off", "obj", "ply", "vtp"]))
-    result += ["--prefix", "o"] if command == "operators" else ["-o", output]
-    if output == "o.ply" and command not in ("operators", "transfer"):
+        return result
+    if result[-1] == "o.ply" and command not in ("operators", "transfer"):
         result += dice.choice([[], ["--binary"]])
     sources = [["--source", "0"], ["--source", "0:0.2,0.3,0.5"], ["--source", "0,0,0", "--exact-distance"],
                ["--curve", mesh, "--signed"], ["--curve", curve], ["--curve", curve, "--signed"]]
@@ -353,19 +409,42 @@ def arguments(dice, mesh, curve):
         result += dice.choice([[], ["--direct"]])
     if dice.random() < 0.9:
         result += ["--stats", "o.json"]
-    return with_absurd_options(dice, result, {**COMMON, **OPTIONS[command]})
+    return with_options(dice, result, commands[command], dice.choice([0, 0, 0, 1, 2]), PLACES)
 
 
-def with_absurd_options(dice, call, choices):
+def arguments_on(dice, mesh, points, commands):
+    """Of a call on a valid surface, most of whose options make sense."""
+    command = dice.choice(sorted(commands))
+    result = [command, mesh] + output(dice, command)
+
+    def any_of(option, most):
+        return [word for _ in range(dice.randrange(most + 1)) for word in (option, dice.choice(points))]
+
+    if command == "distance":
+        result += ["--source", dice.choice(points)] + any_of("--source", 3)
+        result += dice.choice([[], ["--exact-distance"]])
+    elif command == "path":
+        start = ["--from", dice.choice(points)]
+        end = start + ["--to", dice.choice(points)]
+        result += dice.choice([end, end + ["--flips"] + any_of("--via", 3), start + ["--loop"] + any_of("--via", 3),
+                               start + ["--straightest", dice.choice("0 30 -45 90 180 1e9".split()),
+                                        dice.choice("0 1e-9 0.1 1 10".split())], ["--homology"]])
+    elif command == "transfer":
+        result += [dice.choice(["--points", "--data"]), "points.txt"]
+    elif command == "simplify":
+        result += dice.choice([["--ratio", "0.5"], ["--vertices", "1"], ["--error", "0.1"], []])
+    result += dice.choice([[], [], ["--repair"], ["--mollify", "1e-6"]]) if command not in ("info", "view") else []
+    result = with_options(dice, result, commands[command], dice.choice([0, 1, 1, 2, 2, 3, 5]), points)
+    return result + (["--picture", "o.png"] if "--section" in result and "--picture" not in result else [])
+
+
+def with_options(dice, call, options, number, points):
     result = list(call)
-    for _ in range(dice.choice([0, 0, 0, 1, 2])):
-        option = dice.choice(sorted(choices))
-        if option in result:  # takes the place of a sensible value
-            i = result.index(option) + 1
-            del result[i - 1:i + (choices[option] is not None)]
-        result.append(option)
-        for _ in range(2 if option in ("--straightest", "--section") else 0 if choices[option] is None else 1):
-            result.append(dice.choice(choices[option]))
+    for option in dice.choices(options, k=number) if options else []:
+        if option.name in result:  # takes the place of a sensible value
+            i = result.index(option.name)
+            del result[i:i + 1 + option.number_of_values]
+        result += option.drawn(dice, points)
     return result
 
 
@@ -416,6 +495,15 @@ class Server:
         return code, text
 
 
+def all_options(run_program, scratch):
+    """The options of each command."""
+    def help(call):
+        directory = f"{scratch}/help"
+        os.makedirs(directory, exist_ok=True)
+        return run_program(call + ["--help"], directory)[1].decode()
+    return {command: listed_options(help([command])) for command in listed_commands(help([]))}
+
+
 def complaint(call, code, text, directory, inputs):
     """What is wrong with a run; nothing is None."""
     left = [name for name in os.listdir(directory) if name not in inputs]
@@ -425,7 +513,7 @@ def complaint(call, code, text, directory, inputs):
         return f"exit code {code}: {text[:2000].decode(errors='replace')}"
     if code != 0 and not text.strip():
         return "no message"
-    is_verdict = call[0] == "info" and code == 2 and b"error: " in text  # with pictures
+    is_verdict = call[0] == "info" and code == 2 and b"error" in text  # with pictures
     if (code != 0 and left and not is_verdict
             or any(name.endswith(".part") for name in left)):
         return f"files are left: {left}"
@@ -440,16 +528,34 @@ def is_png(path):
     return content.startswith(b"\x89PNG\r\n\x1a\n") and content[-8:-4] == b"IEND"
 
 
-def run(i, options, seeds, scratch):
-    """Whether run i went well, and how it ended."""
-    dice = random.Random(i)
+def damaged_run(dice, options, seeds):
+    """A call and the files that it reads."""
     extension, content, curves = dice.choice(seeds)
     curve_extension, curve_content = dice.choice(curves)
     mesh, curve = "mesh." + extension, "curve." + curve_extension
-    call = arguments(dice, mesh, curve)
+    call = arguments(dice, mesh, curve, options.commands)
     inputs = {mesh: content if curve in call and dice.random() < 0.5 else damaged(dice, content, seeds)}
     if curve in call:
         inputs[curve] = damaged(dice, curve_content, curves)
+    return call, inputs
+
+
+def degenerate_run(dice, options):
+    points, faces = degenerate_surface(dice)
+    extension, write = dice.choice([("off", off), ("obj", plain_obj), ("ply", ply)])
+    mesh, texts = "mesh." + extension, points_on(dice, points, faces)
+    call = arguments_on(dice, mesh, texts, options.commands)
+    lines = texts if "--points" in call else [f"{i} {i / 2}" for i in range(len(points))]
+    inputs = {mesh: in_bytes(write(points, faces))}
+    if "points.txt" in call:
+        inputs["points.txt"] = in_bytes("\n".join(lines) + "\n")
+    return call, inputs
+
+
+def run(i, options, seeds, scratch):
+    """Whether run i went well, and how it ended."""
+    dice = random.Random(i)
+    call, inputs = damaged_run(dice, options, seeds) if i % 2 == 0 else degenerate_run(dice, options)
     directory = f"{scratch}/{i}"
     os.mkdir(directory)
     for name, content in inputs.items():
@@ -486,6 +592,7 @@ def main():
         sys.exit(77)
     seeds = all_seeds(options.data)
     with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(options.jobs) as pool:
+        options.commands = all_options(options.run_program, scratch)
         numbers = range(options.first, options.first + options.runs)
         ends = list(pool.map(lambda i: run(i, options, seeds, scratch), numbers))
     codes = [code for _, code in ends]
