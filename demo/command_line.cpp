@@ -282,11 +282,12 @@ void add_path_points(CLI::App& command, Path_options& options)
                    "Shorten a path along edges to a geodesic nearby, by flips");
   command.add_flag("--loop", options.is_loop,
                    "Shorten the loop from --from through all --via, by flips");
-  command.add_option("--straightest", options.straightest,
-                     "Go straight instead: the angle in degrees from the first side of the face at "
-                     "--from, and the length");
+  command.add_option(
+    "--straightest", options.straightest,
+    "Go straight instead: the angle in degrees, counterclockwise from the first side of "
+    "the face at --from or from the side that leaves a vertex, and the length");
   command.add_flag("--homology", options.is_homology_basis,
-                   "Geodesic loops around all handles and holes, by flips");
+                   "Shortest geodesic loops around all handles and holes, by flips");
 }
 
 void add_path(CLI::App& app, Options& options)

@@ -311,6 +311,63 @@ TEST(Edge_paths, blocked_by_paths_and_constraints)
   }
 }
 
+// A walk on a grid with lines of 9 vertices: along lines to the corner of a square, some times around it,
+// and into it, with random ways there and back in between.
+Halfedges spiral_with_excursions(const Delta_complex& mesh, std::size_t turns, CGAL::Random& random)
+{
+  Halfedges result;
+  Vertex_index at(0);
+  const auto halfedge_to = [&](Vertex_index v, Vertex_index w) {
+    Halfedge_index result;
+    IT::for_each_spoke(v, mesh,
+                       [&](Halfedge_index h) { result = mesh.target(h) == w ? h : result; });
+    return result;
+  };
+  const auto step = [&](int by) {
+    Halfedges excursion;
+    Vertex_index v = at;
+    for(int n = random.get_int(-6, 7); n > 0; --n) {
+      Halfedges spokes;
+      IT::for_each_spoke(v, mesh, [&](Halfedge_index h) { spokes.push_back(h); });
+      excursion.push_back(
+        spokes[static_cast<std::size_t>(random.get_int(0, static_cast<int>(spokes.size())))]);
+      v = mesh.target(excursion.back());
+    }
+    result.insert(result.end(), excursion.begin(), excursion.end());
+    for(auto h = excursion.rbegin(); h != excursion.rend(); ++h)
+      result.push_back(mesh.opposite(*h));
+    const Vertex_index next(static_cast<Delta_complex::size_type>(static_cast<int>(at.idx()) + by));
+    result.push_back(halfedge_to(at, next));
+    at = next;
+  };
+  for(int by : {1, 1, 9, 9})
+    step(by);
+  for(std::size_t i = 0; i < turns; ++i)
+    for(int by : {1, 1, 1, 9, 9, 9, -1, -1, -1, -9, -9, -9})
+      step(by);
+  step(1);
+  step(9);
+  return result;
+}
+
+// What overlaps itself without crossings gets straight.
+TEST(Edge_paths, spirals_with_excursions)
+{
+  const Mesh mesh = grid(8, 8, [](double x, double y) { return Point(x, y, 0); });
+  CGAL::Random random(7);
+  for(int i = 0; i < 100; ++i) {
+    Triangulation t(mesh);
+    const Halfedges walk =
+      spiral_with_excursions(t.mesh(), static_cast<std::size_t>(i % 4), random);
+    const Point &p = mesh.point(t.mesh().source(walk.front())),
+                &q = mesh.point(t.mesh().target(walk.back()));
+    Paths paths(t);
+    paths.add_path(walk);
+    EXPECT_EQ(paths.shorten(), Status::geodesic) << i;
+    EXPECT_NEAR(paths.length(0), std::sqrt(CGAL::squared_distance(p, q)), 1e-12) << i;
+  }
+}
+
 // On the boundary the side of the surface counts.
 TEST(Edge_paths, along_the_boundary)
 {

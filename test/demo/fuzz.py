@@ -55,7 +55,7 @@ HINTS = {
     "--stats": ["o.json"], "--view": ["o.html"], "--picture": ["o.svg", "o.png"],
     "--format": ["off", "obj", "ply", "vtp"], "--save": ["o.txt"], "--svg": ["o.svg", "p.svg"],
     "--matrix": ["o.mtx"], "--prolongation": ["o.mtx"], "--precise": ["o.txt"],
-    "--max-insertions": ["0", "1", "50"], "--curve": ["mesh.off", "mesh.obj", "mesh.ply"],
+    "--max-insertions": ["0", "1", "50", "300"], "--curve": ["mesh.off", "mesh.obj", "mesh.ply"],
     "--level-sets": ["q.obj", "q.ply", "q.vtp"], "--subdivision": MESHES, "--coarse": MESHES,
     "--cones": ["none", "greedy", "points.txt"],
     "--boundary": ["free", "straight", "rectangle", "disk", "scale", "curvature"],
@@ -433,6 +433,8 @@ def arguments_on(dice, mesh, points, commands):
         result += [dice.choice(["--points", "--data"]), "points.txt"]
     elif command == "simplify":
         result += dice.choice([["--ratio", "0.5"], ["--vertices", "1"], ["--error", "0.1"], []])
+    if command in ("refine", "distance", "transfer", "operators", "simplify"):
+        result += ["--max-insertions", "300"]
     result += dice.choice([[], [], ["--repair"], ["--mollify", "1e-6"]]) if command not in ("info", "view") else []
     result = with_options(dice, result, commands[command], dice.choice([0, 1, 1, 2, 2, 3, 5]), points)
     return result + (["--picture", "o.png"] if "--section" in result and "--picture" not in result else [])
@@ -513,7 +515,7 @@ def complaint(call, code, text, directory, inputs):
         return f"exit code {code}: {text[:2000].decode(errors='replace')}"
     if code != 0 and not text.strip():
         return "no message"
-    is_verdict = call[0] == "info" and code == 2 and b"error" in text  # with pictures
+    is_verdict = call[0] == "info" and code == 2 and (b"error: " in text or "--json" in call)  # with pictures
     if (code != 0 and left and not is_verdict
             or any(name.endswith(".part") for name in left)):
         return f"files are left: {left}"
