@@ -13,6 +13,7 @@ directory, if there is one. With --server the program is the target `fuzz_server
 runs. Exit code 77 without data."""
 
 import argparse
+import base64
 import os
 import random
 import re
@@ -36,7 +37,8 @@ WORDS = """-1 0 1 2 3 255 256 65536 2147483647 2147483648 4294967295 4294967296 
     CN4nOFF SKEL BINARY ply end_header element property list vertex face tristrips uchar float double
     int x y z red alpha nx s t texcoord normal vertex_indices ascii binary_little_endian binary_big_endian v vt vn f l o solid
     facet endfacet endsolid vertex edge vertex1 vertex2 <Lines> </Lines> <Points> </Piece> <!-- --> < > <>
-    </DataArray> format="binary" Name="offsets" """.split() + ["", "\0", "\r", "\n", "\n\n", "\xff\xfe", "9" * 400]
+    </DataArray> format="binary" Name="offsets" format="appended" offset="5" encoding="base64" _ = \\ fo unknown
+    <AppendedData> header_type="UInt64" off SOLID Facet """.split() + ["", "\0", "\r", "\n", "\n\n", "\\\n", "\xff\xfe", "\xef\xbb\xbf", "9" * 400]
 
 
 # Values for options, and the options of each command that take some.
@@ -59,7 +61,7 @@ HINTS = {
     "--level-sets": ["q.obj", "q.ply", "q.vtp"], "--subdivision": MESHES, "--coarse": MESHES,
     "--cones": ["none", "greedy", "points.txt"],
     "--boundary": ["free", "straight", "rectangle", "disk", "scale", "curvature"],
-    "--method": ["exact", "heat", "auto"], "--neighbors": ["3", "9"], "--tiles": ["0", "1", "3"],
+    "--boundary-values": ["points.txt"], "--method": ["exact", "heat", "auto"], "--neighbors": ["3", "9"], "--tiles": ["0", "1", "3"],
     "--weight": ["area=1", "color=1", "curvature=0", "curvature=1", "area=1e300"]}
 
 
@@ -213,10 +215,46 @@ def binary_stl(points, faces):
             + b"".join(struct.pack("<12fH", 0, 0, 1, *sum(t, []), 0) for t in all))
 
 
+def vtp(points, faces):
+    return (f"""<?xml version="1.0"?>
+<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian">\n<PolyData>\n<Piece>\n<PointData>
+<DataArray format="ascii" type="Float64" Name="f">\n""" + rows([i] for i, _ in enumerate(points))
+            + """</DataArray>\n</PointData>\n<Points>
+<DataArray format="ascii" type="Float64" Name="Points" NumberOfComponents="3">\n""" + rows(points)
+            + "</DataArray>\n</Points>\n<Polys>\n<DataArray format=\"ascii\" Name=\"connectivity\">\n"
+            + rows(faces) + "</DataArray>\n<DataArray format=\"ascii\" Name=\"offsets\">\n"
+            + rows([sum(map(len, faces[:i + 1]))] for i in range(len(faces)))
+            + "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n")
+
+
+def encoded_vtp(is_raw):
+    def write(points, faces):
+        appended = b""
+
+        def array(attributes, code, numbers):
+            nonlocal appended
+            data = struct.pack(f"<I{len(numbers)}{code}", struct.calcsize(code) * len(numbers), *numbers)
+            type = {"f": "Float32", "i": "Int32"}[code]
+            if not is_raw:
+                return (f'<DataArray type="{type}" {attributes} format="binary">'
+                        f"{base64.b64encode(data).decode()}</DataArray>\n").encode()
+            appended += data
+            return (f'<DataArray type="{type}" {attributes} format="appended" '
+                    f'offset="{len(appended) - len(data)}"/>\n').encode()
+
+        text = (b'<?xml version="1.0"?>\n<VTKFile type="PolyData" byte_order="LittleEndian"><PolyData>\n<Piece><Points>'
+                + array('NumberOfComponents="3"', "f", sum(points, [])) + b"</Points>\n<Polys>"
+                + array('Name="connectivity"', "i", sum(faces, []))
+                + array('Name="offsets"', "i", [sum(map(len, faces[:i + 1])) for i in range(len(faces))])
+                + b"</Polys></Piece></PolyData>\n")
+        return text + (b'<AppendedData encoding="raw">_' + appended + b"</AppendedData>" if is_raw else b"") + b"</VTKFile>"
+    return write
+
+
 FORMATS = [("off", off), ("off", colored_off), ("off", binary_off), ("obj", obj), ("ply", ply),
            ("ply", binary_ply("<", "binary_little_endian")), ("ply", strips),
            ("ply", binary_ply(">", "binary_big_endian")), ("stl", stl), ("stl", binary_stl),
-           ("xyz", xyz)]
+           ("vtp", vtp), ("vtp", encoded_vtp(False)), ("vtp", encoded_vtp(True)), ("xyz", xyz)]
 
 
 def ply_curve(form, order=None):
