@@ -75,7 +75,7 @@ Examples:
   intrinsic refine scan.ply -o refined.vtp --min-angle 25 --stats refined.json)";
 
 const char* const distance =
-  R"(Distances are exact by default, the lengths of shortest paths up to rounding, as long as that is
+  R"(Distances are exact by default (lengths of shortest paths, up to rounding), as long as that is
 expected to take less than two seconds: up to 31,000 vertices with one source, more with several.
 Beyond that, for triangles that are not a surface, with --signed and with --method heat, they are
 approximate: heat has an error of about two percent on average on evenly distributed vertices, and

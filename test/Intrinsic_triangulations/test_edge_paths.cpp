@@ -311,8 +311,8 @@ TEST(Edge_paths, blocked_by_paths_and_constraints)
   }
 }
 
-// A walk on a grid with lines of 9 vertices: along lines to the corner of a square, some times around it,
-// and into it, with random ways there and back in between.
+// A walk on a grid with lines of 9 vertices: along lines to the corner of a square, some times
+// around it, and into it, with random ways there and back in between.
 Halfedges spiral_with_excursions(const Delta_complex& mesh, std::size_t turns, CGAL::Random& random)
 {
   Halfedges result;

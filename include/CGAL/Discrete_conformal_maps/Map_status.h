@@ -10,8 +10,8 @@
 namespace CGAL::Discrete_conformal_maps {
 
 /// \ingroup PkgDiscreteConformalMapsMaps
-/// how the computation of a discrete conformal map has ended. Whether a map is a success is measured
-/// on the result: see `Map_promise`. `triangle_inequality` and `no_minimum` occur in fixed
+/// how the computation of a discrete conformal map has ended. Whether a map is a success is
+/// measured on the result: see `Map_promise`. `triangle_inequality` and `no_minimum` occur in fixed
 /// triangulations only.
 enum class Map_status
 {

@@ -187,8 +187,8 @@ private:
 ///
 /// Complexity: that of `flatten()`, as a rule about ten times.
 /// \returns a map with one of the statuses of `flatten()`, or `Map_status::not_circular` if the
-///   boundary has not become a circle in that number of iterations; if a minimization fails, the map
-///   that it gave
+///   boundary has not become a circle in that number of iterations; if a minimization fails, the
+///   map that it gave
 /// \throws Intrinsic_triangulations::Invalid_input if `g` is not such a mesh, or as `flatten()`
 ///   does: a component with handles has no disk without cones inside
 /// \throws Intrinsic_triangulations::Numerical_error, Intrinsic_triangulations::Overflow_error as

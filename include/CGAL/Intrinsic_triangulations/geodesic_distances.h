@@ -257,8 +257,8 @@ struct Is_surface<T, std::void_t<Length_map_of<T>>> : std::true_type
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throws Invalid_input if exact distances are wanted of a `Tufted_surface`
-/// \throws Numerical_error as `heat_distance()` if heat is used; or if exact distances are wanted and
-///         take more windows than `Shortest_paths` allows
+/// \throws Numerical_error as `heat_distance()` if heat is used; or if exact distances are wanted
+///         and take more windows than `Shortest_paths` allows
 template <typename Surface, typename Sources,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
 auto geodesic_distances(const Surface& surface, const Sources& sources,

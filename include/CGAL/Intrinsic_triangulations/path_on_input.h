@@ -39,9 +39,9 @@ Surface_place<typename Traits::FT> start_on_input(Halfedge_index h,
 ///        before ends
 /// \returns its length and its places on \f$T_1\f$, from the source of the first halfedge to the
 ///   target of the last one. Where it crosses an edge, `along` is the halfedge through which it
-///   leaves a face; rounding never moves a crossing to a vertex. At a vertex of \f$T_1\f$, `along` starts there: the path goes on along it, or
-///   through the face on its left; if it is a border halfedge, the location is in the face of the
-///   opposite halfedge. At a vertex inserted on an edge, `along` is a halfedge of this edge; it is
+///   leaves a face; rounding never moves a crossing to a vertex. At a vertex of \f$T_1\f$, `along`
+///   starts there: the path goes on along it, or through the face on its left; if it is a border
+///   halfedge, the location is in the face of the opposite halfedge. At a vertex inserted on an edge, `along` is a halfedge of this edge; it is
 ///   null if the vertex has been inserted inside a face. The sequence of crossed edges is exact.
 ///
 /// Complexity: that of `trace_intrinsic_edge()` for each halfedge.

@@ -79,7 +79,7 @@ public:
   {
     return (std::max)(m_limits.gradient_tolerance, m_energy.gradient_error());
   }
-  // A point whose gradient is worse than the best, but within a great rounding error, is no minimum.
+  // A point with a worse gradient than the best, but within a great rounding error, is no minimum.
   bool has_converged() const { return m_norm <= tolerance() && m_norm <= m_best_norm; }
 
   bool is_at_best() const { return m_point == m_best; }
