@@ -57,7 +57,7 @@ public:
       m_surface(problem.triangulation().mesh(), problem.triangulation().length_map()),
       m_position(problem.size(), Point{Extended(0), Extended(0)})
   {
-    visitor.start(Flattening_stage::layout);
+    visitor.start(Flattening_stage::optimize);
     flip_to_boundary();
     collect_front_faces();
     measure_chords();
@@ -65,6 +65,7 @@ public:
     measure_chords();
     for(const Extended& chord : m_chord)
       m_u.push_back(-2 * log(chord));
+    visitor.start(Flattening_stage::layout);
     try {
       lay_out(mass);
     } catch(const Intrinsic_triangulations::Numerical_error& e) {
