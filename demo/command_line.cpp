@@ -157,7 +157,7 @@ void add_maximum_number_of_insertions(CLI::App& command, Refinement_bounds& boun
                 "Maximum number of insertions; if not given, 1,000,000 (with angles of more than "
                 "30 degrees 100,000) plus 20 for each face" +
                   exception)
-    ->check(nonnegative_number());
+    ->check(integer_from(0));
 }
 
 // For the commands that refine only if it is wanted.

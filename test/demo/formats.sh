@@ -48,11 +48,11 @@ alike a.mesh.off "OFF\n4\n4\n6\n$plain$faces"
 for keyword in off Off coff noff; do
   alike a.mesh.off "$keyword\n4 4 0\n$plain$faces"
 done
-alike a.mesh.off "OFF\n4 4 0\n$plain${faces/0 2 1/0\n2 # a\n\n1}"
-alike a.mesh.off "OFF\n4 4 0\n0 0\n0\n${plain#*n}${faces//3 /3\n}"
+alike a.mesh.off "OFF\n4 4 0\n$plain${faces/0 2 1/0\\n2 # a\\n\\n1}"
+alike a.mesh.off "OFF\n4 4 0\n0 0\n0\n${plain#*n}${faces//3 /3\\n}"
 mark='\xef\xbb\xbf'
 alike a.mesh.off "${mark}OFF\n4 4 0\n$plain$faces"
-alike a.mesh.off "OFF\r4 4 0\r${plain//n/r}${faces//n/r}"
+alike a.mesh.off "OFF\r4 4 0\r${plain//\\n/\\r}${faces//\\n/\\r}"
 for encoding in UTF-16LE UTF-16BE; do
   { [ $encoding = UTF-16LE ] && printf '\xff\xfe' || printf '\xfe\xff'; } >b.mesh.off
   iconv -t $encoding good.off >>b.mesh.off
@@ -109,10 +109,10 @@ done
 rm a.off o.off
 
 # The content says what the format is.
-mesh a.mesh.stl "solid x\n${facets}endsolid\n"
-"$program" delaunay a.mesh.stl -o stl.off --quiet
+mesh triangle.mesh.stl "solid x\n${facets}endsolid\n"
+"$program" delaunay triangle.mesh.stl -o stl.off --quiet
 for format in off obj ply stl vtp; do
-  [ $format = stl ] && cp a.mesh.stl o.stl || "$program" delaunay good.mesh.off -o o.$format --quiet
+  [ $format = stl ] && cp triangle.mesh.stl o.stl || "$program" delaunay good.mesh.off -o o.$format --quiet
   for extension in off obj ply stl vtp txt; do
     [ $format != $extension ] || continue
     cp o.$format a.mesh.$extension
