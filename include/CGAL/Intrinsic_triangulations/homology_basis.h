@@ -273,9 +273,9 @@ private:
 /// The loops are chosen by increasing length, each of which is no combination of those before
 /// (Erickson and Whittlesey 2005). They consist of two shortest paths from a base vertex and an
 /// edge between their ends. Every loop of a shortest basis meets one of the base vertices. Searches
-/// from all base vertices end after visits of \f$2^{22}\f$ vertices in all: if they have come to the end
-/// before, which takes at most as many base vertices times vertices, no basis of loops along edges
-/// is shorter. `Edge_paths` shortens the loops to geodesics.
+/// from all base vertices end after visits of \f$2^{22}\f$ vertices in all. If they have come to
+/// the end before, which takes at most as many base vertices times vertices, no basis of loops
+/// along edges is shorter. `Edge_paths` shortens the loops to geodesics.
 ///
 /// \param surface a model of `IntrinsicSurface`
 /// \returns the halfedges of each loop, each starting where the one before ends. For a component of

@@ -41,8 +41,9 @@ Surface_place<typename Traits::FT> start_on_input(Halfedge_index h,
 ///   target of the last one. Where it crosses an edge, `along` is the halfedge through which it
 ///   leaves a face; rounding never moves a crossing to a vertex. At a vertex of \f$T_1\f$, `along`
 ///   starts there: the path goes on along it, or through the face on its left; if it is a border
-///   halfedge, the location is in the face of the opposite halfedge. At a vertex inserted on an edge, `along` is a halfedge of this edge; it is
-///   null if the vertex has been inserted inside a face. The sequence of crossed edges is exact.
+///   halfedge, the location is in the face of the opposite halfedge. At a vertex inserted on an
+///   edge, `along` is a halfedge of this edge; it is null if the vertex has been inserted inside a
+///   face. The sequence of crossed edges is exact.
 ///
 /// Complexity: that of `trace_intrinsic_edge()` for each halfedge.
 /// \throws Numerical_error if a layout has no positive finite length
