@@ -160,7 +160,8 @@ TEST(Roots, towers_have_the_rank_of_the_roots)
     const std::size_t expected = std::size_t(1) << rank(squares);
     EXPECT_EQ(size_of_tower(squares, Exact_ring(1)), expected);
     EXPECT_EQ(size_of_tower(squares, Exact_ring(0x1p900) + Exact_ring(3)), expected);
-    EXPECT_EQ(size_of_tower(squares, Exact_rational(5) / Exact_rational(7)), expected);
+    EXPECT_EQ(size_of_tower<Exact_rational>(squares, Exact_rational(5) / Exact_rational(7)),
+              expected);
   }
 }
 
