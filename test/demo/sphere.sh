@@ -126,7 +126,6 @@ claim "s = json('parts.json')" 's.component.index == 1 and s.component.of == 2 a
   'near([hypot(*m.points[i]) for i in (5, 6, 7, 8)], [1] * 4, 1e-14)' \
   'set(m.face["input_face"]) == {2, 5}'
 expect 0 sphere parts.mesh.off -o largest.ply --largest
-expect 0 sphere parts.mesh.off -o part.ply --component 0
 cmp part.ply largest.ply
 expect 2 sphere parts.mesh.off -o none.ply --component 2
 says 'the mesh has 2, counted from 0'
