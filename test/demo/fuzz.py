@@ -8,7 +8,7 @@ Half of the runs read a small mesh of CGAL's data directory, in one of the forma
 changes, and at times with an absurd option; a curve is a damaged file, too, and the mesh then half of the time
 is none. The others read a surface of few faces and isolated vertices, with sources on it and options, valid,
 borderline or absurd, that the help of the command lists. The program must end in a minute with the exit code
-0, 1 or 2, say something unless that is 0, and leave no file after a failure. Files that fail are kept in the
+0, 1 or 2, or 3 with --keep-going, say something unless that is 0, and leave no file after a failure. Files that fail are kept in the
 directory, if there is one. With --server the program is the target `fuzz_server`, which is loaded once for all
 runs. Exit code 77 without data."""
 
@@ -549,12 +549,12 @@ def complaint(call, code, text, directory, inputs):
     left = [name for name in os.listdir(directory) if name not in inputs]
     if code == -signal.SIGALRM:
         return "more than a minute"
-    if code not in (0, 1, 2) or b"Sanitizer" in text or b"runtime error" in text:
+    if code not in (0, 1, 2) + (3,) * ("--keep-going" in call) or b"Sanitizer" in text or b"runtime error" in text:
         return f"exit code {code}: {text[:2000].decode(errors='replace')}"
     if code != 0 and not text.strip():
         return "no message"
     is_verdict = call[0] == "info" and code == 2 and (b"error: " in text or "--json" in call)  # with pictures
-    if (code != 0 and left and not is_verdict
+    if (code not in (0, 3) and left and not is_verdict
             or any(name.endswith(".part") for name in left)):
         return f"files are left: {left}"
     if "o.png" in left and not is_png(os.path.join(directory, "o.png")):
