@@ -171,14 +171,14 @@ if [ -n "$data" ] && [ -f "$data/meshes/dino.off" ]; then
   claim "json('dino.json').extended_precision" "json('dino.json').lost_in_output > 0"
 fi
 
-# Long limbs: a tetrahedron with a spike of 25 rings on a face. All digits of --precise hold: as
+# Long limbs: a tetrahedron with a spike of 40 rings on a face. All digits of --precise hold: as
 # fractions, the points are on the sphere, and no two of them are the same, as they are in double.
 awk 'BEGIN {
-  n = 25
+  n = 40
   print "OFF\n" 4 + 3 * n, 4 + 6 * n, 0
   print "0 0 -3\n3 0 0\n-1.5 2.6 0\n-1.5 -2.6 0"
   for(i = 1; i <= n; ++i)
-    print 0.3, 0, i * 0.5 "\n" -0.15, 0.26, i * 0.5 "\n" -0.15, -0.26, i * 0.5
+    print 0.3, 0, i * 0.5 "\n-0.15", 0.26, i * 0.5 "\n-0.15", -0.26, i * 0.5
   print "3 0 2 1\n3 0 3 2\n3 0 1 3"
   for(i = 0; i < n; ++i)
     for(j = 0; j < 3; ++j) {
@@ -191,11 +191,11 @@ expect 0 sphere spike.mesh.off -o spike.ply --precise spike.txt --stats spike.js
 python3 - <<'PYTHON' || fail 'precise positions'
 from fractions import Fraction
 lines = [line.split() for line in open('spike.txt')]
-assert [int(line[0]) for line in lines] == list(range(79))
+assert [int(line[0]) for line in lines] == list(range(124))
 points = [tuple(map(Fraction, line[1:])) for line in lines]
 error = max(abs(x * x + y * y + z * z - 1) for x, y, z in points)
 assert error < 3e-31, float(error)
-assert len(set(points)) == 79
-assert len({tuple(map(float, p)) for p in points}) < 79
+assert len(set(points)) == 124
+assert len({tuple(map(float, p)) for p in points}) < 124
 PYTHON
 rm spike.*
