@@ -329,8 +329,10 @@ private:
   {
     const auto h = triangulation.input_mesh().halfedge(start.first);
     if(length <= IT::internal::Flat_face<double>(h, triangulation.input()).tolerance())
-      throw Program_error("'" + m_options.from + "' is on the boundary, and this direction leads " +
-                          "out of the surface; angles are counterclockwise from a side of face " +
+      throw Program_error("'" + m_options.from +
+                          "' is on the boundary, and this direction leads "
+                          "out of the surface; angles are counterclockwise "
+                          "from a side of face " +
                           std::to_string(start.first.idx()) + ", choose another");
   }
 

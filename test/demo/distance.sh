@@ -513,7 +513,7 @@ line 8 cannot be understood: a character is not of base64 | 7s/ascii/binary/
 line 16 cannot be understood: the offset of appended numbers is missing | 16s/ascii/appended/
 line 7 cannot be understood: points do not have three coordinates each | 7s/"3"/"2"/
 line 7 cannot be understood: points do not have three coordinates each | 7s/NumberOfComponents="3"//
-line 10 cannot be understood: '<InformationKey' is not a number | 9s/ 0$//
+line 10 cannot be understood: a number is missing | 9s/ 0$//
 line 9 cannot be understood: 'nan' is not a finite number | 9s/0.1/nan/
 line 9 cannot be understood: 'zero' is not a number | 9s/0.1/zero/
 line 16 cannot be understood: a line names a point that does not exist; there are 3 in this piece | 16s/0 1 2/0 1 3/

@@ -16,6 +16,7 @@ off lonely '0 0 0,1 1 1' ''
 grid flat 4 0
 # text NAME LINES: separated by ;
 text() { tr ';' '\n' <<<"$2" >"$1"; }
+text four.mesh.txt '0 4.7;1 4.7;2 4.7;3 4.7'
 text a.mesh.xyz '0 0 0;1 0 0;2 0 0;3 0 0'
 text number.mesh.off 'OFF;3 1 0;0 0 zero;1 0 0;0 1 0;3 0 1 2'
 printf 'OFF\n3 1 0\n0 0' >missing.mesh.off
@@ -113,8 +114,6 @@ done <<'TABLE'
 2 | the size of a list is an integer | info f.mesh.ply
 2 | this type of numbers does not exist | info g.mesh.ply
 2 | a number of elements is negative | info h.mesh.ply
-2 | a number of elements is negative | info negative.mesh.off
-2 | a number of elements is negative; the first line counts vertices, faces and edges | info binary.mesh.off
 2 | the size of a list is negative or not an integer | info i.mesh.ply
 2 | 'facet' or 'endsolid' expected | info a.mesh.stl
 2 | a facet has more than three vertices | info b.mesh.stl
@@ -222,6 +221,17 @@ done <<'TABLE'
 2 | vertices have no property 'cold'; they have | simplify k.mesh.ply -o a.ply --ratio 0.5 --weight cold=1
 2 | vertices have no colors (.ply, .off and .obj can have them) | simplify flat.mesh.off -o a.ply --ratio 0.5 --weight color=1
 2 | a value of 'heat' is not finite | simplify j.mesh.ply -o a.ply --ratio 0.5 --weight heat=1
+2 | --component 7: the mesh has 2, counted from 0 | uniformize two_triangles.mesh.off -o a.obj --component 7
+2 | --view shows one component, and the mesh has 2: add --component or --largest | sphere two_triangles.mesh.off -o a.ply --view a.html
+2 | --time-step is for heat; leave out --method exact and --exact-distance | distance flat.mesh.off --source 0 --method exact --time-step 1 -o a.ply
+2 | ; try --boundary free or straight | flatten good.mesh.off --boundary disk -o a.obj
+2 | : the mesh has no boundary; leave it out | flatten good.mesh.off --boundary straight -o a.obj
+2 | --tiles is for --svg and --view; leave it out, or add one of them | hyperbolic good.mesh.off --tiles 2 -o a.obj
+2 | --tiles: a surface with cones has no tiling; leave it out | hyperbolic good.mesh.off --cones four.mesh.txt --tiles 2 --svg a.svg -o a.obj
+2 | ' is on the boundary, and this direction leads out of the surface; angles are counterclockwise from a side of face 0, choose another | path flat.mesh.off --from 0 --straightest 200 1 -o a.obj
+2 | --svg is for one hyperbolic surface: add --component or --largest | uniformize two_triangles.mesh.off -o a.obj --svg a.svg
+2 | --homogeneous is for flat and hyperbolic surfaces, and all components are spheres or disks: leave it out | uniformize two_triangles.mesh.off --homogeneous -o a.obj
+2 | --homogeneous is for flat and hyperbolic surfaces; this surface is of type disk: leave it out | uniformize flat.mesh.off --homogeneous -o a.obj
 1 | cannot be written | delaunay flat.mesh.off -o /proc/a.ply
 TABLE
 

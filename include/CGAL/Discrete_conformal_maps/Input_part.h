@@ -44,12 +44,14 @@ public:
   /// returns whether `v` is a vertex of the input.
   bool is_of_input(Vertex_index v) const { return v.idx() < m_number_of_input_vertices; }
 
-  /// returns `v` as a convex combination of vertices of the input. Complexity: constant.
+  /// returns `v` as a convex combination of vertices of the input: of the two ends of an edge if it
+  /// lies on one. Complexity: constant.
   Intrinsic_triangulations::Vertex_weights<double> input_weights(Vertex_index v) const
   {
     if(is_of_input(v))
       return {1, {v}, {1}};
-    auto result = subdivision().weights(Layer::A, v);
+    auto result = Intrinsic_triangulations::vertex_weights(subdivision().place(Layer::A, v),
+                                                           m_map->Delaunay().input_mesh());
     for(std::size_t c = 0; c < result.size; ++c)
       result.vertex[c] = m_map->input_vertex(result.vertex[c]);
     return result;
