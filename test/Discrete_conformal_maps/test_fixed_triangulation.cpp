@@ -257,7 +257,9 @@ TEST(Fixed_triangulation, fails_where_flips_succeed)
     const Named_mesh m = near_degenerate_mesh(seed);
     SCOPED_TRACE(m.name + " " + std::to_string(seed));
     const Planar_conformal_map free = DCM::flatten(m.mesh);
-    ASSERT_EQ(free.status(), Map_status::success);
+    // needles may be smaller than the rounding of positions
+    EXPECT_TRUE(free.status() == Map_status::success || free.status() == Map_status::not_conformal);
+    ASSERT_LT(free.max_curvature_error(), 1e-10);
     const Triangulation t(m.mesh);
     Conditions condition = default_conditions(t.mesh());
     for(Vertex_index v : free.cones())
@@ -304,9 +306,11 @@ TEST(Map_status, every_value_has_a_name_and_a_message)
     names.insert(DCM::to_string(Map_status(i)));
     messages.insert(DCM::message(Map_status(i)));
   }
-  EXPECT_EQ(
-    names, (std::set<std::string>{"success", "not_converged", "triangle_inequality", "no_minimum",
-                                  "layout_collapsed", "not_convex", "not_conformal", "not_glued"}));
+  EXPECT_EQ(names,
+            (std::set<std::string>{"success", "not_converged", "triangle_inequality", "no_minimum",
+                                   "wrong_curvature", "not_laid_out", "layout_collapsed",
+                                   "not_closed", "not_circular", "not_rectangular", "not_convex",
+                                   "not_inscribed", "not_conformal", "not_glued"}));
   EXPECT_EQ(messages.size(), names.size());
   EXPECT_EQ(messages.count("unknown"), 0u);
   EXPECT_EQ(DCM::to_string(Map_status(int(Map_status::not_glued) + 1)), std::string("unknown"));

@@ -189,10 +189,14 @@ void check_signs_of_sums_of_roots()
     return Complex{&tower, result.root, {K(0)}};
   };
   const auto sign = [](const Complex& a) { return CGAL::get_certain(sign_of_real(a)); };
-  const Complex sum = root(2) + root(3), square = sum * sum, same = number(5) + number(2) * root(6);
-  EXPECT_EQ(sign(square - same), CGAL::ZERO);
-  EXPECT_EQ(sign(square - same - number(0x1p-30)), CGAL::NEGATIVE);
-  EXPECT_EQ(sign(square - same + number(0x1p-30)), CGAL::POSITIVE);
+  const Complex sum = root(2) + root(3), square = sum * sum;
+  const auto product = multiple(6); // of both roots
+  const Complex same =
+    number(5) * product.factor + number(2) * Complex{&tower, product.root, {K(0)}};
+  const Complex difference = square * product.factor - same;
+  EXPECT_EQ(sign(difference), CGAL::ZERO);
+  EXPECT_EQ(sign(difference - number(0x1p-30)), CGAL::NEGATIVE);
+  EXPECT_EQ(sign(difference + number(0x1p-30)), CGAL::POSITIVE);
   EXPECT_EQ(
     sign_of_imaginary(conj(Complex{&tower, {K(2)}, {K(1)}}), Complex{&tower, {K(4)}, {K(2)}}),
     CGAL::ZERO);
