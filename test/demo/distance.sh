@@ -520,7 +520,7 @@ line 16 cannot be understood: a line names a point that does not exist; there ar
 line 21 cannot be understood: a line names a point that does not exist; there are 2 in this piece | 21s/1 0 0 1/1 0 0 2/
 line 16 cannot be understood: an index of a point or an offset is negative | 16s/0 1 2/0 -1 2/
 line 15 cannot be understood: an index of a point or an offset is negative | 15s/3/-3/
-line 16 cannot be understood: '1.5' is not an integer | 16s/0 1 2/0 1.5 2/
+line 16 cannot be understood: an index of a point or an offset is not an integer | 16s/0 1 2/0 1.5 2/
 line 21 cannot be understood: the offsets of cells are not ascending | 21s/2 4$/4 2/
 line 19 cannot be understood: the last of the offsets of lines is not the number of their points | 16s/0 1 2/0 1 2 1/
 line 19 cannot be understood: the last of the offsets of lines is not the number of their points | 15s/3/4/
