@@ -122,7 +122,7 @@ distances='print(Array.from({length: 400}, (_, i) => view.pick(310 + 44 * (i % 2
 sources='share(0, ([r, g, b]) => Math.max(Math.abs(r - 20), Math.abs(g - 122), Math.abs(b - 90)) < 3) > 1e-5'
 measured()
 {
-  expect 0 distance "$@" -o a.ply --view page.html
+  expect 0 distance "$@" --method heat -o a.ply --view page.html
   page_shows page.html "$frame" 'view.setColor("field distance_error") === undefined' "$frame" "$distances" \
     "$sources"
 }
@@ -176,7 +176,7 @@ expect 0 operators sheared.mesh.off --prefix a --view page.html
 page_shows page.html 'view.viewer.layers.length === 2'
 
 # Distances are at the points where they are.
-expect 0 distance flat.mesh.off -o a.ply --source 0 --view page.html
+expect 0 distance flat.mesh.off -o a.ply --source 0 --method heat --view page.html
 page_shows page.html 'view.viewer.state.color === "field distance"' \
   'clickAt([.01, .01, 0]).values.distance < .05' 'clickAt([.6, .5, 0]).values.distance > .6' \
   'view.viewer.surfaces[0].pointData.distance_error.values.every((error, p) => {
