@@ -14,7 +14,7 @@ runs=(
   'man|Intrinsic Delaunay triangulation|Edges of the input in gray, those of the Delaunay triangulation in red: geodesics on the same surface.|delaunay|man.off|'
   'slivers|Delaunay, decided exactly|A torus of long triangles. Every decision is exact, and the result is certified.|delaunay|slivers.off|--exact'
   'joint|Refinement|All angles have 25 degrees or more, though the input has needles.|refine|joint.off|--min-angle 25'
-  'mannequin|Geodesic distance|Dark is near; the page in 3D has isolines. By the heat method on the intrinsic triangulation.|distance|mannequin-devil.off|--source 0'
+  'mannequin|Geodesic distance|Dark is near; the page in 3D has isolines. Exact: the lengths of shortest paths.|distance|mannequin-devil.off|--source 0'
   'elephant|Map to the plane through cones|A closed surface, cut through cones chosen by the program; squares stay squares, of other sizes.|flatten|elephant.off|'
   'nefertiti|Map to a disk|A surface with boundary, mapped to the unit disk without a flipped triangle.|flatten|nefertiti.off|--boundary disk'
   'bull|Map to the sphere|A surface of genus zero as a convex polyhedron inscribed in the sphere, which is certified.|sphere|bull.off|'
