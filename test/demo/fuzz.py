@@ -88,9 +88,14 @@ class Option:
     def drawn(self, dice, points):
         """The option with its values; one in five is borderline or absurd."""
         return [self.name] + [self.sensible(dice, points) if dice.random() < 0.8 else
-                              dice.choice(PLACES if self.type[:5] == "[TEXT" else
-                                          BAD_FILES + NUMBERS[:6] if "TEXT" in self.type else NUMBERS)
-                              for _ in range(self.number_of_values)]
+                              dice.choice(self.absurd()) for _ in range(self.number_of_values)]
+
+    def absurd(self):
+        if self.name == "--max-insertions":  # billions of insertions may take their time
+            return [word for word in NUMBERS if not word.isdigit() or int(word) < 1000 or int(word) >= 2 ** 64]
+        if "TEXT" in self.type:
+            return PLACES if self.type[:5] == "[TEXT" else BAD_FILES + NUMBERS[:6]
+        return NUMBERS
 
 
 def listed_options(help):
