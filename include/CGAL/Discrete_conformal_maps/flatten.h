@@ -89,7 +89,7 @@ public:
   Planar_conformal_map finish(Layout layout, const Shape& shape)
   {
     m_layout = layout;
-    m_map.m_has_layout = flip() && m_scale.has_layout();
+    m_map.m_has_layout = m_builder.flip_if_in_range(m_scale) && m_scale.has_layout();
     if(m_map.m_has_layout)
       find_walls();
     lay_out();
@@ -110,19 +110,6 @@ public:
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
-
-  // Returns false if the scaled lengths are out of range.
-  bool flip()
-  {
-    try {
-      m_builder.flip(m_scale);
-      return true;
-    } catch(const Intrinsic_triangulations::Numerical_error& e) {
-      m_builder.set_cause(e.what());
-      m_builder.take_unflipped(m_scale);
-      return false;
-    }
-  }
 
   void lay_out()
   {

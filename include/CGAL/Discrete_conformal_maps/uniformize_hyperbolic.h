@@ -76,7 +76,7 @@ public:
   Hyperbolic_conformal_map finish()
   {
     m_problem.complete();
-    m_map.m_is_laid_out = flip();
+    m_map.m_is_laid_out = m_builder.flip_if_in_range(m_scale);
     m_visitor.start(Flattening_stage::layout);
     if(m_map.m_is_laid_out)
       m_map.m_is_laid_out = lay_out_or_fail();
@@ -89,19 +89,6 @@ public:
 
 private:
   const Delta_complex& mesh() const { return m_builder.mesh(); }
-
-  // Returns false if the scaled lengths are out of range.
-  bool flip()
-  {
-    try {
-      m_builder.flip(m_scale);
-      return true;
-    } catch(const Intrinsic_triangulations::Numerical_error& e) {
-      m_builder.set_cause(e.what());
-      m_builder.take_unflipped(m_scale);
-      return false;
-    }
-  }
 
   bool lay_out_or_fail()
   {

@@ -15,6 +15,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
 #include <CGAL/Intrinsic_triangulations/certify_ideal_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <cstddef>
 #include <memory>
@@ -86,13 +87,20 @@ public:
       flip_exactly();
   }
 
-  // Takes the triangulation of the problem as it is, where lengths with these scale factors are out
-  // of range.
+  // As `flip()`, or takes the triangulation of the problem as it is if lengths with these scale
+  // factors are out of range; returns whether they are in range.
   template <typename Scale_factors>
-  void take_unflipped(const Scale_factors& scale)
+  bool flip_if_in_range(const Scale_factors& scale)
   {
-    flip(std::vector<Halfedge_index>());
-    set_scale_factors(scale);
+    try {
+      flip(scale);
+      return true;
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      set_cause(e.what());
+      flip(std::vector<Halfedge_index>());
+      set_scale_factors(scale);
+      return false;
+    }
   }
 
   // Takes the triangulation of the problem, and makes these flips.
