@@ -2,11 +2,11 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Writes the source file `output`, which defines `embedded_files`, see Embedded_file.h, from text
+# Writes the source file `output`, which defines `embedded_files`, see page/Embedded_file.h, from text
 # files.
 # Literals stay below the length that compilers must accept.
 function(embed_files output)
-  set(code "#include \"Embedded_file.h\"\n\nconst std::vector<Embedded_file> embedded_files = {\n")
+  set(code "#include \"page/Embedded_file.h\"\n\nconst std::vector<Embedded_file> embedded_files = {\n")
   foreach(path IN LISTS ARGN)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
     cmake_path(GET path FILENAME name)

@@ -5,9 +5,9 @@
 #include "program.h"
 
 #include "Program_error.h"
-#include "Thread_limit.h"
-#include "command_line.h"
-#include "unknown_words.h"
+#include "commands/Thread_limit.h"
+#include "commands/command_line.h"
+#include "commands/unknown_words.h"
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_COMPONENT_MAPS_H
+#define INTRINSIC_COMPONENT_MAPS_H
+
+#include "commands/Command_run.h"
+#include "commands/Statistics.h"
+#include "commands/map_commands.h"
+#include "reading/component_meshes.h"
+#include "writing/Map_front.h"
+#include "writing/joined_components.h"
+
+#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// Maps each component of the input on its own, and joins the results: plane images stand beside
+// each other, and so do spheres.
+class Component_maps
+{
+public:
+  // Throws Program_error if a page or a picture is wanted, which show one component.
+  explicit Component_maps(Command_run& run);
+
+  std::size_t size() const { return m_components.size(); }
+  Component_mesh component(std::size_t c) const;
+
+  // Calls `map(component, statistics)` for each, which adds its map and returns a summary; in the
+  // statistics is what each became. Throws the error of the first that fails, with its number:
+  // Invalid_input or Map_failure; but if failures are written, leaves it out.
+  void for_each(const std::function<std::string(const Component_mesh&, Statistics&)>& map);
+
+  // Adds a map; `more` are the arguments of `described_mesh()` after the front. Returns its
+  // summary. Throws Map_failure as `check_status()` does.
+  template <class Map, class... More>
+  std::string add(const Component_mesh& component, Statistics& statistics, const Map& map,
+                  const More&... more)
+  {
+    check_status(m_run, map, map.is_laid_out());
+    m_exit_code = (std::max)(m_exit_code, exit_code(map));
+    const Map_front front(map, component.mesh);
+    Output_mesh mesh = described_mesh(statistics, map, front, more...);
+    typedef CGAL::Discrete_conformal_maps::Spherical_conformal_map Spherical_map;
+    m_joined.add(component, front, std::move(mesh),
+                 std::is_same<Map, Spherical_map>::value ? next_center(statistics) : 0);
+    return summary_of(map, statistics);
+  }
+
+  // The first of the spheres has its center there, instead of in the origin.
+  void set_first_center(double x) { m_center = x; }
+
+  // Adds the mesh to the outputs, and ends the run. Returns the exit code. Throws Map_failure if no
+  // component has a map.
+  int finish(const std::string& output, Mesh_format format);
+
+private:
+  void leave_out(std::size_t component, const std::exception& e, Statistics& statistics);
+  double next_center(Statistics& statistics);
+  std::string name(std::size_t component) const;
+
+  Command_run& m_run;
+  std::vector<std::vector<Mesh::Face_index>> m_components;
+  Joined_components m_joined;
+  double m_center = 0;
+  int m_exit_code = 0;
+  std::size_t m_number_left_out = 0;
+  std::vector<std::string> m_summaries;
+};
+
+#endif // INTRINSIC_COMPONENT_MAPS_H

@@ -1,0 +1,570 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+
+#include "Program_error.h"
+#include "commands/Command_run.h"
+#include "commands/triangulation_stages.h"
+#include "reading/surface_curves.h"
+#include "reading/surface_points.h"
+#include "writing/Mesh_writer.h"
+#include "writing/level_curves.h"
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
+#include <CGAL/Intrinsic_triangulations/curve_across.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+#include <CGAL/Intrinsic_triangulations/signed_heat_distance.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+constexpr double unreachable = -1;
+constexpr std::size_t most_vertices = 100000; // of a triangulation on which errors are computed
+
+Mesh_format format_with_attributes(const std::string& path, const Output_options& options)
+{
+  const Mesh_format format = output_format(path, options);
+  if(!has_attributes(format))
+    throw Program_error(path + ": this format cannot carry distances (.ply and .vtp can)");
+  return format;
+}
+
+// What distances are measured from, on one of the triangulations.
+struct Sources
+{
+  std::vector<std::int64_t> vertices;
+  std::vector<Surface_location> points;
+  IT::Surface_curve<double> curve;
+
+  static IT::Vertex_index vertex(std::int64_t number)
+  {
+    return IT::Vertex_index(static_cast<IT::Vertex_index::size_type>(number));
+  }
+};
+
+std::int64_t checked_vertex(const std::string& text, const std::string& path,
+                            const Input_mesh& input)
+{
+  const auto last = static_cast<std::int64_t>(input.number_of_vertices()) - 1;
+  std::int64_t n = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  if(error == std::errc::invalid_argument || end != text.data() + text.size())
+    throw Program_error(
+      "'" + text +
+      "' is not a point of the mesh: give a vertex, FACE:a,b,c or x,y,z, such as 7, "
+      "12:0.5,0.2,0.3 or 1,0,2.5");
+  if(error != std::errc() || n < 0 || n > last)
+    throw Program_error(path + ": there is no vertex " + text +
+                        " to be a source; the vertices are 0 to " + std::to_string(last));
+  return n;
+}
+
+// On the input.
+Sources parsed_sources(const Distance_options& options, const std::string& path,
+                       const Input_mesh& input)
+{
+  Sources result;
+  for(const std::string& text : options.sources)
+    if(text.find_first_of(":,") == std::string::npos)
+      result.vertices.push_back(checked_vertex(text, path, input));
+    else if(input.covered && text.find(':') != std::string::npos)
+      throw Program_error("'" + text +
+                          "' is not a point of the mesh: on triangles that are not a surface, "
+                          "give a vertex or x,y,z");
+    else
+      result.points.push_back(surface_point_nearby(text, input));
+  return result;
+}
+
+// On the triangulation T2.
+Sources sources_across(Sources sources, const Triangulation& triangulation)
+{
+  if(sources.points.empty() && sources.curve.empty())
+    return sources;
+  const IT::Correspondence correspondence(triangulation);
+  for(Surface_location& p : sources.points)
+    p = IT::point_across(correspondence, IT::Side::input, p);
+  sources.curve = IT::curve_across(correspondence, IT::Side::input, sources.curve);
+  return sources;
+}
+
+std::vector<double> presentable(std::vector<double> distances)
+{
+  std::replace_if(
+    distances.begin(), distances.end(), [](double d) { return !std::isfinite(d); }, unreachable);
+  return distances;
+}
+
+template <class Surface>
+IT::Distance_sources<Surface> sources_on(const Surface& surface, const Sources& sources)
+{
+  IT::Distance_sources<Surface> result(surface);
+  for(const std::int64_t v : sources.vertices)
+    result.add(Sources::vertex(v));
+  result.add(sources.points);
+  result.add(sources.curve);
+  return result;
+}
+
+// Of the input, those of a soup if there is a cover; then of inserted vertices.
+std::vector<Point> positions(const Triangulation& triangulation, const Input_mesh& input)
+{
+  const auto& points = input.mesh.points();
+  std::vector<Point> result =
+    input.covered ? input.covered->soup.points : std::vector<Point>(points.begin(), points.end());
+  for(const auto& place : triangulation.inserted_vertices())
+    result.push_back(position(place.location, input.mesh));
+  return result;
+}
+
+using Distances = IT::Geodesic_distances<double>;
+
+// A time for heat is a wish for heat.
+IT::Distance_method library_method(const Distance_options& options)
+{
+  if(options.method == "exact")
+    return IT::Distance_method::exact;
+  return options.method == "heat" || options.time_step_factor ? IT::Distance_method::heat
+                                                              : IT::Distance_method::automatic;
+}
+
+// At the vertices of the input, then at inserted ones.
+template <class Surface>
+Distances distances_on(const Surface& surface, const Sources& sources,
+                       const Distance_options& options, const std::vector<Point>& points)
+{
+  const auto point = boost::make_function_property_map<IT::Vertex_index>(
+    [&](IT::Vertex_index v) { return points[v.idx()]; });
+  const auto parameters =
+    IT::parameters::vertex_point_map(point).distance_method(library_method(options));
+  const auto all = sources_on(surface, sources);
+  return options.time_step_factor
+           ? IT::geodesic_distances(surface, all,
+                                    parameters.time_step_factor(*options.time_step_factor))
+           : IT::geodesic_distances(surface, all, parameters);
+}
+
+// The heat of curves flows for longer than that of geodesic_distances().
+std::vector<double> signed_distances(const Triangulation& triangulation, const Sources& sources,
+                                     double time_step_factor)
+{
+  const auto values = IT::signed_heat_distance(triangulation.intrinsic(), sources.curve,
+                                               IT::parameters::time_step_factor(time_step_factor));
+  for(Eigen::Index v = 0; v < values.size(); ++v)
+    if(!std::isfinite(values[v]))
+      throw Program_error("vertex " + std::to_string(v) +
+                          " has no signed distance: no part of the curve is on its component "
+                          "(draw one there; --repair removes isolated vertices)");
+  return {values.begin(), values.end()};
+}
+
+// The estimate compares them without their signs.
+Distances signed_distances(const Triangulation& triangulation, const Sources& sources,
+                           const Distance_options& options)
+{
+  Distances result{{}, IT::Distance_method::heat, options.time_step_factor.value_or(4)};
+  constexpr double greatest_factor = 1e12;
+  while(result.distance.empty())
+    try {
+      result.distance = signed_distances(triangulation, sources, result.time_step_factor);
+    } catch(const IT::Underflow_error&) {
+      if(options.time_step_factor || result.time_step_factor > greatest_factor)
+        throw;
+      result.time_step_factor *= 16;
+    }
+  std::vector<double> lengths = result.distance;
+  std::transform(lengths.begin(), lengths.end(), lengths.begin(),
+                 [](double d) { return std::abs(d); });
+  const auto surface = triangulation.intrinsic();
+  result.error = IT::estimate_error(surface, sources.curve, lengths);
+  return result;
+}
+
+Distances distances(const Triangulation& triangulation, const Input_mesh& input,
+                    const Sources& sources, const Distance_options& options)
+{
+  if(options.is_signed)
+    return signed_distances(triangulation, sources, options);
+  const auto surface = triangulation.intrinsic();
+  const std::vector<Point> points = positions(triangulation, input);
+  if(!input.covered)
+    return distances_on(surface, sources, options, points);
+  return distances_on(IT::Tufted_surface<>(input.covered->cover, surface, input.covered->share()),
+                      sources, options, points);
+}
+
+void describe_method(Statistics& statistics, const Distances& distances)
+{
+  const bool is_exact = distances.method == IT::Distance_method::exact;
+  statistics["method"] = is_exact ? "exact" : "heat";
+  if(is_exact)
+    return;
+  statistics["time_step_factor"] = distances.time_step_factor;
+  if(const auto& error = distances.error)
+    statistics["relative_error"] = {{"vertices", error->number_of_vertices},
+                                    {"greatest_distance", error->greatest_distance},
+                                    {"mean", error->mean},
+                                    {"ninety_percent", error->ninety_percent},
+                                    {"greatest", error->greatest}};
+  statistics["raised_vertices"] = distances.number_of_raised_vertices;
+}
+
+// At the vertices of the triangulation.
+std::vector<double> on_triangulation(const std::vector<double>& values,
+                                     const Triangulation& triangulation,
+                                     const std::optional<Covered_soup>& covered)
+{
+  if(!covered)
+    return values;
+  std::vector<double> result;
+  for(const IT::Vertex_index v : triangulation.mesh().vertices())
+    result.push_back(values[covered->cover.input_vertex(v)]);
+  return result;
+}
+
+// A vertex by its index.
+Statistics description(const Sources& sources, const Input_mesh& input)
+{
+  Statistics result = Statistics::array();
+  for(const std::int64_t v : sources.vertices)
+    result.push_back(v);
+  for(const Surface_location& p : sources.points) {
+    const auto [face, coordinates] = input.as_read(p);
+    result.push_back({{"face", face.idx()}, {"barycentric", coordinates}});
+  }
+  return result;
+}
+
+void describe_distances(Command_run& run, const Distance_options& options, const Sources& sources,
+                        const std::vector<double>& values)
+{
+  Statistics& statistics = run.statistics();
+  statistics["sources"] = description(sources, run.input());
+  if(options.is_signed)
+    statistics["min_distance"] = *std::min_element(values.begin(), values.end());
+  statistics["max_distance"] = *std::max_element(values.begin(), values.end());
+  statistics["unreachable_vertices"] =
+    options.is_signed ? 0 : std::count(values.begin(), values.end(), unreachable);
+}
+
+Output_mesh with_distances(Output_mesh mesh, std::vector<double> distances)
+{
+  mesh.point_data.push_back({"distance", std::move(distances)});
+  return mesh;
+}
+
+// The subdivision with functions on the triangulation. A vertex is reachable or not like the ends
+// of its edge: both have a distance, or neither.
+Output_mesh with_functions(const std::vector<Attribute>& functions, const Subdivision& subdivision)
+{
+  Output_mesh result = subdivision_mesh(subdivision);
+  for(const Attribute& f : functions)
+    result.point_data.push_back(
+      {f.name, interpolated(IT::Side::intrinsic, std::get<1>(f.values).kept(), subdivision)});
+  return result;
+}
+
+std::string percentage(const Statistics& share)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << 100 * share.get<double>() << " %";
+  return text.str();
+}
+
+std::string summary_of_method(const Statistics& s)
+{
+  if(s["method"] == "exact")
+    return "(exact)";
+  std::string result = "(by heat, ";
+  if(!s.contains("relative_error"))
+    return result + "with an unknown error)";
+  const Statistics& error = s["relative_error"];
+  result += "errors " + percentage(error["mean"]) + " on average, up to " +
+            percentage(error["ninety_percent"]) + " at nine of ten and " +
+            percentage(error["greatest"]) + " at all of " +
+            std::to_string(error["vertices"].get<std::size_t>()) + " vertices";
+  if(s["raised_vertices"] > 0)
+    result += "; " + std::to_string(s["raised_vertices"].get<std::size_t>()) +
+              " values raised to the distance in space";
+  return result + ")";
+}
+
+std::string summary_of_distances(Command_run& run)
+{
+  const Statistics& s = run.statistics();
+  std::ostringstream text;
+  text << summary_of_changes(run) << ", greatest distance " << s["max_distance"].get<double>();
+  if(s.contains("min_distance"))
+    text << ", least " << s["min_distance"].get<double>();
+  if(s["unreachable_vertices"] > 0)
+    text << ", " << s["unreachable_vertices"] << " vertices out of reach (distance -1)";
+  text << ' ' << summary_of_method(s);
+  return text.str();
+}
+
+constexpr double greatest_silent_error = 0.1;
+
+void warn_of_errors(const Statistics& s, const Common_options& common,
+                    const Distance_options& options)
+{
+  if(common.is_quiet || !s.contains("relative_error") ||
+     !(s["relative_error"]["ninety_percent"] > greatest_silent_error))
+    return;
+  std::cerr << common.input << ": warning: a tenth of the distances by heat are wrong by "
+            << percentage(s["relative_error"]["ninety_percent"]) << " or more; "
+            << (options.is_signed ? "a smaller --time-step or --min-angle may help"
+                                  : "--method exact has none of these errors")
+            << '\n';
+}
+
+class Distance_command
+{
+public:
+  Distance_command(const Common_options& common, const Distance_options& options)
+    : m_options(options),
+      m_format(format_with_attributes(options.output, options)),
+      m_subdivision_format(subdivision_format(options)),
+      m_level_format(level_format(options)),
+      m_run("distance", common, {options.output, options.subdivision, options.level_sets},
+            options.method != "exact" && options.curve.empty())
+  {
+    check_options();
+    m_run.plan({delaunay_stages,
+                refinement_stages(options.refinement),
+                certificate_stages(common),
+                {"solve"},
+                is_subdivision_wanted() ? subdivision_stages : Stages{}});
+  }
+
+  void run()
+  {
+    m_sources = parsed_sources(m_options, m_run.options().input, m_run.input());
+    Triangulation triangulation = make_delaunay_triangulation(m_run);
+    refine_if_wanted(m_run, triangulation, m_options.refinement);
+    describe(m_run, triangulation);
+    const Distances found = m_run.timed("solve", [&] {
+      read_curve_if_wanted(triangulation);
+      return distances(triangulation, m_run.input(), sources_across(m_sources, triangulation),
+                       m_options);
+    });
+    m_method = found.method;
+    describe_method(m_run.statistics(), found);
+    const std::vector<double> values = presentable(found.distance);
+    describe_distances(m_run, m_options, m_sources, at_input_vertices(values));
+    const auto subdivision = subdivide_if_wanted(triangulation);
+    m_run.timed("write", [&] { write(values, subdivision, triangulation); });
+    m_run.finish(summary_of_distances(m_run));
+    warn_of_errors(m_run.statistics(), m_run.options(), m_options);
+  }
+
+private:
+  void check_options()
+  {
+    const bool has_curve = !m_options.curve.empty();
+    if(m_options.is_signed && !has_curve)
+      throw Program_error("--signed needs a --curve; give one");
+    if(m_options.sources.empty() && !has_curve)
+      throw Program_error("--source or --curve is missing; say where distances are zero");
+    if(m_options.is_signed && !m_options.sources.empty())
+      throw Program_error("--signed is for a --curve alone, without --source");
+    if(m_options.is_signed && m_options.method == "exact")
+      throw Program_error("--signed is by heat; leave out --method exact and --exact-distance");
+    if(m_options.time_step_factor && m_options.method == "exact")
+      throw Program_error("--time-step is for heat; leave out --method exact and --exact-distance");
+    if(!m_options.levels.empty() && !m_level_format)
+      throw Program_error("--level is for --level-sets; name a file for the curves");
+    if(m_level_format && m_run.input().covered)
+      throw Program_error(m_run.options().input +
+                          ": --level-sets needs a surface; --repair may make it one");
+  }
+
+  void read_curve_if_wanted(const Triangulation& triangulation)
+  {
+    if(m_options.curve.empty())
+      return;
+    Curves_on_surface curves = read_curves(m_options.curve, m_run.input().mesh, triangulation);
+    Statistics& s = m_run.statistics()["curve"];
+    s["polylines"] = curves.number_of_polylines;
+    s["points"] = curves.number_of_points;
+    s["segments"] = curves.segments.size();
+    s["length"] = IT::curve_length(triangulation.input(), curves.segments);
+    s["greatest_distance_from_surface"] = curves.greatest_distance;
+    m_sources.curve = std::move(curves.segments);
+  }
+
+  // These come before the inserted ones.
+  std::vector<double> at_input_vertices(const std::vector<double>& values)
+  {
+    return {values.begin(),
+            values.begin() + static_cast<std::ptrdiff_t>(m_run.input().number_of_vertices())};
+  }
+
+  static std::optional<Mesh_format> subdivision_format(const Distance_options& options)
+  {
+    if(options.subdivision.empty())
+      return std::nullopt;
+    return format_with_attributes(options.subdivision, options);
+  }
+
+  static std::optional<Mesh_format> level_format(const Distance_options& options)
+  {
+    if(options.level_sets.empty())
+      return std::nullopt;
+    const Mesh_format format = output_format(options.level_sets, options);
+    if(format == Mesh_format::OFF)
+      throw Program_error(options.level_sets +
+                          ": this format has no lines (.obj, .ply and .vtp have)");
+    return format;
+  }
+
+  bool is_subdivision_wanted()
+  {
+    return m_subdivision_format || !view_stages(m_run.options()).empty();
+  }
+
+  std::optional<Subdivision> subdivide_if_wanted(const Triangulation& triangulation)
+  {
+    if(!is_subdivision_wanted())
+      return std::nullopt;
+    return subdivide(m_run, triangulation);
+  }
+
+  void write(const std::vector<double>& values, const std::optional<Subdivision>& subdivision,
+             const Triangulation& triangulation)
+  {
+    Output_mesh result = with_distances(m_run.input_as_read(), at_input_vertices(values));
+    add_data(result, m_run.input().data);
+    m_run.add_output(m_options.output, result, m_format);
+    if(subdivision)
+      write_subdivision(values, *subdivision, triangulation);
+    if(m_level_format)
+      m_run.add_output(m_options.level_sets,
+                       level_curves(triangulation, m_run.input().mesh, values, levels(values)),
+                       *m_level_format);
+    save(m_run, triangulation);
+  }
+
+  // Ten with equal differences if none are given.
+  std::vector<double> levels(const std::vector<double>& values) const
+  {
+    if(!m_options.levels.empty())
+      return m_options.levels;
+    const double greatest = *std::max_element(values.begin(), values.end()),
+                 least = m_options.is_signed ? *std::min_element(values.begin(), values.end()) : 0;
+    std::vector<double> result;
+    for(int i = 0; i < 10; ++i)
+      result.push_back(least + (greatest - least) * (i + 0.5) / 10);
+    return result;
+  }
+
+  void write_subdivision(const std::vector<double>& values, const Subdivision& subdivision,
+                         const Triangulation& triangulation)
+  {
+    std::vector<Attribute> functions{
+      {"distance", on_triangulation(values, triangulation, m_run.input().covered)}};
+    Output_mesh mesh = with_functions(functions, subdivision);
+    m_run.show([&](View_page& page) {
+      if(are_errors_known(triangulation))
+        functions.push_back({"distance_error", errors(values, triangulation)});
+      show_sources(page, functions, subdivision, triangulation);
+    });
+    if(!m_subdivision_format)
+      return;
+    add_input_data(m_run.input(), subdivision, mesh);
+    m_run.add_output(m_options.subdivision, mesh, *m_subdivision_format);
+  }
+
+  // Shortest paths take their time.
+  bool are_errors_known(const Triangulation& triangulation)
+  {
+    return m_method == IT::Distance_method::heat && !m_options.is_signed &&
+           !m_run.input().covered && triangulation.mesh().number_of_vertices() <= most_vertices;
+  }
+
+  // Of the heat method, at the vertices of the triangulation.
+  std::vector<double> errors(std::vector<double> values, const Triangulation& triangulation) const
+  {
+    const auto surface = triangulation.intrinsic();
+    const std::vector<double> lengths = presentable(
+      IT::geodesic_distances(surface, sources_on(surface, sources_across(m_sources, triangulation)),
+                             IT::parameters::distance_method(IT::Distance_method::exact))
+        .distance);
+    for(std::size_t v = 0; v < values.size(); ++v)
+      values[v] -= lengths[v];
+    return values;
+  }
+
+  // Points and curves come after the points of the subdivision.
+  void show_sources(View_page& page, const std::vector<Attribute>& functions,
+                    const Subdivision& subdivision, const Triangulation& triangulation)
+  {
+    Output_mesh mesh = with_functions(functions, subdivision);
+    Surface_marks marks{"sources", false, {}, {}, vertex_sources_on(triangulation)};
+    const auto add_point = [&](const Surface_location& p) {
+      mesh.points.push_back(position(p, m_run.input().mesh));
+      return static_cast<std::int64_t>(mesh.points.size()) - 1;
+    };
+    for(const Surface_location& p : m_sources.points)
+      marks.points.push_back(add_point(p));
+    for(const auto& segment : m_sources.curve) {
+      marks.lines.add_corner(static_cast<std::size_t>(add_point({segment.face, segment.source})));
+      marks.lines.add_corner(static_cast<std::size_t>(add_point({segment.face, segment.target})));
+      marks.lines.close();
+    }
+    show(page, m_run, triangulation, subdivision, mesh);
+    develop_if_large(page, m_run, triangulation, subdivision, functions);
+    page.add_marks(std::move(marks));
+  }
+
+  // One for each umbrella of the cover.
+  std::vector<std::int64_t> vertex_sources_on(const Triangulation& triangulation)
+  {
+    const std::optional<Covered_soup>& covered = m_run.input().covered;
+    if(!covered)
+      return m_sources.vertices;
+    std::vector<std::int64_t> result;
+    for(const IT::Vertex_index v : triangulation.mesh().vertices())
+      if(const auto n = static_cast<std::int64_t>(covered->cover.input_vertex(v));
+         std::count(m_sources.vertices.begin(), m_sources.vertices.end(), n) > 0)
+        result.push_back(number_of(v));
+    return result;
+  }
+
+  const Distance_options& m_options;
+  Mesh_format m_format;
+  std::optional<Mesh_format> m_subdivision_format, m_level_format; // none if they are not wanted
+  Command_run m_run;
+  Sources m_sources; // on the input
+  IT::Distance_method m_method = IT::Distance_method::automatic;
+};
+
+} // namespace
+
+int distance(const Common_options& common, const Distance_options& options)
+{
+  Distance_command(common, options).run();
+  return 0;
+}

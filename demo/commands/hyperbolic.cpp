@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+
+#include "Program_error.h"
+#include "commands/Command_run.h"
+#include "commands/flattening_conditions.h"
+#include "commands/map_commands.h"
+#include "commands/triangulation_stages.h"
+#include "pictures/disk_picture.h"
+#include "writing/Mesh_writer.h"
+#include "writing/flat_mesh.h"
+
+#include <CGAL/Discrete_conformal_maps/uniformize_hyperbolic.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <sstream>
+
+namespace DCM = CGAL::Discrete_conformal_maps;
+
+namespace {
+
+std::vector<Mesh::Vertex_index> cones_of(const Conditions& conditions, const Mesh& mesh)
+{
+  std::vector<Mesh::Vertex_index> result;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    if(conditions[v].value != 0)
+      result.push_back(v);
+  return result;
+}
+
+DCM::Hyperbolic_conformal_map uniformized(Command_run& run, double epsilon,
+                                          const Conditions& conditions)
+{
+  const Mesh& mesh = run.input().mesh;
+  Stage_visitor visitor{run};
+  const auto condition =
+    boost::make_iterator_property_map(conditions.begin(), get(boost::vertex_index, mesh));
+  return DCM::uniformize_hyperbolic(mesh, DCM::parameters::vertex_condition_map(condition)
+                                            .concurrency_tag(CGAL::Parallel_if_available_tag())
+                                            .mollification(epsilon)
+                                            .visitor(std::ref(visitor)));
+}
+
+// Digits that JSON has no numbers for.
+Statistics decimal_entries(const DCM::Disk_motion<DCM::Fuchsian_group::Precise_number>& motion,
+                           int digits)
+{
+  Statistics result = Statistics::array();
+  for(const auto& x : motion.entries())
+    result.push_back(x.str(digits));
+  return result;
+}
+
+void describe_precise_generators(Statistics& statistics, const DCM::Fuchsian_group& group)
+{
+  if(group.precise_generators.empty())
+    return;
+  statistics["precise_relation_error"] = group.precise_relation_error;
+  statistics["precise_generators"] = Statistics::array();
+  for(const auto& motion : group.precise_generators)
+    statistics["precise_generators"].push_back(decimal_entries(motion, group.known_digits));
+}
+
+// Generators as real and imaginary parts of a and b; the relation as numbers of generators, from
+// 1, negative for inverse ones.
+void describe_group(Statistics& statistics, const DCM::Fuchsian_group& group)
+{
+  if(!group.relation.empty())
+    statistics["relation_error"] = group.relation_error;
+  statistics["generators"] = Statistics::array();
+  for(const DCM::Disk_motion<>& motion : group.generators)
+    statistics["generators"].push_back(motion.entries());
+  statistics["relation"] = Statistics::array();
+  for(const auto& letter : group.relation) {
+    const auto number = static_cast<std::int64_t>(letter.generator) + 1;
+    statistics["relation"].push_back(letter.is_inverse ? -number : number);
+  }
+  describe_precise_generators(statistics, group);
+}
+
+// The component itself, and the group, which with boundary is that of its double.
+Statistics description(const DCM::Hyperbolic_conformal_map& map, std::size_t component)
+{
+  const auto& type = map.topology(component);
+  Statistics result{
+    {"genus", type.genus}, {"boundary_loops", type.boundary_loops}, {"area", map.area(component)}};
+  if(type.boundary_loops > 0)
+    result["genus_of_double"] = map.group(component).genus;
+  describe_group(result, map.group(component));
+  return result;
+}
+
+void describe(Statistics& statistics, const DCM::Hyperbolic_conformal_map& map,
+              const Map_front& front, const std::vector<Mesh::Vertex_index>& cones)
+{
+  statistics["cones"] = cones.size();
+  statistics["iterations"] = map.minimization().iterations;
+  describe_status(statistics, map);
+  statistics["max_gluing_error"] = map.max_gluing_error();
+  statistics["area"] = map.area();
+  statistics["radius"] = map.radius();
+  // edges are straight in Klein's disk
+  const Output_mesh straight = flat_mesh(map, front, cones, true);
+  describe_triangles(statistics, straight);
+  describe_sizes(statistics, map, front.input(), straight);
+  statistics["groups"] = Statistics::array();
+  for(std::size_t c = 0; c < map.number_of_components(); ++c)
+    statistics["groups"].push_back(description(map, c));
+}
+
+} // namespace
+
+std::string summary_of(const DCM::Hyperbolic_conformal_map&, const Statistics& s)
+{
+  std::ostringstream text;
+  text << "area " << s["area"].get<double>() << ", log scale factors "
+       << s["log_scale_min"].get<double>() << " to " << s["log_scale_max"].get<double>() << ", "
+       << s["flips"] << " + " << s["ptolemy_flips"] << " flips, curvature error "
+       << s["max_curvature_error"].get<double>() << ", gluing error "
+       << s["max_gluing_error"].get<double>();
+  const Statistics& groups = s["groups"];
+  for(std::size_t c = 0; groups.size() > 1 && c < groups.size(); ++c)
+    text << "\n  component " << c << ": genus " << groups[c]["genus"] << ", area "
+         << groups[c]["area"].get<double>();
+  return text.str();
+}
+
+Output_mesh described_mesh(Statistics& statistics, const DCM::Hyperbolic_conformal_map& map,
+                           const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
+                           bool is_homogeneous)
+{
+  describe(statistics, map, front, cones);
+  return flat_mesh(map, front, cones, is_homogeneous);
+}
+
+namespace {
+
+// Each component is in its own disk.
+std::vector<std::array<double, 3>> positions_in_disks(const DCM::Hyperbolic_conformal_map& map,
+                                                      const Output_mesh& mesh)
+{
+  std::vector<std::array<double, 3>> result = mesh.texture.coordinates;
+  const auto& faces = std::get<0>(find_attribute(mesh.polygon_data, "flat_face")->values);
+  for(std::size_t i = 0; i < mesh.texture.polygons.size(); ++i) {
+    const DCM::Face_index f(static_cast<Mesh::size_type>(faces[i]));
+    for(const Polygons::Index c : mesh.texture.polygons[i])
+      result[c] = {mesh.texture.coordinates[c][0] + disk_distance * double(map.component(f)),
+                   mesh.texture.coordinates[c][1], 0};
+  }
+  return result;
+}
+
+// that of the tiling in the picture
+constexpr int default_depth = 3;
+
+// Texture coordinates are those of Klein's disk, where the map is projective; the picture is in
+// Poincare's.
+void show_in_disk(View_page& page, Command_run& run, const DCM::Hyperbolic_conformal_map& map,
+                  const Map_front& front, const std::vector<Mesh::Vertex_index>& cones, int depth)
+{
+  const Output_mesh straight = flat_mesh(map, front, cones, true);
+  show(page, run, map, front, straight, Image_kind::disk);
+  page.set_image(Image_kind::disk, positions_in_disks(map, flat_mesh(map, front, cones, false)));
+  page.set_outlines(disk_outlines(map, depth));
+  page.add_marks({"flipped triangles", true, flipped_polygons(straight), {}, {}});
+}
+
+} // namespace
+
+void check_tiling(const Common_options& common, const Hyperbolic_options& options)
+{
+  if(options.depth && options.picture.empty() && common.view.empty())
+    throw Program_error("--tiles is for --svg and --view; leave it out, or add one of them");
+}
+
+int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
+           const DCM::Hyperbolic_conformal_map& map, const std::vector<Mesh::Vertex_index>& cones)
+{
+  check_status(run, map, map.is_laid_out());
+  run.timed("write", [&] {
+    const Map_front front(map, run.input().mesh);
+    Output_mesh result =
+      described_mesh(run.statistics(), map, front, cones, options.is_homogeneous);
+    add_input_data(run.input(), front, result);
+    run.add_output(options.output, result, format);
+    run.show([&](View_page& page) {
+      show_in_disk(page, run, map, front, cones, options.depth.value_or(default_depth));
+    });
+    if(!options.picture.empty())
+      run.add_output(options.picture, disk_picture(map, options.depth.value_or(default_depth)));
+  });
+  run.finish(summary_of(map, run.statistics()));
+  return exit_code(map);
+}
+
+int hyperbolic(const Common_options& common, const Hyperbolic_options& options)
+{
+  check_tiling(common, options);
+  const Mesh_format format = format_with_texture(options);
+  Command_run run("hyperbolic", common, {options.output, options.picture});
+  run.plan({{"build"}, map_stages(false)});
+  const Mesh& mesh = run.input().mesh;
+  double epsilon = 0;
+  const Conditions conditions = run.timed("build", [&] {
+    epsilon = mollification(run);
+    return options.cones.empty() ? Conditions(mesh.number_of_vertices())
+                                 : prescribed_curvatures(options.cones, mesh);
+  });
+  const std::vector<Mesh::Vertex_index> cones = cones_of(conditions, mesh);
+  if(options.depth && !cones.empty())
+    throw Program_error("--tiles: a surface with cones has no tiling; leave it out");
+  return finish(run, options, format, uniformized(run, epsilon, conditions), cones);
+}

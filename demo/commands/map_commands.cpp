@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/map_commands.h"
+
+#include "Program_error.h"
+#include "commands/triangulation_stages.h"
+#include "writing/map_distortion.h"
+
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace DCM = CGAL::Discrete_conformal_maps;
+
+namespace {
+
+const char* name_of(DCM::Flattening_stage stage)
+{
+  switch(stage) {
+    case DCM::Flattening_stage::cones: return "cones";
+    case DCM::Flattening_stage::optimize: return "optimize";
+    case DCM::Flattening_stage::trace: return "trace";
+    case DCM::Flattening_stage::subdivide: return "subdivide";
+    case DCM::Flattening_stage::layout: return "layout";
+  }
+  return "";
+}
+
+// What a user can try with this program.
+std::string advice(const std::string& command, DCM::Map_status status)
+{
+  using Status = DCM::Map_status;
+  if(status == Status::triangle_inequality || status == Status::no_minimum)
+    return "try --solver newton, which flips edges";
+  if(status == Status::not_circular)
+    return "try `intrinsic sphere`, which maps a disk to a hemisphere";
+  if(command == "flatten")
+    return status == Status::not_converged || status == Status::wrong_curvature
+             ? "try --cones greedy, or another --boundary"
+             : "try --cones greedy with a --max-log-scale below 5, which keeps scale factors "
+               "closer "
+               "to each other, or --boundary free";
+  return "try `intrinsic flatten`, which places cones";
+}
+
+// What is wrong with a map, and what can be tried.
+std::string failure(Command_run& run, const DCM::Discrete_conformal_map& map)
+{
+  const bool is_by_search = map.status() == DCM::Map_status::not_converged &&
+                            map.minimization().status != DCM::Minimization_status::converged;
+  const char* reason =
+    is_by_search ? DCM::to_string(map.minimization().status) : DCM::to_string(map.status());
+  std::ostringstream text;
+  text << DCM::message(map.status()) << ": " << reason;
+  for(const DCM::Map_promise& p : map.promises())
+    if(!p.is_kept())
+      text << ", with an error of " << p.name << " of " << p.error << " (at most " << p.bound
+           << ")";
+  if(!map.cause().empty())
+    text << "; " << map.cause();
+  text << "; " << advice(run.statistics()["command"], map.status());
+  return text.str();
+}
+
+} // namespace
+
+Stages map_stages(bool has_cones)
+{
+  using Stage = DCM::Flattening_stage;
+  Stages result;
+  for(const Stage stage :
+      {Stage::cones, Stage::optimize, Stage::layout, Stage::trace, Stage::subdivide})
+    if(has_cones || stage != Stage::cones)
+      result.emplace_back(name_of(stage));
+  return result;
+}
+
+void Stage_visitor::start(DCM::Flattening_stage stage) { run.start_stage(name_of(stage)); }
+
+Mesh_format format_with_texture(const Output_options& options)
+{
+  const Mesh_format format = output_format(options.output, options);
+  if(!has_texture(format))
+    throw Program_error(options.output +
+                        ": this format cannot carry texture coordinates (.obj, .ply and .vtp can)");
+  return format;
+}
+
+void check_status(Command_run& run, const DCM::Discrete_conformal_map& map, bool is_laid_out)
+{
+  if(map.status() == DCM::Map_status::success)
+    return;
+  const std::string text = failure(run, map);
+  if(!run.options().is_failure_expected)
+    throw Map_failure(text);
+  if(!is_laid_out)
+    throw Map_failure(text + "; there is no layout to write");
+  run.progress().clear();
+  std::cerr << run.options().input << ": warning: " << text << '\n';
+}
+
+int exit_code(const DCM::Discrete_conformal_map& map)
+{
+  return map.status() == DCM::Map_status::success ? 0 : 3;
+}
+
+void describe_status(Statistics& statistics, const DCM::Discrete_conformal_map& map)
+{
+  statistics["status"] = DCM::to_string(map.status());
+  Statistics& promises = statistics["promises"];
+  for(const DCM::Map_promise& p : map.promises())
+    promises[p.name] = {{"error", p.error}, {"bound", p.bound}, {"kept", p.is_kept()}};
+  statistics["max_curvature_error"] = map.max_curvature_error();
+}
+
+void describe_sizes(Statistics& statistics, const DCM::Discrete_conformal_map& map,
+                    const Mesh& input, const Output_mesh& result)
+{
+  std::vector<double> u;
+  for(const Mesh::Vertex_index v : input.vertices())
+    if(!input.is_isolated(v))
+      u.push_back(map.log_scale(DCM::Vertex_index(v.idx())));
+  double sum = 0, square_sum = 0;
+  for(const double x : u)
+    sum += x;
+  for(const double x : u)
+    square_sum += (x - sum / double(u.size())) * (x - sum / double(u.size()));
+  statistics["log_scale_min"] = *std::min_element(u.begin(), u.end());
+  statistics["log_scale_max"] = *std::max_element(u.begin(), u.end());
+  statistics["log_scale_square_sum"] = square_sum;
+  statistics["flips"] = map.number_of_flips(DCM::Layer::B);
+  statistics["ptolemy_flips"] = map.number_of_flips(DCM::Layer::C);
+  describe_subdivision(statistics, result.points.size(), result.edges.size(),
+                       result.polygons.size());
+}
+
+void show(View_page& page, Command_run& run, const DCM::Discrete_conformal_map& map,
+          const Map_front& front, Output_mesh mesh, Image_kind kind)
+{
+  const Mesh& input = run.input().mesh;
+  mesh.point_data.push_back({"curvature", front.interpolated(curvatures(run))});
+  add_distortion(mesh, kind);
+  add_input_data(run.input(), front, mesh);
+  page.add_surface("surface", mesh);
+  show_angles(page, "input", input, edge_lengths(run));
+  show_angles(page, "intrinsic", map.Delaunay().mesh(), map.Delaunay().length_map());
+}

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_MAP_COMMANDS_H
+#define INTRINSIC_MAP_COMMANDS_H
+
+#include "commands/Command_run.h"
+#include "commands/Statistics.h"
+#include "commands/commands.h"
+#include "writing/Map_front.h"
+#include "writing/Mesh_writer.h"
+#include "writing/Output_mesh.h"
+
+#include <CGAL/Discrete_conformal_maps/Discrete_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/Spherical_conformal_map.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// What commands that map surfaces have in common.
+
+// Shows and times the stages, and counts the iterations of all minimizations.
+struct Stage_visitor
+{
+  Command_run& run;
+  std::size_t iterations = 0;
+
+  void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);
+  void after_iteration(std::size_t, double gradient_norm, double)
+  {
+    ++iterations;
+    run.show(
+      [&](View_page& page) { page.add_to_curve("Greatest curvature error", gradient_norm); });
+    run.progress().long_step();
+  }
+};
+
+// The stages of a map, in their order; `has_cones` says whether cones are placed.
+Stages map_stages(bool has_cones);
+
+// Throws Program_error if there is no picture for the depth of its tiling.
+void check_tiling(const Common_options& common, const Hyperbolic_options& options);
+
+// Throws Program_error if the format has no texture coordinates.
+Mesh_format format_with_texture(const Output_options& options);
+
+// Throws Map_failure, with what is wrong, if a map is not a success; prints that as a warning, if
+// failures are to be written and there is a layout.
+void check_status(Command_run& run,
+                  const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                  bool is_laid_out);
+
+// 0 for a success, 3 for a failure that is written.
+int exit_code(const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
+
+// Adds the status, the errors of what is promised and the greatest error of curvatures.
+void describe_status(Statistics& statistics,
+                     const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map);
+
+// Adds the range of the logarithmic scale factors, which vertices without faces have not, the
+// numbers of flips and the size of the output.
+void describe_sizes(Statistics& statistics,
+                    const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map,
+                    const Mesh& input, const Output_mesh& result);
+
+// Shows the common subdivision of a map on a page, with scale factors, the curvature of the input
+// and the distortion of the map, and histograms of the angles of the input and its intrinsic
+// Delaunay triangulation.
+void show(View_page& page, Command_run& run,
+          const CGAL::Discrete_conformal_maps::Discrete_conformal_map& map, const Map_front& front,
+          Output_mesh mesh, Image_kind kind);
+
+// Describe a map, and return the mesh that is written for it.
+
+Output_mesh described_mesh(Statistics& statistics,
+                           const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
+                           const Map_front& front);
+
+// `cones` are the vertices with a curvature that is not zero.
+Output_mesh described_mesh(Statistics& statistics,
+                           const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
+                           const Map_front& front, std::size_t iterations,
+                           const std::vector<Mesh::Vertex_index>& cones, bool is_homogeneous);
+
+Output_mesh described_mesh(Statistics& statistics,
+                           const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+                           const Map_front& front, const std::vector<Mesh::Vertex_index>& cones,
+                           bool is_homogeneous);
+
+// What `described_mesh()` has found, in one line.
+std::string summary_of(const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map,
+                       const Statistics& statistics);
+std::string summary_of(const CGAL::Discrete_conformal_maps::Planar_conformal_map& map,
+                       const Statistics& statistics);
+std::string summary_of(const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+                       const Statistics& statistics);
+
+// The ends of the commands: check the map, add it to the outputs in `format` and its properties to
+// the statistics, and finish the run. Return the exit code. Throw Map_failure as `check_status()`
+// does.
+
+// `cones` are the vertices with a curvature that is not zero.
+int finish(Command_run& run, const Texture_options& options, Mesh_format format,
+           const CGAL::Discrete_conformal_maps::Planar_conformal_map& map, std::size_t iterations,
+           const std::vector<Mesh::Vertex_index>& cones);
+
+int finish(Command_run& run, const Hyperbolic_options& options, Mesh_format format,
+           const CGAL::Discrete_conformal_maps::Hyperbolic_conformal_map& map,
+           const std::vector<Mesh::Vertex_index>& cones);
+
+int finish(Command_run& run, const Sphere_options& options, Mesh_format format,
+           const CGAL::Discrete_conformal_maps::Spherical_conformal_map& map);
+
+#endif // INTRINSIC_MAP_COMMANDS_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+
+#include "commands/Command_run.h"
+#include "commands/triangulation_stages.h"
+#include "writing/matrix_market.h"
+
+#include <CGAL/Intrinsic_triangulations/Tufted_surface.h>
+#include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/tangent_frames.h>
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+// What matrices are of: functions on the input, and vectors on the triangulation.
+struct Operand
+{
+  const Triangulation& triangulation;
+  const Covered_soup* covered; // null if the input is a surface
+};
+
+template <class Matrix_of>
+std::string of_functions(const Operand& operand, Matrix_symmetry symmetry, const Matrix_of& matrix)
+{
+  const auto& surface = operand.triangulation.intrinsic();
+  if(operand.covered)
+    return matrix_market(
+      matrix(IT::Tufted_surface<>(operand.covered->cover, surface, operand.covered->share())),
+      symmetry);
+  return matrix_market(matrix(surface), symmetry);
+}
+
+std::string laplacian(const Operand& operand)
+{
+  return of_functions(operand, Matrix_symmetry::SYMMETRIC,
+                      [](const auto& surface) { return IT::cotan_laplacian(surface); });
+}
+
+std::string mass(const Operand& operand)
+{
+  return of_functions(operand, Matrix_symmetry::SYMMETRIC,
+                      [](const auto& surface) { return IT::mass_matrix(surface); });
+}
+
+std::string lumped_mass(const Operand& operand)
+{
+  return of_functions(operand, Matrix_symmetry::SYMMETRIC,
+                      [](const auto& surface) { return IT::lumped_mass_matrix(surface); });
+}
+
+std::string connection_laplacian(const Operand& operand)
+{
+  const auto& surface = operand.triangulation.intrinsic();
+  const IT::Tangent_frames<double> frames(surface);
+  return matrix_market(IT::connection_laplacian(surface, frames), Matrix_symmetry::HERMITIAN);
+}
+
+std::string gradient(const Operand& operand)
+{
+  return of_functions(operand, Matrix_symmetry::GENERAL,
+                      [](const auto& surface) { return IT::gradient_matrix(surface); });
+}
+
+std::string divergence(const Operand& operand)
+{
+  return of_functions(operand, Matrix_symmetry::GENERAL,
+                      [](const auto& surface) { return IT::divergence_matrix(surface); });
+}
+
+// Takes functions on the input to the vertices of the cover.
+std::string cover_vertices(const Operand& operand)
+{
+  const auto n = static_cast<int>(operand.triangulation.mesh().number_of_vertices());
+  std::vector<Eigen::Triplet<double>> ones;
+  for(const IT::Vertex_index v : operand.triangulation.mesh().vertices()) {
+    const auto i = static_cast<int>(operand.covered->cover.input_vertex(v));
+    ones.emplace_back(static_cast<int>(v.idx()), i, 1);
+  }
+  const auto inserted = operand.triangulation.number_of_inserted_vertices();
+  Eigen::SparseMatrix<double> result(
+    n, static_cast<int>(operand.covered->soup.points.size() + inserted));
+  result.setFromTriplets(ones.begin(), ones.end());
+  return matrix_market(result, Matrix_symmetry::GENERAL);
+}
+
+struct Matrix_description
+{
+  std::string_view name;
+  std::string (*text)(const Operand&);
+};
+
+// The first one refuses triangulations on which others would not be finite. The last one is for
+// covers.
+constexpr std::array<Matrix_description, 7> matrices = {
+  {{"laplacian", laplacian},
+   {"mass", mass},
+   {"lumped_mass", lumped_mass},
+   {"connection_laplacian", connection_laplacian},
+   {"gradient", gradient},
+   {"divergence", divergence},
+   {"cover_vertices", cover_vertices}}};
+
+std::vector<std::string> paths_of(const std::string& prefix)
+{
+  std::vector<std::string> result;
+  for(const Matrix_description& matrix : matrices)
+    result.push_back(prefix + "_" + std::string(matrix.name) + ".mtx");
+  return result;
+}
+
+} // namespace
+
+int operators(const Common_options& common, const Operators_options& options)
+{
+  std::vector<std::string> paths = paths_of(options.prefix);
+  Command_run run("operators", common, paths, true);
+  const Covered_soup* covered = run.input().covered ? &*run.input().covered : nullptr;
+  if(!covered)
+    paths.pop_back();
+  run.plan({delaunay_stages, refinement_stages(options.refinement), certificate_stages(common),
+            view_stages(common)});
+  Triangulation triangulation = make_delaunay_triangulation(run);
+  refine_if_wanted(run, triangulation, options.refinement);
+  describe(run, triangulation);
+  show(run, triangulation);
+  run.statistics()["matrices"] = paths;
+  run.timed("write", [&] {
+    for(std::size_t i = 0; i < paths.size(); ++i)
+      run.add_output(paths[i], matrices[i].text({triangulation, covered}));
+    save(run, triangulation);
+  });
+  run.finish(summary_of_changes(run) + ", " + std::to_string(paths.size()) + " matrices");
+  return 0;
+}

@@ -1,0 +1,416 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Program_error.h"
+#include "commands/Command_run.h"
+#include "commands/commands.h"
+#include "commands/triangulation_stages.h"
+#include "reading/surface_points.h"
+#include "writing/Mesh_writer.h"
+
+#include <CGAL/Intrinsic_triangulations/Edge_paths.h>
+#include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/exponential_map.h>
+#include <CGAL/Intrinsic_triangulations/homology_basis.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/path_on_input.h>
+#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+constexpr const char* no_path_advice = "; choose points of one connected component";
+
+using Path = IT::Surface_path<double>;
+using Place = IT::Surface_place<double>;
+using Halfedge = IT::Halfedge_index;
+using Halfedges = std::vector<Halfedge>;
+
+// All are kept, for the statistics too.
+constexpr std::size_t greatest_number_of_crossings = 1000000;
+
+// A place of a path in JSON: at a vertex, on an edge with its ends, or in a face. Its coordinates
+// decide which: a halfedge of a place need not start at it.
+Statistics description(const Place& p, const Input_mesh& input)
+{
+  Statistics result;
+  const Mesh& mesh = input.mesh;
+  const Place decoded = IT::internal::surface_place(p.location, mesh);
+  const Halfedge h = p.along.is_valid() ? p.along : decoded.along;
+  if(IT::internal::is_at_vertex(p))
+    result["vertex"] = mesh.source(decoded.along).idx();
+  else if(h.is_valid())
+    result["edge"] = {mesh.source(h).idx(), mesh.target(h).idx()};
+  const auto [face, coordinates] = input.as_read(p.location);
+  result["face"] = face.idx();
+  result["barycentric"] = coordinates;
+  return result;
+}
+
+// Moves a place to a vertex that it can be told from by rounding only.
+void snap_to_vertex(Place& p)
+{
+  auto& weights = p.location.second;
+  const auto greatest = std::max_element(weights.begin(), weights.end());
+  if(*greatest < 1 && 1 - *greatest <= IT::rounding_unit<double>()) {
+    weights = {0, 0, 0};
+    *greatest = 1;
+  }
+}
+
+// A line on the input, and what the statistics have of it.
+struct Found_path
+{
+  Path path;
+  Statistics description;
+};
+
+std::size_t number_of_crossings(const Path& path) { return path.places.size() - 2; }
+
+Found_path found_path(Path path, const std::string& status, const Input_mesh& input)
+{
+  if(path.places.size() == 1) // a line has two ends, even if they are one point
+    path.places.push_back(path.places.front());
+  std::for_each(path.places.begin() + 1, path.places.end() - 1, snap_to_vertex);
+  Statistics s{{"status", status}, {"length", path.length}};
+  s["crossings"] = number_of_crossings(path);
+  s["places"] = Statistics::array();
+  for(const Place& p : path.places)
+    s["places"].push_back(description(p, input));
+  return {std::move(path), std::move(s)};
+}
+
+class Path_command
+{
+public:
+  Path_command(const Common_options& common, const Path_options& options)
+    : m_options(options),
+      m_format(output_format(options.output, options)),
+      m_run("path", common, {options.output})
+  {
+    check_options();
+    m_run.plan({{"build", "search"}});
+  }
+
+  void run()
+  {
+    read_points();
+    Triangulation triangulation = m_run.timed("build", [&] { return make_triangulation(m_run); });
+    const std::vector<Found_path> paths =
+      m_run.timed("search", [&] { return search(triangulation); });
+    describe(paths);
+    m_run.timed("write", [&] {
+      const Output_mesh lines = polylines(paths);
+      m_run.add_output(m_options.output, lines, m_format);
+      m_run.show([&](View_page& page) { show(page, lines); });
+      save(m_run, triangulation);
+    });
+    m_run.finish(summary(paths));
+  }
+
+private:
+  bool uses_flips() const { return m_options.is_flipped || m_options.is_loop; }
+
+  void check_options() const
+  {
+    if(m_format == Mesh_format::OFF)
+      throw Program_error(m_options.output +
+                          ": this format has no lines (.obj, .ply and .vtp have)");
+    if(m_options.is_homology_basis) {
+      check_alone();
+      return;
+    }
+    if(m_options.from.empty())
+      throw Program_error("--from is missing; say where the path starts, or ask for --homology");
+    if(m_options.straightest) {
+      const auto [degrees, length] = *m_options.straightest;
+      if(!std::isfinite(degrees) || !std::isfinite(length) || length < 0)
+        throw Program_error("--straightest takes a finite angle and a finite length, not negative");
+      if(!m_options.to.empty() || !m_options.via.empty() || uses_flips())
+        throw Program_error(
+          "--straightest starts at --from, and takes no other points; leave them out");
+      return;
+    }
+    if(m_options.is_loop == !m_options.to.empty())
+      throw Program_error(m_options.is_loop
+                            ? "a loop goes back to --from and has no --to; leave out one of them"
+                            : "--to or --loop is missing; say where the path ends");
+    if(!m_options.via.empty() && !uses_flips())
+      throw Program_error("--via is for --flips and --loop; add one of them");
+  }
+
+  // Loops of a homology basis start nowhere, and each has a triangulation of its own.
+  void check_alone() const
+  {
+    if(!m_options.from.empty() || !m_options.to.empty() || !m_options.via.empty() || uses_flips() ||
+       m_options.straightest)
+      throw Program_error("--homology finds all loops by itself; leave out the other options of "
+                          "paths");
+    if(!m_run.options().save.empty())
+      throw Program_error("--save keeps one triangulation, and each loop of --homology has its "
+                          "own; shorten one loop, by --loop");
+  }
+
+  void read_points()
+  {
+    if(m_options.is_homology_basis)
+      return;
+    const Input_mesh& input = m_run.input();
+    m_points.push_back(surface_point_nearby(m_options.from, input));
+    for(const std::string& text : m_options.via)
+      m_points.push_back(surface_point_nearby(text, input));
+    if(!m_options.to.empty())
+      m_points.push_back(surface_point_nearby(m_options.to, input));
+  }
+
+  std::vector<Found_path> search(Triangulation& triangulation)
+  {
+    if(m_options.is_homology_basis)
+      return homology_loops(triangulation);
+    if(m_options.straightest)
+      return {straightest_path(triangulation)};
+    return {uses_flips() ? flipped_path(triangulation) : shortest_path(triangulation)};
+  }
+
+  Found_path shortest_path(const Triangulation& triangulation) const
+  {
+    Path path = IT::shortest_path(triangulation.input(), m_points.front(), m_points.back());
+    if(path.places.empty())
+      throw Program_error("there is no path from " + m_options.from + " to " + m_options.to +
+                          no_path_advice);
+    return found_path(std::move(path), "shortest", m_run.input());
+  }
+
+  // From vertex to vertex along edges, then by flips.
+  Found_path flipped_path(Triangulation& triangulation)
+  {
+    Halfedges path = path_along_edges(triangulation);
+    Found_path result = shortened(path, m_options.is_loop, triangulation);
+    if(path.empty())
+      throw Program_error(
+        "the path contracts to a point; lead it around a handle, a hole or a vertex of "
+        "negative curvature with --via");
+    Statistics& edges = result.description["intrinsic_edges"] = Statistics::array();
+    for(Halfedge h : path)
+      edges.push_back({{"edge", Mesh::Edge_index(h).idx()},
+                       {"source", triangulation.mesh().source(h).idx()},
+                       {"target", triangulation.mesh().target(h).idx()}});
+    return result;
+  }
+
+  // The shortest geodesics that are a basis, from loops along edges of a Delaunay triangulation:
+  // these are hardly longer.
+  std::vector<Found_path> homology_loops(Triangulation& triangulation) const
+  {
+    IT::make_Delaunay(triangulation);
+    const Triangulation start = triangulation;
+    const auto geodesic = [&](Halfedges loop) {
+      triangulation = start;
+      return shortened(loop, true, triangulation);
+    };
+    const auto loops = IT::homology_basis(
+      start.intrinsic(), [&](const Halfedges& loop) { return geodesic(loop).path.length; });
+    std::vector<Found_path> result;
+    std::transform(loops.begin(), loops.end(), std::back_inserter(result), geodesic);
+    return result;
+  }
+
+  // Shortens a path along edges, whose halfedges become those after flips; none if it contracts.
+  Found_path shortened(Halfedges& path, bool is_loop, Triangulation& triangulation) const
+  {
+    const double before =
+      std::accumulate(path.begin(), path.end(), 0., [&](double sum, Halfedge h) {
+        return sum + triangulation.length(triangulation.mesh().edge(h));
+      });
+    IT::Edge_paths paths(triangulation);
+    is_loop ? paths.add_loop(path) : paths.add_path(path);
+    const bool is_geodesic = paths.shorten() == IT::Shortening_status::geodesic;
+    path = paths.halfedges(0);
+    if(path.empty())
+      return {};
+    Found_path result = found_path(IT::path_on_input(triangulation, path),
+                                   is_geodesic ? "geodesic" : "blocked", m_run.input());
+    result.description["length_along_edges"] = before;
+    return result;
+  }
+
+  Halfedges path_along_edges(const Triangulation& triangulation)
+  {
+    std::vector<std::string> texts{m_options.from};
+    texts.insert(texts.end(), m_options.via.begin(), m_options.via.end());
+    texts.push_back(m_options.is_loop ? m_options.from : m_options.to);
+    std::vector<IT::Vertex_index> vertices;
+    for(std::size_t i = 0; i < texts.size(); ++i)
+      vertices.push_back(vertex_at(m_points[i % m_points.size()], texts[i], m_run.input().mesh));
+    Halfedges result;
+    for(std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      const Halfedges part =
+        IT::shortest_edge_path(triangulation.input(), vertices[i], vertices[i + 1]);
+      if(part.empty() && vertices[i] != vertices[i + 1])
+        throw Program_error("there is no path from " + texts[i] + " to " + texts[i + 1] +
+                            no_path_advice);
+      result.insert(result.end(), part.begin(), part.end());
+    }
+    return result;
+  }
+
+  // The start, at a vertex in the first of its faces.
+  Surface_location start_of_straightest(const IT::Delta_complex& mesh) const
+  {
+    Surface_location result = m_points.front();
+    if(!IT::internal::is_corner(result.second) || m_options.from.find(':') != std::string::npos)
+      return result;
+    IT::for_each_spoke(IT::internal::vertex_at(result, mesh), mesh, [&](Halfedge h) {
+      if(!mesh.is_border(h) && mesh.face(h) <= result.first)
+        result = IT::face_location(IT::Edge_point<double>{h, 0}, mesh);
+    });
+    return result;
+  }
+
+  // Angles are measured from the first side of the face, at a corner from the side that leaves it.
+  std::complex<double> straightest_vector(const Surface_location& start,
+                                          const Triangulation& triangulation) const
+  {
+    const auto [degrees, length] = *m_options.straightest;
+    const IT::Delta_complex& mesh = triangulation.input_mesh();
+    const IT::internal::Flat_face<double> face(mesh.halfedge(start.first), triangulation.input());
+    const std::size_t side = IT::internal::is_corner(start.second)
+                               ? side_number(IT::internal::surface_place(start, mesh).along, mesh)
+                               : 0;
+    return face.direction(side) *
+           std::polar(length, std::remainder(degrees, 360.) * std::acos(-1.) / 180);
+  }
+
+  Found_path straightest_path(const Triangulation& triangulation) const
+  {
+    const auto input = triangulation.input();
+    const IT::Delta_complex& mesh = input.mesh();
+    std::vector<IT::Edge_point<double>> crossings;
+    const auto add = [&](const IT::Edge_point<double>& p) {
+      if(crossings.size() == greatest_number_of_crossings)
+        throw Program_error("a straightest path of this length crosses more than " +
+                            std::to_string(greatest_number_of_crossings) + " edges; shorten it");
+      crossings.push_back(p);
+    };
+    const Surface_location start = start_of_straightest(mesh);
+    const auto end =
+      IT::trace_geodesic(input, start, straightest_vector(start, triangulation),
+                         IT::At_boundary::stop, boost::make_function_output_iterator(add));
+    if(end.status == IT::Geodesic_status::stopped_at_boundary)
+      check_length(end.length, start, triangulation);
+    Path path{end.length, {{Halfedge(), start}}};
+    for(const auto& p : crossings)
+      path.places.push_back({p.halfedge, IT::face_location(p, mesh)});
+    path.places.push_back({Halfedge(), end.end});
+    return found_path(std::move(path),
+                      end.status == IT::Geodesic_status::reached ? "straightest"
+                                                                 : "stopped_at_boundary",
+                      m_run.input());
+  }
+
+  // What stops where it starts, up to rounding, has not gone anywhere.
+  void check_length(double length, const Surface_location& start,
+                    const Triangulation& triangulation) const
+  {
+    const auto h = triangulation.input_mesh().halfedge(start.first);
+    if(length <= IT::internal::Flat_face<double>(h, triangulation.input()).tolerance())
+      throw Program_error("'" + m_options.from +
+                          "' is on the boundary, and this direction leads "
+                          "out of the surface; angles are counterclockwise "
+                          "from a side of face " +
+                          std::to_string(start.first.idx()) + ", choose another");
+  }
+
+  // ---- Output ----
+
+  Output_mesh polylines(const std::vector<Found_path>& paths)
+  {
+    Output_mesh result;
+    for(const Found_path& found : paths) {
+      const auto first = static_cast<Polygons::Index>(result.points.size());
+      for(const Place& p : found.path.places)
+        result.points.push_back(position(p.location, m_run.input().mesh));
+      const auto end = static_cast<Polygons::Index>(result.points.size());
+      for(Polygons::Index i = first; i < end; ++i) {
+        result.lines.add_corner(i);
+        if(i > first)
+          result.edges.push_back({i - 1, i});
+      }
+      result.lines.close();
+    }
+    return result;
+  }
+
+  // The surface, with the points of the lines after its own.
+  void show(View_page& page, const Output_mesh& lines)
+  {
+    Output_mesh surface = output_mesh(m_run.input().mesh);
+    add_data(surface, m_run.input().data);
+    const auto first = static_cast<Polygons::Index>(surface.points.size());
+    surface.points.insert(surface.points.end(), lines.points.begin(), lines.points.end());
+    Surface_marks marks{"path", false, {}, {}, {}};
+    for(const Polygons::Polygon line : lines.lines) {
+      for(Polygons::Index p : line)
+        marks.lines.add_corner(first + p);
+      marks.lines.close();
+    }
+    page.add_surface("surface", std::move(surface));
+    page.add_marks(std::move(marks));
+  }
+
+  void describe(const std::vector<Found_path>& paths)
+  {
+    Statistics& s = m_run.statistics();
+    if(!m_options.is_homology_basis) {
+      s.update(paths.front().description);
+      return;
+    }
+    s["loops"] = Statistics::array();
+    for(const Found_path& found : paths)
+      s["loops"].push_back(found.description);
+  }
+
+  std::string summary(const std::vector<Found_path>& paths) const
+  {
+    std::ostringstream text;
+    if(m_options.is_homology_basis) {
+      const auto geodesics = std::count_if(paths.begin(), paths.end(), [](const auto& p) {
+        return p.description["status"] == "geodesic";
+      });
+      text << paths.size() << " loops, " << geodesics << " of them geodesics";
+      return text.str();
+    }
+    const Path& path = paths.front().path;
+    text << paths.front().description["status"].get<std::string>() << " path of length "
+         << path.length << " over " << number_of_crossings(path) << " edges and vertices";
+    return text.str();
+  }
+
+  const Path_options& m_options;
+  Mesh_format m_format;
+  Command_run m_run;
+  std::vector<Surface_location> m_points; // that the path passes
+};
+
+} // namespace
+
+int path(const Common_options& common, const Path_options& options)
+{
+  Path_command(common, options).run();
+  return 0;
+}

@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+
+#include "Program_error.h"
+#include "commands/Command_run.h"
+#include "commands/triangulation_stages.h"
+#include "writing/Mesh_writer.h"
+
+#include <CGAL/Intrinsic_triangulations/extrinsic_mesh.h>
+#include <CGAL/Intrinsic_triangulations/is_simplicial.h>
+
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+std::string summary_of_refinement(Command_run& run)
+{
+  const Statistics& s = run.statistics();
+  std::ostringstream text;
+  text << summary_of_changes(run) << ", " << s["faces_below_bound"] << " faces below the bound, "
+       << s["faces_excused"] << " of them excused, " << s["subdivision"]["faces"]
+       << " faces in the common subdivision";
+  return text.str();
+}
+
+Surface_marks
+faces_below_bounds(const CGAL::Intrinsic_triangulations::Refinement_result& refinement,
+                   const Output_mesh& mesh)
+{
+  std::vector<std::int64_t> faces;
+  for(const auto& remaining : refinement.remaining)
+    faces.push_back(number_of(remaining.face));
+  return {"faces below the bounds", true, parts_of(faces, "intrinsic_face", mesh), {}, {}};
+}
+
+// Data of a corner are those of the input where its face begins there, counterclockwise. No face
+// crosses a seam.
+void add_input_data(const Input_mesh& input, const Triangulation& triangulation, Output_mesh& mesh)
+{
+  if(input.data.empty())
+    return;
+  typedef Mesh::size_type Size;
+  const IT::Delta_complex& own = triangulation.mesh();
+  const auto weights = [&](std::size_t i) {
+    const IT::Vertex_index v(static_cast<Size>(i));
+    return input.weights(
+      triangulation.is_inserted(v)
+        ? IT::vertex_weights(triangulation.inserted_vertex(v), triangulation.input_mesh())
+        : IT::Vertex_weights<double>{1, {v}, {1}});
+  };
+  const auto triangle = [&](std::size_t i, std::size_t k) {
+    const auto side = IT::sides(IT::Face_index(static_cast<Size>(i)), own);
+    return input.triangle(triangulation.input_location(side[k]).first);
+  };
+  add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
+}
+
+// The faces of the triangulation itself, flat in space.
+Output_mesh own_faces(const Triangulation& triangulation, const Input_mesh& input)
+{
+  const Mesh mesh = IT::extrinsic_mesh(triangulation, input.mesh.points());
+  Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
+  const auto kind = [&](IT::Vertex_index v) {
+    return static_cast<std::int64_t>(triangulation.is_inserted(v) ? Vertex_kind::inserted
+                                                                  : Vertex_kind::input);
+  };
+  result.point_data = {attribute("kind", mesh.vertices(), kind)};
+  result.edge_data = {
+    attribute("length", mesh.edges(), [&](IT::Edge_index e) { return triangulation.length(e); })};
+  add_input_data(input, triangulation, result);
+  return result;
+}
+
+void check_simplicial(const Triangulation& triangulation, std::size_t insertions)
+{
+  const IT::Delta_complex& mesh = triangulation.mesh();
+  for(const IT::Face_index f : mesh.faces())
+    if(!IT::is_simplicial(f, mesh))
+      throw Program_error("not simplicial after as many insertions as are allowed, " +
+                          std::to_string(insertions) + ": allow more by --max-insertions");
+}
+
+} // namespace
+
+int refine(const Common_options& common, const Refine_options& options)
+{
+  const Mesh_format format = output_format(options.output, options);
+  Command_run run("refine", common, {options.output});
+  run.plan({delaunay_stages, {"refine"}, certificate_stages(common), subdivision_stages});
+  const bool have_seams = options.bounds.is_simplicial && has_texture(format);
+  Triangulation triangulation =
+    make_delaunay_triangulation(run, {options.constrained_angle, have_seams});
+  run.keep_points_only();
+  const auto refinement = refine_triangulation(run, triangulation, options.bounds);
+  if(options.bounds.is_simplicial && refinement.status == IT::Refinement_status::insertion_limit)
+    check_simplicial(triangulation, refinement.insertions);
+  describe(run, triangulation);
+  const Subdivision subdivision = subdivide(run, triangulation);
+  run.timed("write", [&] {
+    Output_mesh mesh = subdivision_mesh(subdivision);
+    run.show([&](View_page& page) {
+      show(page, run, triangulation, subdivision, mesh);
+      develop_if_large(page, run, triangulation, subdivision);
+      page.add_marks(faces_below_bounds(refinement, mesh));
+    });
+    if(options.bounds.is_simplicial)
+      mesh = own_faces(triangulation, run.input());
+    else
+      add_input_data(run.input(), subdivision, mesh);
+    run.add_output(options.output, mesh, format);
+    save(run, triangulation);
+  });
+  run.finish(summary_of_refinement(run));
+  return 0;
+}

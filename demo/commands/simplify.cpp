@@ -1,0 +1,604 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+
+#include "Program_error.h"
+#include "commands/Command_run.h"
+#include "commands/mended_topology.h"
+#include "commands/removal_cost.h"
+#include "commands/triangulation_stages.h"
+#include "writing/Mesh_writer.h"
+#include "writing/coarse_mesh.h"
+#include "writing/fine_data.h"
+#include "writing/matrix_market.h"
+
+#include <CGAL/Intrinsic_simplification/Evolving_surface.h>
+#include <CGAL/Intrinsic_simplification/Surface_level.h>
+#include <CGAL/Intrinsic_simplification/Surface_map.h>
+#include <CGAL/Intrinsic_simplification/Surface_subdivision.h>
+#include <CGAL/Intrinsic_simplification/coarse_mesh.h>
+#include <CGAL/Intrinsic_simplification/io.h>
+#include <CGAL/Intrinsic_simplification/prolongation.h>
+#include <CGAL/Intrinsic_simplification/refine.h>
+#include <CGAL/Intrinsic_simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Intrinsic_triangulations/input_with_inserted_vertices.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+#include <CGAL/centroid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+namespace IS = CGAL::Intrinsic_simplification;
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+const char* name_of(IS::Removal_status status)
+{
+  switch(status) {
+    case IS::Removal_status::possible: return "possible";
+    case IS::Removal_status::isolated: return "isolated";
+    case IS::Removal_status::protected_vertex: return "protected";
+    case IS::Removal_status::border_loop: return "border_loop";
+    case IS::Removal_status::self_face: return "self_face";
+    case IS::Removal_status::low_degree: return "low_degree";
+    case IS::Removal_status::not_flattenable: return "not_flattenable";
+    case IS::Removal_status::not_separable: return "not_separable";
+  }
+  return "";
+}
+
+double area(const IS::Surface_level& level)
+{
+  const auto length = level.length_map();
+  double sum = 0;
+  for(const IT::Face_index f : level.mesh().faces()) {
+    const IT::Halfedge_index h = level.mesh().halfedge(f);
+    sum += IT::quadrupled_area(length[level.mesh().edge(h)],
+                               length[level.mesh().edge(level.mesh().next(h))],
+                               length[level.mesh().edge(level.mesh().prev(h))]);
+  }
+  return sum / 4;
+}
+
+// One for each level: the path itself if there is one only.
+std::vector<std::string> matrix_paths(const Simplify_options& options)
+{
+  const std::filesystem::path path = options.prolongation;
+  if(path.empty() || options.number_of_levels == 1)
+    return {path};
+  std::vector<std::string> result;
+  for(std::size_t n = 1; n <= options.number_of_levels; ++n) {
+    std::filesystem::path numbered = path;
+    numbered.replace_filename(path.stem().string() + '_' + std::to_string(n) +
+                              path.extension().string());
+    result.push_back(numbered);
+  }
+  return result;
+}
+
+std::vector<std::string> outputs_of(const Simplify_options& options)
+{
+  if(options.maximum_cost && options.number_of_levels > 1)
+    throw Program_error("--levels needs --vertices or --ratio");
+  if(options.output.empty() && options.coarse_mesh.empty())
+    throw Program_error("--output or --coarse is required");
+  std::vector<std::string> result = matrix_paths(options);
+  result.push_back(options.output);
+  result.push_back(options.coarse_mesh);
+  return result;
+}
+
+// Numbers are binary in .ply only.
+Mesh_format format_of(const std::string& path, Simplify_options options)
+{
+  if(std::filesystem::path(path).extension() != ".ply" && path != options.output)
+    options.is_binary = false;
+  return path.empty() ? Mesh_format::PLY : output_format(path, options);
+}
+
+// Shows the removals while they are made.
+struct Removal_counter : IS::Default_simplification_visitor
+{
+  explicit Removal_counter(Progress_bar& bar) : progress(bar) {}
+
+  void after_removal(IS::Vertex_index) { progress.step(); }
+
+  Progress_bar& progress;
+};
+
+class Simplify_command
+{
+public:
+  Simplify_command(const Common_options& common, const Simplify_options& options)
+    : m_options(options),
+      m_weights(options.weights),
+      m_format(format_of(options.output, options)),
+      m_coarse_format(format_of(options.coarse_mesh, options)),
+      m_run("simplify", common, outputs_of(options))
+  {
+    const bool is_flipped = options.refinement.minimum_angle > 0 || common.is_exact;
+    m_run.plan({is_flipped ? delaunay_stages : Stages{"build"},
+                refinement_stages(options.refinement),
+                certificate_stages(common),
+                {"simplify"},
+                options.coarse_minimum_angle > 0 ? Stages{"refine_coarse"} : Stages{},
+                {"map"},
+                options.coarse_mesh.empty() ? Stages{} : Stages{"coarse_mesh"}});
+  }
+
+  void run()
+  {
+    read_functions();
+    if(m_options.refinement.minimum_angle > 0)
+      refine();
+    Triangulation start = m_run.timed("build", [&] { return mended(built()); });
+    IS::Evolving_surface surface(start);
+    m_levels.emplace_back(surface);
+    if(m_run.options().is_exact)
+      make_exactly_Delaunay(surface, start);
+    m_run.timed("simplify", [&] { simplify(surface); });
+    if(m_options.coarse_minimum_angle > 0)
+      m_run.timed("refine_coarse", [&] { refine_coarse(surface); });
+    describe_levels();
+    auto [mesh, matrices] = m_run.timed("map", [&] {
+      return std::pair(common_mesh(surface.history()), prolongations(surface.history()));
+    });
+    if(!m_options.coarse_mesh.empty())
+      m_run.timed("coarse_mesh", [&] { add_coarse_mesh(surface); });
+    m_run.timed("write", [&, &mesh = mesh, &matrices = matrices] {
+      m_run.show([&, &mesh = mesh](View_page& page) { show(page, mesh); });
+      add_data(mesh, std::move(m_data));
+      m_run.add_output(m_options.output, mesh, m_format);
+      for(std::size_t n = 0; n < matrices.size(); ++n)
+        m_run.add_output(matrix_paths(m_options)[n], matrices[n]);
+      save(surface.history());
+    });
+    m_run.finish(summary());
+  }
+
+private:
+  void read_functions()
+  {
+    if(m_weights.has_functions() && !m_run.input().repairs.empty())
+      throw Program_error(
+        "--weight: the mesh had to be repaired, and its vertices are not those of the file; "
+        "give a mesh that needs no repair");
+    m_weights.read_functions(m_run.options().input);
+  }
+
+  // How that went has keys of its own in the statistics.
+  void refine()
+  {
+    m_triangulation = make_delaunay_triangulation(m_run);
+    refine_if_wanted(m_run, *m_triangulation, m_options.refinement);
+    m_triangulation->collect_garbage();
+    m_run.statistics()["refinement_status"] = m_run.statistics()["status"];
+  }
+
+  // The fine level with positions of its vertices. Its faces are those of the input, or parts of
+  // them.
+  Triangulation built()
+  {
+    const auto& points = m_run.input().mesh.points();
+    m_points.assign(points.begin(), points.end());
+    if(m_triangulation) {
+      m_triangulation = IT::input_with_inserted_vertices(*m_triangulation);
+      for(const IT::Vertex_index v : m_triangulation->mesh().vertices())
+        if(m_triangulation->is_inserted(v))
+          add_vertex(m_triangulation->inserted_vertex(v).location);
+      return *m_triangulation;
+    }
+    return make_triangulation(m_run);
+  }
+
+  // Its faces and edges come first after that, with their indices.
+  Triangulation mended(Triangulation start)
+  {
+    m_fine_edges = start.mesh().number_of_edges();
+    m_fine_faces = start.mesh().number_of_faces();
+    if(m_options.closed_length <= 0 && m_options.pinched_length <= 0)
+      return start;
+    const Mended_topology topology(start, m_options.closed_length, m_options.pinched_length);
+    topology.describe(m_run.statistics());
+    m_sources = topology.sources_of_new_vertices();
+    for(const std::vector<Mesh::Vertex_index>& sources : m_sources) {
+      std::vector<Point> points;
+      for(const Mesh::Vertex_index v : sources)
+        points.push_back(m_points[v]);
+      m_points.push_back(CGAL::centroid(points.begin(), points.end()));
+      m_weights.add_vertex([&](const std::vector<double>& values) {
+        double sum = 0;
+        for(const Mesh::Vertex_index v : sources)
+          sum += values[v];
+        return sum / double(sources.size());
+      });
+    }
+    return topology.triangulation();
+  }
+
+  void make_exactly_Delaunay(IS::Evolving_surface& surface, Triangulation& start)
+  {
+    m_run.timed("flip", [&] { surface.make_exactly_Delaunay(start); });
+    certify(m_run, start);
+  }
+
+  std::size_t number_of_isolated_vertices()
+  {
+    const Mesh& mesh = m_run.input().mesh;
+    return static_cast<std::size_t>(
+      std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
+                    [&](Mesh::Vertex_index v) { return mesh.is_isolated(v); }));
+  }
+
+  // How many vertices are to be left on a level, those without faces included; zero if something
+  // else is the target.
+  std::size_t target(std::size_t level)
+  {
+    if(m_options.maximum_cost)
+      return 0;
+    const std::size_t isolated = number_of_isolated_vertices();
+    const double all = double(m_run.input().mesh.number_of_vertices() - isolated);
+    const double first = double(m_levels[0].mesh().number_of_vertices() - isolated);
+    const double last = (std::min)(first, m_options.ratio ? std::ceil(*m_options.ratio * all)
+                                                          : double(*m_options.number_of_vertices));
+    if(level == m_options.number_of_levels)
+      return isolated + static_cast<std::size_t>(last);
+    const double part = double(level) / double(m_options.number_of_levels);
+    return isolated + static_cast<std::size_t>(std::ceil(first * std::pow(last / first, part)));
+  }
+
+  void simplify(IS::Evolving_surface& surface)
+  {
+    if(m_triangulation || m_weights.has_functions()) // thin faces are no measure
+      surface.make_Delaunay();
+    IS::Transport_cost cost = m_weights.cost(surface);
+    IS::Simplification_result result;
+    std::size_t removed = 0;
+    double greatest_cost = 0;
+    for(std::size_t level = 1; level <= m_options.number_of_levels; ++level) {
+      result = simplified(surface, cost, target(level));
+      removed += result.removed;
+      greatest_cost = (std::max)(greatest_cost, result.greatest_cost);
+      m_levels.emplace_back(surface);
+    }
+    result.removed = removed;
+    result.greatest_cost = greatest_cost;
+    describe_removals(result, surface);
+  }
+
+  IS::Simplification_result simplified(IS::Evolving_surface& surface, IS::Transport_cost& cost,
+                                       std::size_t number_of_vertices)
+  {
+    Removal_counter counter(m_run.progress());
+    const auto np =
+      IS::parameters::number_of_vertices(number_of_vertices).visitor(std::ref(counter));
+    if(m_options.maximum_cost)
+      return IS::simplify(surface, cost, np.maximum_cost(*m_options.maximum_cost));
+    return IS::simplify(surface, cost, np);
+  }
+
+  void describe_removals(const IS::Simplification_result& result,
+                         const IS::Evolving_surface& surface)
+  {
+    Statistics& statistics = m_run.statistics();
+    const bool is_reached = m_options.maximum_cost || surface.mesh().number_of_vertices() <=
+                                                        target(m_options.number_of_levels);
+    statistics["coarse_vertices"] = surface.mesh().number_of_vertices();
+    statistics["coarse_faces"] = surface.mesh().number_of_faces();
+    statistics["removed"] = result.removed;
+    statistics["status"] = is_reached ? "reached" : "nothing_removable";
+    statistics["greatest_cost"] = result.greatest_cost;
+    statistics["weights"] = m_weights.values();
+    for(std::size_t s = 1; s < result.skipped.size(); ++s)
+      statistics["skipped"][name_of(static_cast<IS::Removal_status>(s))] = result.skipped[s];
+    statistics["operations"] = surface.history().size();
+  }
+
+  // The last level gets better faces. Its vertices are described anew.
+  void refine_coarse(IS::Evolving_surface& surface)
+  {
+    Refinement_bounds bounds = m_options.refinement;
+    bounds.minimum_angle = m_options.coarse_minimum_angle;
+    const IT::Refinement_result result =
+      IS::refine(surface, IS::parameters::minimum_angle(bounds.minimum_angle)
+                            .maximum_number_of_insertions(maximum_number_of_insertions(
+                              bounds, surface.mesh().number_of_faces())));
+    m_levels.back() = IS::Surface_level(surface);
+    Statistics& statistics = m_run.statistics();
+    statistics["coarse_inserted_vertices"] = result.insertions - result.removals;
+    statistics["coarse_faces_below_bound"] = result.remaining.size();
+    statistics["coarse_faces_excused"] =
+      std::count_if(result.remaining.begin(), result.remaining.end(), IT::is_excused);
+    statistics["coarse_refinement_status"] = IT::to_string(result.status);
+    statistics["coarse_vertices"] = surface.mesh().number_of_vertices();
+    statistics["coarse_faces"] = surface.mesh().number_of_faces();
+    statistics["operations"] = surface.history().size();
+  }
+
+  void describe_levels()
+  {
+    Statistics& statistics = m_run.statistics();
+    const IS::Surface_level& coarse = m_levels.back();
+    statistics["area_ratio"] = area(coarse) / area(m_levels[0]);
+    statistics["min_angle_degrees"] =
+      IT::smallest_angle_in_degrees(coarse.mesh(), coarse.length_map());
+    for(std::size_t n = 1; n < m_levels.size() && m_levels.size() > 2; ++n)
+      statistics["level_vertices"].push_back(m_levels[n].mesh().number_of_vertices());
+  }
+
+  Output_mesh common_mesh(const IS::Surface_history& history)
+  {
+    const IS::Surface_map map(history, m_levels[0], m_levels.back());
+    Coarse_subdivision subdivision(map);
+    set_points(subdivision);
+    m_run.show([&](View_page&) {
+      set_curvature(subdivision);
+      set_area_change(subdivision);
+    });
+    const Mesh& mesh = subdivision.mesh();
+    describe_subdivision(m_run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
+                         mesh.number_of_faces());
+    Output_mesh result = coarse_mesh(subdivision, origin());
+    if(!m_run.input().data.empty())
+      m_data = data_of_coarse_mesh(
+        subdivision,
+        fine_data(m_run.input(), {m_levels[0].mesh(), m_triangulation ? &*m_triangulation : nullptr,
+                                  m_sources, [&](IT::Face_index f) { return input_face(f); }}),
+        result);
+    return result;
+  }
+
+  // The coarse triangulation in space, with the indices of its vertices in the input.
+  void add_coarse_mesh(const IS::Evolving_surface& surface)
+  {
+    Mesh mesh;
+    const auto fine_vertex =
+      mesh.add_property_map<Mesh::Vertex_index, IS::Vertex_index>("v:fine_vertex").first;
+    const auto points =
+      boost::make_iterator_property_map(m_points.cbegin(), get(boost::vertex_index, mesh));
+    describe(
+      IS::coarse_mesh(surface, m_levels[0], mesh,
+                      IS::parameters::input_point_map(points).parent_vertex_map(fine_vertex)),
+      mesh);
+    Output_mesh result = output_mesh_with_edges(mesh, {mesh.faces().begin(), mesh.faces().end()});
+    const auto input_vertex = [&](Mesh::Vertex_index v) {
+      const bool is_of_input =
+        fine_vertex[v].is_valid() && fine_vertex[v].idx() < m_run.input().mesh.number_of_vertices();
+      return is_of_input ? number_of(fine_vertex[v]) : -1;
+    };
+    result.point_data = {attribute("input_vertex", mesh.vertices(), input_vertex)};
+    m_run.add_output(m_options.coarse_mesh, result, m_coarse_format);
+  }
+
+  void describe(const IS::Coarse_mesh_quality& quality, const Mesh& mesh)
+  {
+    Statistics& statistics = m_run.statistics()["coarse_mesh"];
+    statistics["vertices"] = mesh.number_of_vertices();
+    statistics["faces"] = mesh.number_of_faces();
+    statistics["inserted_vertices"] = quality.inserted_vertices;
+    statistics["distance_to_coarse"] = quality.distance_to_coarse;
+    statistics["distance_to_fine"] = quality.distance_to_fine;
+    statistics["flipped_faces"] = quality.flipped_faces;
+    statistics["degenerate_faces"] = quality.degenerate_faces;
+    statistics["self_intersections"] = quality.self_intersections;
+  }
+
+  static void describe_coarse_mesh(const Statistics& s, std::ostream& text)
+  {
+    const double deviation =
+      (std::max)(s["distance_to_coarse"].get<double>(), s["distance_to_fine"].get<double>());
+    text << ", coarse mesh: " << s["inserted_vertices"] << " vertices inserted, deviation "
+         << deviation << ", " << s["flipped_faces"] << " faces flipped, " << s["degenerate_faces"]
+         << " without area, " << s["self_intersections"] << " pairs intersect";
+  }
+
+  void show(View_page& page, Output_mesh mesh)
+  {
+    mesh.lines = Polygons(); // they are edges, too
+    mesh.line_data.clear();
+    if(!m_curvature.empty())
+      mesh.point_data.push_back({"curvature", m_curvature});
+    mesh.polygon_data.push_back({"area_change", m_area_change});
+    add_data(mesh, m_data);
+    page.add_surface("surface", mesh);
+    show_angles(page, "input", m_run.input().mesh, edge_lengths(m_run));
+    show_angles(page, "coarse", m_levels.back().mesh(), m_levels.back().length_map());
+  }
+
+  // That of the input at the vertices of the subdivision, if the fine level is the input.
+  void set_curvature(const Coarse_subdivision& subdivision)
+  {
+    if(m_triangulation || m_levels[0].mesh().number_of_faces() > m_fine_faces)
+      return;
+    const std::vector<double> values = curvatures(m_run);
+    m_curvature.resize(subdivision.mesh().number_of_vertices());
+    IT::interpolate(IS::Level::fine, subdivision,
+                    boost::make_iterator_property_map(values.begin(),
+                                                      get(boost::vertex_index, m_levels[0].mesh())),
+                    boost::make_iterator_property_map(
+                      m_curvature.begin(), get(boost::vertex_index, subdivision.mesh())));
+  }
+
+  // The logarithms of the quotients of areas on both levels, of the polygons that have an area.
+  void set_area_change(const Coarse_subdivision& subdivision)
+  {
+    const Mesh& mesh = subdivision.mesh();
+    for(const Mesh::Face_index f : mesh.faces())
+      if(mesh.degree(f) > 2) {
+        const double fine = subdivision.signed_area(IS::Level::fine, f);
+        const double coarse = subdivision.signed_area(IS::Level::coarse, f);
+        m_area_change.push_back(fine > 0 && coarse > 0 ? std::log(coarse / fine)
+                                                       : std::numeric_limits<double>::quiet_NaN());
+      }
+  }
+
+  Fine_origin origin()
+  {
+    Fine_origin result{m_run.input().mesh.number_of_vertices(), {}, {}};
+    const IS::Delta_complex& mesh = m_levels[0].mesh();
+    for(const IT::Edge_index e : mesh.edges())
+      result.edges.push_back(number_of(input_edge(e)));
+    for(const IT::Face_index f : mesh.faces())
+      result.faces.push_back(number_of(input_face(f)));
+    return result;
+  }
+
+  // Null if `f` is in a disk that closes a loop.
+  IT::Face_index input_face(IT::Face_index f) const
+  {
+    if(f.idx() >= m_fine_faces)
+      return IT::Face_index();
+    return m_triangulation
+             ? m_triangulation->input_location(m_triangulation->mesh().halfedge(f)).first
+             : f;
+  }
+
+  // Null if `e` is inside a face, in a disk, or has been made by a cut.
+  IT::Edge_index input_edge(IT::Edge_index e) const
+  {
+    if(e.idx() >= m_fine_edges)
+      return IT::Edge_index();
+    if(!m_triangulation)
+      return e;
+    if(!m_triangulation->coordinates().is_shared(e))
+      return IT::Edge_index();
+    const IT::Halfedge_index h = m_triangulation->mesh().halfedge(e);
+    return IT::Edge_index(m_triangulation->input_spoke_before(h));
+  }
+
+  // where the vertices of the subdivision are in space
+  void set_points(Coarse_subdivision& subdivision)
+  {
+    for(const Mesh::Vertex_index v : subdivision.mesh().vertices())
+      subdivision.mesh().point(v) =
+        subdivision.is_vertex(IS::Level::fine, v)
+          ? m_points[v]
+          : point_at(subdivision.place(IS::Level::fine, v).location, m_levels[0].mesh());
+  }
+
+  // `mesh` is the input or the fine level.
+  template <class Any_mesh>
+  Point point_at(const IT::Face_location<double>& p, const Any_mesh& mesh) const
+  {
+    const auto [u, v, w] = corners(p.first, mesh);
+    return CGAL::barycenter(m_points[u], p.second[0], m_points[v], p.second[1], m_points[w],
+                            p.second[2]);
+  }
+
+  // Functions are linear on the faces of the input.
+  void add_vertex(const IT::Face_location<double>& p)
+  {
+    m_points.push_back(point_at(p, m_run.input().mesh));
+    const auto vertices = corners(p.first, m_run.input().mesh);
+    m_weights.add_vertex([&](const std::vector<double>& values) {
+      double sum = 0;
+      for(std::size_t c = 0; c < 3; ++c)
+        sum += p.second[c] * values[vertices[c]];
+      return sum;
+    });
+  }
+
+  template <class Any_mesh>
+  static std::array<Mesh::Vertex_index, 3> corners(Mesh::Face_index f, const Any_mesh& mesh)
+  {
+    const Mesh::Halfedge_index h = mesh.halfedge(f);
+    return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+  }
+
+  // None if they are not wanted.
+  std::vector<std::string> prolongations(const IS::Surface_history& history)
+  {
+    std::vector<std::string> result;
+    for(std::size_t n = 1; n < m_levels.size() && !m_options.prolongation.empty(); ++n) {
+      const IS::Surface_map map(history, m_levels[n - 1], m_levels[n]);
+      Eigen::SparseMatrix<double, Eigen::RowMajor> matrix = IS::prolongation_matrix(
+        map, IS::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()));
+      if(n == 1) // without vertices that have been inserted
+        matrix.conservativeResize(
+          static_cast<Eigen::Index>(m_run.input().mesh.number_of_vertices()), matrix.cols());
+      result.push_back(
+        matrix_market(Eigen::SparseMatrix<double>(matrix), Matrix_symmetry::GENERAL, meaning(n)));
+    }
+    return result;
+  }
+
+  // Which vertices the rows and columns of a matrix belong to.
+  std::string meaning(std::size_t level) const
+  {
+    const auto vertices = [&](std::size_t n) {
+      if(n > 0)
+        return "the vertices of level " + std::to_string(n);
+      return std::string(m_triangulation ? "the vertices of the mesh, without those inserted"
+                                         : "the vertices of the mesh");
+    };
+    return "rows: " + vertices(level - 1) + "\ncolumns: " + vertices(level);
+  }
+
+  void save(const IS::Surface_history& history)
+  {
+    if(m_run.options().save.empty())
+      return;
+    std::vector<const IS::Surface_level*> levels;
+    for(const IS::Surface_level& level : m_levels)
+      levels.push_back(&level);
+    std::ostringstream text;
+    if(m_triangulation)
+      IT::write_intrinsic_triangulation(text, *m_triangulation);
+    IS::write_surface_hierarchy(text, history, levels);
+    m_run.add_output(m_run.options().save, text.str());
+  }
+
+  std::string summary()
+  {
+    const Statistics& s = m_run.statistics();
+    std::ostringstream text;
+    text << s["vertices"] << " -> " << s["coarse_vertices"] << " vertices ("
+         << s["status"].get<std::string>() << "), area times " << s["area_ratio"].get<double>()
+         << ", smallest angle " << m_run.input().diagnosis.statistics().min_angle << " -> "
+         << s["min_angle_degrees"].get<double>() << " degrees";
+    if(!m_options.weights.empty())
+      for(const auto& [name, value] : m_weights.values())
+        text << ", weight " << name << '=' << value;
+    if(s.contains("coarse_mesh"))
+      describe_coarse_mesh(s["coarse_mesh"], text);
+    for(const char* key : {"refinement_status", "coarse_refinement_status"})
+      if(s.contains(key) && s[key] == to_string(IT::Refinement_status::insertion_limit))
+        text << ", " << key << ": insertion_limit";
+    return text.str();
+  }
+
+  const Simplify_options& m_options;
+  Cost_weights m_weights;
+  Mesh_format m_format, m_coarse_format;
+  Command_run m_run;
+  std::optional<Triangulation> m_triangulation; // the refined one, then the input with its vertices
+  std::vector<Point> m_points;                  // of the vertices of the fine level
+  std::vector<std::vector<Mesh::Vertex_index>> m_sources; // of vertices that mending added
+  Mesh_data m_data;                                       // of the output
+  std::size_t m_fine_edges = 0, m_fine_faces = 0; // of the fine level, without cuts and disks
+  std::vector<double> m_curvature;                // at the vertices of the subdivision, for a page
+  std::vector<double> m_area_change;              // of its polygons, for a page
+  std::vector<IS::Surface_level> m_levels;        // from the fine one to the coarse one
+};
+
+} // namespace
+
+int simplify(const Common_options& common, const Simplify_options& options)
+{
+  Simplify_command(common, options).run();
+  return 0;
+}

@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Program_error.h"
+#include "commands/Command_run.h"
+#include "commands/commands.h"
+#include "commands/triangulation_stages.h"
+#include "reading/surface_points.h"
+#include "reading/text_encoding.h"
+#include "reading/vertex_values.h"
+#include "writing/Text.h"
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/function_transfer.h>
+#include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/point_across.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using Correspondence = IT::Correspondence<Triangulation::Traits>;
+
+void write(Text& text, const Surface_location& p)
+{
+  text << std::size_t(p.first.idx()) << ':' << p.second[0] << ',' << p.second[1] << ','
+       << p.second[2];
+}
+
+// The first or the last word of each line. What follows a # is not read, nor are empty lines.
+std::vector<std::string> read_words(const std::string& path, bool is_last)
+{
+  std::ifstream file(path);
+  if(!file)
+    throw Program_error(path + ": cannot be opened; is there such a file?");
+  std::vector<std::string> result;
+  for(std::string line; std::getline(file, line);) {
+    std::istringstream words(without_byte_order_mark(line.substr(0, line.find('#'))));
+    std::string word, chosen;
+    while(words >> word)
+      if(chosen.empty() || is_last)
+        chosen = word;
+    if(!chosen.empty())
+      result.push_back(chosen);
+  }
+  if(file.bad())
+    throw Program_error(path + ": cannot be read");
+  if(result.empty())
+    throw Program_error(path + ": has no points; write one in each line");
+  return result;
+}
+
+class Transfer_command
+{
+public:
+  Transfer_command(const Common_options& common, const Transfer_options& options)
+    : m_options(options),
+      m_side(options.is_back ? IT::Side::intrinsic : IT::Side::input),
+      m_run("transfer", common, {options.output})
+  {
+    if(options.points.empty() == options.data.empty())
+      throw Program_error("give either --points or --data");
+    m_run.plan({delaunay_stages,
+                refinement_stages(options.refinement),
+                certificate_stages(common),
+                {"transfer"},
+                view_stages(common)});
+  }
+
+  void run()
+  {
+    Triangulation triangulation = make_delaunay_triangulation(m_run);
+    refine_if_wanted(m_run, triangulation, m_options.refinement);
+    describe(m_run, triangulation);
+    m_run.timed("transfer", [&] {
+      const Correspondence correspondence(triangulation);
+      m_options.data.empty() ? transfer_points(correspondence) : transfer_data(correspondence);
+    });
+    show(triangulation);
+    m_run.timed("write", [&] {
+      m_run.add_output(m_options.output, m_text.take());
+      save(m_run, triangulation);
+    });
+    m_run.finish(summary_of_changes(m_run) + ", " + m_summary);
+  }
+
+private:
+  IT::Side other() const
+  {
+    return m_side == IT::Side::input ? IT::Side::intrinsic : IT::Side::input;
+  }
+
+  // ---- Points ----
+
+  Surface_location point(const std::string& text, const Correspondence& correspondence)
+  {
+    return m_side == IT::Side::input
+             ? surface_point_nearby(text, m_run.input())
+             : face_point(text, correspondence.mesh(m_side).number_of_faces());
+  }
+
+  void transfer_points(const Correspondence& correspondence)
+  {
+    const auto words = read_words(m_options.points, m_options.is_back);
+    double error = 0;
+    for(const std::string& word : words) {
+      const Surface_location here = point(word, correspondence);
+      const Surface_location there = IT::point_across(correspondence, m_side, here);
+      const Surface_location back = IT::point_across(correspondence, other(), there);
+      const Surface_location& on_input = m_options.is_back ? there : here;
+      const Surface_location again =
+        m_options.is_back ? IT::point_across(correspondence, m_side, back) : back;
+      const Mesh& mesh = m_run.input().mesh;
+      error = (std::max)(
+        error, std::sqrt(CGAL::squared_distance(position(on_input, mesh), position(again, mesh))));
+      m_points.push_back(on_input);
+      write(m_text, m_run.input().as_read(on_input));
+      m_text << ' ';
+      write(m_text, m_options.is_back ? here : there);
+      m_text << '\n';
+    }
+    m_run.statistics()["points"] = words.size();
+    m_run.statistics()["greatest_error_there_and_back"] = error;
+    m_summary = std::to_string(words.size()) + " points";
+  }
+
+  // ---- Functions ----
+
+  Eigen::VectorXd values(std::size_t size) const
+  {
+    const auto lines = read_vertex_values(m_options.data, size);
+    if(lines.size() != size)
+      throw Program_error(m_options.data + ": has values for " + std::to_string(lines.size()) +
+                          " of " + std::to_string(size) + " vertices; give one to each");
+    Eigen::VectorXd result(static_cast<Eigen::Index>(size));
+    for(const Vertex_value& line : lines)
+      result[static_cast<Eigen::Index>(line.vertex)] = line.value;
+    return result;
+  }
+
+  static double integral(const Triangulation& triangulation, IT::Side side,
+                         const Eigen::VectorXd& values)
+  {
+    return (IT::lumped_mass_matrix(triangulation.surface(side)) * values).sum();
+  }
+
+  void transfer_data(const Correspondence& correspondence)
+  {
+    const Triangulation& triangulation = correspondence.triangulation();
+    const Eigen::VectorXd here = values(correspondence.mesh(m_side).number_of_vertices());
+    const Eigen::VectorXd there = IT::transfer_function(correspondence, m_side, here);
+    const Eigen::VectorXd back = IT::transfer_function(correspondence, other(), there);
+    for(Eigen::Index v = 0; v < there.size(); ++v)
+      m_text << static_cast<std::size_t>(v) << ' ' << there[v] << '\n';
+    m_function.assign(here.begin(), here.end());
+    m_transferred_function.assign(there.begin(), there.end());
+    Statistics& s = m_run.statistics();
+    s["values"] = here.size();
+    s["transferred_values"] = there.size();
+    s["integral"] = integral(triangulation, m_side, here);
+    s["transferred_integral"] = integral(triangulation, other(), there);
+    s["greatest_error_there_and_back"] = (back - here).cwiseAbs().maxCoeff();
+    m_summary = std::to_string(there.size()) + " values";
+  }
+
+  // ---- The page ----
+
+  // Points come after those of the subdivision. Pages of large meshes have one function.
+  void show(const Triangulation& triangulation)
+  {
+    m_run.show([&](View_page& page) {
+      const Subdivision subdivision = subdivide(m_run, triangulation);
+      Output_mesh mesh = subdivision_mesh(subdivision);
+      std::vector<Attribute> intrinsic;
+      if(!m_options.data.empty()) {
+        const auto add = [&](const char* name, IT::Side side, const std::vector<double>& values) {
+          mesh.point_data.push_back({name, interpolated(side, values, subdivision)});
+          if(side == IT::Side::intrinsic)
+            intrinsic.push_back({name, values});
+        };
+        add("function", m_side, m_function);
+        add("transferred_function", other(), m_transferred_function);
+      }
+      Surface_marks marks{"points", false, {}, {}, {}};
+      for(const Surface_location& p : m_points) {
+        marks.points.push_back(static_cast<std::int64_t>(mesh.points.size()));
+        mesh.points.push_back(position(p, m_run.input().mesh));
+      }
+      ::show(page, m_run, triangulation, subdivision, std::move(mesh));
+      develop_if_large(page, m_run, triangulation, subdivision, std::move(intrinsic));
+      page.add_marks(std::move(marks));
+    });
+  }
+
+  const Transfer_options& m_options;
+  IT::Side m_side; // of what is given
+  Command_run m_run;
+  std::vector<Surface_location> m_points; // on the input
+  std::vector<double> m_function, m_transferred_function;
+  Text m_text;
+  std::string m_summary;
+};
+
+} // namespace
+
+int transfer(const Common_options& common, const Transfer_options& options)
+{
+  Transfer_command(common, options).run();
+  return 0;
+}

@@ -1,0 +1,314 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/triangulation_stages.h"
+
+#include "Program_error.h"
+#include "commands/kept_edges.h"
+#include "pictures/develop_faces.h"
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/edge_lengths.h>
+#include <CGAL/Intrinsic_triangulations/enclose_crossing.h>
+#include <CGAL/Intrinsic_triangulations/interpolation.h>
+#include <CGAL/Intrinsic_triangulations/io.h>
+#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/mollify.h>
+#include <CGAL/Intrinsic_triangulations/refine.h>
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+const auto in_parallel = IT::parameters::concurrency_tag(CGAL::Parallel_if_available_tag());
+
+constexpr std::size_t most_polygons = 200000; // of a common subdivision in a page
+
+// Shows the flips while they are made.
+struct Flip_counter
+{
+  Progress_bar& progress;
+
+  void after_flip(IT::Halfedge_index) { progress.step(); }
+  void before_exact_flips() {}
+};
+
+Edge_bool_map constrained_edges(Input_mesh& input, const Constraints& constraints)
+{
+  auto result =
+    input.mesh.add_property_map<Mesh::Edge_index, bool>("e:is_constrained", false).first;
+  if(constraints.angle > 0)
+    mark_sharp_edges(input.mesh, constraints.angle, result);
+  if(constraints.has_seams)
+    mark_seams(input.data, input.mesh, result);
+  return result;
+}
+
+// To a mesh with the vertices and faces of the input.
+void add_input_data(const Input_mesh& input, Output_mesh& mesh)
+{
+  if(input.data.empty())
+    return;
+  typedef Mesh::size_type Size;
+  const auto weights = [&](std::size_t i) {
+    return input.weights({1, {IT::Vertex_index(static_cast<Size>(i))}, {1}});
+  };
+  const auto triangle = [&](std::size_t i, std::size_t) {
+    return input.triangle(IT::Face_index(static_cast<Size>(i)));
+  };
+  add_data(mesh, carried(input.data, {mesh.points.size(), mesh.polygons, weights, triangle}));
+}
+
+IT::Refinement_result refined(Triangulation& triangulation, const Refinement_bounds& bounds,
+                              bool is_exact)
+{
+  const std::size_t limit =
+    maximum_number_of_insertions(bounds, triangulation.input_mesh().number_of_faces());
+  return IT::refine(triangulation, IT::parameters::minimum_angle(bounds.minimum_angle)
+                                     .maximum_circumradius(bounds.maximum_circumradius)
+                                     .simplicial(bounds.is_simplicial)
+                                     .maximum_number_of_insertions(limit)
+                                     .exact_decisions(is_exact));
+}
+
+} // namespace
+
+Edge_length_map edge_lengths(Command_run& run)
+{
+  Mesh& mesh = run.input().mesh;
+  auto lengths = mesh.add_property_map<Mesh::Edge_index, double>("e:length").first;
+  IT::compute_edge_lengths(mesh, lengths);
+  if(run.options().mollification > 0) {
+    const double added = IT::mollify(mesh, lengths, run.options().mollification);
+    if(added == 0 && run.options().is_mollification_tried)
+      throw Nothing_to_mollify();
+    run.statistics()["mollification"] = run.options().mollification;
+    run.statistics()["added_length"] = added;
+  }
+  return lengths;
+}
+
+double mollification(Command_run& run)
+{
+  if(run.options().mollification > 0)
+    edge_lengths(run);
+  return run.options().mollification;
+}
+
+Triangulation make_triangulation(Command_run& run, const Constraints& constraints)
+{
+  Mesh& mesh = run.input().mesh;
+  const auto np =
+    IT::parameters::edge_is_constrained_map(constrained_edges(run.input(), constraints));
+  return Triangulation(mesh, np.mollification(mollification(run)));
+}
+
+Triangulation make_delaunay_triangulation(Command_run& run, const Constraints& constraints)
+{
+  Triangulation result = run.timed("build", [&] { return make_triangulation(run, constraints); });
+  run.timed("flip", [&] {
+    Flip_counter counter{run.progress()};
+    run.statistics()["flips"] = IT::make_Delaunay(
+      result, in_parallel.visitor(std::ref(counter)).exact_decisions(run.options().is_exact));
+  });
+  return result;
+}
+
+std::size_t maximum_number_of_insertions(const Refinement_bounds& bounds,
+                                         std::size_t number_of_faces)
+{
+  return bounds.maximum_number_of_insertions.value_or(IT::default_maximum_number_of_insertions(
+    number_of_faces, bounds.minimum_angle, bounds.maximum_circumradius));
+}
+
+IT::Refinement_result refine_triangulation(Command_run& run, Triangulation& triangulation,
+                                           const Refinement_bounds& bounds)
+{
+  const IT::Refinement_result result =
+    run.timed("refine", [&] { return refined(triangulation, bounds, run.options().is_exact); });
+  Statistics& statistics = run.statistics();
+  statistics["flips"] = statistics["flips"].get<std::size_t>() + result.flips;
+  statistics["inserted_vertices"] = triangulation.number_of_inserted_vertices();
+  statistics["faces_below_bound"] = result.remaining.size();
+  statistics["faces_excused"] =
+    std::count_if(result.remaining.begin(), result.remaining.end(), IT::is_excused);
+  statistics["status"] = IT::to_string(result.status);
+  if(result.is_exact && !run.options().is_exact)
+    statistics["exact_decisions"] = true;
+  return result;
+}
+
+void refine_if_wanted(Command_run& run, Triangulation& triangulation,
+                      const Refinement_bounds& bounds)
+{
+  if(bounds.minimum_angle > 0)
+    refine_triangulation(run, triangulation, bounds);
+}
+
+IT::Delaunay_certificate certify(Command_run& run, const Triangulation& triangulation)
+{
+  const IT::Delaunay_certificate certificate =
+    run.timed("certify", [&] { return IT::certify_Delaunay(triangulation, in_parallel); });
+  Statistics& statistics = run.statistics();
+  statistics["certified"] = certificate.is_Delaunay();
+  statistics["ties"] = certificate.ties.size();
+  statistics["undecided"] = certificate.undecided();
+  statistics["decisions"] = {{"lengths", certificate.decided_by_lengths},
+                             {"floating_point", certificate.decided_in_floating_point},
+                             {"multiprecision", certificate.decided_in_multiprecision},
+                             {"exact", certificate.decided_exactly}};
+  return certificate;
+}
+
+// Returns whether the edges are, if they are straight.
+bool is_certainly_Delaunay(const IT::Delaunay_certificate& certificate)
+{
+  return certificate.non_Delaunay_edges.empty() && certificate.possibly_non_Delaunay_edges.empty();
+}
+
+void describe(Command_run& run, const Triangulation& triangulation)
+{
+  const auto& coordinates = triangulation.coordinates();
+  std::size_t shared = 0;
+  std::int64_t crossings = 0;
+  double length = 0;
+  for(const IT::Edge_index e : triangulation.mesh().edges()) {
+    if(coordinates.is_shared(e))
+      ++shared;
+    else
+      crossings += coordinates.normal_coordinate(e);
+    length += triangulation.length(e);
+  }
+  Statistics& statistics = run.statistics();
+  statistics["is_delaunay"] = run.options().is_exact
+                                ? is_certainly_Delaunay(certify(run, triangulation))
+                                : IT::is_Delaunay(triangulation);
+  statistics["shared_edges"] = shared;
+  statistics["crossings"] = crossings;
+  statistics["edge_length_sum"] = length;
+  statistics["min_angle_degrees"] =
+    IT::smallest_angle_in_degrees(triangulation.mesh(), triangulation.length_map());
+}
+
+Subdivision subdivide(Command_run& run, const Triangulation& triangulation)
+{
+  const auto correspondence =
+    run.timed("trace", [&] { return IT::Correspondence<>(triangulation, in_parallel); });
+  if(run.options().is_exact)
+    run.timed("certify", [&] {
+      const IT::Place_certificate places = IT::certify_places(correspondence);
+      run.statistics()["place_error"] = places.greatest_error;
+      run.statistics()["indefinite_places"] = places.indefinite;
+    });
+  Subdivision result = run.timed("subdivide", [&] {
+    Subdivision subdivision(correspondence, in_parallel);
+    IT::interpolate(IT::Side::input, subdivision, run.input().mesh.points(),
+                    subdivision.mesh().points(), in_parallel);
+    return subdivision;
+  });
+  const Mesh& mesh = result.mesh();
+  describe_subdivision(run.statistics(), mesh.number_of_vertices(), mesh.number_of_edges(),
+                       mesh.number_of_faces());
+  return result;
+}
+
+std::vector<double> curvatures(Command_run& run)
+{
+  const Mesh& mesh = run.input().mesh;
+  const Edge_length_map length = edge_lengths(run);
+  std::vector<double> result(mesh.number_of_vertices()), area(mesh.number_of_vertices(), 0);
+  IT::compute_curvatures(
+    mesh, length,
+    boost::make_iterator_property_map(result.begin(), get(boost::vertex_index, mesh)));
+  for(const Mesh::Halfedge_index h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      area[mesh.target(h)] +=
+        IT::quadrupled_area(length[mesh.edge(h)], length[mesh.edge(mesh.next(h))],
+                            length[mesh.edge(mesh.prev(h))]) /
+        12;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    result[v] = area[v] > 0 && !mesh.is_border(v) ? result[v] / area[v] : 0;
+  return result;
+}
+
+std::vector<double> interpolated(IT::Side side, const std::vector<double>& values,
+                                 const Subdivision& subdivision)
+{
+  const auto map = [&](auto first) {
+    return boost::make_iterator_property_map(first, get(boost::vertex_index, subdivision.mesh()));
+  };
+  std::vector<double> result(subdivision.mesh().number_of_vertices());
+  IT::interpolate(side, subdivision, map(values.begin()), map(result.begin()));
+  return result;
+}
+
+void show(View_page& page, Command_run& run, const Triangulation& triangulation,
+          const Subdivision& subdivision, Output_mesh mesh)
+{
+  mesh.point_data.push_back(
+    {"curvature", interpolated(IT::Side::input, curvatures(run), subdivision)});
+  add_input_data(run.input(), subdivision, mesh);
+  page.add_surface("surface", mesh);
+  show_angles(page, "input", run.input().mesh, edge_lengths(run));
+  show_angles(page, "intrinsic", triangulation.mesh(), triangulation.length_map());
+}
+
+void develop_if_large(View_page& page, Command_run& run, const Triangulation& triangulation,
+                      const Subdivision& subdivision, std::vector<Attribute> vertex_data)
+{
+  const bool is_large = subdivision.mesh().number_of_faces() > most_polygons;
+  if(run.options().mollification > 0 || !(is_large || run.options().is_direct))
+    return;
+  if(auto faces = develop_faces(triangulation, run.input().mesh)) {
+    faces->input.point_data.push_back({"curvature", curvatures(run)});
+    for(const Attribute& a : vertex_data) {
+      faces->input.point_data.push_back(a);
+      faces->input.point_data.back().resize(faces->input.points.size());
+    }
+    add_input_data(run.input(), faces->input);
+    faces->vertex_data = std::move(vertex_data);
+    page.set_developed(std::move(*faces));
+  }
+}
+
+void show(Command_run& run, const Triangulation& triangulation)
+{
+  run.show([&](View_page& page) {
+    const Subdivision subdivision = subdivide(run, triangulation);
+    show(page, run, triangulation, subdivision, subdivision_mesh(subdivision));
+    develop_if_large(page, run, triangulation, subdivision);
+  });
+}
+
+void save(Command_run& run, const Triangulation& triangulation)
+{
+  if(run.options().save.empty())
+    return;
+  std::ostringstream text;
+  IT::write_intrinsic_triangulation(text, triangulation);
+  run.add_output(run.options().save, text.str());
+}
+
+std::string summary_of_changes(Command_run& run)
+{
+  const Statistics& s = run.statistics();
+  std::ostringstream text;
+  text << s["flips"] << " flips, ";
+  if(s.contains("status"))
+    text << s["inserted_vertices"] << " vertices inserted (" << s["status"].get<std::string>()
+         << (s.contains("exact_decisions") ? ", after rounding left doubts, with exact decisions"
+                                           : "")
+         << "), ";
+  if(s.contains("status") && s["status"] == to_string(IT::Refinement_status::insertion_limit))
+    text << s["faces_below_bound"]
+         << " faces are left: ask for smaller angles or larger faces, or allow more insertions, ";
+  text << "smallest angle " << run.input().diagnosis.statistics().min_angle << " -> "
+       << s["min_angle_degrees"].get<double>() << " degrees";
+  return text.str();
+}

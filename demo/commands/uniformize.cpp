@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/commands.h"
+
+#include "Program_error.h"
+#include "commands/component_maps.h"
+#include "commands/map_commands.h"
+#include "commands/triangulation_stages.h"
+
+#include <CGAL/Discrete_conformal_maps/uniformize.h>
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace DCM = CGAL::Discrete_conformal_maps;
+
+namespace {
+
+DCM::Uniformization uniformized(Command_run& run, const Mesh& mesh, double epsilon)
+{
+  Stage_visitor visitor{run};
+  return DCM::uniformize(mesh, DCM::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())
+                                 .mollification(epsilon)
+                                 .visitor(std::ref(visitor)));
+}
+
+bool is_flat(DCM::Surface_type type)
+{
+  return type == DCM::Surface_type::torus || type == DCM::Surface_type::annulus;
+}
+
+bool is_spherical(DCM::Surface_type type)
+{
+  return type == DCM::Surface_type::sphere || type == DCM::Surface_type::disk;
+}
+
+Statistics description(const std::complex<double>& modulus)
+{
+  return {modulus.real(), modulus.imag()};
+}
+
+// Maps a component, and returns its summary.
+std::string add(Component_maps& maps, const Component_mesh& component, Statistics& statistics,
+                const DCM::Uniformization& result, bool is_homogeneous)
+{
+  const std::vector<Mesh::Vertex_index> no_cones;
+  const std::string type = DCM::to_string(result.type);
+  statistics["surface_type"] = type;
+  if(result.hyperbolic)
+    return type + ": " +
+           maps.add(component, statistics, *result.hyperbolic, no_cones, is_homogeneous);
+  if(result.spherical)
+    return maps.add(component, statistics, *result.spherical);
+  if(result.modulus)
+    statistics["modulus"] = description(*result.modulus);
+  return type + ": " +
+         maps.add(component, statistics, *result.flat, result.flat->minimization().iterations,
+                  no_cones, is_homogeneous);
+}
+
+double right_end(const Mesh& mesh)
+{
+  double result = 0;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    result = (std::max)(result, mesh.point(v).x());
+  return result;
+}
+
+// Spheres stand beside the mesh, if other components are there.
+int map_components(Command_run& run, const Hyperbolic_options& options, Mesh_format format)
+{
+  if(!options.picture.empty())
+    throw Program_error("--svg is for one hyperbolic surface: add --component or --largest");
+  Component_maps maps(run);
+  bool has_flat_ones = false, has_other_ones = false;
+  for(std::size_t c = 0; c < maps.size(); ++c) {
+    const DCM::Surface_type type = DCM::surface_type(maps.component(c).mesh);
+    has_flat_ones |= is_flat(type);
+    has_other_ones |= !is_spherical(type);
+  }
+  if(options.is_homogeneous && !has_other_ones)
+    throw Program_error("--homogeneous is for flat and hyperbolic surfaces, and all components are "
+                        "spheres or disks: leave it out");
+  if(has_other_ones)
+    maps.set_first_center(right_end(run.input().mesh) + 1.5);
+  run.plan({{"build"}, map_stages(has_flat_ones)});
+  const double epsilon = run.timed("build", [&] { return mollification(run); });
+  maps.for_each([&](const Component_mesh& component, Statistics& statistics) {
+    return add(maps, component, statistics, uniformized(run, component.mesh, epsilon),
+               options.is_homogeneous);
+  });
+  return maps.finish(options.output, format);
+}
+
+// Throws Program_error if an option is not for a surface of this type.
+void check_options(const Hyperbolic_options& options, DCM::Surface_type type)
+{
+  const auto refuse = [&](const std::string& option, const char* kind) {
+    throw Program_error(option + " is for " + kind + "; this surface is of type " +
+                        DCM::to_string(type) + ": leave it out");
+  };
+  if(type == DCM::Surface_type::hyperbolic)
+    return;
+  if(!options.picture.empty())
+    refuse("--svg", "hyperbolic surfaces");
+  if(options.depth)
+    refuse("--tiles", "hyperbolic surfaces");
+  if(options.is_homogeneous && !is_flat(type))
+    refuse("--homogeneous", "flat and hyperbolic surfaces");
+}
+
+} // namespace
+
+int uniformize(const Common_options& common, const Hyperbolic_options& options)
+{
+  check_tiling(common, options);
+  const Mesh_format format = format_with_texture(options);
+  Command_run run("uniformize", common, {options.output, options.picture});
+  if(component_faces(run.input().mesh).size() > 1)
+    return map_components(run, options, format);
+  const DCM::Surface_type type = DCM::surface_type(run.input().mesh);
+  run.statistics()["surface_type"] = DCM::to_string(type);
+  check_options(options, type);
+  run.plan({{"build"}, map_stages(is_flat(type))});
+  const double epsilon = run.timed("build", [&] { return mollification(run); });
+  const DCM::Uniformization result = uniformized(run, run.input().mesh, epsilon);
+  if(result.hyperbolic)
+    return finish(run, options, format, *result.hyperbolic, {});
+  if(result.spherical) {
+    Sphere_options sphere;
+    sphere.output = options.output;
+    return finish(run, sphere, format, *result.spherical);
+  }
+  if(result.modulus)
+    run.statistics()["modulus"] = description(*result.modulus);
+  return finish(run, options, format, *result.flat, result.flat->minimization().iterations, {});
+}

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pictures/develop_faces.h"
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+typedef std::complex<double> Complex;
+
+constexpr std::size_t most_crossings = 512; // of the edges of a face
+
+class Developer
+{
+public:
+  explicit Developer(const Triangulation& triangulation)
+    : m_correspondence(triangulation,
+                       IT::parameters::concurrency_tag(CGAL::Parallel_if_available_tag())),
+      m_tri(triangulation),
+      m_mesh(triangulation.mesh()),
+      m_numbers(m_mesh.num_halfedges(), -1)
+  {}
+
+  std::optional<Developed_faces> operator()(const Mesh& input)
+  {
+    for(const IT::Face_index f : m_tri.input_mesh().faces())
+      if(const IT::Halfedge_index h = m_tri.input_mesh().halfedge(f);
+         crossings_at_corner(h) + crossings(m_tri.input_mesh().next(h)) > most_crossings)
+        return std::nullopt;
+    number_halfedges();
+    for(const IT::Face_index f : m_mesh.faces())
+      add_face(first(f));
+    m_result.number_of_edges = {input.number_of_edges(), m_mesh.number_of_edges()};
+    m_result.input.points.assign(input.points().begin(), input.points().end());
+    for(const IT::Face_index f : m_tri.input_mesh().faces())
+      add_input_face(f);
+    return std::move(m_result);
+  }
+
+private:
+  IT::Halfedge_index first(IT::Face_index f) const
+  {
+    const IT::Halfedge_index h = m_mesh.halfedge(f);
+    return (std::max)({h, m_mesh.next(h), m_mesh.prev(h)},
+                      [&](IT::Halfedge_index g, IT::Halfedge_index k) {
+                        return m_tri.length(IT::Edge_index(g)) < m_tri.length(IT::Edge_index(k));
+                      });
+  }
+
+  void number_halfedges()
+  {
+    std::int64_t n = 0;
+    for(const IT::Face_index f : m_mesh.faces())
+      for(const IT::Halfedge_index h : {first(f), m_mesh.next(first(f)), m_mesh.prev(first(f))})
+        m_numbers[h.idx()] = n++;
+  }
+
+  void add_face(IT::Halfedge_index h)
+  {
+    for(const IT::Halfedge_index g : {h, m_mesh.next(h), m_mesh.prev(h)}) {
+      m_result.opposites.push_back(m_numbers[m_mesh.opposite(g).idx()]);
+      m_result.sources.push_back(static_cast<std::int64_t>(m_mesh.source(g).idx()));
+    }
+    const Complex z = apex(h);
+    m_result.shapes.insert(m_result.shapes.end(), {z.real(), z.imag()});
+  }
+
+  // The third corner of the face of `h`, if `h` goes from 0 to 1.
+  Complex apex(IT::Halfedge_index h) const
+  {
+    const double l = m_tri.length(IT::Edge_index(h));
+    const double a = m_tri.length(IT::Edge_index(m_mesh.next(h)));
+    const double b = m_tri.length(IT::Edge_index(m_mesh.prev(h)));
+    return {.5 + IT::scaled_foot(a, b) / l / l / 2, IT::quadrupled_area(l, a, b) / l / l / 2};
+  }
+
+  // Development starts at a corner whose first edge is intrinsic too, if there is one, and whose
+  // edges are crossed least.
+  void add_input_face(IT::Face_index f)
+  {
+    const IT::Delta_complex& input = m_tri.input_mesh();
+    const IT::Halfedge_index h0 = input.halfedge(f);
+    const IT::Halfedge_index h = (std::min)(
+      {h0, input.next(h0), input.prev(h0)},
+      [&](IT::Halfedge_index g, IT::Halfedge_index k) { return cost_of(g) < cost_of(k); });
+    m_result.input.polygons.push_back(std::array<std::size_t, 3>{
+      input.source(h).idx(), input.target(h).idx(), input.target(input.next(h)).idx()});
+    add_start(h);
+  }
+
+  std::pair<bool, std::size_t> cost_of(IT::Halfedge_index h) const
+  {
+    return {!m_correspondence.is_shared(IT::Side::input, IT::Edge_index(h)),
+            crossings_at_corner(h)};
+  }
+
+  std::size_t crossings_at_corner(IT::Halfedge_index h) const
+  {
+    return crossings(h) + crossings(m_tri.input_mesh().prev(h));
+  }
+
+  std::size_t crossings(IT::Halfedge_index h) const
+  {
+    return m_correspondence.number_of_crossings(IT::Side::input, IT::Edge_index(h));
+  }
+
+  void add_start(IT::Halfedge_index h)
+  {
+    const IT::Halfedge_index spoke = m_correspondence.spoke_before(IT::Side::input, h);
+    const bool is_shared = m_correspondence.is_shared(IT::Side::input, IT::Edge_index(h));
+    m_result.starts.push_back(2 * m_numbers[spoke.idx()] + (is_shared ? 0 : 1));
+    if(is_shared)
+      return;
+    const Complex z = direction_of(h, spoke) *
+                      (m_tri.input_length(IT::Edge_index(h)) / m_tri.length(IT::Edge_index(spoke)));
+    m_result.first_edges.insert(m_result.first_edges.end(), {z.real(), z.imag()});
+  }
+
+  // That of the input halfedge `h` from the spoke at or clockwise before it.
+  Complex direction_of(IT::Halfedge_index h, IT::Halfedge_index spoke) const
+  {
+    const IT::Edge_index e(h);
+    const auto& part = m_correspondence.part(
+      e, IT::is_first_halfedge(h) ? 0 : m_correspondence.number_of_parts(e) - 1);
+    if(part.is_shared)
+      return 1;
+    const auto crossing = m_correspondence.crossing(IT::Side::input, h, 0).across;
+    const IT::Halfedge_index side = m_mesh.next(spoke);
+    const double t = crossing.halfedge == side ? crossing.t : 1 - crossing.t;
+    const Complex z = (1 - t) + t * apex(spoke);
+    return z / std::abs(z);
+  }
+
+  const IT::Correspondence<> m_correspondence;
+  const Triangulation& m_tri;
+  const IT::Delta_complex& m_mesh;
+  std::vector<std::int64_t> m_numbers;
+  Developed_faces m_result;
+};
+
+} // namespace
+
+std::optional<Developed_faces> develop_faces(const Triangulation& triangulation, const Mesh& input)
+{
+  return Developer(triangulation)(input);
+}

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "reading/Input_mesh.h"
+
+#include "Program_error.h"
+#include "reading/Mesh_reader.h"
+#include "reading/polygon_splitting.h"
+
+#include <CGAL/Intrinsic_triangulations/diagnose.h>
+#include <CGAL/Intrinsic_triangulations/local_triangulations.h>
+
+#include <iostream>
+#include <utility>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+IT::Input_diagnosis diagnose(const Polygon_soup& soup)
+{
+  return IT::diagnose_polygon_soup(soup.points, soup.polygons);
+}
+
+// CGAL's repair functions take numbers and indices for granted.
+bool is_repairable(const IT::Input_diagnosis& diagnosis)
+{
+  return diagnosis.count(IT::Defect_kind::NON_FINITE_COORDINATE) == 0 &&
+         diagnosis.count(IT::Defect_kind::FACE_INDEX_OUT_OF_RANGE) == 0;
+}
+
+// What keeps triangles from being an oriented surface.
+std::size_t number_of_soup_defects(const IT::Input_diagnosis& diagnosis)
+{
+  return diagnosis.count(IT::Defect_kind::NON_MANIFOLD_EDGE) +
+         diagnosis.count(IT::Defect_kind::NON_MANIFOLD_VERTEX) +
+         diagnosis.count(IT::Defect_kind::INCONSISTENT_ORIENTATION);
+}
+
+std::size_t number_of_polygons(const IT::Input_diagnosis& diagnosis)
+{
+  return diagnosis.count(IT::Defect_kind::NON_TRIANGULAR_FACE);
+}
+
+bool is_allowed(IT::Defect_kind kind, const Input_tolerance& tolerance)
+{
+  switch(kind) {
+    case IT::Defect_kind::NON_MANIFOLD_EDGE:
+    case IT::Defect_kind::NON_MANIFOLD_VERTEX:
+    case IT::Defect_kind::INCONSISTENT_ORIENTATION: return tolerance.are_soups_allowed;
+    case IT::Defect_kind::ZERO_LENGTH_EDGE: return tolerance.are_zero_lengths_allowed;
+    case IT::Defect_kind::NON_TRIANGULAR_FACE: return !tolerance.is_strict;
+    default: return false;
+  }
+}
+
+// What to do about what is not acceptable.
+const char* advice(const IT::Input_diagnosis& diagnosis, const Input_tolerance& tolerance)
+{
+  if(!is_repairable(diagnosis))
+    return "; correct it in the file";
+  if(number_of_soup_defects(diagnosis) > 0 && !tolerance.are_soups_allowed &&
+     !tolerance.is_repair_wanted)
+    return "; --repair makes it a surface";
+  if(diagnosis.count(IT::Defect_kind::LENGTH_OUT_OF_RANGE) > 0)
+    return "; scale the mesh";
+  if(number_of_polygons(diagnosis) > 0 && tolerance.is_strict)
+    return "; split it, or leave out --strict";
+  return tolerance.is_repair_wanted ? "; `intrinsic view` shows where" : "; --repair may mend it";
+}
+
+void check_acceptable(const std::string& path, const IT::Input_diagnosis& diagnosis,
+                      const Input_tolerance& tolerance)
+{
+  std::string message;
+  for(const IT::Defect_description& d : IT::defect_descriptions)
+    if(d.is_fatal && diagnosis.count(d.kind) > 0 && !is_allowed(d.kind, tolerance))
+      message += (message.empty() ? "" : "; ") + diagnosis.message(d.kind);
+  if(message.empty())
+    return;
+  throw Program_error(path + ": " + message + advice(diagnosis, tolerance));
+}
+
+Repair_report repair_aloud(const std::string& path, Polygon_soup& soup, double weld_distance)
+{
+  const Repair_report report = repair(soup, weld_distance);
+  for(const auto& [what, count] : report)
+    std::cerr << path << ": repaired: " << what << ": " << count << '\n';
+  if(soup.polygons.empty())
+    throw Program_error(
+      path + ": has no faces after the repair; `intrinsic info` says what was wrong with them");
+  return report;
+}
+
+void triangulate_cloud(const std::string& path, Polygon_soup& soup, std::size_t neighbors)
+{
+  for(const auto& triangle : IT::local_triangulations(soup.points, neighbors))
+    soup.polygons.push_back(triangle);
+  if(soup.polygons.empty())
+    throw Program_error(path +
+                        ": no point has neighbors in two directions; raise --neighbors unless all "
+                        "points are on a line");
+}
+
+void print_notes(const std::string& path, const Polygon_soup& soup,
+                 const IT::Input_diagnosis& diagnosis, bool is_cloud)
+{
+  const auto note = [&](const std::string& text) {
+    std::cerr << path << ": note: " << text << '\n';
+  };
+  if(!soup.format.empty())
+    note("read as " + soup.format + ", which its content is");
+  if(soup.merged_corners > 0)
+    note("corners merged because the file has no indices: " + std::to_string(soup.merged_corners));
+  if(is_cloud)
+    return note("no faces, so the points are triangulated with their neighbors");
+  for(const IT::Defect_description& d : IT::defect_descriptions)
+    if(diagnosis.count(d.kind) > 0 && d.kind != IT::Defect_kind::SEVERAL_COMPONENTS)
+      note(diagnosis.message(d.kind));
+  if(const std::size_t n = diagnosis.statistics().components; n > 1)
+    note("connected components: " + std::to_string(n));
+  if(!soup.parents.empty())
+    note("polygons split into triangles: " + std::to_string(number_of_polygons(diagnosis)));
+  if(number_of_soup_defects(diagnosis) > 0)
+    note("no oriented surface, so its tufted cover is used");
+}
+
+} // namespace
+
+Surface_location Input_mesh::as_read(const Surface_location& p) const
+{
+  const auto& [f, b] = p;
+  if(covered && covered->cover.is_back(f)) // from the second corner to the first
+    return {Mesh::Face_index(f.idx() / 2), {b[1], b[0], b[2]}};
+  if(covered)
+    return {Mesh::Face_index(f.idx() / 2), b};
+  if(!is_reversed.empty() && is_reversed[f.idx()])
+    return {f, {b[2], b[1], b[0]}};
+  return p;
+}
+
+Input_mesh read_input(const std::string& path, const Input_tolerance& tolerance, bool is_quiet)
+{
+  Polygon_soup soup = read_mesh(path, tolerance.neighbors > 0);
+  const bool is_cloud = soup.polygons.empty();
+  Input_mesh result;
+  result.diagnosis = diagnose(soup);
+  if(tolerance.is_repair_wanted && is_repairable(result.diagnosis) && !is_cloud) {
+    result.repairs = repair_aloud(path, soup, tolerance.weld_distance);
+    result.diagnosis = diagnose(soup);
+  }
+  check_acceptable(path, result.diagnosis, tolerance);
+  if(is_cloud)
+    triangulate_cloud(path, soup, tolerance.neighbors);
+  else if(number_of_polygons(result.diagnosis) > 0)
+    split_polygons(path, soup,
+                   {tolerance.are_soups_allowed && number_of_soup_defects(result.diagnosis) > 0,
+                    tolerance.is_repair_wanted});
+  if(!is_quiet)
+    print_notes(path, soup, result.diagnosis, is_cloud);
+  if(is_cloud || !soup.parents.empty()) {
+    result.diagnosis = diagnose(soup);
+    check_acceptable(path, result.diagnosis, tolerance);
+  }
+  result.parents = soup.parents;
+  result.is_reversed = soup.is_reversed;
+  if(!soup.data.empty())
+    result.data = {std::move(soup.data), soup.polygons};
+  if(is_cloud || number_of_soup_defects(result.diagnosis) > 0) {
+    auto cover = IT::tufted_cover(soup.points, soup.polygons);
+    result.mesh = cover.mesh();
+    result.covered.emplace(Covered_soup{std::move(soup), is_cloud, std::move(cover)});
+    return result;
+  }
+  result.mesh = mesh_of(soup);
+  result.cracks = cracks(result.mesh);
+  if(!is_quiet)
+    for(const std::string& message : result.cracks.messages())
+      std::cerr << path << ": note: " << message << '\n';
+  return result;
+}

@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_MESH_DATA_H
+#define INTRINSIC_MESH_DATA_H
+
+#include "reading/Polygons.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// A number at each point.
+struct Point_function
+{
+  std::string name;
+  std::vector<double> values;
+  bool is_color = false; // an integer up to 255, and interpolated as one
+};
+
+// Coordinates at the corners of polygons, which may differ at one point: a texture, or normals.
+struct Corner_data
+{
+  std::string name;
+  std::size_t dimension = 0; // zero if there is nothing; 2, the third being 1, or 3
+  std::vector<std::array<double, 3>> coordinates;
+  Polygons polygons; // with coordinates in place of points; none where there are no coordinates
+};
+
+// Whether it is not a list of normals.
+bool is_texture(const Corner_data& data);
+
+// Groups of polygons, as .obj has them: objects, groups and materials.
+struct Polygon_groups
+{
+  std::vector<std::string> libraries;      // lines that name files with materials
+  std::vector<std::string> lines;          // those that begin each group
+  std::vector<Polygons::Index> of_polygon; // none before the first; empty if there are no groups
+
+  Polygons::Index operator[](std::int64_t polygon) const
+  {
+    const auto i = static_cast<std::size_t>(polygon);
+    return i < of_polygon.size() ? of_polygon[i] : Polygons::none;
+  }
+
+  // Takes the groups to other polygons: number i is a part of polygon `parent(i)`; -1 for none.
+  template <class Parent>
+  void carry(std::size_t size, const Parent& parent)
+  {
+    std::vector<Polygons::Index> result(of_polygon.empty() ? 0 : size);
+    for(std::size_t i = 0; i < result.size(); ++i)
+      result[i] = (*this)[parent(i)];
+    of_polygon = std::move(result);
+  }
+};
+
+// What a mesh has beside positions.
+struct Mesh_data
+{
+  std::vector<Point_function> functions;
+  std::vector<Corner_data> corners;
+  Polygon_groups groups;
+
+  bool empty() const { return functions.empty() && corners.empty() && groups.of_polygon.empty(); }
+
+  // Null if there is none with this name.
+  const Point_function* function(const std::string& name) const;
+};
+
+// How many coordinates the corners of a polygon have in a list of this name; zero if it is not a
+// name of corner data, with "input_" in front or without.
+std::size_t corner_dimension(std::string_view name);
+
+// Numbers coordinates corner by corner. Equal ones at one point get one number, so that others are
+// at seams only.
+class Corner_data_builder
+{
+public:
+  typedef std::array<double, 3> Coordinates;
+
+  // Where there are none.
+  static constexpr Coordinates missing{std::numeric_limits<double>::quiet_NaN(), 0, 0};
+
+  Corner_data_builder(std::string name, std::size_t dimension);
+
+  // The next corner of a polygon; if a coordinate is not finite, it has none.
+  void add_corner(Polygons::Index point, const Coordinates& coordinates);
+  void close() { m_result.polygons.close(); }
+
+  // Adds the data, unless no corner has any.
+  void finish(Mesh_data& data);
+
+private:
+  Polygons::Index number(Polygons::Index point, const Coordinates& coordinates);
+
+  Corner_data m_result;
+  std::vector<Polygons::Index> m_first; // of each point
+  std::map<std::pair<Polygons::Index, Coordinates>, Polygons::Index> m_others;
+};
+
+// Adds coordinates at the corners of polygons, of which some may name points that do not exist.
+// `coordinates` are those of a corner, counted over all polygons. Normals become functions nx, ny
+// and nz if each point has one.
+void add_corner_data(
+  const std::string& name, std::size_t dimension, const Polygons& polygons, std::size_t points,
+  const std::function<Corner_data_builder::Coordinates(std::size_t)>& coordinates, Mesh_data& data);
+
+// Removes functions without a value at each of `points` points, and finds the colors.
+void clean(Mesh_data& data, std::size_t points);
+
+// Data of triangles, those of the input or parts of them.
+struct Triangle_data : Mesh_data
+{
+  Polygons triangles;
+};
+
+// A point as a convex combination of points of one triangle.
+struct Point_weights
+{
+  std::size_t size = 0;
+  std::array<std::size_t, 3> point{};
+  std::array<double, 3> weight{};
+};
+
+// The first texture, for these polygons: of corners without coordinates, those of one point have
+// one that is NaN. Of dimension zero if there is none.
+Corner_data texture_on(const Polygons& polygons, const std::vector<Corner_data>& all);
+
+// Where a mesh lies on triangles.
+struct Placed_mesh
+{
+  std::size_t number_of_points;
+  const Polygons& polygons;
+  std::function<Point_weights(std::size_t)> weights; // of a point
+  // The triangle in which corner k of polygon i lies; -1 if it is none.
+  std::function<std::int64_t(std::size_t i, std::size_t k)> triangle;
+};
+
+// The data at the points and corners of the mesh, linear in each triangle.
+Mesh_data carried(const Triangle_data& data, const Placed_mesh& mesh);
+
+#endif // INTRINSIC_MESH_DATA_H

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "reading/Polygon_soup.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace {
+
+typedef Mesh::size_type Index;
+
+// Numbers the edges, then sets all of the connectivity at once.
+class Mesh_builder
+{
+public:
+  explicit Mesh_builder(const Polygon_soup& soup)
+    : m_soup(soup), m_halfedge(soup.polygons.number_of_corners())
+  {}
+
+  Mesh operator()()
+  {
+    number_ascending_sides();
+    sort_edges();
+    number_descending_sides();
+    m_mesh.resize(static_cast<Index>(m_soup.points.size()), static_cast<Index>(m_edges.size()),
+                  static_cast<Index>(m_soup.polygons.size()));
+    std::copy(m_soup.points.begin(), m_soup.points.end(), m_mesh.points().begin());
+    set_ends();
+    set_faces();
+    link_border();
+    return std::move(m_mesh);
+  }
+
+private:
+  typedef std::array<Index, 2> Edge;            // from the smaller vertex to the larger
+  typedef std::pair<Index, Index> Numbered_end; // the larger vertex and the edge
+
+  static Mesh::Halfedge_index halfedge(std::size_t edge, bool is_descending)
+  {
+    return Mesh::Halfedge_index(static_cast<Index>(2 * edge + is_descending));
+  }
+
+  void number_ascending_sides()
+  {
+    std::size_t corner = 0;
+    for(const Polygons::Polygon& p : m_soup.polygons)
+      for(std::size_t i = 0; i < p.size(); ++i, ++corner) {
+        const Edge side = {p[i], p[i + 1 == p.size() ? 0 : i + 1]};
+        if(side[0] < side[1]) {
+          m_halfedge[corner] = halfedge(m_edges.size(), false);
+          m_edges.push_back(side);
+        }
+      }
+  }
+
+  // By the smaller vertex in linear time, then by the larger one.
+  void sort_edges()
+  {
+    m_first.assign(m_soup.points.size() + 2, 0);
+    for(const Edge& e : m_edges)
+      ++m_first[e[0] + 2];
+    for(std::size_t v = 2; v < m_first.size(); ++v)
+      m_first[v] += m_first[v - 1];
+    m_sorted.resize(m_edges.size());
+    for(Index e = 0; e < m_edges.size(); ++e)
+      m_sorted[m_first[m_edges[e][0] + 1]++] = {m_edges[e][1], e};
+    for(std::size_t v = 0; v < m_soup.points.size(); ++v)
+      std::sort(m_sorted.begin() + m_first[v], m_sorted.begin() + m_first[v + 1]);
+  }
+
+  // The number of an edge from the smaller vertex `v` to `w`; a new one if no face ascends there.
+  Index edge(Index v, Index w)
+  {
+    const auto end = m_sorted.begin() + m_first[v + 1];
+    const auto e = std::lower_bound(m_sorted.begin() + m_first[v], end, Numbered_end(w, 0));
+    if(e != end && e->first == w)
+      return e->second;
+    m_edges.push_back({v, w});
+    return static_cast<Index>(m_edges.size() - 1);
+  }
+
+  // The last side of each face comes first.
+  void number_descending_sides()
+  {
+    std::size_t corner = 0;
+    for(const Polygons::Polygon& p : m_soup.polygons) {
+      for(std::size_t i = 0; i < p.size(); ++i) {
+        const std::size_t from = i == 0 ? p.size() - 1 : i - 1;
+        if(p[i] < p[from])
+          m_halfedge[corner + from] = halfedge(edge(p[i], p[from]), true);
+      }
+      corner += p.size();
+    }
+  }
+
+  // The halfedge of a vertex is on the first edge that has it.
+  void set_ends()
+  {
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      for(const bool is_descending : {true, false}) {
+        const Mesh::Vertex_index target(m_edges[e][is_descending ? 0 : 1]);
+        m_mesh.set_target(halfedge(e, is_descending), target);
+        if(!m_mesh.halfedge(target).is_valid())
+          m_mesh.set_halfedge(target, halfedge(e, is_descending));
+      }
+  }
+
+  // The halfedge of a face leaves its first corner.
+  void set_faces()
+  {
+    auto first = m_halfedge.begin();
+    for(Index f = 0; f < m_soup.polygons.size(); ++f) {
+      const auto end = first + static_cast<std::ptrdiff_t>(m_soup.polygons[f].size());
+      Mesh::Halfedge_index previous = *(end - 1);
+      m_mesh.set_halfedge(Mesh::Face_index(f), *first);
+      for(; first != end; previous = *first++) {
+        m_mesh.set_face(*first, Mesh::Face_index(f));
+        m_mesh.set_next(previous, *first);
+      }
+    }
+  }
+
+  // At most one border halfedge leaves a vertex.
+  void link_border()
+  {
+    std::vector<Mesh::Halfedge_index> leaving(m_soup.points.size());
+    for(const Mesh::Halfedge_index h : m_mesh.halfedges())
+      if(m_mesh.is_border(h))
+        leaving[m_mesh.source(h)] = h;
+    for(const Mesh::Halfedge_index h : leaving)
+      if(h.is_valid())
+        m_mesh.set_next(h, leaving[m_mesh.target(h)]);
+  }
+
+  const Polygon_soup& m_soup;
+  Mesh m_mesh;
+  std::vector<Mesh::Halfedge_index> m_halfedge; // that leaves each corner
+  std::vector<Edge> m_edges;
+  std::vector<Index> m_first;         // of each smaller vertex, in the next
+  std::vector<Numbered_end> m_sorted; // of those edges along which a face ascends
+};
+
+} // namespace
+
+void carry_to_parts(const Polygons& polygons, const std::vector<std::int64_t>& parents,
+                    const Polygons& parts, Mesh_data& data)
+{
+  for(Corner_data& corners : data.corners) {
+    Polygons numbers;
+    for(std::size_t i = 0; i < parts.size(); ++i) {
+      const auto parent = static_cast<std::size_t>(parents[i]);
+      const Polygons::Polygon polygon = polygons[parent], old = corners.polygons[parent];
+      for(const Polygons::Index v : parts[i])
+        numbers.add_corner(old[static_cast<std::size_t>(
+          std::find(polygon.begin(), polygon.end(), v) - polygon.begin())]);
+      numbers.close();
+    }
+    corners.polygons = std::move(numbers);
+  }
+  data.groups.carry(parts.size(), [&](std::size_t i) { return parents[i]; });
+}
+
+Mesh mesh_of(const Polygon_soup& soup) { return Mesh_builder(soup)(); }

@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_SCANNER_H
+#define INTRINSIC_SCANNER_H
+
+#include "writing/byte_order.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The bytes of a file and how far they have been read. Nothing is read beyond their end, whatever
+// they are. All functions that read throw Program_error, with the line in a text, if they do not
+// find what they look for.
+class Scanner
+{
+public:
+  // Reads the file, without a byte-order mark. Throws Program_error if that is not possible, or it
+  // is empty.
+  explicit Scanner(const std::filesystem::path& path);
+
+  const std::filesystem::path& path() const { return m_path; }
+  std::string_view bytes() const { return m_bytes; }
+
+  std::size_t remaining() const { return static_cast<std::size_t>(end() - m_position); }
+  std::size_t size() const { return m_bytes.size(); }
+  bool at_end() const { return m_position == end(); }
+
+  // ---- Text: numbers and words between blanks, in lines ----
+
+  // Whether the line has nothing more but, if a character starts comments, a comment.
+  bool at_line_end(char comment = '\n');
+
+  void skip_line();
+
+  // Goes on to the next word, in this line or in another.
+  void skip_space();
+
+  // Goes on to the next word that is in no comment.
+  void skip_comments(char comment);
+
+  // The next word of the line; empty if there is none.
+  std::string_view word();
+
+  // Whether the next word is this one, which then is read.
+  bool accept(std::string_view expected);
+
+  // As accept(), for a word in lower case that may be written with capital letters.
+  bool accept_in_any_case(std::string_view expected);
+
+  // Lines that end with a backslash go on in the next one, except in comments.
+  void join_lines(char comment);
+
+  // The next number in the line, which is finite; as `float` or `double`.
+  template <class Number>
+  Number number();
+
+  // The next integer in the line; one with a decimal point and zeros is allowed.
+  std::int64_t integer();
+
+  // The next integer in the line, which is no less than zero.
+  std::size_t count();
+
+  // What follows the last number or word directly, up to the next blank.
+  std::string_view take_rest_of_word();
+
+  // The finite numbers that come next in the line, up to something else.
+  std::vector<double> numbers();
+
+  // What comes before the next `last`, which is read, too.
+  std::string_view until(std::string_view last);
+
+  // ---- Binary ----
+
+  // The next bytes as a number, the least significant one first unless `is_big_endian`.
+  template <class Number>
+  Number binary(bool is_big_endian)
+  {
+    expect_bytes(sizeof(Number));
+    Bytes_of<Number> bytes;
+    std::copy_n(m_position, sizeof(Number), bytes.begin());
+    m_position += sizeof(Number);
+    return number_of_bytes<Number>(bytes, is_big_endian);
+  }
+
+  void skip_bytes(std::size_t n)
+  {
+    expect_bytes(n);
+    m_position += n;
+  }
+
+  // Lines are not counted from here on.
+  void set_binary() { m_is_binary = true; }
+
+  // ---- Places ----
+
+  typedef const char* Place;
+  Place place() const { return m_position; }
+  void return_to(Place place) { m_position = place; }
+
+  // Throws Program_error with the line or, unless this is a text, the byte that is being read.
+  [[noreturn]] void fail(const std::string& reason) const;
+
+  // Throws Program_error about the file as a whole.
+  [[noreturn]] void fail_as_a_whole(const std::string& reason) const;
+
+private:
+  const char* end() const { return m_bytes.data() + m_bytes.size(); }
+
+  void expect_bytes(std::size_t n) const
+  {
+    if(remaining() < n)
+      fail_as_a_whole("ends too early");
+  }
+
+  void skip_blanks();
+  std::string_view rest_of_word() const;
+  template <class Number>
+  Number value_beyond_range(std::string_view digits) const;
+
+  std::filesystem::path m_path;
+  std::string m_bytes;
+  Place m_position;
+  bool m_is_binary = false;
+};
+
+#endif // INTRINSIC_SCANNER_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "reading/format_readers.h"
+
+#include <boost/container_hash/hash.hpp>
+
+#include <array>
+#include <unordered_map>
+
+namespace {
+
+class Stl_reader
+{
+public:
+  Stl_reader(Scanner& in, Polygon_soup& soup) : m_in(in), m_soup(soup) {}
+
+  void operator()()
+  {
+    if(is_binary())
+      read_binary();
+    else
+      read_text();
+    m_soup.merged_corners = 3 * m_soup.polygons.size() - m_soup.points.size();
+  }
+
+private:
+  typedef std::array<double, 3> Coordinates;
+
+  static constexpr std::size_t header_bytes = 80, facet_bytes = 50;
+
+  // Binary files may start with "solid", too, but then the number of facets fits.
+  bool is_binary()
+  {
+    const Scanner::Place start = m_in.place();
+    bool result = false;
+    if(m_in.size() >= header_bytes + 4) {
+      m_in.skip_bytes(header_bytes);
+      const std::size_t facets = m_in.binary<std::uint32_t>(false);
+      result = m_in.remaining() == facet_bytes * facets;
+    }
+    m_in.return_to(start);
+    m_in.skip_space();
+    result = result || !m_in.accept_in_any_case("solid");
+    m_in.return_to(start);
+    return result;
+  }
+
+  void add_corner(const Coordinates& p)
+  {
+    // zero has two signs
+    const Coordinates key = {p[0] + 0., p[1] + 0., p[2] + 0.};
+    const auto [point, is_new] = m_index.emplace(key, m_soup.points.size());
+    if(is_new)
+      m_soup.points.emplace_back(p[0], p[1], p[2]);
+    m_soup.polygons.add_corner(point->second);
+  }
+
+  void read_binary()
+  {
+    m_in.set_binary();
+    m_in.skip_bytes(header_bytes);
+    const std::size_t facets = m_in.binary<std::uint32_t>(false);
+    for(std::size_t f = 0; f < facets; ++f) {
+      m_in.skip_bytes(12); // the normal
+      for(int corner = 0; corner < 3; ++corner) {
+        Coordinates p;
+        for(double& x : p)
+          x = static_cast<double>(m_in.binary<float>(false));
+        add_corner(p);
+      }
+      m_soup.polygons.close();
+      m_in.skip_bytes(2);
+    }
+  }
+
+  void read_text()
+  {
+    for(m_in.skip_space(); !m_in.at_end(); m_in.skip_space())
+      if(m_in.accept_in_any_case("facet"))
+        read_facet();
+      else if(m_in.accept_in_any_case("solid") || m_in.accept_in_any_case("endsolid"))
+        m_in.skip_line();
+      else
+        m_in.fail("'facet' or 'endsolid' expected");
+  }
+
+  // The normal and words that say nothing more are left out.
+  void read_facet()
+  {
+    int corners = 0;
+    for(m_in.skip_space(); !m_in.accept_in_any_case("endfacet"); m_in.skip_space()) {
+      if(m_in.accept_in_any_case("vertex")) {
+        if(++corners > 3)
+          m_in.fail("a facet has more than three vertices; split it into triangles");
+        const double x = m_in.number<double>(), y = m_in.number<double>();
+        add_corner({x, y, m_in.number<double>()});
+      } else if(m_in.word().empty() && m_in.at_end())
+        m_in.fail("'endfacet' expected");
+    }
+    if(corners < 3)
+      m_in.fail("a facet has fewer than three vertices; remove it or complete it");
+    m_soup.polygons.close();
+  }
+
+  Scanner& m_in;
+  Polygon_soup& m_soup;
+  std::unordered_map<Coordinates, std::size_t, boost::hash<Coordinates>> m_index;
+};
+
+} // namespace
+
+void read_stl(Scanner& in, Polygon_soup& soup) { Stl_reader(in, soup)(); }

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "writing/Output_mesh.h"
+
+#include <algorithm>
+#include <set>
+
+namespace {
+
+template <class Faces>
+Output_mesh points_and_polygons(const Mesh& mesh, const Faces& faces)
+{
+  Output_mesh result;
+  result.points.assign(mesh.points().begin(), mesh.points().end());
+  result.polygons = polygons_of(mesh, faces);
+  return result;
+}
+
+std::string untaken(std::string name, std::set<std::string>& taken)
+{
+  while(!taken.insert(name).second)
+    name = "input_" + name;
+  return name;
+}
+
+} // namespace
+
+const char* name_of(const Corner_data& data)
+{
+  if(!data.name.empty())
+    return data.name.c_str();
+  return data.dimension == 3 ? "homogeneous_texcoord" : "texcoord";
+}
+
+Output_mesh output_mesh(const Mesh& mesh) { return points_and_polygons(mesh, mesh.faces()); }
+
+Output_mesh output_mesh(const Polygon_soup& soup)
+{
+  Output_mesh result;
+  result.points = soup.points;
+  result.polygons = soup.polygons;
+  return result;
+}
+
+Output_mesh output_mesh_with_edges(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces)
+{
+  Output_mesh result = points_and_polygons(mesh, faces);
+  result.edges.reserve(mesh.number_of_edges());
+  for(const Mesh::Edge_index e : mesh.edges())
+    result.edges.push_back({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+  return result;
+}
+
+void add_data(Output_mesh& mesh, Mesh_data data)
+{
+  mesh.groups = std::move(data.groups);
+  std::set<std::string> taken;
+  for(const Attribute& a : mesh.point_data)
+    taken.insert(a.name);
+  if(mesh.texture.dimension > 0)
+    taken.insert(name_of(mesh.texture));
+  for(Corner_data& corners : data.corners) {
+    corners.name = untaken(corners.name, taken);
+    mesh.corner_data.push_back(std::move(corners));
+  }
+  for(Point_function& f : data.functions) {
+    const std::string name = untaken(f.name, taken);
+    if(f.is_color)
+      mesh.point_data.push_back(
+        {name, std::vector<std::int64_t>(f.values.begin(), f.values.end())});
+    else
+      mesh.point_data.push_back({name, std::move(f.values)});
+  }
+}
