@@ -532,14 +532,14 @@ TEST(Flatten, visitor_sees_all_stages_and_steps)
 }
 
 // What belongs to a surface with boundary must be known for its layout.
-TEST(Flatten, bounded_surfaces_are_subdivided_before_the_layout_too)
+TEST(Flatten, bounded_surfaces_are_subdivided_before_the_layout)
 {
   using Stage = DCM::Flattening_stage;
   Recording_visitor visitor;
   DCM::flatten(rough_disk(6), CGAL::parameters::visitor(std::ref(visitor)));
   EXPECT_EQ(visitor.stages,
             (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace, Stage::subdivide,
-                                Stage::layout, Stage::trace, Stage::subdivide}));
+                                Stage::layout}));
 }
 
 // All stages share an order: there is one factorization for the cones, one for each step, and one

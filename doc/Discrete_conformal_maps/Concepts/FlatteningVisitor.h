@@ -18,8 +18,8 @@ public:
   /// making of \f$T^B\f$, has no stage. `after_iteration()` is called in
   /// `CGAL::Discrete_conformal_maps::Flattening_stage::optimize` only; where the minimization is
   /// repeated (after a further cone, or in extended precision), iterations are counted from one
-  /// again. On a surface with boundary, `flatten()` traces and subdivides before the layout too, to
-  /// see what belongs to the surface, and then again: what is made does not have to wait in memory.
+  /// again. On a surface with boundary, `flatten()` traces and subdivides before the layout: the
+  /// subdivision determines which edges of \f$T^C\f$ belong to the surface.
   /// In `CGAL::Discrete_conformal_maps::map_to_sphere()` the stages of optimization and layout come
   /// more than once if the first result is not good. An exception leaves `flatten()`.
   void start(CGAL::Discrete_conformal_maps::Flattening_stage stage);

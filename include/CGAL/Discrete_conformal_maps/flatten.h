@@ -91,7 +91,7 @@ public:
     m_layout = layout;
     m_map.m_has_layout = m_builder.flip_if_in_range(m_scale) && m_scale.has_layout();
     if(m_map.m_has_layout)
-      find_walls();
+      find_cut_edges();
     lay_out();
     std::vector<Map_promise> promises = m_errors.promises(m_map.m_has_layout);
     if(m_problem.has_precise_lengths())
@@ -129,11 +129,11 @@ private:
       leave_out();
   }
 
-  // On a doubled surface, only edges of T^C with a part inside the input are passed. The
-  // subdivision that tells is made again after the layout: a factor beside it takes most memory.
-  void find_walls()
+  // On a doubled surface, only edges of T^C with a part inside the input are passed, which the
+  // subdivision tells.
+  void find_cut_edges()
   {
-    m_is_wall.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
+    m_is_cut_edge.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
     m_map.m_is_laid_out.assign(mesh().num_faces(), m_problem.has_no_copies() ? 1 : 0);
     if(m_problem.has_no_copies())
       return;
@@ -143,15 +143,14 @@ private:
       if(const Edge_index c = subdivision.parent_edge(Layer::C, e); c.is_valid())
         if(m_map.is_front(subdivision.mesh().halfedge(e)) &&
            m_map.is_front(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
-          m_is_wall[c.idx()] = 0;
+          m_is_cut_edge[c.idx()] = 0;
     for(Face_index f : subdivision.mesh().faces())
       if(m_map.is_front(subdivision.parent_face(Layer::A, f)))
         m_map.m_is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
-    m_builder.drop_subdivision();
   }
 
   // the vertices around which faces do not close up: those with prescribed values, and ends of
-  // walls
+  // cut edges
   std::vector<char> terminals() const
   {
     std::vector<char> result = m_problem.expanded(m_problem.is_fixed());
@@ -160,7 +159,7 @@ private:
       result[v.idx()] =
         !mesh().is_isolated(v) && (result[v.idx()] || target[Eigen::Index(v.idx())] != 0);
     for(Edge_index e : mesh().edges())
-      if(m_is_wall[e.idx()])
+      if(m_is_cut_edge[e.idx()])
         result[mesh().vertex(e, 0).idx()] = result[mesh().vertex(e, 1).idx()] = 1;
     return result;
   }
@@ -193,7 +192,7 @@ private:
     std::vector<char> result(m_problem.components().size(), 1);
     for(Edge_index e : mesh().edges()) {
       const Halfedge_index h = mesh().halfedge(e);
-      if(m_map.is_seam(e) && !m_is_wall[e.idx()] && m_map.is_laid_out(mesh().face(h)) &&
+      if(m_map.is_seam(e) && !m_is_cut_edge[e.idx()] && m_map.is_laid_out(mesh().face(h)) &&
          m_map.is_laid_out(mesh().face(mesh().opposite(h))))
         result[component(mesh().face(h))] = 0;
     }
@@ -241,7 +240,7 @@ private:
     std::vector<double> length(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
-    const Cut_graph cut(mesh(), length, m_is_wall, m_map.m_is_laid_out, terminals());
+    const Cut_graph cut(mesh(), length, m_is_cut_edge, m_map.m_is_laid_out, terminals());
     const Flat_layout<FT> layout(mesh(), exact, cut, *m_problem.expanded_order(), m_layout);
     m_map.m_position.reserve(mesh().num_halfedges());
     for(Halfedge_index h : mesh().halfedges())
@@ -288,7 +287,7 @@ private:
   Planar_conformal_map m_map;
   Map_builder m_builder;
   bool m_has_placed_cones = false;
-  std::vector<char> m_is_wall;                      // edges of T^C that are not passed
+  std::vector<char> m_is_cut_edge;                  // edges of T^C that are not passed
   Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
   double m_rounded_error = 0;                       // on the exact surface, if it is measured
   Layout m_layout = Layout::least_squares;

@@ -66,27 +66,14 @@ private:
   // \throws Invalid_input if the surface is not a sphere
   void check() const
   {
-    const Delta_complex& mesh = m_problem.surface();
-    const auto isolated = std::count_if(mesh.vertices().begin(), mesh.vertices().end(),
-                                        [&](Vertex_index v) { return mesh.is_isolated(v); });
-    const auto own = static_cast<long>(mesh.number_of_vertices()) - static_cast<long>(isolated) -
-                     static_cast<long>(mesh.number_of_edges()) +
-                     static_cast<long>(mesh.number_of_faces());
-    const auto characteristic = m_problem.has_no_copies() ? own : 2 * own;
-    if(m_problem.components().size() != static_cast<std::size_t>(isolated) + 1 ||
-       mesh.number_of_faces() == 0)
+    const auto& types = m_problem.topology();
+    const auto has_faces = [](const auto& type) { return type.components > 0; };
+    if(std::count_if(types.begin(), types.end(), has_faces) != 1)
       throw Intrinsic_triangulations::Invalid_input("the surface is not connected");
-    if(characteristic != 2)
+    const auto type = std::find_if(types.begin(), types.end(), has_faces);
+    if(type->genus > 0 || type->boundary_loops > 1)
       throw Intrinsic_triangulations::Invalid_input(
-        "the surface is " + kind() + ", neither a sphere nor a disk: use uniformize");
-  }
-
-  std::string kind() const
-  {
-    for(const auto& type : m_problem.topology())
-      if(type.components > 0)
-        return description(type);
-    return "";
+        "the surface is " + description(*type) + ", neither a sphere nor a disk: use uniformize");
   }
 
   // A third of the area of each face of the double belongs to each of its corners.

@@ -25,19 +25,19 @@
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // The edges of a short tree that joins all terminals of each component: the shortest paths that a
-// minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at walls are joined
+// minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at cut edges are joined
 // already. Complexity: O(n log n).
 class Cone_tree
 {
   typedef Delta_complex::size_type size_type;
 
 public:
-  // `length` is that of edges; a wall is not passed
+  // `length` is that of edges; a cut edge is not passed
   Cone_tree(const Delta_complex& mesh, const std::vector<double>& length,
-            const std::vector<char>& is_wall, const std::vector<char>& is_terminal)
+            const std::vector<char>& is_cut_edge, const std::vector<char>& is_terminal)
     : m_mesh(mesh),
       m_length(length),
-      m_is_wall(is_wall),
+      m_is_cut_edge(is_cut_edge),
       m_distance(mesh.num_vertices(), std::numeric_limits<double>::infinity()),
       m_origin(mesh.num_vertices()),
       m_way(mesh.num_vertices()),
@@ -71,7 +71,7 @@ private:
         Vertex_index(i), m_mesh, [&, d = distance, from = i](Halfedge_index h) {
           const size_type to = m_mesh.target(h).idx();
           const double there = d + m_length[Edge_index(h).idx()];
-          if(m_is_wall[Edge_index(h).idx()] || !(there < m_distance[to]))
+          if(m_is_cut_edge[Edge_index(h).idx()] || !(there < m_distance[to]))
             return;
           m_distance[to] = there;
           m_origin[to] = m_origin[from];
@@ -90,12 +90,12 @@ private:
       sets.make_set(v.idx());
     for(Edge_index e : m_mesh.edges()) {
       const size_type i = m_mesh.vertex(e, 0).idx(), j = m_mesh.vertex(e, 1).idx();
-      if(m_is_wall[e.idx()])
+      if(m_is_cut_edge[e.idx()])
         sets.union_set(i, j);
       else if(m_origin[i].is_valid() && m_origin[i] != m_origin[j])
         bridges.emplace_back(m_distance[i] + m_length[e.idx()] + m_distance[j], e);
     }
-    join_walls(sets);
+    join_cut_edges(sets);
     std::sort(bridges.begin(), bridges.end());
     for(const auto& [length, e] : bridges) {
       const size_type i = m_mesh.vertex(e, 0).idx(), j = m_mesh.vertex(e, 1).idx();
@@ -110,11 +110,11 @@ private:
   }
 
   // All boundaries count as one: a cut from one to another is not needed.
-  void join_walls(boost::disjoint_sets_with_storage<>& sets) const
+  void join_cut_edges(boost::disjoint_sets_with_storage<>& sets) const
   {
     Edge_index first;
     for(Edge_index e : m_mesh.edges())
-      if(m_is_wall[e.idx()]) {
+      if(m_is_cut_edge[e.idx()]) {
         if(!first.is_valid())
           first = e;
         sets.union_set(m_mesh.vertex(first, 0).idx(), m_mesh.vertex(e, 0).idx());
@@ -131,7 +131,7 @@ private:
 
   const Delta_complex& m_mesh;
   const std::vector<double>& m_length;
-  const std::vector<char>& m_is_wall;
+  const std::vector<char>& m_is_cut_edge;
   std::vector<double> m_distance;
   std::vector<Vertex_index> m_origin;
   std::vector<Halfedge_index> m_way; // from each vertex towards its terminal
@@ -144,14 +144,15 @@ private:
 class Cut_graph
 {
 public:
-  // `length` is that of edges; `is_wall` says which are not passed; `is_used` which faces are
-  // wanted; every vertex where faces cannot close up, a cone or an end of a wall, is a terminal
+  // `length` is that of edges; `is_cut_edge` says which are not passed; `is_used` which faces are
+  // wanted; every vertex where faces cannot close up, a cone or an end of a cut edge, is a
+  // terminal
   Cut_graph(const Delta_complex& mesh, const std::vector<double>& length,
-            const std::vector<char>& is_wall, const std::vector<char>& is_used,
+            const std::vector<char>& is_cut_edge, const std::vector<char>& is_used,
             const std::vector<char>& is_terminal)
-    : m_mesh(mesh), m_is_open(mesh.num_edges(), 1), m_is_wall(is_wall)
+    : m_mesh(mesh), m_is_open(mesh.num_edges(), 1), m_is_cut_edge(is_cut_edge)
   {
-    grow_forest(length, Cone_tree(mesh, length, is_wall, is_terminal), is_used);
+    grow_forest(length, Cone_tree(mesh, length, is_cut_edge, is_terminal), is_used);
     m_is_seam = m_is_open;
     close_ends(mesh, is_terminal, m_is_seam);
   }
@@ -178,7 +179,7 @@ private:
       is_reached[f.idx()] = 1;
       m_steps.push_back({entry, f});
       for(Halfedge_index h : Intrinsic_triangulations::sides(f, m_mesh))
-        if(!m_is_wall[Edge_index(h).idx()] && !tree.contains(Edge_index(h)))
+        if(!m_is_cut_edge[Edge_index(h).idx()] && !tree.contains(Edge_index(h)))
           queue.emplace(length[Edge_index(h).idx()], m_mesh.opposite(h).idx());
     };
     for(Face_index root : m_mesh.faces()) {
@@ -199,7 +200,7 @@ private:
   std::vector<Step> m_steps;
   std::vector<char> m_is_open; // not in the forest
   std::vector<char> m_is_seam;
-  const std::vector<char>& m_is_wall;
+  const std::vector<char>& m_is_cut_edge;
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal

@@ -93,16 +93,16 @@ private:
 
   void lay_out_faces(const std::vector<char>& is_used)
   {
-    std::vector<char> is_wall(m_mesh.num_edges()), is_terminal(m_mesh.num_vertices(), 0);
+    std::vector<char> is_cut_edge(m_mesh.num_edges()), is_terminal(m_mesh.num_vertices(), 0);
     std::vector<double> rounded(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges()) {
       rounded[e.idx()] = static_cast<double>(m_length[e.idx()]);
       for(const Halfedge_index h : {m_mesh.halfedge(e), m_mesh.opposite(m_mesh.halfedge(e))})
-        is_wall[e.idx()] |= m_mesh.is_border(h) || !is_used[m_mesh.face(h).idx()];
-      if(is_wall[e.idx()])
+        is_cut_edge[e.idx()] |= m_mesh.is_border(h) || !is_used[m_mesh.face(h).idx()];
+      if(is_cut_edge[e.idx()])
         is_terminal[m_mesh.vertex(e, 0).idx()] = is_terminal[m_mesh.vertex(e, 1).idx()] = 1;
     }
-    const Cut_graph cut(m_mesh, rounded, is_wall, is_used, is_terminal);
+    const Cut_graph cut(m_mesh, rounded, is_cut_edge, is_used, is_terminal);
     const bool is_whole = m_problem.has_no_copies();
     const Flat_layout<FT> layout(m_mesh, m_length, cut, *m_problem.order(),
                                  is_whole ? Layout::least_squares : Layout::incremental);

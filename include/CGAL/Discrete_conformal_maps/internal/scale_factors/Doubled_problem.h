@@ -8,25 +8,20 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Penner_surface.h>
-#include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Shared_order.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
-#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/precise_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/topological_type.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
@@ -36,8 +31,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <sstream>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,41 +40,31 @@ namespace CGAL::Discrete_conformal_maps::internal {
 // The surface that is uniformized, and what is prescribed at its vertices. A surface with boundary
 // is doubled (Section 4.3.4), and what is prescribed is symmetric, so is the result, and there are
 // unknowns at the vertices of the surface only. Of the second copy, there is as much as the edges
-// across the boundary reach: beyond that, it is the mirror image of the first. The vertices on the
-// boundary have twice the prescribed exterior angle.
-class Doubled_problem
+// across the boundary reach: beyond that, it is the mirror image of the first.
+class Doubled_problem : public Prescribed_curvatures
 {
 public:
   typedef Intrinsic_triangulations::Intrinsic_triangulation<> Triangulation;
-  typedef Intrinsic_triangulations::internal::Mesh_components Components;
-  typedef Eigen::VectorXd Vector;
 
   // `half` is the surface, without flips, of which nothing but connectivity, lengths and positions
   // is kept; `condition` has one entry for each of its vertices; the flips to T^B can be decided
   // exactly, and then its lengths are known with more digits
   Doubled_problem(Triangulation half, const std::vector<Vertex_condition>& condition,
                   Flipping flipping, bool has_exact_flips = false)
-    : m_flipping(flipping),
+    : Prescribed_curvatures(half.mesh(), condition),
+      m_flipping(flipping),
       m_has_exact_flips(has_exact_flips),
       m_half(Intrinsic_triangulations::internal::without_maps(half.mesh())),
       m_point(half.input_metric().points),
-      m_components(m_half),
-      m_has_boundary(m_components.size(), 0),
-      m_has_copy(m_half.num_faces(), 0),
-      m_is_fixed(m_half.num_vertices(), 0),
-      m_value(Vector::Zero(Eigen::Index(m_is_fixed.size())))
+      m_has_copy(m_half.num_faces(), 0)
   {
     if(m_point.empty())
       for(Edge_index e : m_half.edges())
         m_length.push_back(half.length(e));
     std::vector<Vertex_index> boundary;
-    for(Vertex_index v : m_half.vertices()) {
-      if(is_on_boundary(v)) {
+    for(Vertex_index v : m_half.vertices())
+      if(is_on_boundary(v))
         boundary.push_back(v);
-        m_has_boundary[m_components[v.idx()]] = 1;
-      }
-      set_condition(v, condition[v.idx()]);
-    }
     copy_around(boundary, 1);
     build();
   }
@@ -128,9 +111,6 @@ public:
   // the surface itself
   const Delta_complex& surface() const { return m_half; }
 
-  // the number of its vertices, which come first
-  std::size_t size() const { return m_is_fixed.size(); }
-
   // for each vertex of the triangulation, the vertex of the surface of which it is a copy, or which
   // it is
   const std::vector<Vertex_index>& front() const { return m_front; }
@@ -148,22 +128,7 @@ public:
     return result;
   }
 
-  bool is_on_boundary(Vertex_index v) const
-  {
-    return v.idx() < m_half.num_vertices() && m_half.is_border(v) && !m_half.is_isolated(v);
-  }
-
-  // how many vertices of the double a vertex of the surface is
-  double number_of_copies(std::size_t v) const
-  {
-    return m_has_boundary[m_components[v]] ? 2 * part(v) : 1;
-  }
-
-  // On the boundary, a vertex of the double is half one of the surface.
-  double part(std::size_t v) const
-  {
-    return is_on_boundary(Vertex_index(Delta_complex::size_type(v))) ? 0.5 : 1;
-  }
+  using Prescribed_curvatures::part;
 
   // Of a face and its copy, if it is in this triangulation, each is a half of what the surface has.
   double part(Face_index f) const
@@ -171,28 +136,8 @@ public:
     return f.idx() < m_half.num_faces() && !m_has_copy[f.idx()] ? 1 : 0.5;
   }
 
-  // the components of the surface
-  const Components& components() const { return m_components; }
-
-  // that of a vertex of the triangulation
-  std::size_t component(Vertex_index v) const { return m_components[m_front[v.idx()].idx()]; }
-
-  // the topology of each component of the surface; an isolated vertex is none
-  std::vector<Intrinsic_triangulations::Topological_type> topology() const
-  {
-    using Intrinsic_triangulations::Topological_type;
-    std::vector<Topological_type> result(m_components.size());
-    const std::vector<long> characteristic = characteristics();
-    for(Halfedge_index h : Intrinsic_triangulations::boundary_loops(m_half))
-      ++result[m_components[m_half.target(h).idx()]].boundary_loops;
-    for(Face_index f : m_half.faces())
-      result[m_components[m_half.target(m_half.halfedge(f)).idx()]].components = 1;
-    for(std::size_t c = 0; c < result.size(); ++c)
-      if(result[c].components > 0)
-        result[c].genus =
-          static_cast<std::size_t>(2 - characteristic[c] - long(result[c].boundary_loops)) / 2;
-    return result;
-  }
+  // the component of a vertex of the triangulation
+  std::size_t component(Vertex_index v) const { return components()[m_front[v.idx()].idx()]; }
 
   bool has_no_copies() const { return m_front_face.size() == m_half.num_faces(); }
 
@@ -260,14 +205,14 @@ public:
   bool complete()
   {
     for(Face_index f : m_half.faces())
-      m_has_copy[f.idx()] = m_has_boundary[m_components[m_half.target(m_half.halfedge(f)).idx()]];
+      m_has_copy[f.idx()] = has_boundary(component(m_half.target(m_half.halfedge(f))));
     if(m_seams.empty())
       return false;
     build();
     return true;
   }
 
-  // Gives the memory of the surface back: from now on there are components and conditions only.
+  // Gives the memory of the surface back: from now on there are prescribed curvatures only.
   void drop_surface()
   {
     m_half = Delta_complex();
@@ -275,154 +220,23 @@ public:
     m_length = std::vector<double>();
   }
 
-  // the vertices where scale factors are prescribed
-  const std::vector<char>& is_fixed() const { return m_is_fixed; }
-  // the scale factor where it is prescribed
-  double scale_factor(std::size_t v) const { return m_is_fixed[v] ? m_value[Eigen::Index(v)] : 0; }
-  // the angle defects that are prescribed; zero elsewhere
-  Vector target_defect() const
-  {
-    Vector result = m_value;
-    for(std::size_t v = 0; v < size(); ++v)
-      if(m_is_fixed[v])
-        result[Eigen::Index(v)] = 0;
-    return result;
-  }
-
-  void set_condition(Vertex_index v, const Vertex_condition& condition)
-  {
-    const bool is_scale = condition.quantity == Vertex_condition::Quantity::log_scale;
-    const double value = !is_scale && is_on_boundary(v) ? 2 * condition.value : condition.value;
-    if(!std::isfinite(value))
-      throw Intrinsic_triangulations::Invalid_input("what is prescribed at vertex " +
-                                                    std::to_string(v.idx()) + " is NaN");
-    m_is_fixed[v.idx()] = is_scale || m_half.is_isolated(v);
-    m_value[Eigen::Index(v.idx())] = !is_scale && m_half.is_isolated(v) ? 0 : value;
-  }
-
   // the area of each component of the double in one of its triangulations, for these lengths of
   // halfedges
   template <typename Length>
   std::vector<double> areas(const Delta_complex& complex, const Length& length) const
   {
-    std::vector<double> result(m_components.size(), 0);
+    std::vector<double> result(components().size(), 0);
     for(Face_index f : complex.faces()) {
       const auto h = Intrinsic_triangulations::sides(f, complex);
       const std::size_t c = component(complex.target(h[0]));
       const double quadrupled = std::sqrt(Intrinsic_triangulations::squared_quadrupled_area(
         length(h[0]), length(h[1]), length(h[2])));
-      result[c] += quadrupled / 4 * part(f) * (m_has_boundary[c] ? 2 : 1);
+      result[c] += quadrupled / 4 * part(f) * (has_boundary(c) ? 2 : 1);
     }
     return result;
   }
 
-  // Of each component of the double, how much the prescribed curvatures exceed 2 pi times the Euler
-  // characteristic; this much less must be the curvature of the vertices with prescribed scale
-  // factors (Equation 4.11). Zero for an isolated vertex.
-  std::vector<double> curvature_excess() const
-  {
-    std::vector<double> sum(m_components.size(), 0);
-    for(Vertex_index v : m_half.vertices())
-      if(!m_half.is_isolated(v) && !m_is_fixed[v.idx()]) // a point has no curvature
-        sum[m_components[v.idx()]] += number_of_copies(v.idx()) * m_value[Eigen::Index(v.idx())];
-    const std::vector<long> characteristic = characteristics();
-    for(std::size_t c = 0; c < sum.size(); ++c)
-      sum[c] -= 2 * pi() * double(characteristic[c]) * (m_has_boundary[c] ? 2 : 1);
-    return sum;
-  }
-
-  // How many vertices with prescribed scale factors a component needs at least, for this excess:
-  // each can have a curvature of less than a full turn.
-  static std::size_t needed_cones(double excess)
-  {
-    if(std::abs(excess) <= tolerance::curvature_sum)
-      return 0;
-    return excess > 0 ? 1
-                      : static_cast<std::size_t>(
-                          std::floor(-excess / (2 * pi()) + tolerance::curvature_sum)) +
-                          1;
-  }
-
-  // how many vertices with prescribed scale factors each component of the double has
-  std::vector<std::size_t> number_of_fixed() const
-  {
-    std::vector<std::size_t> result(m_components.size(), 0);
-    for(std::size_t v = 0; v < size(); ++v)
-      if(m_is_fixed[v])
-        result[m_components[v]] += std::size_t(number_of_copies(v));
-    return result;
-  }
-
-  // \throws Invalid_input if no flat metric has what is prescribed
-  void check() const
-  {
-    check_angles();
-    const std::vector<double> excess = curvature_excess();
-    const std::vector<std::size_t> fixed = number_of_fixed();
-    for(std::size_t c = 0; c < excess.size(); ++c)
-      if(fixed[c] < needed_cones(excess[c]))
-        throw Intrinsic_triangulations::Invalid_input(unbalanced(c, excess[c], fixed[c] > 0));
-  }
-
-  // \throws Invalid_input if no hyperbolic metric has what is prescribed: the area, by Gauss and
-  // Bonnet, must be positive
-  void check_hyperbolic() const
-  {
-    check_angles();
-    const std::vector<double> area = curvature_excess();
-    const std::vector<std::size_t> fixed = number_of_fixed();
-    for(std::size_t c = 0; c < area.size(); ++c)
-      if(fixed[c] == 0 && !(area[c] > tolerance::curvature_sum))
-        throw Intrinsic_triangulations::Invalid_input(not_hyperbolic(c, area[c]));
-  }
-
 private:
-  // the Euler characteristic of each component of the surface, zero for an isolated vertex
-  std::vector<long> characteristics() const
-  {
-    std::vector<long> result(m_components.size(), 0);
-    for(Vertex_index v : m_half.vertices())
-      result[m_components[v.idx()]] += m_half.is_isolated(v) ? 0 : 1;
-    for(Edge_index e : m_half.edges())
-      --result[m_components[m_half.vertex(e, 0).idx()]];
-    for(Face_index f : m_half.faces())
-      ++result[m_components[m_half.target(m_half.halfedge(f)).idx()]];
-    return result;
-  }
-
-  // why a component, whose double would have the area `area`, is not hyperbolic
-  std::string not_hyperbolic(std::size_t component, double area) const
-  {
-    const std::string name = m_components.size() == 1 ? "the surface"
-                                                      : "component " + std::to_string(component),
-                      kind = Intrinsic_triangulations::description(topology()[component]);
-    if(is_flat(component))
-      return name + " is " + kind + ", which is hyperbolic only with cones: use uniformize";
-    std::ostringstream text;
-    text << name << " is " << kind << " and cannot be hyperbolic with the prescribed curvatures: "
-         << "its area would be " << (m_has_boundary[component] ? area / 2 : area)
-         << " (Gauss-Bonnet); greater curvatures make it greater";
-    return text.str();
-  }
-
-  // whether no curvature is prescribed anywhere in a component
-  bool is_flat(std::size_t component) const
-  {
-    for(std::size_t v = 0; v < size(); ++v)
-      if(m_components[v] == component && m_value[Eigen::Index(v)] != 0)
-        return false;
-    return true;
-  }
-
-  void check_angles() const
-  {
-    for(std::size_t v = 0; v < size(); ++v)
-      if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * pi()))
-        throw Intrinsic_triangulations::Invalid_input(
-          "no angle is left at vertex " + std::to_string(v) +
-          ": its curvature is too great; it must be less than 2 pi, on the boundary less than pi");
-  }
-
   void deepen(std::size_t rings, const std::vector<Halfedge_index>& flips)
   {
     std::vector<Vertex_index> start;
@@ -539,31 +353,14 @@ private:
       m_precise_length.push_back(length(m_triangulation.mesh().halfedge(e)));
   }
 
-  // what is wrong with the curvatures of a component
-  std::string unbalanced(std::size_t component, double excess, bool has_fixed) const
-  {
-    const double own = m_has_boundary[component] ? excess / 2 : excess; // not of the double
-    std::ostringstream text;
-    text << "the curvatures prescribed on component " << component << " sum up to " << std::abs(own)
-         << " radians " << (own > 0 ? "more" : "less")
-         << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
-         << (has_fixed ? ": more than vertices with prescribed scale factors can have"
-                       : ": a cone inside or another boundary can have the difference");
-    return text.str();
-  }
-
-  static double pi() { return boost::math::constants::pi<double>(); }
-
   Flipping m_flipping;
   Intrinsic_triangulations::internal::Concurrency m_concurrency;
   bool m_has_exact_flips;
   Delta_complex m_half;
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any
   std::vector<double> m_length;               // otherwise of its edges
-  Components m_components;
-  std::vector<char> m_has_boundary; // of each component
-  std::vector<char> m_has_copy;     // for each face of the surface
-  std::size_t m_rings = 1;          // that are copied the next time
+  std::vector<char> m_has_copy;               // for each face of the surface
+  std::size_t m_rings = 1;                    // that are copied the next time
   Triangulation m_triangulation;
   std::vector<Extended> m_precise_length; // of T^B, if flips are exact
   std::size_t m_number_of_flips = 0;
@@ -572,8 +369,6 @@ private:
   std::vector<Halfedge_index> m_flips; // to T^B
   std::vector<Edge_index> m_seams;     // between faces with and without copies
   std::vector<Edge_index> m_exceeded;  // where the copy is not deep enough
-  std::vector<char> m_is_fixed;
-  Vector m_value; // a scale factor or an angle defect
   std::shared_ptr<Shared_order> m_order = std::make_shared<Shared_order>();
 };
 

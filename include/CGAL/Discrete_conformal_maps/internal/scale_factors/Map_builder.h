@@ -130,10 +130,13 @@ public:
     return result;
   }
 
-  // Traces T^A and T^B, and T^B and T^C, over each other, and makes their common subdivision.
+  // Traces T^A and T^B, and T^B and T^C, over each other, and makes their common subdivision, unless
+  // it is there. Beside a factor of a layout, it takes most memory.
   template <typename Visitor>
   void subdivide(Visitor& visitor)
   {
+    if(m_data.subdivision)
+      return;
     visitor.start(Flattening_stage::trace);
     m_data.correspondence_ab =
       std::make_unique<Intrinsic_triangulations::Correspondence<>>(m_data.ab, concurrency());
@@ -143,14 +146,6 @@ public:
     visitor.start(Flattening_stage::subdivide);
     m_data.subdivision = std::make_unique<Discrete_conformal_map::Subdivision>(
       *m_data.correspondence_ab, *m_data.correspondence_bc, concurrency());
-  }
-
-  // Gives the memory of all that back until it is needed again.
-  void drop_subdivision()
-  {
-    m_data.subdivision.reset();
-    m_data.correspondence_ab.reset();
-    m_data.correspondence_bc.reset();
   }
 
   const std::vector<double>& log_scale() const { return m_data.log_scale; }

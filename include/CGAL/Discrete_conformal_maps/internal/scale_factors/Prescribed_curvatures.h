@@ -1,0 +1,264 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_PRESCRIBED_CURVATURES_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_PRESCRIBED_CURVATURES_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/topological_type.h>
+
+#include <Eigen/Core>
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// The curvature or the scale factor that is prescribed at each vertex of a surface, and the topology
+// of its components, which curvatures have to suit. A component with boundary is doubled (Section
+// 4.3.4): its vertices on the boundary have twice the prescribed exterior angle.
+class Prescribed_curvatures
+{
+public:
+  typedef Intrinsic_triangulations::internal::Mesh_components Components;
+  typedef Intrinsic_triangulations::Topological_type Topological_type;
+  typedef Eigen::VectorXd Vector;
+
+  // `condition` has one entry for each vertex of `surface`
+  Prescribed_curvatures(const Delta_complex& surface,
+                        const std::vector<Vertex_condition>& condition)
+    : m_components(surface),
+      m_topology(m_components.size()),
+      m_is_on_boundary(surface.num_vertices(), 0),
+      m_is_fixed(surface.num_vertices(), 0),
+      m_value(Vector::Zero(Eigen::Index(surface.num_vertices())))
+  {
+    set_topology(surface);
+    for(Vertex_index v : surface.vertices()) {
+      m_is_on_boundary[v.idx()] = surface.is_border(v) && !surface.is_isolated(v);
+      set_condition(v, condition[v.idx()]);
+    }
+  }
+
+  // the number of vertices of the surface
+  std::size_t size() const { return m_is_fixed.size(); }
+
+  // the components of the surface
+  const Components& components() const { return m_components; }
+
+  // the topology of each of them; an isolated vertex has no component
+  const std::vector<Topological_type>& topology() const { return m_topology; }
+
+  // whether a component is doubled
+  bool has_boundary(std::size_t component) const
+  {
+    return m_topology[component].boundary_loops > 0;
+  }
+
+  bool is_isolated(Vertex_index v) const
+  {
+    return m_topology[m_components[v.idx()]].components == 0;
+  }
+
+  // false for a vertex of the second copy
+  bool is_on_boundary(Vertex_index v) const
+  {
+    return v.idx() < size() && m_is_on_boundary[v.idx()];
+  }
+
+  // how many vertices of the double a vertex of the surface is
+  double number_of_copies(std::size_t v) const
+  {
+    return has_boundary(m_components[v]) ? 2 * part(v) : 1;
+  }
+
+  // On the boundary, a vertex of the double is half one of the surface.
+  double part(std::size_t v) const
+  {
+    return is_on_boundary(Vertex_index(Delta_complex::size_type(v))) ? 0.5 : 1;
+  }
+
+  void set_condition(Vertex_index v, const Vertex_condition& condition)
+  {
+    const bool is_scale = condition.quantity == Vertex_condition::Quantity::log_scale;
+    const double value = !is_scale && is_on_boundary(v) ? 2 * condition.value : condition.value;
+    if(!std::isfinite(value))
+      throw Intrinsic_triangulations::Invalid_input("what is prescribed at vertex " +
+                                                    std::to_string(v.idx()) + " is NaN");
+    m_is_fixed[v.idx()] = is_scale || is_isolated(v);
+    m_value[Eigen::Index(v.idx())] = !is_scale && is_isolated(v) ? 0 : value;
+  }
+
+  // the vertices where scale factors are prescribed
+  const std::vector<char>& is_fixed() const { return m_is_fixed; }
+  // the scale factor where it is prescribed
+  double scale_factor(std::size_t v) const { return m_is_fixed[v] ? m_value[Eigen::Index(v)] : 0; }
+  // the angle defects that are prescribed; zero elsewhere
+  Vector target_defect() const
+  {
+    Vector result = m_value;
+    for(std::size_t v = 0; v < size(); ++v)
+      if(m_is_fixed[v])
+        result[Eigen::Index(v)] = 0;
+    return result;
+  }
+
+  // Of each component of the double, how much the prescribed curvatures exceed 2 pi times the Euler
+  // characteristic; this much less must be the curvature of the vertices with prescribed scale
+  // factors (Equation 4.11). Zero for an isolated vertex.
+  std::vector<double> curvature_excess() const
+  {
+    std::vector<double> sum(m_components.size(), 0);
+    for(std::size_t v = 0; v < size(); ++v)
+      if(!m_is_fixed[v])
+        sum[m_components[v]] += number_of_copies(v) * m_value[Eigen::Index(v)];
+    for(std::size_t c = 0; c < sum.size(); ++c)
+      sum[c] -= 2 * pi() * double(characteristic(c)) * (has_boundary(c) ? 2 : 1);
+    return sum;
+  }
+
+  // How many vertices with prescribed scale factors a component needs at least, for this excess:
+  // each can have a curvature of less than a full turn.
+  static std::size_t needed_cones(double excess)
+  {
+    if(std::abs(excess) <= tolerance::curvature_sum)
+      return 0;
+    return excess > 0 ? 1
+                      : static_cast<std::size_t>(
+                          std::floor(-excess / (2 * pi()) + tolerance::curvature_sum)) +
+                          1;
+  }
+
+  // how many vertices with prescribed scale factors each component of the double has
+  std::vector<std::size_t> number_of_fixed() const
+  {
+    std::vector<std::size_t> result(m_components.size(), 0);
+    for(std::size_t v = 0; v < size(); ++v)
+      if(m_is_fixed[v])
+        result[m_components[v]] += std::size_t(number_of_copies(v));
+    return result;
+  }
+
+  // \throws Invalid_input if no flat metric has what is prescribed
+  void check() const
+  {
+    check_angles();
+    const std::vector<double> excess = curvature_excess();
+    const std::vector<std::size_t> fixed = number_of_fixed();
+    for(std::size_t c = 0; c < excess.size(); ++c)
+      if(fixed[c] < needed_cones(excess[c]))
+        throw Intrinsic_triangulations::Invalid_input(unbalanced(c, excess[c], fixed[c] > 0));
+  }
+
+  // \throws Invalid_input if no hyperbolic metric has what is prescribed: the area, by Gauss and
+  // Bonnet, must be positive
+  void check_hyperbolic() const
+  {
+    check_angles();
+    const std::vector<double> area = curvature_excess();
+    const std::vector<std::size_t> fixed = number_of_fixed();
+    for(std::size_t c = 0; c < area.size(); ++c)
+      if(fixed[c] == 0 && !(area[c] > tolerance::curvature_sum))
+        throw Intrinsic_triangulations::Invalid_input(not_hyperbolic(c, area[c]));
+  }
+
+private:
+  // by Euler, with all boundary loops filled
+  void set_topology(const Delta_complex& surface)
+  {
+    std::vector<long> filled(m_components.size(), 0);
+    const auto component = [&](Halfedge_index h) { return m_components[surface.target(h).idx()]; };
+    for(Vertex_index v : surface.vertices())
+      if(!surface.is_isolated(v)) {
+        m_topology[m_components[v.idx()]].components = 1;
+        ++filled[m_components[v.idx()]];
+      }
+    for(Edge_index e : surface.edges())
+      --filled[component(surface.halfedge(e))];
+    for(Face_index f : surface.faces())
+      ++filled[component(surface.halfedge(f))];
+    for(Halfedge_index h : Intrinsic_triangulations::boundary_loops(surface)) {
+      ++m_topology[component(h)].boundary_loops;
+      ++filled[component(h)];
+    }
+    for(std::size_t c = 0; c < filled.size(); ++c)
+      if(m_topology[c].components > 0)
+        m_topology[c].genus = static_cast<std::size_t>(2 - filled[c]) / 2;
+  }
+
+  // the Euler characteristic of a component, zero for an isolated vertex
+  long characteristic(std::size_t c) const
+  {
+    return 2 * (long(m_topology[c].components) - long(m_topology[c].genus)) -
+           long(m_topology[c].boundary_loops);
+  }
+
+  // why a component, whose double would have the area `area`, is not hyperbolic
+  std::string not_hyperbolic(std::size_t component, double area) const
+  {
+    const std::string name = m_components.size() == 1 ? "the surface"
+                                                      : "component " + std::to_string(component),
+                      kind = Intrinsic_triangulations::description(m_topology[component]);
+    if(is_flat(component))
+      return name + " is " + kind + ", which is hyperbolic only with cones: use uniformize";
+    std::ostringstream text;
+    text << name << " is " << kind << " and cannot be hyperbolic with the prescribed curvatures: "
+         << "its area would be " << (has_boundary(component) ? area / 2 : area)
+         << " (Gauss-Bonnet); greater curvatures make it greater";
+    return text.str();
+  }
+
+  // whether no curvature is prescribed anywhere in a component
+  bool is_flat(std::size_t component) const
+  {
+    for(std::size_t v = 0; v < size(); ++v)
+      if(m_components[v] == component && m_value[Eigen::Index(v)] != 0)
+        return false;
+    return true;
+  }
+
+  void check_angles() const
+  {
+    for(std::size_t v = 0; v < size(); ++v)
+      if(!m_is_fixed[v] && !(m_value[Eigen::Index(v)] < 2 * pi()))
+        throw Intrinsic_triangulations::Invalid_input(
+          "no angle is left at vertex " + std::to_string(v) +
+          ": its curvature is too great; it must be less than 2 pi, on the boundary less than pi");
+  }
+
+  // what is wrong with the curvatures of a component
+  std::string unbalanced(std::size_t component, double excess, bool has_fixed) const
+  {
+    const double own = has_boundary(component) ? excess / 2 : excess; // not of the double
+    std::ostringstream text;
+    text << "the curvatures prescribed on component " << component << " sum up to " << std::abs(own)
+         << " radians " << (own > 0 ? "more" : "less")
+         << " than 2 pi times its Euler characteristic (Gauss-Bonnet)"
+         << (has_fixed ? ": more than vertices with prescribed scale factors can have"
+                       : ": a cone inside or another boundary can have the difference");
+    return text.str();
+  }
+
+  static double pi() { return boost::math::constants::pi<double>(); }
+
+  Components m_components;
+  std::vector<Topological_type> m_topology; // of each component
+  std::vector<char> m_is_on_boundary;
+  std::vector<char> m_is_fixed;
+  Vector m_value; // a scale factor or an angle defect
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_SCALE_FACTORS_PRESCRIBED_CURVATURES_H
