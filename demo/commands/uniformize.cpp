@@ -52,15 +52,15 @@ std::string add(Component_maps& maps, const Component_mesh& component, Statistic
   const std::vector<Mesh::Vertex_index> no_cones;
   const std::string type = DCM::to_string(result.type);
   statistics["surface_type"] = type;
-  if(result.hyperbolic)
+  if(result.hyperbolic())
     return type + ": " +
-           maps.add(component, statistics, *result.hyperbolic, no_cones, is_homogeneous);
-  if(result.spherical)
-    return maps.add(component, statistics, *result.spherical);
+           maps.add(component, statistics, *result.hyperbolic(), no_cones, is_homogeneous);
+  if(result.spherical())
+    return maps.add(component, statistics, *result.spherical());
   if(result.modulus)
     statistics["modulus"] = description(*result.modulus);
   return type + ": " +
-         maps.add(component, statistics, *result.flat, result.flat->minimization().iterations,
+         maps.add(component, statistics, *result.flat(), result.flat()->minimization().iterations,
                   no_cones, is_homogeneous);
 }
 
@@ -130,14 +130,14 @@ int uniformize(const Common_options& common, const Hyperbolic_options& options)
   run.plan({{"build"}, map_stages(is_flat(type))});
   const double epsilon = run.timed("build", [&] { return mollification(run); });
   const DCM::Uniformization result = uniformized(run, run.input().mesh, epsilon);
-  if(result.hyperbolic)
-    return finish(run, options, format, *result.hyperbolic, {});
-  if(result.spherical) {
+  if(result.hyperbolic())
+    return finish(run, options, format, *result.hyperbolic(), {});
+  if(result.spherical()) {
     Sphere_options sphere;
     sphere.output = options.output;
-    return finish(run, sphere, format, *result.spherical);
+    return finish(run, sphere, format, *result.spherical());
   }
   if(result.modulus)
     run.statistics()["modulus"] = description(*result.modulus);
-  return finish(run, options, format, *result.flat, result.flat->minimization().iterations, {});
+  return finish(run, options, format, *result.flat(), result.flat()->minimization().iterations, {});
 }

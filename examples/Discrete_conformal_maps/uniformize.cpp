@@ -30,9 +30,9 @@ int main(int argc, char* argv[])
   }
   if(result.modulus)
     std::cout << "its modulus is " << *result.modulus << '\n';
-  if(result.hyperbolic) {
-    std::cout << "its area is " << result.hyperbolic->area() << '\n';
-    for(const DCM::Disk_motion<>& motion : result.hyperbolic->group(0).generators)
+  if(result.hyperbolic()) {
+    std::cout << "its area is " << result.hyperbolic()->area() << '\n';
+    for(const DCM::Disk_motion<>& motion : result.hyperbolic()->group(0).generators)
       std::cout << "z -> (" << motion.a() << " z + " << motion.b() << ") / ("
                 << std::conj(motion.b()) << " z + " << std::conj(motion.a()) << ")\n";
   }

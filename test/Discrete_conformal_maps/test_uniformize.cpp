@@ -75,7 +75,7 @@ TEST(Uniformize, flat_tori_have_their_modulus)
       const DCM::Uniformization result = uniformize(surface.mesh(), length);
       EXPECT_EQ(result.type, Surface_type::torus);
       EXPECT_EQ(result.status(), DCM::Map_status::success);
-      EXPECT_FALSE(result.hyperbolic);
+      EXPECT_FALSE(result.hyperbolic());
       ASSERT_TRUE(result.modulus);
       EXPECT_LT(std::abs(*result.modulus - modulus(torus)), 1e-10) << m << ' ' << n << ' ' << bound;
     }
@@ -118,11 +118,11 @@ TEST(Uniformize, others_become_hyperbolic)
 {
   const DCM::Uniformization result = DCM::uniformize(plate_with_holes(2));
   EXPECT_EQ(result.type, Surface_type::hyperbolic);
-  EXPECT_FALSE(result.flat);
-  ASSERT_TRUE(result.hyperbolic);
-  EXPECT_EQ(result.hyperbolic->group(0).genus, 2u);
+  EXPECT_FALSE(result.flat());
+  ASSERT_TRUE(result.hyperbolic());
+  EXPECT_EQ(result.hyperbolic()->group(0).genus, 2u);
   EXPECT_EQ(result.status(), DCM::Map_status::success);
-  EXPECT_TRUE(DCM::uniformize(punctured(embedded_torus(5, 4), {0})).hyperbolic);
+  EXPECT_TRUE(DCM::uniformize(punctured(embedded_torus(5, 4), {0})).hyperbolic());
   EXPECT_EQ(DCM::uniformize(straight_plate_with_holes(200)).status(), DCM::Map_status::not_glued);
 }
 
@@ -130,13 +130,13 @@ TEST(Uniformize, simply_connected_surfaces_become_round)
 {
   const DCM::Uniformization sphere = DCM::uniformize(tetrahedron());
   EXPECT_EQ(sphere.type, Surface_type::sphere);
-  ASSERT_TRUE(sphere.spherical);
+  ASSERT_TRUE(sphere.spherical());
   EXPECT_EQ(sphere.status(), DCM::Map_status::success);
-  EXPECT_TRUE(sphere.spherical->certificate().is_convex());
+  EXPECT_TRUE(sphere.spherical()->certificate().is_convex());
   const DCM::Uniformization disk = DCM::uniformize(punctured(cube(), {0}));
   EXPECT_EQ(disk.type, Surface_type::disk);
-  ASSERT_TRUE(disk.spherical);
-  EXPECT_TRUE(disk.spherical->is_disk());
+  ASSERT_TRUE(disk.spherical());
+  EXPECT_TRUE(disk.spherical()->is_disk());
 }
 
 } // namespace Test_uniformize

@@ -19,6 +19,7 @@
 
 #include <complex>
 #include <optional>
+#include <variant>
 
 namespace CGAL::Discrete_conformal_maps {
 
@@ -27,21 +28,31 @@ namespace CGAL::Discrete_conformal_maps {
 struct Uniformization
 {
   /// the topology of the surface, on which the rest depends
-  Surface_type type;
-  /// the map of a torus or an annulus
-  std::optional<Planar_conformal_map> flat;
-  /// the map of a sphere, or of a disk to a hemisphere
-  std::optional<Spherical_conformal_map> spherical;
-  /// the map of all other surfaces
-  std::optional<Hyperbolic_conformal_map> hyperbolic;
+  Surface_type type = Surface_type::sphere;
+  /// the map: to the sphere of a sphere, to a hemisphere of a disk, to the plane of a torus or an
+  /// annulus, and to the hyperbolic plane of all other surfaces
+  std::variant<Spherical_conformal_map, Planar_conformal_map, Hyperbolic_conformal_map> map;
   /// the modulus of a torus (see `torus_modulus()`), or the imaginary unit times that of an annulus
   /// (see `annulus_modulus()`), if its map is a success
   std::optional<std::complex<double>> modulus;
 
+  /// returns the map to the sphere, or null if `map` is another one.
+  const Spherical_conformal_map* spherical() const
+  {
+    return std::get_if<Spherical_conformal_map>(&map);
+  }
+  /// returns the map to the plane, or null if `map` is another one.
+  const Planar_conformal_map* flat() const { return std::get_if<Planar_conformal_map>(&map); }
+  /// returns the map to the hyperbolic plane, or null if `map` is another one.
+  const Hyperbolic_conformal_map* hyperbolic() const
+  {
+    return std::get_if<Hyperbolic_conformal_map>(&map);
+  }
+
   /// returns the status of the map.
   Map_status status() const
   {
-    return spherical ? spherical->status() : hyperbolic ? hyperbolic->status() : flat->status();
+    return std::visit([](const auto& any) { return any.status(); }, map);
   }
 };
 
@@ -70,19 +81,19 @@ Uniformization uniformize(const Graph& g,
   result.type = surface_type(g);
   switch(result.type) {
     case Surface_type::sphere:
-    case Surface_type::disk: result.spherical.emplace(map_to_sphere(g, np)); break;
-    case Surface_type::hyperbolic: result.hyperbolic.emplace(uniformize_hyperbolic(g, np)); break;
+    case Surface_type::disk: result.map = map_to_sphere(g, np); break;
+    case Surface_type::hyperbolic: result.map = uniformize_hyperbolic(g, np); break;
     default:
       auto straight = boost::make_function_property_map<Vertex>(
         [](Vertex) { return Vertex_condition::curvature(0); });
       typedef internal_np::Named_parameters<decltype(straight), internal_np::vertex_condition_map_t,
                                             NamedParameters>
         Parameters;
-      result.flat.emplace(flatten(g, Parameters(straight, np)));
+      result.map = flatten(g, Parameters(straight, np));
       if(result.status() == Map_status::success)
         result.modulus = result.type == Surface_type::torus
-                           ? torus_modulus(*result.flat)
-                           : std::complex<double>(0, annulus_modulus(*result.flat));
+                           ? torus_modulus(*result.flat())
+                           : std::complex<double>(0, annulus_modulus(*result.flat()));
   }
   return result;
 }
