@@ -74,7 +74,7 @@ public:
     std::vector<Box> boxes;
     Bbox_2 all;
     for(std::size_t n = 0; n < size(); ++n) {
-      boxes.emplace_back(box(m_pieces[n].polygon), n);
+      boxes.emplace_back(bounding_box(m_pieces[n].polygon), n);
       all += boxes.back().bbox();
     }
     const double rounding = 64 * std::numeric_limits<double>::epsilon() *
@@ -101,14 +101,6 @@ public:
   }
 
 private:
-  static Bbox_2 box(const Convex_polygon& polygon)
-  {
-    Bbox_2 result;
-    for(const std::complex<double>& z : polygon)
-      result += Bbox_2(z.real(), z.imag(), z.real(), z.imag());
-    return result;
-  }
-
   void add(Face_index f, Convex_polygon polygon)
   {
     const double area = signed_area(polygon);

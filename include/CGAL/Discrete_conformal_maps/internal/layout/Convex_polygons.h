@@ -7,6 +7,9 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/box_intersection_d.h>
+
 #include <algorithm>
 #include <complex>
 #include <cstddef>
@@ -70,30 +73,57 @@ inline Convex_polygon intersection(Convex_polygon a, const Convex_polygon& b)
   return a.size() > 2 ? a : Convex_polygon();
 }
 
-// The area that at least one of some convex polygons covers: they are cut into vertical slabs at
-// all corners and crossings. Inside a slab the covered height is linear. Complexity: O(n^3) for n
-// corners.
+inline Bbox_2 bounding_box(const Convex_polygon& polygon)
+{
+  Bbox_2 result;
+  for(const std::complex<double>& z : polygon)
+    result += Bbox_2(z.real(), z.imag(), z.real(), z.imag());
+  return result;
+}
+
+// The area that at least one of some convex polygons covers. A vertical line sweeps over slabs
+// between all corners and crossings, in which the covered height is linear. Complexity: O(n log n)
+// for n corners and crossings, and for each of these linear, up to a logarithm, in the polygons that
+// the line meets there.
 class Covered_area
 {
   typedef std::complex<double> Complex;
   typedef std::pair<double, double> Interval;
 
 public:
-  explicit Covered_area(const std::vector<Convex_polygon>& polygons) : m_polygons(polygons) {}
+  explicit Covered_area(const std::vector<Convex_polygon>& polygons) : m_polygons(polygons)
+  {
+    for(std::size_t i = 0; i < polygons.size(); ++i)
+      if(!polygons[i].empty())
+        m_boxes.emplace_back(bounding_box(polygons[i]), i);
+  }
 
   double operator()() const
   {
     if(m_polygons.size() == 1)
       return signed_area(m_polygons[0]);
-    std::vector<double> x = bounds_of_slabs();
+    std::vector<Box> waiting = m_boxes; // the leftmost last
+    std::sort(waiting.begin(), waiting.end(), [](const Box& a, const Box& b) {
+      return std::pair(a.bbox().xmin(), a.info()) > std::pair(b.bbox().xmin(), b.info());
+    });
+    std::vector<Box> met; // by the line
+    const std::vector<double> x = bounds_of_slabs();
     double sum = 0;
-    for(std::size_t n = 1; n < x.size(); ++n)
-      if(x[n] > x[n - 1])
-        sum += (x[n] - x[n - 1]) * covered_height((x[n] + x[n - 1]) / 2);
+    for(std::size_t n = 1; n < x.size(); ++n) {
+      if(!(x[n] > x[n - 1]))
+        continue;
+      for(; !waiting.empty() && waiting.back().bbox().xmin() <= x[n - 1]; waiting.pop_back())
+        met.push_back(waiting.back());
+      const auto is_left = [&](const Box& box) { return box.bbox().xmax() <= x[n - 1]; };
+      met.erase(std::remove_if(met.begin(), met.end(), is_left), met.end());
+      sum += (x[n] - x[n - 1]) * covered_height(met, (x[n] + x[n - 1]) / 2);
+    }
     return sum;
   }
 
 private:
+  typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t> Box;
+
   template <typename Visit>
   static void for_each_side(const Convex_polygon& polygon, const Visit& visit)
   {
@@ -104,14 +134,18 @@ private:
   std::vector<double> bounds_of_slabs() const
   {
     std::vector<double> result;
-    for(std::size_t i = 0; i < m_polygons.size(); ++i)
-      for_each_side(m_polygons[i], [&](const Complex& a, const Complex& b) {
-        result.push_back(a.real());
-        for(std::size_t j = 0; j < i; ++j)
-          for_each_side(m_polygons[j], [&](const Complex& c, const Complex& d) {
-            add_crossing(a, b, c, d, result);
-          });
+    for(const Convex_polygon& polygon : m_polygons)
+      for(const Complex& z : polygon)
+        result.push_back(z.real());
+    std::vector<Box> boxes = m_boxes;
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+      const Convex_polygon &first = m_polygons[(std::min)(a.info(), b.info())],
+                           &second = m_polygons[(std::max)(a.info(), b.info())];
+      for_each_side(second, [&](const Complex& p, const Complex& q) {
+        for_each_side(
+          first, [&](const Complex& r, const Complex& s) { add_crossing(p, q, r, s, result); });
       });
+    });
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -126,12 +160,12 @@ private:
       x.push_back((a + at_a / (at_a - at_b) * (b - a)).real());
   }
 
-  // of a vertical line
-  double covered_height(double x) const
+  // of a vertical line that meets some polygons
+  double covered_height(const std::vector<Box>& met, double x) const
   {
     std::vector<Interval> intervals;
-    for(const Convex_polygon& polygon : m_polygons)
-      add_interval(polygon, x, intervals);
+    for(const Box& box : met)
+      add_interval(m_polygons[box.info()], x, intervals);
     std::sort(intervals.begin(), intervals.end());
     double sum = 0, top = -std::numeric_limits<double>::infinity();
     for(const auto& [low, high] : intervals)
@@ -157,6 +191,7 @@ private:
   }
 
   const std::vector<Convex_polygon>& m_polygons;
+  std::vector<Box> m_boxes; // of polygons that are not empty
 };
 
 } // namespace CGAL::Discrete_conformal_maps::internal
