@@ -70,10 +70,10 @@ public:
       m_bc(bc),
       m_crossings_of_C(bc.triangulation().coordinates(), bc.triangulation().mesh(),
                        bc.triangulation().spokes()),
+      m_crossings_of_A(ab.triangulation().coordinates(), ab.triangulation().mesh(),
+                       ab.triangulation().spokes()),
       m_development(bc.triangulation(), m_crossings_of_C),
-      m_decisions(ab.triangulation(),
-                  Input_crossings(ab.triangulation().coordinates(), ab.triangulation().mesh(),
-                                  ab.triangulation().spokes()))
+      m_decisions(ab.triangulation(), m_crossings_of_A)
   {}
 
   Order_certificate operator()()
@@ -158,12 +158,11 @@ private:
   const Subdivision& m_subdivision;
   const Correspondence<>& m_ab;
   const Ideal_correspondence& m_bc;
-  Input_crossings m_crossings_of_C;
+  Input_crossings m_crossings_of_C, m_crossings_of_A;
   Intrinsic_triangulations::internal::Ideal_development<
     Lazy_exact_nt<Intrinsic_triangulations::internal::Exact_field>, Ideal_triangulation>
     m_development;
-  Intrinsic_triangulations::internal::Exact_decisions<typename Correspondence<>::Traits,
-                                                      Input_crossings>
+  Intrinsic_triangulations::internal::Exact_decisions<typename Correspondence<>::Traits>
     m_decisions;
   std::vector<Neighbors> m_pairs;
   Order_certificate m_result;

@@ -386,12 +386,11 @@ private:
   // edges run along each other, they stay: any common place is right.
   void enclose_doubtful(Concurrency concurrency)
   {
-    typedef internal::Corresponding_crossings<Traits> Crossings;
     if(m_doubt.is_doubtful.empty())
       return;
     const std::size_t edges = m_tri.mesh().num_edges();
     internal::for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
-      internal::Crossing_encloser<Traits, Crossings> enclosed(m_tri, Crossings(*this));
+      internal::Crossing_encloser<Traits> enclosed(m_tri, internal::crossings_of(*this));
       for(std::size_t i = begin; i < end; ++i)
         if(const Edge_index e(static_cast<size_type>(i)); has_doubtful(e))
           set_places(e, enclosed.with_digits_that_help(first_halfedge(e), 0x1p-50));

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,20 @@
 #include <string>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Returns a number of crossings. \throws Overflow_error if a mesh cannot number as many.
+template <typename Integer>
+Delta_complex::size_type countable(const Integer& crossings)
+{
+  const auto count = static_cast<Delta_complex::size_type>(crossings);
+  if(static_cast<Integer>(count) != crossings)
+    throw Overflow_error("more crossings than a mesh can index");
+  return count;
+}
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsIntegerCoordinates
 /// holds four values on the edges at a vertex \f$m\f$ that splits the edge \f$ij\f$ of a diamond.

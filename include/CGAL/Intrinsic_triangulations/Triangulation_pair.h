@@ -112,6 +112,13 @@ public:
   /// returns the integer coordinates of \f$T_2\f$.
   const Coordinates& coordinates() const { return m_coordinates; }
 
+  /// returns the number of edges of \f$T_1\f$ that the edge of `h` crosses.
+  /// \throws Overflow_error if they are more than a `Surface_mesh` can number
+  size_type number_of_crossings(Halfedge_index h) const
+  {
+    return internal::countable(m_coordinates.crossings(h));
+  }
+
   /// returns whether the edge `e` of \f$T_2\f$ must not be flipped.
   bool is_constrained(Edge_index e) const { return m_is_constrained[e]; }
 

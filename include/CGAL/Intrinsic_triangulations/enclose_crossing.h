@@ -42,9 +42,9 @@ enclose_crossings(const Correspondence<Traits>& correspondence, Edge_index e,
                   double width = 0x1p-50)
 {
   static_assert(internal::has_metric<Traits>(), "places need the metric of a Euclidean geometry");
-  typedef internal::Corresponding_crossings<Traits> Crossings;
-  return internal::Crossing_encloser<Traits, Crossings>(
-    correspondence.triangulation(), Crossings(correspondence))(first_halfedge(e), width);
+  return internal::Crossing_encloser<Traits>(
+    correspondence.triangulation(), internal::crossings_of(correspondence))(first_halfedge(e),
+                                                                            width);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
@@ -89,9 +89,8 @@ struct Place_certificate
 template <typename Traits>
 Place_certificate certify_places(const Correspondence<Traits>& correspondence)
 {
-  typedef internal::Corresponding_crossings<Traits> Crossings;
   const auto& tri = correspondence.triangulation();
-  internal::Crossing_encloser<Traits, Crossings> enclosed(tri, Crossings(correspondence));
+  internal::Crossing_encloser<Traits> enclosed(tri, internal::crossings_of(correspondence));
   double longest = 0;
   for(Edge_index e : tri.input_mesh().edges())
     longest = (std::max)(longest, tri.input_length(e));

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -29,7 +30,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Lengths, angles and corners of T2, each laid out anew from the metric of T1 with as many digits
 // as its rounded value needs.
-template <typename Traits, typename Crossings>
+template <typename Traits>
 class Certain_measures
 {
   typedef Triangulation_pair<Traits> Pair;
@@ -136,7 +137,7 @@ public:
   Rounded<Double_double>& extended_corners() const { return m_extended; }
 
 protected:
-  Certain_measures(const Pair& pair, const Crossings& crossings)
+  Certain_measures(const Pair& pair, Referenced_crossings crossings)
     : m_pair(pair),
       m_mesh(pair.mesh()),
       m_metric(pair.input_metric()),
@@ -156,7 +157,7 @@ protected:
   template <typename Corners>
   auto development(Corners& corners) const
   {
-    return Development<Traits, Crossings, Corners>(m_pair, m_crossings, corners);
+    return Development<Traits, Corners>(m_pair, m_crossings, corners);
   }
 
   // Calls `attempt(corners)` with corners of more and more digits until it returns true.
@@ -189,7 +190,7 @@ protected:
   const Pair& m_pair;
   const Delta_complex& m_mesh;
   const Metric& m_metric;
-  Crossings m_crossings;
+  Referenced_crossings m_crossings;
 
 private:
   // Returns a halfedge of T1 as long as the edge of `h`, which is an edge of T1. With positions,
@@ -207,7 +208,8 @@ private:
   // whether an edge without inserted ends crosses triangles whose sides are known in `double`
   bool has_certain_strip(Halfedge_index h) const
   {
-    return m_crossings.count(h) > 0 && !has_inserted_end(h) && m_metric.squared_lengths.empty();
+    return m_pair.number_of_crossings(h) > 0 && !has_inserted_end(h) &&
+           m_metric.squared_lengths.empty();
   }
 
   // Returns a corner and its error, which is at most `error` times `size(corner)` if more digits

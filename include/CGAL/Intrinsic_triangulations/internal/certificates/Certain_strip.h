@@ -84,7 +84,7 @@ public:
   template <typename Crossings>
   Straight_edge operator()(Halfedge_index h, const Crossings& crossings, double error)
   {
-    if(crossings.count(h) == 1)
+    if(m_pair.number_of_crossings(h) == 1)
       return across(crossings(h, 0), error);
     lay_out(h, crossings);
     const double triangles = static_cast<double>(m_left.size() + m_right.size());
@@ -121,7 +121,7 @@ private:
   template <typename Crossings>
   void lay_out(Halfedge_index h, const Crossings& crossings)
   {
-    const std::size_t n = crossings.count(h);
+    const std::size_t n = m_pair.number_of_crossings(h);
     const Halfedge_index exit = opposite(crossings(h, 0)), first = m_input.prev(exit);
     const double length = side_length(first);
     m_left.clear();

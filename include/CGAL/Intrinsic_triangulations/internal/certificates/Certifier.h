@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/enum.h>
@@ -36,7 +35,7 @@ class Certifier
   typedef Triangulation_pair<Traits> Pair;
 
 public:
-  typedef Exact_decisions<Traits, Referenced_crossings<Input_crossings>> Decisions;
+  typedef Exact_decisions<Traits> Decisions;
 
   Certifier(const Pair& pair, Concurrency concurrency)
     : Certifier(pair, concurrency,

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -28,7 +29,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Which triangles these are is exact; `Corners` determines the numbers. Vectors from the origin and
 // along sides carry errors relative to their own lengths, so that angles at the origin are accurate
 // in the thinnest triangles.
-template <typename Traits, typename Crossings, typename Corners>
+template <typename Traits, typename Corners>
 class Development
 {
 public:
@@ -41,7 +42,8 @@ public:
     Complex source, target, vector;
   };
 
-  Development(const Triangulation_pair<Traits>& pair, const Crossings& crossings, Corners& corners)
+  Development(const Triangulation_pair<Traits>& pair, Referenced_crossings crossings,
+              Corners& corners)
     : m_pair(pair), m_input(pair.input_mesh()), m_crossings(crossings), m_corners(corners)
   {}
 
@@ -182,7 +184,7 @@ private:
     const Delta_complex& mesh = m_pair.mesh();
     if(m_pair.coordinates().is_shared(mesh.edge(h)))
       return end_along(side, mesh.target(h));
-    const std::size_t n = m_crossings.count(h);
+    const std::size_t n = m_pair.number_of_crossings(h);
     const bool ends_inside = m_pair.is_inserted(mesh.target(h));
     for(std::size_t m = 0; m < n; ++m) {
       const Halfedge_index exit = m_input.opposite(m_crossings(h, m));
@@ -302,7 +304,7 @@ private:
 
   const Triangulation_pair<Traits>& m_pair;
   const Delta_complex& m_input;
-  const Crossings& m_crossings;
+  Referenced_crossings m_crossings;
   Corners& m_corners;
 };
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Corresponding_crossings.h>
@@ -38,8 +39,7 @@ public:
   explicit Element_locator(const Correspondence<Traits>& correspondence)
     : m_correspondence(correspondence),
       m_tri(correspondence.triangulation()),
-      m_crossings(correspondence),
-      m_decisions(m_tri, m_crossings)
+      m_decisions(m_tri, crossings_of(correspondence))
   {}
 
   Surface_element operator()(Side side, const Face_location<double>& p)
@@ -139,7 +139,7 @@ private:
   {
     const std::size_t s = mark.side, t = (s + 1) % 3, u = (s + 2) % 3;
     const Halfedge_index back = opposite(halfedge[s]);
-    const std::size_t from_target = m_crossings.count(back) - 1 - mark.mark;
+    const std::size_t from_target = m_tri.number_of_crossings(back) - 1 - mark.mark;
     return m_decisions.decide([&](const auto& development) {
       const auto w = development.weights(b);
       const auto near = development.strip(halfedge[s]).crossed[mark.mark];
@@ -232,8 +232,7 @@ private:
 
   const Correspondence<Traits>& m_correspondence;
   const Intrinsic_triangulation<Traits>& m_tri;
-  Corresponding_crossings<Traits> m_crossings;
-  Corresponding_decisions<Traits> m_decisions;
+  Exact_decisions<Traits> m_decisions;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -49,10 +49,10 @@ auto turn_over(const Spokes& spokes, const Development& development)
 
 // Decisions about T2, each derived anew from the metric of T1: in floating point with error bounds,
 // with more and more digits, and in the end exactly.
-template <typename Traits, typename Crossings>
-class Exact_decisions : public Certain_measures<Traits, Crossings>
+template <typename Traits>
+class Exact_decisions : public Certain_measures<Traits>
 {
-  typedef Certain_measures<Traits, Crossings> Base;
+  typedef Certain_measures<Traits> Base;
   typedef Triangulation_pair<Traits> Pair;
   typedef Input_metric_of<Traits> Metric;
   typedef typename Metric::Number Number;
@@ -76,7 +76,7 @@ public:
   using Base::is_input_edge;
   using Base::rounded_angle;
 
-  Exact_decisions(const Pair& pair, const Crossings& crossings)
+  Exact_decisions(const Pair& pair, Referenced_crossings crossings)
     : Base(pair, crossings), m_is_flat(m_metric, pair.input_mesh())
   {}
 
@@ -210,7 +210,7 @@ public:
     const Lazy_number rest = 1 - t;
     return decide<Exact_field>([&](const auto& development) {
       const auto from_source = development.strip(h).crossed[m];
-      const auto from_target = development.strip(o).crossed[m_crossings.count(h) - 1 - m];
+      const auto from_target = development.strip(o).crossed[m_pair.number_of_crossings(h) - 1 - m];
       return sign_of_imaginary(
         development.number(rest) * height(from_source) * squared_length(from_target) -
         development.number(t) * height(from_target) * squared_length(from_source));
@@ -265,7 +265,7 @@ private:
   {
     if(is_input_edge(h))
       return true;
-    for(std::size_t m = 0; m < m_crossings.count(h); ++m)
+    for(std::size_t m = 0; m < m_pair.number_of_crossings(h); ++m)
       if(!m_is_flat(m_crossings(h, m)))
         return false;
     return !m_metric.points.empty();
@@ -400,7 +400,7 @@ private:
                 ? spoke
                 : input.halfedge(m_pair.inserted_vertex(m_mesh.source(h)).location.first)))
       return true;
-    for(std::size_t m = 0; m < m_crossings.count(h); ++m)
+    for(std::size_t m = 0; m < m_pair.number_of_crossings(h); ++m)
       if(is_one(m_crossings(h, m)))
         return true;
     return false;

@@ -145,8 +145,8 @@ template <typename Traits, typename Use>
 void with_lengths_in_strips(const Triangulation_pair<Traits>& pair, const Use& use)
 {
   if constexpr(Is_exact<Traits>::value) {
-    const Exact_decisions<Traits, Input_crossings> decisions(
-      pair, Input_crossings(pair.coordinates(), pair.mesh(), pair.spokes()));
+    const Input_crossings crossings(pair.coordinates(), pair.mesh(), pair.spokes());
+    const Exact_decisions<Traits> decisions(pair, crossings);
     use([&](Halfedge_index h) { return decisions.length(h); });
   } else
     use(Lengths_in_strips<Traits>(pair));

@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Traced_crossings.h>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -16,7 +17,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <typename Traits>
 auto exact_decisions(const Triangulation_pair<Traits>& pair)
 {
-  return Exact_decisions<Traits, Traced_crossings<Traits>>(pair, Traced_crossings<Traits>(pair));
+  return Exact_decisions<Traits>(pair,
+                                 Referenced_crossings::found_in<Traced_crossings<Traits>>(pair));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 
 #include <optional>
 #include <string>
@@ -26,7 +25,6 @@ template <typename Traits>
 class Precise_lengths
 {
   typedef Triangulation_pair<Traits> Pair;
-  typedef Referenced_crossings<Input_crossings> Crossings;
   template <typename N>
   using Corners =
     Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>;
@@ -59,7 +57,7 @@ private:
   std::optional<Double_double> length(Halfedge_index h, Corners<N>& corners) const
   {
     const auto strip =
-      Development<Traits, Crossings, Corners<N>>(m_pair, m_crossings, corners).uncrossed_strip(h);
+      Development<Traits, Corners<N>>(m_pair, m_crossings, corners).uncrossed_strip(h);
     const Ball<N> length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
     const double high = to_double(length.x);
     if(!(length.radius <= 0x1p-90 * high))

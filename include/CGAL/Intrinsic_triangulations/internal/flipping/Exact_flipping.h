@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossings_on_demand.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -42,7 +41,7 @@ class Exact_flipping
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef Crossings_on_demand<Traits> Crossings;
-  typedef Exact_decisions<Traits, Referenced_crossings<Crossings>> Decisions;
+  typedef Exact_decisions<Traits> Decisions;
 
 public:
   // Lengths of edges that are not in T1 are unknown at first, unless `Traits` is exact. `effort`

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 
 #include <array>
 #include <cmath>
@@ -22,14 +23,14 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // A face ijk of T2 in the plane, i at the origin, with the edges of T1 that cross ij and ik laid
 // out along these. So the relative error of a place is that of its vector from i, however thin the
 // face and the regions are. Errors are not tracked.
-template <typename Traits, typename Crossings>
+template <typename Traits>
 class Developed_face
 {
   typedef Triangulation_pair<Traits> Pair;
   typedef Double_double N;
   typedef Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>
     Corners;
-  typedef Development<Traits, Crossings, Corners> Layout;
+  typedef Development<Traits, Corners> Layout;
   typedef typename Layout::Placed_side Placed_side;
   typedef typename Layout::Complex Complex;
 
@@ -43,13 +44,14 @@ public:
   };
 
   // `h` leads from i to j
-  Developed_face(const Pair& pair, const Crossings& crossings, Corners& corners, Halfedge_index h)
+  Developed_face(const Pair& pair, Referenced_crossings crossings, Corners& corners,
+                 Halfedge_index h)
     : m_pair(pair),
       m_input(pair.input_mesh()),
       m_layout(pair, crossings, corners),
       m_is_inserted(pair.is_inserted(pair.mesh().source(h))),
-      m_regions({crossings.count(h), crossings.count(pair.mesh().next(h)),
-                 crossings.count(pair.mesh().prev(h))}),
+      m_regions({pair.number_of_crossings(h), pair.number_of_crossings(pair.mesh().next(h)),
+                 pair.number_of_crossings(pair.mesh().prev(h))}),
       m_ij(m_layout.strip(h)),
       m_ik(m_layout.strip(opposite(pair.mesh().prev(h)), m_layout.following_side(h, m_ij.first))),
       m_unit(to_double(corners.length(m_ij.first.halfedge).x))

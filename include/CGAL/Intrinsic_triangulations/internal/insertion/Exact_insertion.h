@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 
 #include <boost/config.hpp>
 
@@ -33,14 +32,13 @@ class Exact_insertion
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
   typedef typename Traits::Integer Integer;
-  typedef Referenced_crossings<Crossing_lists<Traits>> Crossings;
   typedef Face_regions::Curve Curve;
 
 public:
-  typedef Exact_decisions<Traits, Crossings> Decisions;
+  typedef Exact_decisions<Traits> Decisions;
 
   Exact_insertion(Triangulation& tri, Crossing_lists<Traits>& lists)
-    : m_tri(tri), m_mesh(tri.mesh()), m_lists(lists), m_decisions(tri, Crossings(lists))
+    : m_tri(tri), m_mesh(tri.mesh()), m_lists(lists), m_decisions(tri, lists)
   {}
 
   Decisions& decisions() { return m_decisions; }
@@ -105,7 +103,7 @@ public:
   }
 
 private:
-  typedef Developed_face<Traits, Crossings> Face;
+  typedef Developed_face<Traits> Face;
 
   // An edge of T1 on the boundary of a region, by its halfedge that leaves the face, and by the
   // number of that side of the triangle of T1.
@@ -123,8 +121,7 @@ private:
     const std::size_t s = static_cast<std::size_t>(
       std::max_element(p.second.begin(), p.second.end()) - p.second.begin());
     const Halfedge_index h = sides(p.first, m_mesh)[s];
-    const Crossings crossings(m_lists);
-    const Face face(m_tri, crossings, m_decisions.extended_corners(), h);
+    const Face face(m_tri, m_lists, m_decisions.extended_corners(), h);
     const auto point = face.point(p.second[(s + 1) % 3], p.second[(s + 2) % 3]);
     const std::size_t region = face.region_of(point);
     const typename Face::Place place = face.place(point, region);

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 
 #include <cstddef>
 
@@ -20,7 +20,7 @@ class Correspondence;
 
 namespace internal {
 
-// The crossings of a correspondence, for those who keep them by value.
+// The crossings of a correspondence.
 template <typename Traits>
 class Corresponding_crossings
 {
@@ -50,7 +50,10 @@ private:
 
 // decisions about all edges of T2
 template <typename Traits>
-using Corresponding_decisions = Exact_decisions<Traits, Corresponding_crossings<Traits>>;
+Referenced_crossings crossings_of(const Correspondence<Traits>& correspondence)
+{
+  return Referenced_crossings::found_in<Corresponding_crossings<Traits>>(correspondence);
+}
 
 } // namespace internal
 } // namespace CGAL::Intrinsic_triangulations

@@ -25,17 +25,17 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // The places of crossings, derived anew from the metric of T1, with the errors of numbers of type
 // `N`.
-template <typename Traits, typename Crossings, typename N>
+template <typename Traits, typename N>
 class Crossing_enclosure
 {
   typedef Triangulation_pair<Traits> Pair;
   typedef Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>
     Corners;
-  typedef Exact_decisions<Traits, Crossings> Decisions;
+  typedef Exact_decisions<Traits> Decisions;
   typedef Trace_point<Interval_nt<>> Place;
 
 public:
-  Crossing_enclosure(const Pair& pair, const Crossings& crossings)
+  Crossing_enclosure(const Pair& pair, Referenced_crossings crossings)
     : m_crossings(crossings),
       m_corners(pair.input_metric(), pair.input()),
       m_development(pair, m_crossings, m_corners)
@@ -47,7 +47,7 @@ public:
     const auto from_source = m_development.strip(h);
     const auto from_target = m_development.strip(opposite(h));
     const auto direction = conj(from_source.end);
-    const std::size_t n = m_crossings.count(h);
+    const std::size_t n = from_source.crossed.size();
     std::vector<Place> result;
     for(std::size_t m = 0; m < n; ++m)
       result.push_back(place(h, direction, from_source.crossed[m], from_target.crossed[n - 1 - m]));
@@ -96,9 +96,9 @@ private:
   static N least(const Ball<N>& a) { return (std::max)(N(a.y - N(a.radius)), N(0)); }
   static N greatest(const Ball<N>& a) { return (std::max)(N(a.y + N(a.radius)), N(0)); }
 
-  Crossings m_crossings;
+  Referenced_crossings m_crossings;
   Corners m_corners;
-  Development<Traits, Crossings, Corners> m_development;
+  Development<Traits, Corners> m_development;
 };
 
 // a number of type `double` may lie between two that enclose it
@@ -114,14 +114,14 @@ inline bool is_narrow(const Trace_point<Interval_nt<>>& place, double width)
 }
 
 // Encloses crossings of many edges, with more and more digits.
-template <typename Traits, typename Crossings>
+template <typename Traits>
 class Crossing_encloser
 {
   typedef Triangulation_pair<Traits> Pair;
   typedef std::vector<Trace_point<Interval_nt<>>> Places;
 
 public:
-  Crossing_encloser(const Pair& pair, const Crossings& crossings)
+  Crossing_encloser(const Pair& pair, Referenced_crossings crossings)
     : m_pair(pair),
       m_crossings(crossings),
       m_in_double(pair, crossings),
@@ -135,7 +135,7 @@ public:
     Places result = with_few_digits(h, width);
     for(long bits = 256; bits <= most_digits && !are_narrow(result, width); bits *= 2) {
       const Long_float_precision precision(bits);
-      result = Crossing_enclosure<Traits, Crossings, Long_float>(m_pair, m_crossings)(h);
+      result = Crossing_enclosure<Traits, Long_float>(m_pair, m_crossings)(h);
     }
     return result;
   }
@@ -157,7 +157,7 @@ private:
 
   Places with_few_digits(Halfedge_index h, double width)
   {
-    if(m_crossings.count(h) == 0)
+    if(m_pair.number_of_crossings(h) == 0)
       return {};
     Places result = m_in_double(h);
     return are_narrow(result, width) ? result : m_extended(h);
@@ -166,7 +166,7 @@ private:
   bool passes_flat_face(Halfedge_index h) const
   {
     const Delta_complex& input = m_pair.input_mesh();
-    for(std::size_t m = 0; m < m_crossings.count(h); ++m)
+    for(std::size_t m = 0; m < m_pair.number_of_crossings(h); ++m)
       for(const Halfedge_index side : {m_crossings(h, m), input.opposite(m_crossings(h, m))})
         if(!input.is_border(side) && area_sign(side, m_pair.input_metric(), m_pair.input()) == ZERO)
           return true;
@@ -174,9 +174,9 @@ private:
   }
 
   const Pair& m_pair;
-  Crossings m_crossings;
-  Crossing_enclosure<Traits, Crossings, double> m_in_double;
-  Crossing_enclosure<Traits, Crossings, Double_double> m_extended;
+  Referenced_crossings m_crossings;
+  Crossing_enclosure<Traits, double> m_in_double;
+  Crossing_enclosure<Traits, Double_double> m_extended;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

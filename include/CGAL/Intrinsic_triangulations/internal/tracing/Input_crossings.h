@@ -18,16 +18,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns a number of crossings. \throws Overflow_error if a mesh cannot number as many.
-template <typename Integer>
-Delta_complex::size_type countable(const Integer& crossings)
-{
-  const auto count = static_cast<Delta_complex::size_type>(crossings);
-  if(static_cast<Integer>(count) != crossings)
-    throw Overflow_error("more crossings than a mesh can index");
-  return count;
-}
-
 // The indices of the crossings on all edges of T2.
 template <typename Integer>
 Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,

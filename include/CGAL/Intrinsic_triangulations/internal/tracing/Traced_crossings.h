@@ -28,7 +28,7 @@ public:
   explicit Traced_crossings(const Pair& pair) : m_pair(pair) {}
 
   // returns the number of crossings on the edge of `h`
-  std::size_t count(Halfedge_index h) const { return countable(m_pair.coordinates().crossings(h)); }
+  std::size_t count(Halfedge_index h) const { return m_pair.number_of_crossings(h); }
 
   // returns the halfedge of T1 that crosses `h` as its crossing `m` from left to right
   Halfedge_index operator()(Halfedge_index h, std::size_t m) const
