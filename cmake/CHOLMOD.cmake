@@ -9,7 +9,8 @@
 include(CheckCXXSourceCompiles)
 include(CMakePushCheckState)
 
-find_path(SuiteSparse_INCLUDE_DIR suitesparse/cholmod.h)
+# Eigen includes <cholmod.h>
+find_path(SuiteSparse_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
 mark_as_advanced(SuiteSparse_INCLUDE_DIR CHOLMOD_LIBRARY)
 if(SuiteSparse_INCLUDE_DIR AND CHOLMOD_LIBRARY)

@@ -9,7 +9,7 @@
 #include "../Intrinsic_triangulations/plates.h"
 
 #include <CGAL/Discrete_conformal_maps/flatten.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "finite_differences.h"
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 
 #include <Eigen/Cholesky>
 #include <boost/math/constants/constants.hpp>
@@ -260,7 +260,7 @@ TYPED_TEST(Conformal_energy, sums_of_the_gradient_are_those_of_Gauss_and_Bonnet)
   for_each_point<Energy>(
     [](const Triangulation& t, const Energy& energy, const Numbers& target, const auto&) {
       const Delta_complex& mesh = energy.surface().mesh();
-      const IT::internal::Mesh_components component(t.mesh());
+      const IT::Mesh_components component(t.mesh());
       std::vector<double> sum(component.size(), 0);
       const double turn = 2 * constants::pi<double>();
       for(Vertex_index v : mesh.vertices())

@@ -385,7 +385,7 @@ TEST(Flatten, flattens_every_component)
   for(Vertex_index v : map.cones())
     condition[v] = Vertex_condition::log_scale(0);
   check_conditions(map, t.mesh(), condition, 1e-12);
-  const IT::internal::Mesh_components component(t.mesh());
+  const IT::Mesh_components component(t.mesh());
   std::vector<int> cones(component.size(), 0);
   for(Vertex_index v : map.cones())
     ++cones[component[v]];

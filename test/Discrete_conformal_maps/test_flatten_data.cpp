@@ -98,7 +98,7 @@ class Flattened_data_mesh : public testing::TestWithParam<std::string>
 // straight.
 Conditions three_cones(const Delta_complex& mesh)
 {
-  const IT::internal::Mesh_components component(mesh);
+  const IT::Mesh_components component(mesh);
   std::vector<int> cones(component.size(), 0);
   Conditions result(mesh.number_of_vertices());
   for(const bool is_border : {true, false})

@@ -182,7 +182,7 @@ TEST(Loop_signatures, against_cutting)
   std::size_t separating = 0, others = 0;
   for(const Named_complex& c : complexes()) {
     SCOPED_TRACE(c.name);
-    const IS::internal::Loop_signatures signatures(c.mesh);
+    const IT::Loop_signatures signatures(c.mesh);
     CGAL::Random random(3);
     for(int i = 0; i < 60; ++i) {
       // a random walk up to the first vertex that it meets again
@@ -226,7 +226,7 @@ TEST(Loop_signatures, against_cutting)
 double shortest_loop(const Surface_surgery& s)
 {
   const Delta_complex& mesh = s.mesh();
-  const IS::internal::Loop_signatures signatures(mesh);
+  const IT::Loop_signatures signatures(mesh);
   typedef std::pair<Vertex_index, std::uint64_t> State;
   double result = no_bound;
   for(Vertex_index start : mesh.vertices()) {

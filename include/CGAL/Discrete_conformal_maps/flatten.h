@@ -240,7 +240,8 @@ private:
     std::vector<double> length(mesh().num_edges());
     for(Edge_index e : mesh().edges())
       length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
-    const Cut_graph cut(mesh(), length, m_is_cut_edge, m_map.m_is_laid_out, terminals());
+    const Cut_graph cut =
+      cut_to_pieces(mesh(), length, m_is_cut_edge, m_map.m_is_laid_out, terminals());
     const Flat_layout<FT> layout(mesh(), exact, cut, *m_problem.expanded_order(), m_layout);
     m_map.m_position.reserve(mesh().num_halfedges());
     for(Halfedge_index h : mesh().halfedges())

@@ -138,7 +138,7 @@ private:
     return angle;
   }
 
-  Intrinsic_triangulations::internal::Mesh_components m_components;
+  Intrinsic_triangulations::Mesh_components m_components;
   std::size_t m_rounds;
   std::vector<Circle> m_circles;
   Vector m_angle;                                            // at the source of each side

@@ -72,7 +72,7 @@ public:
                                     const std::vector<char>& is_whole) const
   {
     const Boundary_image image(map);
-    const Intrinsic_triangulations::internal::Mesh_components components(m_mesh);
+    const Intrinsic_triangulations::Mesh_components components(m_mesh);
     double straightness = 0, cosine = 0;
     for(const Rectangle& sides : m_rectangles) {
       if(!is_whole[components[corner(sides[0]).idx()]])

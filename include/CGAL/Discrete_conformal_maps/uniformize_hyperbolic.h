@@ -19,6 +19,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
 #include <CGAL/Discrete_conformal_maps/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,8 @@
 namespace CGAL::Discrete_conformal_maps {
 
 namespace internal {
+
+using Intrinsic_triangulations::Tree_cotree;
 
 // Scale factors, the same for all vertices of a component, with which small hyperbolic triangles
 // would have the area that a component must have by Gauss and Bonnet.
@@ -183,7 +186,8 @@ private:
     std::vector<double> rounded_length;
     for(const FT& l : length)
       rounded_length.push_back(static_cast<double>(l));
-    const Tree_cotree cut(mesh(), crossing_lengths(mesh(), rounded_length), m_is_cone);
+    Tree_cotree cut(mesh(), crossing_lengths(mesh(), rounded_length));
+    cut.close_ends(m_is_cone);
     set_components(cut);
     const Hyperbolic_layout<FT> layout(mesh(), length, cut);
     set_positions(layout, cut);

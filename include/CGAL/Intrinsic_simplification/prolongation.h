@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_simplification/Surface_level.h>
 #include <CGAL/Intrinsic_simplification/Surface_map.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/assemble_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/SparseCore>
 
@@ -69,9 +69,8 @@ prolongation_matrix(const Map& map, const NamedParameters& np = CGAL::parameters
     internal::for_each_weight(image_of_vertex(v, map), coarse, add);
   };
   Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows;
-  Intrinsic_triangulations::internal::assemble_in_chunks(
-    Intrinsic_triangulations::internal::concurrency_of(np), fine.num_vertices(),
-    coarse.num_vertices(), collect, by_rows);
+  Intrinsic_triangulations::assemble(Intrinsic_triangulations::internal::concurrency_of(np),
+                                     fine.num_vertices(), coarse.num_vertices(), collect, by_rows);
   return by_rows;
 }
 

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <Eigen/SparseCore>
@@ -63,18 +63,15 @@ public:
 
   Eigen::SparseMatrix<Complex> matrix() const
   {
-    Intrinsic_triangulations::internal::Sparse_assembly<Complex> assembly(std::size_t(3) *
-                                                                          m_fine.num_vertices());
-    for(Vertex_index v : m_fine.vertices()) {
-      const Vertex_index coarse = m_map.coarse_vertex(v);
-      if(m_fine.is_isolated(v))
-        assembly.add(v, coarse, 1);
-      else if(coarse.is_valid())
-        assembly.add(v, coarse, back(v));
-      else
-        add_row(v, assembly);
-    }
-    return assembly.matrix(m_fine.num_vertices(), m_coarse.num_vertices());
+    return Intrinsic_triangulations::assembled<Eigen::SparseMatrix<Complex, Eigen::RowMajor>>(
+      m_fine.num_vertices(), m_coarse.num_vertices(), [this](std::size_t i, auto& entries) {
+        const Vertex_index v(static_cast<Vertex_index::size_type>(i));
+        const Vertex_index coarse = m_map.coarse_vertex(v);
+        if(coarse.is_valid())
+          entries.emplace_back(int(coarse.idx()), m_fine.is_isolated(v) ? Complex(1) : back(v));
+        else
+          this->add_row(v, entries);
+      });
   }
 
 private:
@@ -142,8 +139,8 @@ private:
   }
 
   // vectors at the corners of the coarse face are transported straight to the image of `v`
-  template <typename Assembly>
-  void add_row(Vertex_index v, Assembly& assembly) const
+  template <typename Entries>
+  void add_row(Vertex_index v, Entries& entries) const
   {
     const auto& [f, p] = m_place[v];
     const auto sides = Intrinsic_triangulations::sides(f, m_coarse);
@@ -156,7 +153,7 @@ private:
         way = face.direction(c);
       const Complex turn =
         std::polar(1., std::arg(way) - vertex_angle(f, c, way / face.direction(c)));
-      assembly.add(v, m_coarse.source(sides[c]), p[c] * back(v) * turn);
+      entries.emplace_back(int(m_coarse.source(sides[c]).idx()), p[c] * back(v) * turn);
     }
   }
 

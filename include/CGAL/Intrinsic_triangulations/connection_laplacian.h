@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <Eigen/SparseCore>
@@ -39,18 +39,19 @@ Eigen::SparseMatrix<std::complex<FT>> connection_laplacian(const Delta_complex& 
                                                            const std::vector<FT>& weights,
                                                            const Frames& frames)
 {
-  Sparse_assembly<std::complex<FT>> assembly(4 * mesh.number_of_edges());
+  std::vector<Eigen::Triplet<std::complex<FT>>> entries;
+  entries.reserve(4 * mesh.number_of_edges());
   for(Edge_index e : mesh.edges()) {
     const Halfedge_index h = mesh.halfedge(e);
-    const Vertex_index i = mesh.source(h), j = mesh.target(h);
+    const int i = int(mesh.source(h).idx()), j = int(mesh.target(h).idx());
     const FT& w = weights[e.idx()];
     const std::complex<FT> transported = w * frames.transport(h);
-    assembly.add(i, i, w);
-    assembly.add(j, j, w);
-    assembly.add(j, i, -transported);
-    assembly.add(i, j, -std::conj(transported));
+    entries.emplace_back(i, i, w);
+    entries.emplace_back(j, j, w);
+    entries.emplace_back(j, i, -transported);
+    entries.emplace_back(i, j, -std::conj(transported));
   }
-  return assembly.matrix(mesh.num_vertices(), mesh.num_vertices());
+  return matrix_of(entries, mesh.num_vertices(), mesh.num_vertices());
 }
 
 } // namespace internal

@@ -10,12 +10,11 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/assemble_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/interpolation.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <CGAL/property_map.h>
 
@@ -24,6 +23,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -57,9 +57,8 @@ interpolation_matrix(typename Subdivision::Side side, const Subdivision& subdivi
       entries.emplace_back(static_cast<int>(w.vertex[c].idx()), w.weight[c]);
   };
   Eigen::SparseMatrix<typename Subdivision::FT, Eigen::RowMajor> by_rows;
-  internal::assemble_in_chunks(internal::concurrency_of(np),
-                               subdivision.mesh().number_of_vertices(),
-                               subdivision.mesh(side).number_of_vertices(), collect, by_rows);
+  assemble(internal::concurrency_of(np), subdivision.mesh().number_of_vertices(),
+           subdivision.mesh(side).number_of_vertices(), collect, by_rows);
   return by_rows;
 }
 
@@ -104,13 +103,13 @@ Corner_matrix<FT> integrals_on_region(const Polygon_map<FT>& map)
 template <typename FT>
 void add_at_corners(Face_index row_face, const Delta_complex& row_mesh, Face_index column_face,
                     const Delta_complex& column_mesh, const Corner_matrix<FT>& values,
-                    Sparse_assembly<FT>& assembly)
+                    std::vector<Eigen::Triplet<FT>>& entries)
 {
   const auto row = sides(row_face, row_mesh), column = sides(column_face, column_mesh);
   for(std::size_t a = 0; a < 3; ++a)
     for(std::size_t b = 0; b < 3; ++b)
-      assembly.add(row_mesh.source(row[a]), column_mesh.source(column[b]),
-                   values(static_cast<int>(a), static_cast<int>(b)));
+      entries.emplace_back(int(row_mesh.source(row[a]).idx()),
+                           int(column_mesh.source(column[b]).idx()), values(int(a), int(b)));
 }
 
 // Returns the integrals of products of hat functions of `side` (rows) and of the other
@@ -126,7 +125,7 @@ mixed_mass_matrix(Side side, const Correspondence<Traits>& correspondence, Concu
   const Delta_complex &mesh = correspondence.mesh(side),
                       &other_mesh = correspondence.mesh(other(side));
   const auto area = [&](Face_index f) { return Face_metric<FT>(f, tri.surface(side)).area(); };
-  const auto add_face = [&](Face_index f, Sparse_assembly<FT>& assembly) {
+  const auto add_face = [&](Face_index f, std::vector<Eigen::Triplet<FT>>& entries) {
     const Marks marks(Side::intrinsic, f, correspondence);
     const Face_map<FT, Marks> face_map(marks, tri.input_mesh());
     const FT own_area = side == Side::intrinsic ? area(f) : FT(0);
@@ -134,14 +133,21 @@ mixed_mass_matrix(Side side, const Correspondence<Traits>& correspondence, Concu
       const auto [input_face, map] = face_map.region_map(m);
       if(side == Side::intrinsic)
         add_at_corners<FT>(f, mesh, input_face, other_mesh, own_area * integrals_on_region(map),
-                           assembly);
+                           entries);
       else
         add_at_corners<FT>(input_face, mesh, f, other_mesh,
-                           area(input_face) * integrals_on_region(map.inverse()), assembly);
+                           area(input_face) * integrals_on_region(map.inverse()), entries);
     }
   };
-  return assembled_by_faces<FT>(concurrency, tri.mesh(), add_face)
-    .matrix(mesh.number_of_vertices(), other_mesh.number_of_vertices());
+  std::vector<std::vector<Eigen::Triplet<FT>>> chunks(number_of_chunks(tri.mesh().num_faces()));
+  for_each_in_chunks<Face_index>(concurrency, tri.mesh(),
+                                 [&](Face_index f) { add_face(f, chunks[f.idx() / chunk_size]); });
+  std::vector<Eigen::Triplet<FT>> all;
+  for(auto& chunk : chunks) {
+    all.insert(all.end(), chunk.begin(), chunk.end());
+    std::vector<Eigen::Triplet<FT>>().swap(chunk);
+  }
+  return matrix_of(all, mesh.number_of_vertices(), other_mesh.number_of_vertices());
 }
 
 } // namespace internal

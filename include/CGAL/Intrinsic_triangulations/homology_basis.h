@@ -8,18 +8,15 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Loop_search.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/internal/topology/Homology_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/internal/topology/Loop_signatures.h>
-#include <CGAL/Intrinsic_triangulations/internal/topology/tree_loop.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <numeric>
 #include <optional>
-#include <queue>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -37,13 +34,11 @@ inline std::vector<std::size_t> first_indices(std::size_t n)
 
 // Finds short loops along edges, the shortest one of each homology class modulo 2 that is found.
 //
-// A loop that does not bound has an edge with a signature. One end of each of these edges, the
-// centers, is where searches begin: if a loop is the shortest of its class and not a sum of shorter
-// ones, it consists of two shortest paths from a center on it and an edge between their ends. All
-// centers together find a shortest basis (Erickson and Whittlesey 2005); so do those within half of
-// the length of the longest loop of a basis that is known already.
+// If a loop is the shortest of its class and not a sum of shorter ones, it is found from a center on
+// it. All centers together find a shortest basis (Erickson and Whittlesey 2005); so do those within
+// half of the length of the longest loop of a basis that is known already.
 template <typename Surface>
-class Loop_search
+class Loops_of_classes
 {
   typedef Length_of<Surface> FT;
   typedef Loop_signatures::Signature Signature;
@@ -56,16 +51,14 @@ public:
   };
 
   // Loops are found up to `slack` times the length of the longest one of a basis.
-  Loop_search(const Surface& surface, const FT& slack)
-    : m_surface(surface),
-      m_mesh(surface.mesh()),
-      m_signatures(m_mesh, Boundary_loops::open),
-      m_coordinates(m_signatures),
-      m_label(m_mesh.num_vertices()),
+  Loops_of_classes(const Surface& surface, const FT& slack)
+    : m_mesh(surface.mesh()),
+      m_search(surface, Boundary_loops::open),
+      m_coordinates(m_search.signatures()),
       m_slack(slack)
   {
-    for(Edge_index e : m_signatures.generators())
-      add(m_signatures.loop(e));
+    for(Edge_index e : m_search.signatures().generators())
+      add(m_search.signatures().loop(e));
     if(!m_loops.empty())
       search_all();
   }
@@ -96,30 +89,21 @@ public:
       for(std::size_t i : basis)
         result.push_back(m_loops[i].halfedges);
     else
-      for(Edge_index e : m_signatures.generators())
-        result.push_back(m_signatures.loop(e));
+      for(Edge_index e : m_search.signatures().generators())
+        result.push_back(m_search.signatures().loop(e));
     return result;
   }
 
 private:
-  struct Label
-  {
-    std::size_t round = 0;
-    FT distance = FT(0);
-    Halfedge_index entry; // the last of the path that leads here
-    Signature signature = 0;
-    bool is_final = false;
-  };
-
   // how many vertices all searches reach together, and how many one may reach in any case
   static constexpr std::size_t greatest_number_of_visits = std::size_t(1) << 22;
   static constexpr std::size_t least_number_of_visits = 4096;
 
-  Label& label(Vertex_index v) { return m_label[v.idx()]; }
+  static bool is_any(Vertex_index) { return true; }
 
   void search_all()
   {
-    const std::vector<Vertex_index> center = centers();
+    const std::vector<Vertex_index> center = m_search.centers(is_any);
     const std::size_t most =
       (std::max)(greatest_number_of_visits / center.size(), least_number_of_visits);
     const Mesh_components components(m_mesh);
@@ -154,19 +138,6 @@ private:
         visit(i);
   }
 
-  std::vector<Vertex_index> centers() const
-  {
-    std::vector<Vertex_index> result;
-    std::vector<bool> is_center(m_mesh.num_vertices(), false);
-    for(Edge_index e : m_mesh.edges())
-      if(const Vertex_index v = m_mesh.vertex(e, 0);
-         m_signatures[e] != 0 && !is_center[v] && !is_center[m_mesh.vertex(e, 1)]) {
-        is_center[v] = true;
-        result.push_back(v);
-      }
-    return result;
-  }
-
   void sort()
   {
     std::stable_sort(m_loops.begin(), m_loops.end(),
@@ -185,83 +156,48 @@ private:
     return result;
   }
 
-  // Dijkstra's algorithm around `center`, as far as loops have at most the length `bound`.
+  // Finds loops through `center`, as far as they have at most the length `bound`.
   void search(Vertex_index center, const std::optional<FT>& bound, std::size_t most)
   {
-    ++m_round;
-    m_queue = Queue();
-    push(center, FT(0), Halfedge_index(), 0);
     std::unordered_map<Signature, std::size_t> found;
     std::vector<std::pair<FT, Halfedge_index>> best; // of each class
-    for(std::size_t visits = 0; !m_queue.empty() && visits < most;) {
-      const auto [distance, v] = m_queue.top();
-      m_queue.pop();
-      if(label(v).is_final)
-        continue;
-      if(bound && 2 * distance > *bound)
-        break;
-      label(v).is_final = true;
-      ++visits;
-      ++m_visits;
-      for_each_spoke(v, m_mesh, [&, a = label(v)](Halfedge_index h) {
-        const Label& b = label(m_mesh.target(h));
-        const Signature s = a.signature ^ m_signatures[Edge_index(h)];
-        const FT reached = a.distance + edge_length(h, m_surface), length = reached + b.distance;
-        if(b.round != m_round || !b.is_final)
-          push(m_mesh.target(h), reached, h, s);
-        else if(s != b.signature && !(bound && length > *bound)) {
-          const auto [x, is_new] = found.emplace(s ^ b.signature, best.size());
-          if(is_new)
-            best.push_back({length, h});
-          else if(length < best[x->second].first)
-            best[x->second] = {length, h};
-        }
+    std::size_t visits = 0;
+    m_search.search(
+      center, is_any,
+      [&](Vertex_index v) {
+        return visits++ < most && !(bound && 2 * m_search.distance(v) > *bound);
+      },
+      [&](Halfedge_index h, const FT& length, Signature signature) {
+        if(bound && length > *bound)
+          return;
+        const auto [x, is_new] = found.emplace(signature, best.size());
+        if(is_new)
+          best.push_back({length, h});
+        else if(length < best[x->second].first)
+          best[x->second] = {length, h};
       });
-    }
-    add_all(best);
-  }
-
-  void push(Vertex_index v, const FT& distance, Halfedge_index entry, Signature signature)
-  {
-    Label& l = label(v);
-    if(l.round == m_round && l.distance <= distance)
-      return;
-    l = {m_round, distance, entry, signature, false};
-    m_queue.push({distance, v});
-  }
-
-  void add_all(const std::vector<std::pair<FT, Halfedge_index>>& best)
-  {
+    m_visits += visits;
     for(const auto& [length, h] : best)
-      add(tree_loop(
-        h, [&](Vertex_index v) { return label(v).entry; }, m_mesh));
+      add(m_search.loop(h));
   }
 
   void add(std::vector<Halfedge_index> halfedges)
   {
-    FT length(0);
-    for(Halfedge_index h : halfedges)
-      length += edge_length(h, m_surface);
-    const auto [x, is_new] = m_index.emplace(m_signatures.of(halfedges), m_loops.size());
+    const FT length = m_search.length(halfedges);
+    const auto [x, is_new] = m_index.emplace(m_search.signatures().of(halfedges), m_loops.size());
     if(is_new)
       m_loops.push_back({length, std::move(halfedges)});
     else if(length < m_loops[x->second].length)
       m_loops[x->second] = {length, std::move(halfedges)};
   }
 
-  const Surface& m_surface;
   const Delta_complex& m_mesh;
-  Loop_signatures m_signatures;
+  Loop_search<Surface> m_search;
   Homology_coordinates m_coordinates;
-  std::vector<Label> m_label;
   FT m_slack;
-  std::size_t m_round = 0;
   std::size_t m_visits = 0;
   std::vector<Loop> m_loops;
   std::unordered_map<Signature, std::size_t> m_index; // of the loop of a class
-  typedef std::pair<FT, Vertex_index> Entry;
-  typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
-  Queue m_queue;
 };
 
 } // namespace internal
@@ -289,7 +225,7 @@ template <typename Surface>
 std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface)
 {
   typedef Length_of<Surface> FT;
-  const internal::Loop_search<Surface> search(surface, FT(1));
+  const internal::Loops_of_classes<Surface> search(surface, FT(1));
   return search.halfedges(search.basis(internal::first_indices(search.loops().size())));
 }
 
@@ -308,7 +244,7 @@ std::vector<std::vector<Halfedge_index>> homology_basis(const Surface& surface,
                                                         const Measure& measure)
 {
   typedef Length_of<Surface> FT;
-  const internal::Loop_search<Surface> search(surface, FT(1.5));
+  const internal::Loops_of_classes<Surface> search(surface, FT(1.5));
   std::vector<std::size_t> measured = search.basis(internal::first_indices(search.loops().size()));
   const std::size_t dimension = search.dimension();
   for(std::size_t i = 0; i < (std::min)(search.loops().size(), 4 * dimension + 16); ++i)

@@ -12,10 +12,11 @@
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -39,6 +40,29 @@ auto cotan_weights(const Surface& surface)
       result[mesh.edge(h[s]).idx()] += metric.cotangent(s) / 2;
   }
   return result;
+}
+
+// Returns the symmetric matrix with `diagonal[v]` on the diagonal and `on_edge[e]` at the two
+// places of the vertices of edge e. Entries at one place add up. Rows of isolated vertices are
+// empty.
+template <typename FT>
+Eigen::SparseMatrix<FT> symmetric_matrix(const Delta_complex& mesh, std::vector<FT> diagonal,
+                                         const std::vector<FT>& on_edge)
+{
+  std::vector<Eigen::Triplet<FT>> upper;
+  upper.reserve(mesh.number_of_edges() + mesh.number_of_vertices());
+  for(Edge_index e : mesh.edges()) {
+    const auto [i, j] = std::minmax({mesh.vertex(e, 0), mesh.vertex(e, 1)});
+    if(i == j)
+      diagonal[i.idx()] += 2 * on_edge[e.idx()];
+    else
+      upper.emplace_back(int(i.idx()), int(j.idx()), on_edge[e.idx()]);
+  }
+  for(Vertex_index v : mesh.vertices())
+    if(!mesh.is_isolated(v))
+      upper.emplace_back(int(v.idx()), int(v.idx()), diagonal[v.idx()]);
+  return matrix_of(upper, diagonal.size(), diagonal.size())
+    .template selfadjointView<Eigen::Upper>();
 }
 
 } // namespace internal
@@ -105,13 +129,18 @@ auto lumped_mass_matrix(const Surface& surface)
 {
   typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
-  internal::Sparse_assembly<FT> assembly(3 * mesh.number_of_faces());
+  std::vector<FT> diagonal(mesh.num_vertices(), FT(0));
   for(Face_index f : mesh.faces()) {
     const internal::Face_metric<FT> metric(f, surface);
     for(Vertex_index v : metric.corners())
-      assembly.add(v, v, metric.area() / 3);
+      diagonal[v.idx()] += metric.area() / 3;
   }
-  return assembly.matrix(mesh.num_vertices(), mesh.num_vertices());
+  const auto collect = [&](std::size_t i, auto& entries) {
+    const Vertex_index v(static_cast<Delta_complex::size_type>(i));
+    if(!mesh.is_removed(v) && !mesh.is_isolated(v))
+      entries.emplace_back(int(i), diagonal[i]);
+  };
+  return assembled<Eigen::SparseMatrix<FT>>(diagonal.size(), diagonal.size(), collect);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -125,16 +154,18 @@ auto gradient_matrix(const Surface& surface)
 {
   typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
-  internal::Sparse_assembly<FT> assembly(6 * mesh.number_of_faces());
-  for(Face_index f : mesh.faces()) {
+  const auto collect = [&](std::size_t row, auto& entries) {
+    const Face_index f(static_cast<Delta_complex::size_type>(row / 2));
+    if(mesh.is_removed(f))
+      return;
     const internal::Face_metric<FT> metric(f, surface);
     metric.refuse_if_degenerate();
     for(std::size_t s = 0; s < 3; ++s)
-      for(std::size_t k = 0; k < 2; ++k)
-        assembly.add(metric.component(k), metric.corner((s + 2) % 3).idx(),
-                     metric.turned_side(s)[k] / metric.doubled_area());
-  }
-  return assembly.matrix(std::size_t(2) * mesh.num_faces(), mesh.num_vertices());
+      entries.emplace_back(int(metric.corner((s + 2) % 3).idx()),
+                           metric.turned_side(s)[row % 2] / metric.doubled_area());
+  };
+  return Eigen::SparseMatrix<FT>(assembled<Eigen::SparseMatrix<FT, Eigen::RowMajor>>(
+    std::size_t(2) * mesh.num_faces(), mesh.num_vertices(), collect));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -149,15 +180,17 @@ auto divergence_matrix(const Surface& surface)
 {
   typedef Length_of<Surface> FT;
   const Delta_complex& mesh = surface.mesh();
-  internal::Sparse_assembly<FT> assembly(6 * mesh.number_of_faces());
-  for(Face_index f : mesh.faces()) {
+  const auto collect = [&](std::size_t column, auto& entries) {
+    const Face_index f(static_cast<Delta_complex::size_type>(column / 2));
+    if(mesh.is_removed(f))
+      return;
     const internal::Face_metric<FT> metric(f, surface);
     for(std::size_t s = 0; s < 3; ++s)
-      for(std::size_t k = 0; k < 2; ++k)
-        assembly.add(metric.corner((s + 2) % 3).idx(), metric.component(k),
-                     -metric.turned_side(s)[k] / 2);
-  }
-  return assembly.matrix(mesh.num_vertices(), std::size_t(2) * mesh.num_faces());
+      entries.emplace_back(int(metric.corner((s + 2) % 3).idx()),
+                           -metric.turned_side(s)[column % 2] / 2);
+  };
+  return assembled<Eigen::SparseMatrix<FT>>(mesh.num_vertices(), std::size_t(2) * mesh.num_faces(),
+                                            collect);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

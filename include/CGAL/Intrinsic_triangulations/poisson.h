@@ -8,11 +8,11 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -107,7 +107,7 @@ private:
   template <typename Surface, typename VertexIsFixedMap>
   Poisson_solver(const Surface& surface, const Matrix& laplacian,
                  const internal::Elimination_order& order, const VertexIsFixedMap& is_fixed)
-    : Poisson_solver(internal::Mesh_components(surface.mesh()), laplacian,
+    : Poisson_solver(Mesh_components(surface.mesh()), laplacian,
                      lumped_mass_matrix(surface).diagonal(),
                      fixed_vertices(surface.mesh().num_vertices(), is_fixed), order)
   {}
@@ -117,9 +117,8 @@ private:
     : Poisson_solver(surface, laplacian, internal::fill_reducing_order(laplacian), is_fixed)
   {}
 
-  Poisson_solver(const internal::Mesh_components& components, const Matrix& laplacian,
-                 const Vector& area, const std::vector<char>& is_fixed,
-                 const internal::Elimination_order& order)
+  Poisson_solver(const Mesh_components& components, const Matrix& laplacian, const Vector& area,
+                 const std::vector<char>& is_fixed, const internal::Elimination_order& order)
     : m_components(components),
       m_laplacian(laplacian),
       m_area(area),
@@ -156,15 +155,14 @@ private:
   Matrix select_unknowns() const
   {
     std::vector<char> is_anchored(m_is_anchored);
-    internal::Sparse_assembly<FT> assembly(m_is_fixed.size());
-    std::size_t count = 0;
+    std::vector<std::size_t> unknowns;
     for(std::size_t v = 0; v < m_is_fixed.size(); ++v) {
       char& anchored = is_anchored[m_components[v]];
       if(anchored && !m_is_fixed[v])
-        assembly.add(v, count++, FT(1));
+        unknowns.push_back(v);
       anchored = 1;
     }
-    return assembly.matrix(m_is_fixed.size(), count);
+    return selection_matrix<FT>(m_is_fixed.size(), unknowns);
   }
 
   // A part of an order is good for the part of the matrix.
@@ -200,7 +198,7 @@ private:
     return result;
   }
 
-  internal::Mesh_components m_components;
+  Mesh_components m_components;
   Matrix m_laplacian;
   Vector m_area; // a third of the area around each vertex
   std::vector<char> m_is_fixed;

@@ -8,13 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 
 #include <algorithm>
-#include <functional>
-#include <queue>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -27,34 +24,24 @@ namespace CGAL::Intrinsic_triangulations {
 /// \param target the vertex where it ends
 /// \returns its halfedges from `source` to `target`; none if the two are equal, or there is no path
 ///
-/// Complexity: \f$O(m \log m)\f$ for \f$m\f$ edges within the distance of `target`.
+/// Complexity: \f$O(n + m \log m)\f$ for \f$n\f$ vertices, and \f$m\f$ edges within the distance
+/// of `target`.
 template <typename Surface>
 std::vector<Halfedge_index> shortest_edge_path(const Surface& surface, Vertex_index source,
                                                Vertex_index target)
 {
   typedef Length_of<Surface> FT;
-  typedef std::pair<FT, Halfedge_index> Step; // the length of a path, and its last halfedge
   const Delta_complex& mesh = surface.mesh();
-  std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
-  std::unordered_map<std::size_t, Halfedge_index> last;
-  const auto go_on_from = [&](Vertex_index v, const FT& length) {
-    if(!mesh.is_isolated(v))
-      for_each_spoke(v, mesh, [&](Halfedge_index h) {
-        if(last.count(mesh.target(h).idx()) == 0)
-          queue.push({length + internal::edge_length(h, surface), h});
-      });
-  };
-  last[source.idx()] = Delta_complex::null_halfedge();
-  go_on_from(source, FT(0));
-  while(!queue.empty() && last.count(target.idx()) == 0) {
-    const auto [length, h] = queue.top();
-    queue.pop();
-    if(last.emplace(mesh.target(h).idx(), h).second)
-      go_on_from(mesh.target(h), length);
-  }
+  Dijkstra_search<Vertex_index, FT> search(mesh.num_vertices());
+  if(!mesh.is_isolated(source))
+    search.reach(source, FT(0));
+  for(Vertex_index v = search.next(); v.is_valid() && v != target; v = search.next())
+    for_each_spoke(v, mesh, [&, distance = search.distance(v)](Halfedge_index h) {
+      search.reach(mesh.target(h), distance + internal::edge_length(h, surface), h);
+    });
   std::vector<Halfedge_index> result;
-  if(last.count(target.idx()) > 0)
-    for(Halfedge_index h = last[target.idx()]; h.is_valid(); h = last[mesh.source(h).idx()])
+  if(search.is_final(target))
+    for(Halfedge_index h = search.entry(target); h.is_valid(); h = search.entry(mesh.source(h)))
       result.push_back(h);
   std::reverse(result.begin(), result.end());
   return result;

@@ -9,11 +9,11 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Vertex_vector_heat.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
@@ -166,7 +166,7 @@ private:
   }
 
   Surface_view<Length_map_of<Surface>> m_surface;
-  internal::Mesh_components m_components;
+  Mesh_components m_components;
   internal::Vertex_vector_heat<Surface_view<Length_map_of<Surface>>> m_flow;
   Eigen::SparseMatrix<FT> m_divergence;
   Poisson_solver<FT> m_poisson;

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Layout.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Cut_graph.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Least_squares_shift.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Spectral_layout.h>

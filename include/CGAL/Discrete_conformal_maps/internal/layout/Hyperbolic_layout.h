@@ -8,8 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Disk_motion.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Tree_cotree.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
+#include <CGAL/Intrinsic_triangulations/Cut_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -50,12 +50,12 @@ public:
 
   // `length` has sinh(x/2) for all edges with lengths x
   Hyperbolic_layout(const Delta_complex& mesh, const std::vector<FT>& length,
-                    const Tree_cotree& cut)
+                    const Intrinsic_triangulations::Cut_graph& cut)
     : m_mesh(mesh), m_cut(cut), m_frame(mesh.num_halfedges()), m_along(mesh.num_edges())
   {
     for(Edge_index e : mesh.edges())
       m_along[e.idx()] = Motion::translation(length[e.idx()]);
-    for(const Tree_cotree::Step& step : cut.steps())
+    for(const Intrinsic_triangulations::Cut_graph::Step& step : cut.steps())
       place(step, length);
   }
 
@@ -90,7 +90,7 @@ private:
     return m_frame[h.idx()] * m_along[Edge_index(h).idx()] * Motion::rotation(FT(0), FT(1));
   }
 
-  void place(const Tree_cotree::Step& step, const std::vector<FT>& length)
+  void place(const Intrinsic_triangulations::Cut_graph::Step& step, const std::vector<FT>& length)
   {
     const bool is_entry = step.entry.is_valid();
     const Halfedge_index h = is_entry ? step.entry : m_mesh.halfedge(step.face);
@@ -136,7 +136,7 @@ private:
   }
 
   const Delta_complex& m_mesh;
-  const Tree_cotree& m_cut;
+  const Intrinsic_triangulations::Cut_graph& m_cut;
   std::vector<Motion> m_frame; // at the source of each halfedge
   std::vector<Motion> m_along; // the translation by the length of each edge
 };

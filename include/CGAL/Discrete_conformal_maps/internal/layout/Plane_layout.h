@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
-#include <CGAL/Discrete_conformal_maps/internal/layout/Cut_graph.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Cone_tree.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Half_plane_layout.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
@@ -102,7 +102,7 @@ private:
       if(is_cut_edge[e.idx()])
         is_terminal[m_mesh.vertex(e, 0).idx()] = is_terminal[m_mesh.vertex(e, 1).idx()] = 1;
     }
-    const Cut_graph cut(m_mesh, rounded, is_cut_edge, is_used, is_terminal);
+    const Cut_graph cut = cut_to_pieces(m_mesh, rounded, is_cut_edge, is_used, is_terminal);
     const bool is_whole = m_problem.has_no_copies();
     const Flat_layout<FT> layout(m_mesh, m_length, cut, *m_problem.order(),
                                  is_whole ? Layout::least_squares : Layout::incremental);

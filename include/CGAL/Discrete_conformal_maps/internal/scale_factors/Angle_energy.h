@@ -12,7 +12,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/assemble_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/SparseCore>
 
@@ -78,7 +78,7 @@ public:
   const Matrix& Hessian() const
   {
     if(!m_has_Hessian)
-      Intrinsic_triangulations::internal::assemble_in_chunks(
+      Intrinsic_triangulations::assemble(
         m_concurrency, size(), size(),
         [this](std::size_t v, auto& entries) {
           this->collect_column(Vertex_index(static_cast<Delta_complex::size_type>(v)), entries);

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Dirichlet_solver.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 
 #include <Eigen/SparseCore>
 
@@ -30,7 +30,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 class Cone_placement
 {
   typedef Eigen::VectorXd Vector;
-  typedef Intrinsic_triangulations::internal::Mesh_components Components;
+  typedef Intrinsic_triangulations::Mesh_components Components;
 
 public:
   // `is_held` are the fixed vertices, and one of every component without any

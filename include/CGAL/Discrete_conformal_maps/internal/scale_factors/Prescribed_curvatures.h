@@ -11,7 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <Eigen/Core>
@@ -31,7 +31,7 @@ namespace CGAL::Discrete_conformal_maps::internal {
 class Prescribed_curvatures
 {
 public:
-  typedef Intrinsic_triangulations::internal::Mesh_components Components;
+  typedef Intrinsic_triangulations::Mesh_components Components;
   typedef Intrinsic_triangulations::Topological_type Topological_type;
   typedef Eigen::VectorXd Vector;
 

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/Conformal_energy.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/assemble_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -105,7 +105,7 @@ public:
       return m_energy->Hessian();
     if(!m_has_Hessian) {
       const std::vector<Vertex_index> next = m_problem.next_copies();
-      Intrinsic_triangulations::internal::assemble_in_chunks(
+      Intrinsic_triangulations::assemble(
         m_problem.concurrency(), size(), size(),
         [&](std::size_t v, auto& entries) {
           this->collect_column(Vertex_index(Delta_complex::size_type(v)), next, entries);

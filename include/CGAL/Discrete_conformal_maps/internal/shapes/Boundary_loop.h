@@ -10,9 +10,9 @@
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -33,7 +33,7 @@ inline std::vector<Boundary_loop> single_boundary_loops(const Delta_complex& mes
                                                         std::size_t least_size, const char* shape)
 {
   using Intrinsic_triangulations::Invalid_input;
-  const Intrinsic_triangulations::internal::Mesh_components components(mesh);
+  const Intrinsic_triangulations::Mesh_components components(mesh);
   std::vector<char> has_loop(components.size(), 0);
   std::vector<Boundary_loop> result;
   for(Halfedge_index border : Intrinsic_triangulations::boundary_loops(mesh)) {

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/internal/multigrid/Matrix_components.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Sparse_assembly.h>
+#include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -87,15 +87,14 @@ private:
     std::vector<char> is_determined(components.size());
     for(std::size_t c = 0; c < components.size(); ++c)
       is_determined[c] = components.is_floating(c) ? 0 : 1;
-    Intrinsic_triangulations::internal::Sparse_assembly<double> assembly(size);
-    std::size_t count = 0;
+    std::vector<std::size_t> unknowns;
     for(std::size_t v = 0; v < size; ++v) {
       char& determined = is_determined[components[v]];
       if(determined)
-        assembly.add(v, count++, 1);
+        unknowns.push_back(v);
       determined = 1;
     }
-    return assembly.matrix(size, count);
+    return Intrinsic_triangulations::selection_matrix<double>(size, unknowns);
   }
 
   Matrix m_unknowns;

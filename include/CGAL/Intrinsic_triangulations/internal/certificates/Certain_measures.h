@@ -164,10 +164,8 @@ protected:
   template <typename Attempt>
   void try_with_more_digits(const Attempt& attempt) const
   {
-    if(attempt(m_double) || attempt(m_extended))
-      return;
-    const Long_float_precision precision(512);
-    attempt(m_long);
+    if(!attempt(m_double) && !attempt(m_extended))
+      attempt(m_long);
   }
 
   template <typename Strip>

@@ -316,7 +316,6 @@ private:
   template <typename Predicate>
   Uncertain<Sign> sign_with_most_digits(const Predicate& predicate)
   {
-    const Long_float_precision precision(most_digits);
     Rounded<Long_float> corners(m_metric, m_pair.input());
     const Uncertain<Sign> sign = predicate(development(corners));
     m_count.multiprecision += is_certain(sign);

@@ -10,7 +10,7 @@
 #include <CGAL/number_type_basic.h>
 
 #ifdef CGAL_USE_MPFR
-#include <CGAL/Gmpfr.h>
+#include <boost/multiprecision/mpfr.hpp>
 #else
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #endif
@@ -25,43 +25,17 @@ namespace Intrinsic_triangulations::internal {
 // The number of binary digits with which numbers are enclosed in the end.
 constexpr int most_digits = 1024;
 
-// A floating point number with the digits of the `Long_float_precision` that lives. Without MPFR
-// it always has as many as can be asked for.
-#ifdef CGAL_USE_MPFR
-
-typedef Gmpfr Long_float;
-
-class Long_float_precision
-{
-public:
-  explicit Long_float_precision(long bits) : m_before(Gmpfr::set_default_precision(bits)) {}
-  ~Long_float_precision() { Gmpfr::set_default_precision(m_before); }
-  Long_float_precision(const Long_float_precision&) = delete;
-  Long_float_precision& operator=(const Long_float_precision&) = delete;
-
-  static double unit()
-  {
-    return std::ldexp(1.0, -static_cast<int>(Gmpfr::get_default_precision()));
-  }
-
-private:
-  Gmpfr::Precision_type m_before;
-};
-
-#else
-
+// A floating point number with as many digits. Those of MPFR take 0.08 us for a product and 0.4 us
+// for a root; those of Boost alone take 0.4 us and 50 us.
 typedef boost::multiprecision::number<
+#ifdef CGAL_USE_MPFR
+  boost::multiprecision::mpfr_float_backend<most_digits * 302 / 1000,
+                                            boost::multiprecision::allocate_stack>,
+#else
   boost::multiprecision::cpp_bin_float<most_digits, boost::multiprecision::digit_base_2>,
+#endif
   boost::multiprecision::et_off>
   Long_float;
-
-struct Long_float_precision
-{
-  explicit Long_float_precision(long /* bits */) {}
-  static double unit() { return std::ldexp(1.0, -most_digits); }
-};
-
-#endif // CGAL_USE_MPFR
 
 // the roundoff u of a number type
 template <typename N>
@@ -71,12 +45,12 @@ struct Rounding
 };
 
 template <>
-struct Rounding<Long_float> : Long_float_precision
-{};
+struct Rounding<Long_float>
+{
+  static double unit() { return std::ldexp(1.0, -most_digits); }
+};
 
 } // namespace Intrinsic_triangulations::internal
-
-#ifndef CGAL_USE_MPFR
 
 template <>
 class Algebraic_structure_traits<Intrinsic_triangulations::internal::Long_float>
@@ -111,13 +85,12 @@ public:
     result_type operator()(const Type& x) const
     {
       constexpr double infinity = std::numeric_limits<double>::infinity();
-      const double rounded = x.convert_to<double>();
-      return {std::nextafter(rounded, -infinity), std::nextafter(rounded, infinity)};
+      const double nearest = x.convert_to<double>();
+      return {nearest > x ? std::nextafter(nearest, -infinity) : nearest,
+              nearest < x ? std::nextafter(nearest, infinity) : nearest};
     }
   };
 };
-
-#endif // CGAL_USE_MPFR
 
 } // namespace CGAL
 

@@ -314,7 +314,6 @@ private:
   {
     if(!is_rational<K>())
       return ZERO;
-    const Long_float_precision precision(most_digits);
     const Approximation a = approximate();
     const Long_float error = a.magnitude * Long_float(std::ldexp(1., 24 - most_digits));
     return a.value > error ? POSITIVE : -a.value > error ? NEGATIVE : ZERO;

@@ -37,12 +37,11 @@ public:
   {}
 
   // Returns the length of the edge of `h` with a relative error of at most 2^-90.
-  // \throws Numerical_error if 1024 bits do not suffice
+  // \throws Numerical_error if `most_digits` do not suffice
   Double_double operator()(Halfedge_index h)
   {
     std::optional<Double_double> result = length(h, m_corners);
-    for(long bits = 256; bits <= 1024 && !result; bits *= 2) {
-      const Long_float_precision precision(bits);
+    if(!result) {
       Corners<Long_float> corners(m_pair.input_metric(), m_pair.input());
       result = length(h, corners);
     }

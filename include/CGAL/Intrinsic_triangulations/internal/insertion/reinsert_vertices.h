@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
+#include <random>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -71,8 +71,7 @@ private:
     Halfedge_index h = m_mesh.halfedge(f);
     for(int passed = 0; passed < 3; ++passed, h = m_mesh.next(h))
       if(side_of(point, h) == NEGATIVE) {
-        m_turn = 1664525u * m_turn + 1013904223u;
-        h = m_turn >> 31 == 0 ? m_mesh.next(opposite(h)) : opposite(h);
+        h = m_random() % 2 == 0 ? m_mesh.next(opposite(h)) : opposite(h);
         passed = -1;
       }
     for(Halfedge_index side : sides(m_mesh.face(h), m_mesh))
@@ -133,7 +132,7 @@ private:
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
   std::unordered_map<Edge_index, std::vector<Part>> m_parts;
-  std::uint32_t m_turn = 0;
+  std::minstd_rand m_random;
 };
 
 // Makes T2 the triangulation T1 with the first of its inserted vertices, which keep their indices.

@@ -11,9 +11,9 @@
 
 #include <CGAL/FPU.h>
 
+#include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 
-#include <suitesparse/cholmod.h>
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_GOMP
 #include <omp.h>
 #endif
@@ -22,9 +22,7 @@
 #endif
 
 #include <algorithm>
-#include <cstddef>
 #include <new>
-#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -59,153 +57,90 @@ private:
 #endif
 };
 
-// CHOLMOD's workspace and settings.
-class Cholmod_workspace
-{
-public:
-  Cholmod_workspace()
-  {
-    cholmod_start(&m_common);
-    m_common.supernodal = CHOLMOD_AUTO;
-    // operations per entry: where both kinds take equally long, with OpenBLAS
-    m_common.supernodal_switch = 80;
-    m_common.final_ll = 1; // the other form does not find out whether a matrix is positive
-    m_common.quick_return_if_not_posdef = 1;
-    m_common.print = 0;
-    m_common.nmethods = 1;
-    // Minimum degree is as good for parts of this size, and takes a fraction of the time.
-    m_common.method[0].nd_small = 1000;
-  }
-  ~Cholmod_workspace() { cholmod_finish(&m_common); }
-  Cholmod_workspace(const Cholmod_workspace&) = delete;
-  Cholmod_workspace& operator=(const Cholmod_workspace&) = delete;
-
-  cholmod_common* operator->() { return &m_common; }
-
-  cholmod_factor* analyze(cholmod_sparse matrix, int ordering)
-  {
-    m_common.method[0].ordering = ordering;
-    cholmod_factor* factor = cholmod_analyze(&matrix, &m_common);
-    check();
-    return factor;
-  }
-
-  // Returns false if the matrix is not positive definite. CHOLMOD would wake four threads for each
-  // supernode, whatever the machine has; with surfaces they cost more time than they save.
-  bool factorize(cholmod_sparse matrix, cholmod_factor* factor)
-  {
-    [[maybe_unused]] const One_thread_of_OpenMP one_thread;
-    [[maybe_unused]] const Subnormals_as_zero subnormals;
-    cholmod_factorize(&matrix, factor, &m_common);
-    check();
-    return m_common.status == CHOLMOD_OK;
-  }
-
-  cholmod_dense* solve(cholmod_factor* factor, cholmod_dense right_side)
-  {
-    cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor, &right_side, &m_common);
-    check();
-    return x;
-  }
-
-  void free(cholmod_factor* factor) { cholmod_free_factor(&factor, &m_common); }
-  void free(cholmod_dense* vector) { cholmod_free_dense(&vector, &m_common); }
-
-private:
-  void check() const
-  {
-    if(m_common.status == CHOLMOD_OUT_OF_MEMORY)
-      throw std::bad_alloc();
-    if(m_common.status < CHOLMOD_OK)
-      throw Numerical_error("the factor of a matrix is too large for CHOLMOD");
-  }
-
-  cholmod_common m_common;
-};
-
-// CHOLMOD's Cholesky factorization, supernodal where that pays, of Hermitian matrices given by
-// their upper triangles (what is below is ignored), in the order they have.
+// Eigen's interface to CHOLMOD, supernodal where that pays, for Hermitian matrices given by their
+// upper triangles (what is below is ignored), in the order they have. It adds settings, an order of
+// elimination of its own, errors, and solutions in many threads with one factor.
 template <typename Scalar>
 class Supernodal_Cholesky
+  : Eigen::CholmodBase<Eigen::SparseMatrix<Scalar>, Eigen::Upper, Supernodal_Cholesky<Scalar>>
 {
+  typedef Eigen::CholmodBase<Eigen::SparseMatrix<Scalar>, Eigen::Upper, Supernodal_Cholesky> Base;
+
 public:
   typedef Eigen::SparseMatrix<Scalar> Matrix;
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
 
-  Supernodal_Cholesky() = default;
-  ~Supernodal_Cholesky() { clear(); }
-  Supernodal_Cholesky(const Supernodal_Cholesky&) = delete;
-  Supernodal_Cholesky& operator=(const Supernodal_Cholesky&) = delete;
+  Supernodal_Cholesky() : Supernodal_Cholesky(CHOLMOD_NATURAL) {}
 
   // The order of elimination that keeps the factor sparse: its k-th entry is the k-th row to go.
   // Nested dissection costs more than minimum degree; the factorizations repay it from about this
   // size on.
   static Eigen::VectorXi fill_reducing_order(const Matrix& upper)
   {
-    Cholmod_workspace workspace;
-    cholmod_factor* factor =
-      workspace.analyze(view(upper), upper.rows() > 100000 ? CHOLMOD_NESDIS : CHOLMOD_AMD);
-    Eigen::VectorXi order =
-      Eigen::Map<const Eigen::VectorXi>(static_cast<const int*>(factor->Perm), upper.rows());
-    workspace.free(factor);
-    return order;
+    Supernodal_Cholesky factor(upper.rows() > 100000 ? CHOLMOD_NESDIS : CHOLMOD_AMD);
+    factor.analyze(upper);
+    return Eigen::Map<const Eigen::VectorXi>(static_cast<const int*>(factor.m_cholmodFactor->Perm),
+                                             upper.rows());
   }
 
   void analyze(const Matrix& upper)
   {
-    clear();
-    m_factor = m_workspace.analyze(view(upper), CHOLMOD_NATURAL);
+    Base::analyzePattern(upper);
+    check(this->m_cholmod.status);
   }
 
-  // Returns false if the matrix is not positive definite.
-  bool factorize(const Matrix& upper) { return m_workspace.factorize(view(upper), m_factor); }
+  // Returns false if the matrix is not positive definite. CHOLMOD would wake four threads for each
+  // supernode, whatever the machine has; with surfaces they cost more time than they save.
+  bool factorize(const Matrix& upper)
+  {
+    [[maybe_unused]] const One_thread_of_OpenMP one_thread;
+    [[maybe_unused]] const Subnormals_as_zero subnormals;
+    Base::factorize(upper);
+    check(this->m_cholmod.status);
+    return Base::info() == Eigen::Success;
+  }
 
+  // Eigen's `solve()` has one workspace, which threads cannot share.
   Vector solve(Vector right_side) const
   {
-    cholmod_dense b{};
-    b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right_side.size());
-    b.ncol = 1;
-    b.x = right_side.data();
-    b.xtype = xtype;
-    Cholmod_workspace workspace; // its own, so that many threads can solve with one factor
-    cholmod_dense* x = workspace.solve(m_factor, b);
-    std::copy_n(static_cast<const Scalar*>(x->x), right_side.size(), right_side.data());
-    workspace.free(x);
+    cholmod_common workspace;
+    cholmod_start(&workspace);
+    cholmod_dense b = Eigen::viewAsCholmod(right_side);
+    cholmod_dense* x = cholmod_solve(CHOLMOD_A, this->m_cholmodFactor, &b, &workspace);
+    const int status = workspace.status;
+    if(x)
+      std::copy_n(static_cast<const Scalar*>(x->x), right_side.size(), right_side.data());
+    cholmod_free_dense(&x, &workspace);
+    cholmod_finish(&workspace);
+    check(status);
     return right_side;
   }
 
   // The number of entries of the factor.
-  double size() { return m_workspace->lnz; }
+  double size() const { return this->m_cholmod.lnz; }
 
 private:
-  static constexpr int xtype = std::is_same<Scalar, double>::value ? CHOLMOD_REAL : CHOLMOD_COMPLEX;
-
-  // CHOLMOD's interface has no constants, but it does not write here.
-  static cholmod_sparse view(const Matrix& upper)
+  explicit Supernodal_Cholesky(int ordering)
   {
-    cholmod_sparse result{};
-    result.nrow = result.ncol = static_cast<std::size_t>(upper.rows());
-    result.nzmax = static_cast<std::size_t>(upper.nonZeros());
-    result.p = const_cast<int*>(upper.outerIndexPtr());
-    result.i = const_cast<int*>(upper.innerIndexPtr());
-    result.x = const_cast<Scalar*>(upper.valuePtr());
-    result.stype = 1; // the upper triangle
-    result.itype = CHOLMOD_INT;
-    result.xtype = xtype;
-    result.dtype = CHOLMOD_DOUBLE;
-    result.sorted = result.packed = 1;
-    return result;
+    cholmod_common& settings = this->m_cholmod;
+    // operations per entry: where both kinds take equally long, with OpenBLAS
+    settings.supernodal_switch = 80;
+    settings.final_ll = 1; // the other form does not find out whether a matrix is positive
+    settings.quick_return_if_not_posdef = 1;
+    settings.print = 0;
+    settings.nmethods = 1;
+    settings.method[0].ordering = ordering;
+    // Minimum degree is as good for parts of this size, and takes a fraction of the time.
+    settings.method[0].nd_small = 1000;
   }
 
-  void clear()
+  static void check(int status)
   {
-    if(m_factor)
-      m_workspace.free(m_factor);
-    m_factor = nullptr;
+    if(status == CHOLMOD_OUT_OF_MEMORY)
+      throw std::bad_alloc();
+    if(status < CHOLMOD_OK)
+      throw Numerical_error("the factor of a matrix is too large for CHOLMOD");
   }
-
-  Cholmod_workspace m_workspace;
-  cholmod_factor* m_factor = nullptr;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

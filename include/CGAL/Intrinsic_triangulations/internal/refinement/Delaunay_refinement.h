@@ -7,12 +7,12 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Circumcenter_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/refinement/Dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Narrow_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Refinement_queue.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Vertex_surroundings.h>
@@ -78,7 +78,7 @@ public:
       m_inserter(tri, is_exact),
       m_narrow(tri, bounds.narrow_angle(), is_exact),
       m_walk(tri.intrinsic(), layout()),
-      m_ball(tri.intrinsic()),
+      m_search(m_mesh.num_vertices()),
       m_stack(m_mesh.num_edges())
   {}
 
@@ -319,11 +319,29 @@ private:
     restore_Delaunay();
   }
 
-  // Vertices within the ball of half the length are within the Dijkstra ball of the whole length.
+  // Returns the vertices whose distance from `center` along edges is at most `radius`, the closest
+  // ones first.
+  std::vector<Vertex_index> ball(Vertex_index center, const FT& radius)
+  {
+    std::vector<Vertex_index> result;
+    m_search.resize(m_mesh.num_vertices());
+    m_search.restart();
+    m_search.reach(center, FT(0));
+    for(Vertex_index v = m_search.next(); v.is_valid(); v = m_search.next()) {
+      result.push_back(v);
+      for_each_spoke(v, m_mesh, [&, distance = m_search.distance(v)](Halfedge_index h) {
+        if(const FT reached = distance + m_tri.length(Edge_index(h)); reached <= radius)
+          m_search.reach(m_mesh.target(h), reached, h);
+      });
+    }
+    return result;
+  }
+
+  // Vertices within the ball of half the length are within the ball along edges of the whole length.
   void remove_free_vertices(Vertex_index m, const FT& radius)
   {
     const auto after_flip = [this](Halfedge_index h) { note_flip(h); };
-    for(Vertex_index v : m_ball.vertices(m, radius))
+    for(Vertex_index v : ball(m, radius))
       if(v.idx() < m_is_free.size() && m_is_free[v.idx()]) {
         const Face_index f = m_inserter.remove(v, after_flip);
         if(f.is_valid()) {
@@ -393,7 +411,7 @@ private:
   Vertex_inserter<Traits> m_inserter;
   Narrow_vertices<Traits> m_narrow;
   Walk m_walk;
-  Dijkstra_ball<Edge_length_map> m_ball;
+  Dijkstra_search<Vertex_index, FT> m_search;
   Refinement_result* m_result = nullptr;
   Refinement_queue m_queue;
   Edge_stack m_stack;

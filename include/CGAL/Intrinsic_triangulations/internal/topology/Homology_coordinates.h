@@ -8,7 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/topology/Loop_signatures.h>
+#include <CGAL/Intrinsic_triangulations/Loop_signatures.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -113,7 +113,7 @@ inline bool is_narrow(const Trace_point<Interval_nt<>>& place, double width)
   return is_narrow(place.on_input.t, width) && is_narrow(place.on_intrinsic.t, width);
 }
 
-// Encloses crossings of many edges, with more and more digits.
+// Encloses crossings of many edges, with as many digits as it takes.
 template <typename Traits>
 class Crossing_encloser
 {
@@ -132,12 +132,10 @@ public:
   // intervals of this width, or wider ones if `most_digits` do not suffice.
   Places operator()(Halfedge_index h, double width)
   {
-    Places result = with_few_digits(h, width);
-    for(long bits = 256; bits <= most_digits && !are_narrow(result, width); bits *= 2) {
-      const Long_float_precision precision(bits);
-      result = Crossing_enclosure<Traits, Long_float>(m_pair, m_crossings)(h);
-    }
-    return result;
+    const Places result = with_few_digits(h, width);
+    return are_narrow(result, width)
+             ? result
+             : Crossing_enclosure<Traits, Long_float>(m_pair, m_crossings)(h);
   }
 
   // Returns the same, but takes no more than 106 bits if `h` passes a face without area: where it

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CONE_TREE_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CONE_TREE_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Cut_graph.h>
+#include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+using Intrinsic_triangulations::Cut_graph;
+
+// The edges of a short tree that joins all terminals of each component: the shortest paths that a
+// minimum spanning tree of the terminals needs (Mehlhorn 1988). Terminals at cut edges are joined
+// already. Complexity: O(n log n).
+class Cone_tree
+{
+  typedef Delta_complex::size_type size_type;
+
+public:
+  // `length` is that of edges; a cut edge is not passed
+  Cone_tree(const Delta_complex& mesh, const std::vector<double>& length,
+            const std::vector<char>& is_cut_edge, const std::vector<char>& is_terminal)
+    : m_mesh(mesh),
+      m_length(length),
+      m_is_cut_edge(is_cut_edge),
+      m_search(mesh.num_vertices()),
+      m_origin(mesh.num_vertices()),
+      m_contains(mesh.num_edges(), 0)
+  {
+    grow(is_terminal);
+    join();
+  }
+
+  bool contains(Edge_index e) const { return m_contains[e.idx()] != 0; }
+
+private:
+  // Finds the shortest paths to all vertices, each from the closest terminal.
+  void grow(const std::vector<char>& is_terminal)
+  {
+    for(Vertex_index v : m_mesh.vertices())
+      if(is_terminal[v.idx()]) {
+        m_search.reach(v, 0);
+        m_origin[v.idx()] = v;
+      }
+    for(Vertex_index v = m_search.next(); v.is_valid(); v = m_search.next())
+      Intrinsic_triangulations::for_each_spoke(
+        v, m_mesh, [&, distance = m_search.distance(v)](Halfedge_index h) {
+          const double length = m_length[Edge_index(h).idx()];
+          if(!m_is_cut_edge[Edge_index(h).idx()] &&
+             m_search.reach(m_mesh.target(h), distance + length, h))
+            m_origin[m_mesh.target(h).idx()] = m_origin[v.idx()];
+        });
+  }
+
+  // Kruskal's algorithm on the edges between the regions of terminals
+  void join()
+  {
+    std::vector<std::tuple<double, Edge_index>> bridges;
+    boost::disjoint_sets_with_storage<> sets(m_mesh.num_vertices());
+    for(Edge_index e : m_mesh.edges()) {
+      const Vertex_index v = m_mesh.vertex(e, 0), w = m_mesh.vertex(e, 1);
+      if(m_is_cut_edge[e.idx()])
+        sets.union_set(v.idx(), w.idx());
+      else if(m_origin[v.idx()].is_valid() && m_origin[v.idx()] != m_origin[w.idx()])
+        bridges.emplace_back(m_search.distance(v) + m_length[e.idx()] + m_search.distance(w), e);
+    }
+    join_cut_edges(sets);
+    std::sort(bridges.begin(), bridges.end());
+    for(const auto& [length, e] : bridges) {
+      const Vertex_index v = m_mesh.vertex(e, 0), w = m_mesh.vertex(e, 1);
+      const size_type a = m_origin[v.idx()].idx(), b = m_origin[w.idx()].idx();
+      if(sets.find_set(a) == sets.find_set(b))
+        continue;
+      sets.union_set(a, b);
+      m_contains[e.idx()] = 1;
+      add_way(v);
+      add_way(w);
+    }
+  }
+
+  // All boundaries count as one: a cut from one to another is not needed.
+  void join_cut_edges(boost::disjoint_sets_with_storage<>& sets) const
+  {
+    Edge_index first;
+    for(Edge_index e : m_mesh.edges())
+      if(m_is_cut_edge[e.idx()]) {
+        if(!first.is_valid())
+          first = e;
+        sets.union_set(m_mesh.vertex(first, 0).idx(), m_mesh.vertex(e, 0).idx());
+      }
+  }
+
+  void add_way(Vertex_index v)
+  {
+    for(Halfedge_index h = m_search.entry(v); h.is_valid(); h = m_search.entry(m_mesh.source(h)))
+      m_contains[Edge_index(h).idx()] = 1;
+  }
+
+  const Delta_complex& m_mesh;
+  const std::vector<double>& m_length;
+  const std::vector<char>& m_is_cut_edge;
+  Intrinsic_triangulations::Dijkstra_search<Vertex_index, double> m_search;
+  std::vector<Vertex_index> m_origin; // the terminal closest to each vertex
+  std::vector<char> m_contains;
+};
+
+// Cuts a surface into pieces that can be unfolded into the plane. `length` is that of edges;
+// `is_cut_edge` says which are not passed; `is_used` which faces are wanted; every vertex where faces
+// cannot close up, a cone or an end of a cut edge, is a terminal. Longest edges are crossed first:
+// positions are handed on through large triangles.
+inline Cut_graph cut_to_pieces(const Delta_complex& mesh, const std::vector<double>& length,
+                               const std::vector<char>& is_cut_edge,
+                               const std::vector<char>& is_used,
+                               const std::vector<char>& is_terminal)
+{
+  const Cone_tree tree(mesh, length, is_cut_edge, is_terminal);
+  Cut_graph result(mesh);
+  std::vector<char> is_reached(mesh.num_faces(), 0);
+  std::priority_queue<std::pair<double, Delta_complex::size_type>> queue;
+  const auto reach = [&](Face_index f, Halfedge_index entry) {
+    is_reached[f.idx()] = 1;
+    result.join(entry, f);
+    for(Halfedge_index h : Intrinsic_triangulations::sides(f, mesh))
+      if(!is_cut_edge[Edge_index(h).idx()] && !tree.contains(Edge_index(h)))
+        queue.emplace(length[Edge_index(h).idx()], mesh.opposite(h).idx());
+  };
+  for(Face_index root : mesh.faces()) {
+    if(is_used[root.idx()] && !is_reached[root.idx()])
+      reach(root, Halfedge_index());
+    while(!queue.empty()) {
+      const Halfedge_index h(queue.top().second);
+      queue.pop();
+      if(!is_reached[mesh.face(h).idx()])
+        reach(mesh.face(h), h);
+    }
+  }
+  result.close_ends(is_terminal);
+  return result;
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_LAYOUT_CONE_TREE_H

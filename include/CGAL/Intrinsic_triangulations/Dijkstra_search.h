@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DIJKSTRA_SEARCH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DIJKSTRA_SEARCH_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsPaths
+/// runs Dijkstra's algorithm on the vertices of a surface along edges, or on its faces across edges,
+/// step by step: the caller says where each step leads, and when the search ends. A search costs no
+/// more than what it reaches. Of equally close vertices (faces), the one with the least index comes
+/// first, and the path to it is the one that was found first.
+///
+/// \tparam Index `Vertex_index` or `Face_index`
+/// \tparam FT the number type of distances
+template <typename Index, typename FT>
+class Dijkstra_search
+{
+public:
+  /// prepares for searches among indices less than `size`.
+  explicit Dijkstra_search(std::size_t size) { resize(size); }
+
+  /// allows indices up to `size`.
+  void resize(std::size_t size) { m_label.resize(size); }
+
+  /// forgets the last search. Complexity: constant.
+  void restart()
+  {
+    ++m_round;
+    m_queue.clear();
+  }
+
+  /// proposes a path to `x` of the length `distance` whose last halfedge is `entry`, null for a
+  /// source. Returns whether it is shorter than all before.
+  bool reach(Index x, const FT& distance, Halfedge_index entry = Halfedge_index())
+  {
+    Label& label = m_label[x.idx()];
+    if(label.round == m_round && label.distance <= distance)
+      return false;
+    label = {m_round, distance, entry, false};
+    m_queue.push_back({distance, x});
+    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
+    return true;
+  }
+
+  /// returns the closest one to which a path is known and which has not been returned before; null
+  /// if there is none. Its distance is final.
+  Index next()
+  {
+    while(!m_queue.empty()) {
+      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<Entry>());
+      const Index x = m_queue.back().second;
+      m_queue.pop_back();
+      if(!std::exchange(m_label[x.idx()].is_final, true))
+        return x;
+    }
+    return Index();
+  }
+
+  /// returns whether `next()` has returned `x` in this search.
+  bool is_final(Index x) const
+  {
+    return m_label[x.idx()].round == m_round && m_label[x.idx()].is_final;
+  }
+
+  /// returns the length of the last path to `x`, in this search or an earlier one that came there.
+  const FT& distance(Index x) const { return m_label[x.idx()].distance; }
+
+  /// returns the last halfedge of this path.
+  Halfedge_index entry(Index x) const { return m_label[x.idx()].entry; }
+
+private:
+  // a label of an earlier search has another `round`
+  struct Label
+  {
+    std::size_t round = 0;
+    FT distance = FT(0);
+    Halfedge_index entry;
+    bool is_final = false;
+  };
+
+  typedef std::pair<FT, Index> Entry;
+
+  std::size_t m_round = 1;
+  std::vector<Label> m_label;
+  std::vector<Entry> m_queue; // a heap, the least distance first
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DIJKSTRA_SEARCH_H
