@@ -288,7 +288,7 @@ private:
   {
     const auto [degrees, length] = *m_options.straightest;
     const IT::Delta_complex& mesh = triangulation.input_mesh();
-    const IT::internal::Flat_face<double> face(mesh.halfedge(start.first), triangulation.input());
+    const IT::Flat_face<double> face(mesh.halfedge(start.first), triangulation.input());
     const std::size_t side = IT::internal::is_corner(start.second)
                                ? side_number(IT::internal::surface_place(start, mesh).along, mesh)
                                : 0;
@@ -328,7 +328,7 @@ private:
                     const Triangulation& triangulation) const
   {
     const auto h = triangulation.input_mesh().halfedge(start.first);
-    if(length <= IT::internal::Flat_face<double>(h, triangulation.input()).tolerance())
+    if(length <= IT::Flat_face<double>(h, triangulation.input()).tolerance())
       throw Program_error("'" + m_options.from +
                           "' is on the boundary, and this direction leads "
                           "out of the surface; angles are counterclockwise "

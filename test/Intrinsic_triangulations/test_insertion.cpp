@@ -184,7 +184,7 @@ TEST(Insertion, subdivision)
                                                                               t.input_mesh());
       for(std::size_t m = 0; m < map.regions().size(); ++m) {
         const auto [face, region] = map.region_map(m);
-        const double scale = IT::internal::Face_metric<double>(face, t.input()).area();
+        const double scale = IT::Face_metric<double>(face, t.input()).area();
         for(std::size_t k = 1; k + 1 < region.size(); ++k) {
           const double part = scale * IT::internal::orientation(region.image(0), region.image(k),
                                                                 region.image(k + 1));
@@ -194,7 +194,7 @@ TEST(Insertion, subdivision)
       }
     }
     for(Face_index f : t.input_mesh().faces())
-      whole += IT::internal::Face_metric<double>(f, t.input()).area();
+      whole += IT::Face_metric<double>(f, t.input()).area();
     EXPECT_NEAR(area / whole, 1, 1e-9); // the regions, as they lie on T1, cover it
   });
 }

@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_simplification/internal/maps/Curve_tracer.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
@@ -35,7 +35,7 @@ class Tangent_map
 {
   typedef std::complex<double> Complex;
   typedef Intrinsic_triangulations::Tangent_frames<double> Frames;
-  typedef Intrinsic_triangulations::internal::Flat_face<double> Flat_face;
+  typedef Intrinsic_triangulations::Flat_face<double> Flat_face;
 
 public:
   Tangent_map(const Surface_map& map, const Frames& fine_frames, const Frames& coarse_frames)

@@ -393,7 +393,8 @@ private:
       internal::Crossing_encloser<Traits> enclosed(m_tri, internal::crossings_of(*this));
       for(std::size_t i = begin; i < end; ++i)
         if(const Edge_index e(static_cast<size_type>(i)); has_doubtful(e))
-          set_places(e, enclosed.with_digits_that_help(first_halfedge(e), 0x1p-50));
+          set_places(e,
+                     enclosed.with_digits_that_help(first_halfedge(e), internal::crossing_width()));
     });
   }
 
@@ -408,7 +409,8 @@ private:
   {
     const auto middle = [](const Interval_nt<>& x) { return x.inf() + (x.sup() - x.inf()) / 2; };
     for(size_type p = 0; p < m_on_intrinsic.size(e); ++p)
-      if(const auto& place = places[p]; internal::is_narrow(place, 0x1p-40)) {
+      if(const auto& place = places[p];
+         internal::is_narrow(place, internal::greatest_crossing_width())) {
         on_intrinsic(e, p).s = middle(place.on_input.t);
         on_intrinsic(e, p).t = middle(place.on_intrinsic.t);
       }

@@ -9,10 +9,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 
 #include <algorithm>
 #include <complex>
@@ -89,7 +89,7 @@ public:
   {
     m_curve.push_back(segment);
     const auto h = sides(segment.face, m_surface.mesh());
-    const internal::Flat_face<FT> face(h[0], m_surface);
+    const Flat_face<FT> face(h[0], m_surface);
     const FT length = internal::norm_of(face.between(segment.source, segment.target));
     m_parts.push_back({length, {}});
     for(std::size_t k = 0; k < 3; ++k)

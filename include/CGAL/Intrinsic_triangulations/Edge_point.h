@@ -151,11 +151,19 @@ bool is_corner(const std::array<FT, 3>& p)
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
-/// returns the index of the side `h` in its face.
-inline std::size_t side_number(Halfedge_index h, const Delta_complex& mesh)
+/// returns the index of the side `h` in its face, counted from the side `first`.
+template <typename P>
+std::size_t side_number(Halfedge_index h, Halfedge_index first, const Surface_mesh<P>& mesh)
 {
-  const auto side = sides(mesh.face(h), mesh);
-  return h == side[0] ? 0 : h == side[1] ? 1 : 2;
+  return h == first ? 0 : h == mesh.next(first) ? 1 : 2;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// returns the index of the side `h` in its face.
+template <typename P>
+std::size_t side_number(Halfedge_index h, const Surface_mesh<P>& mesh)
+{
+  return side_number(h, mesh.halfedge(mesh.face(h)), mesh);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
@@ -181,8 +189,7 @@ template <typename FT>
 std::array<FT, 3> coordinates_from(Halfedge_index h, const Face_location<FT>& p,
                                    const Delta_complex& mesh)
 {
-  const auto side = sides(p.first, mesh);
-  const std::size_t s = h == side[0] ? 0 : h == side[1] ? 1 : 2;
+  const std::size_t s = side_number(h, mesh);
   return {p.second[s], p.second[(s + 1) % 3], p.second[(s + 2) % 3]};
 }
 

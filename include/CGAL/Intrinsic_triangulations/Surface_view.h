@@ -11,6 +11,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <type_traits>
 #include <utility>
 
@@ -65,6 +66,15 @@ template <typename Surface>
 Length_of<Surface> edge_length(Halfedge_index h, const Surface& surface)
 {
   return get(surface.length_map(), surface.mesh().edge(h));
+}
+
+// Returns the lengths of the sides of the face of `h`, that of `h` first.
+template <typename Surface>
+std::array<Length_of<Surface>, 3> side_lengths(Halfedge_index h, const Surface& surface)
+{
+  const Delta_complex& mesh = surface.mesh();
+  return {edge_length(h, surface), edge_length(mesh.next(h), surface),
+          edge_length(mesh.prev(h), surface)};
 }
 
 } // namespace internal

@@ -36,15 +36,6 @@ struct Has_distance<Traits, std::void_t<decltype(std::declval<Traits>().compute_
   : std::true_type
 {};
 
-// of the face of `h`, beginning with `h`
-template <typename Surface>
-std::array<Length_of<Surface>, 3> side_lengths(Halfedge_index h, const Surface& surface)
-{
-  const Delta_complex& mesh = surface.mesh();
-  return {edge_length(h, surface), edge_length(mesh.next(h), surface),
-          edge_length(mesh.prev(h), surface)};
-}
-
 } // namespace internal
 
 template <typename Traits>

@@ -8,9 +8,9 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
@@ -240,18 +240,10 @@ private:
   FT distance_from_line(const Coordinates& a, const Coordinates& b,
                         const Face_location<FT>& p) const
   {
-    const auto side = side_lengths(p.first);
+    const auto side = internal::side_lengths(m_tri.mesh().halfedge(p.first), m_tri.intrinsic());
     const FT area = quadrupled_area(side[0], side[1], side[2]) / 2;
     const FT length = m_tri.traits().compute_distance_object()(side, a, b);
     return CGAL::abs(internal::orientation(a, b, p.second)) * area / length;
-  }
-
-  std::array<FT, 3> side_lengths(Face_index f) const
-  {
-    std::array<FT, 3> length;
-    for(std::size_t s = 0; s < 3; ++s)
-      length[s] = m_tri.length(m_tri.mesh().edge(sides(f, m_tri.mesh())[s]));
-    return length;
   }
 
   // Inserts a vertex where `curve` comes closest to `p`. One spoke of the new vertex leads to the
@@ -282,7 +274,7 @@ private:
   FT foot_on_chord(const Coordinates& begin, const Coordinates& end,
                    const Face_location<FT>& p) const
   {
-    const internal::Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri);
+    const Flat_face<FT> face(m_tri.mesh().halfedge(p.first), m_tri);
     const auto chord = face.between(begin, end);
     const FT square = internal::dot(chord, chord);
     return square > 0 ? internal::dot(chord, face.between(begin, p.second)) / square : FT(0);

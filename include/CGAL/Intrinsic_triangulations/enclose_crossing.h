@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Corresponding_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_encloser.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -39,7 +40,7 @@ namespace CGAL::Intrinsic_triangulations {
 template <typename Traits>
 std::vector<Trace_point<Interval_nt<>>>
 enclose_crossings(const Correspondence<Traits>& correspondence, Edge_index e,
-                  double width = 0x1p-50)
+                  double width = internal::crossing_width())
 {
   static_assert(internal::has_metric<Traits>(), "places need the metric of a Euclidean geometry");
   return internal::Crossing_encloser<Traits>(
@@ -60,7 +61,8 @@ enclose_crossings(const Correspondence<Traits>& correspondence, Edge_index e,
 /// \pre the edges of \f$T_2\f$ are straight, see `Delaunay_certificate::is_geodesic()`
 template <typename Traits>
 Trace_point<Interval_nt<>> enclose_crossing(const Correspondence<Traits>& correspondence,
-                                            Delta_complex::size_type id, double width = 0x1p-50)
+                                            Delta_complex::size_type id,
+                                            double width = internal::crossing_width())
 {
   const Edge_index e(correspondence.crossing(id).on_intrinsic.halfedge);
   return enclose_crossings(correspondence, e,
@@ -100,9 +102,9 @@ Place_certificate certify_places(const Correspondence<Traits>& correspondence)
   Place_certificate result;
   for(Edge_index e : tri.mesh().edges()) {
     Delta_complex::size_type id = correspondence.crossings_on_intrinsic().before(e);
-    for(const auto& exact : enclosed(first_halfedge(e), 0x1p-50)) {
+    for(const auto& exact : enclosed(first_halfedge(e), internal::crossing_width())) {
       const auto place = correspondence.crossing(id++);
-      if(internal::is_narrow(exact, 0x1p-40))
+      if(internal::is_narrow(exact, internal::greatest_crossing_width()))
         result.greatest_error =
           (std::max)({result.greatest_error,
                       error(place.on_input.t, exact.on_input.t) *

@@ -161,7 +161,7 @@ distances_by_heat(const Surface& surface, const Distance_sources<Surface>& sourc
       raise_to_bounds(surface, sources, positions, result);
       return result;
     } catch(const Underflow_error&) {
-      if(is_time_given || result.time_step_factor > FT(1e12))
+      if(is_time_given || result.time_step_factor > FT(internal::greatest_time_step_factor()))
         throw;
     }
 }

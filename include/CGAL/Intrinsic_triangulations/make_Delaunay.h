@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/reinsert_vertices.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -296,9 +297,9 @@ Delaunay_flips make_Delaunay(Intrinsic_triangulation<Traits>& tri, std::size_t l
 {
   const bool can_be_exact = has_exact_decisions<Traits>() && can_be_reset(tri);
   const std::size_t carried = flips_by_lengths(tri.mesh().number_of_edges());
-  const auto [flips, is_Delaunay] =
-    flip_by_lengths(tri, can_be_exact ? (std::min)(limit, carried) : limit, can_be_exact ? 2 : 100,
-                    visitor, concurrency);
+  const auto [flips, is_Delaunay] = flip_by_lengths(
+    tri, can_be_exact ? (std::min)(limit, carried) : limit,
+    can_be_exact ? rounds_before_exact_flips() : rounds_of_flips(), visitor, concurrency);
   if(is_Delaunay)
     return {flips, false};
   check_flip_limit(flips == limit);

@@ -9,21 +9,34 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Face_metric.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
+
+#include <CGAL/number_utils.h>
 
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// Throws an exception where a metric has no gradients.
+template <typename FT>
+void check_area(const Face_metric<FT>& metric, Face_index f)
+{
+  for(std::size_t s = 0; s < 3; ++s)
+    if(!(metric.quadrupled_area() > 0) || !CGAL::is_finite(metric.cotangent(s)))
+      throw Numerical_error("the area of face " + std::to_string(f.idx()) +
+                            " is zero or out of range");
+}
 
 // For each edge half the sum of the cotangents of the angles opposite to it.
 template <typename Surface>
@@ -34,7 +47,7 @@ auto cotan_weights(const Surface& surface)
   std::vector<FT> result(mesh.num_edges(), FT(0));
   for(Face_index f : mesh.faces()) {
     const Face_metric<FT> metric(f, surface);
-    metric.refuse_if_degenerate();
+    check_area(metric, f);
     const auto h = sides(f, mesh);
     for(std::size_t s = 0; s < 3; ++s)
       result[mesh.edge(h[s]).idx()] += metric.cotangent(s) / 2;
@@ -109,10 +122,10 @@ auto mass_matrix(const Surface& surface)
   const Delta_complex& mesh = surface.mesh();
   std::vector<FT> diagonal(mesh.num_vertices(), FT(0)), on_edge(mesh.num_edges(), FT(0));
   for(Face_index f : mesh.faces()) {
-    const internal::Face_metric<FT> metric(f, surface);
+    const Face_metric<FT> metric(f, surface);
     const auto h = sides(f, mesh);
     for(std::size_t s = 0; s < 3; ++s) {
-      diagonal[metric.corner(s).idx()] += metric.hat_product(s, s);
+      diagonal[mesh.source(h[s]).idx()] += metric.hat_product(s, s);
       on_edge[mesh.edge(h[s]).idx()] += metric.hat_product(s, (s + 1) % 3);
     }
   }
@@ -131,9 +144,9 @@ auto lumped_mass_matrix(const Surface& surface)
   const Delta_complex& mesh = surface.mesh();
   std::vector<FT> diagonal(mesh.num_vertices(), FT(0));
   for(Face_index f : mesh.faces()) {
-    const internal::Face_metric<FT> metric(f, surface);
-    for(Vertex_index v : metric.corners())
-      diagonal[v.idx()] += metric.area() / 3;
+    const Face_metric<FT> metric(f, surface);
+    for(Halfedge_index h : sides(f, mesh))
+      diagonal[mesh.source(h).idx()] += metric.area() / 3;
   }
   const auto collect = [&](std::size_t i, auto& entries) {
     const Vertex_index v(static_cast<Delta_complex::size_type>(i));
@@ -158,10 +171,11 @@ auto gradient_matrix(const Surface& surface)
     const Face_index f(static_cast<Delta_complex::size_type>(row / 2));
     if(mesh.is_removed(f))
       return;
-    const internal::Face_metric<FT> metric(f, surface);
-    metric.refuse_if_degenerate();
+    const Face_metric<FT> metric(f, surface);
+    internal::check_area(metric, f);
+    const auto h = sides(f, mesh);
     for(std::size_t s = 0; s < 3; ++s)
-      entries.emplace_back(int(metric.corner((s + 2) % 3).idx()),
+      entries.emplace_back(int(mesh.source(h[(s + 2) % 3]).idx()),
                            metric.turned_side(s)[row % 2] / metric.doubled_area());
   };
   return Eigen::SparseMatrix<FT>(assembled<Eigen::SparseMatrix<FT, Eigen::RowMajor>>(
@@ -184,9 +198,10 @@ auto divergence_matrix(const Surface& surface)
     const Face_index f(static_cast<Delta_complex::size_type>(column / 2));
     if(mesh.is_removed(f))
       return;
-    const internal::Face_metric<FT> metric(f, surface);
+    const Face_metric<FT> metric(f, surface);
+    const auto h = sides(f, mesh);
     for(std::size_t s = 0; s < 3; ++s)
-      entries.emplace_back(int(metric.corner((s + 2) % 3).idx()),
+      entries.emplace_back(int(mesh.source(h[(s + 2) % 3]).idx()),
                            -metric.turned_side(s)[column % 2] / 2);
   };
   return assembled<Eigen::SparseMatrix<FT>>(mesh.num_vertices(), std::size_t(2) * mesh.num_faces(),

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/is_simplicial.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -67,18 +68,16 @@ public:
   // least angle is a * quadrupled_area / (2 abc).
   bool is_too_thin(Face_index f) const
   {
-    const std::array<FT, 3> side = sides_of(f);
-    return quadrupled_area(side[0], side[1], side[2]) * (std::min)({side[0], side[1], side[2]}) <
-           2 * side[0] * side[1] * side[2] * m_sine;
+    const Face_metric<FT> face(f, m_tri.intrinsic());
+    return face.quadrupled_area() * (std::min)({face.length(0), face.length(1), face.length(2)}) <
+           2 * face.product() * m_sine;
   }
 
   // returns whether `f` violates the bound on the circumradius, or the predicate wants it refined
   bool is_too_large(Face_index f) const
   {
-    const std::array<FT, 3> side = sides_of(f);
-    return side[0] * side[1] * side[2] >
-             m_circumradius * quadrupled_area(side[0], side[1], side[2]) ||
-           m_predicate(f);
+    const Face_metric<FT> face(f, m_tri.intrinsic());
+    return face.product() > m_circumradius * face.quadrupled_area() || m_predicate(f);
   }
 
   // Returns the least angle around a vertex at which faces can have 30 degrees. Three of them are
@@ -92,14 +91,6 @@ public:
   }
 
 private:
-  std::array<FT, 3> sides_of(Face_index f) const
-  {
-    const Delta_complex& mesh = m_tri.mesh();
-    const Halfedge_index h = mesh.halfedge(f);
-    return {m_tri.length(mesh.edge(h)), m_tri.length(mesh.edge(mesh.next(h))),
-            m_tri.length(mesh.edge(mesh.prev(h)))};
-  }
-
   const Triangulation& m_tri;
   FT m_sine, m_circumradius;
   bool m_is_simplicial;
@@ -194,12 +185,13 @@ Certain_flips::End flip_afresh(Intrinsic_triangulation<Traits>& tri, std::size_t
 {
   typedef Certain_flips::End End;
   if constexpr(has_exact_decisions<Traits>()) {
-    const Certain_flips flips = flip_with_certainty(tri, limit, 1e9, visitor, Concurrency());
+    const Certain_flips flips =
+      flip_with_certainty(tri, limit, refinement_effort(), visitor, Concurrency());
     result.flips += flips.number;
     return flips.end;
   } else {
     tri.recompute_lengths();
-    const Flipping_result flips = flip_by_lengths(tri, limit, 100, visitor);
+    const Flipping_result flips = flip_by_lengths(tri, limit, rounds_of_flips(), visitor);
     result.flips += flips.flips;
     return flips.is_Delaunay ? End::Delaunay : flips.flips == limit ? End::limit : End::bent;
   }

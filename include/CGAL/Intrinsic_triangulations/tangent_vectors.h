@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
 #include <CGAL/assertions.h>
@@ -58,9 +58,8 @@ tangent_vector_at_vertex(const Surface& surface, Halfedge_index spoke,
   const Delta_complex& mesh = surface.mesh();
   CGAL_precondition(!mesh.is_border(spoke));
   const Halfedge_index h = mesh.halfedge(mesh.face(spoke));
-  const internal::Flat_face<Length_of<Surface>> face(spoke, surface);
-  const std::size_t s = h == spoke ? 0 : h == mesh.next(spoke) ? 1 : 2;
-  return internal::at_vertex(surface, spoke, vector * face.direction(s));
+  const Flat_face<Length_of<Surface>> face(spoke, surface);
+  return internal::at_vertex(surface, spoke, vector * face.direction(side_number(h, spoke, mesh)));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTangent
@@ -80,7 +79,7 @@ std::complex<Length_of<Surface>> logarithm(const Surface& surface, Halfedge_inde
                                            const Face_location<Length_of<Surface>>& p)
 {
   CGAL_precondition(surface.mesh().face(spoke) == p.first);
-  const internal::Flat_face<Length_of<Surface>> face(spoke, surface);
+  const Flat_face<Length_of<Surface>> face(spoke, surface);
   const auto q = coordinates_from(spoke, p, surface.mesh());
   return internal::at_vertex(surface, spoke, q[1] * face.side(0) - q[2] * face.side(2));
 }
@@ -97,7 +96,7 @@ std::complex<Length_of<Surface>> logarithm(const Surface& surface,
                                            const Face_location<Length_of<Surface>>& q)
 {
   CGAL_precondition(p.first == q.first);
-  const internal::Flat_face<Length_of<Surface>> face(surface.mesh().halfedge(p.first), surface);
+  const Flat_face<Length_of<Surface>> face(surface.mesh().halfedge(p.first), surface);
   return face.between(p.second, q.second);
 }
 

@@ -33,8 +33,10 @@ constexpr bool is_rounded()
 /// flipped, whether lengths obey the triangle inequality, whether a geodesic hits a vertex, and
 /// whether barycentric coordinates sum up to 1. It is relative: to the lengths that are compared,
 /// to a whole turn or angle sum, or to 1. The other tolerances of the package, in this header too,
-/// choose where vertices are inserted, which edges are flipped to remove them, and when a search
-/// goes over all regions of a face; none of them decides what is Delaunay.
+/// choose where vertices are inserted, which edges are flipped to remove them, which computations
+/// are repeated with more digits, and when a search goes over all regions of a face; none of them
+/// decides what is Delaunay. Bounds of rounding errors, which are derived from a formula, stand with
+/// that formula.
 template <typename FT>
 constexpr FT rounding_unit()
 {
@@ -101,6 +103,50 @@ constexpr FT region_tolerance()
 {
   return 256 * rounding_unit<FT>();
 }
+
+// The greatest relative error of lengths in `double` that decide flips, where certificates follow.
+// More leaves more edges in doubt where coordinates have been rounded to few digits, less more to
+// strips; with limited effort, fewer strips can be laid out.
+constexpr double flipping_length_error(bool is_limited) { return is_limited ? 0x1p-30 : 0x1p-34; }
+
+// The relative error of lengths in twice the precision, of which scale factors are computed.
+constexpr double precise_length_error() { return 0x1p-90; }
+
+// An angle of T1 whose rounding error is not less than this, in radians, is taken for unknown.
+constexpr double known_angle_error() { return 1e-9; }
+
+// The relative difference of two distances up to which it is worth deciding exactly whether faces
+// lie in one plane.
+constexpr double plane_tolerance() { return 1e-6; }
+
+// The distance of a vertex that was inserted on an edge from this edge in another triangulation,
+// relative to the longest side of the face there: locations are rounded.
+constexpr double inserted_edge_tolerance() { return 1e-6; }
+
+// The width of intervals that enclose a crossing along its edges, and the width up to which they
+// are said to do so: where edges almost run along each other, no number of digits does.
+constexpr double crossing_width() { return 0x1p-50; }
+constexpr double greatest_crossing_width() { return 0x1p-40; }
+
+// By how much, in barycentric coordinates, points whose rounding is outside of their region are
+// moved to the center of their face, one after the other. The first ones may still be on an edge.
+constexpr double inward_moves[] = {0., 0x1p-30, 0x1p-15, 0x1p-8, 0x1p-4, 0x1p-2};
+constexpr double greatest_move_on_edge() { return 0x1p-15; }
+
+// ---- Limits of effort ----
+
+// By how much heat may flow longer than by default, before distances count as out of range.
+constexpr double greatest_time_step_factor() { return 1e12; }
+
+// The number of rounds of flips after which rounding of lengths is said to keep a triangulation
+// from being Delaunay; with exact decisions to come, the number after which they begin.
+constexpr int rounds_of_flips() { return 100; }
+constexpr int rounds_before_exact_flips() { return 2; }
+
+// How many steps on strips of triangles a refinement may take to flip with certainty, and how many
+// crossings all lengths together may have that are computed afresh with limited effort.
+constexpr double refinement_effort() { return 1e9; }
+constexpr double greatest_number_of_crossings(double edges) { return 1e6 + 100 * edges; }
 
 } // namespace internal
 } // namespace CGAL::Intrinsic_triangulations

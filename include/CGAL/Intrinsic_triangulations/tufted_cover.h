@@ -83,8 +83,7 @@ public:
   std::pair<std::size_t, std::size_t> input_side(Halfedge_index h) const
   {
     const Face_index f = m_mesh.face(h);
-    const Halfedge_index first = m_mesh.halfedge(f);
-    const std::size_t steps = h == first ? 0 : h == m_mesh.next(first) ? 1 : 2;
+    const std::size_t steps = side_number(h, m_mesh);
     return {input_face(f), is_back(f) ? (3 - steps) % 3 : steps};
   }
 

@@ -45,6 +45,10 @@ constexpr double gluing = 1e-9;
 // What 32 digits instead of 16 make of such an error.
 constexpr double extended_gain = 1e-15;
 
+// The part of the smaller of two pieces of faces by which they may overlap along their edges: what
+// lengths in the plane may have.
+constexpr double overlap = 1e-9;
+
 // Length cross ratios, relative: what is allowed, and what more digits are taken for.
 constexpr double cross_ratio = 1e-8, good_cross_ratio = 1e-9;
 // Logarithmic scale factors at their bounds: lengths with the error that cross ratios may have.

@@ -10,6 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Convex_polygons.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -90,8 +91,8 @@ public:
       const double area = signed_area(intersection(m_pieces[i].polygon, m_pieces[j].polygon));
       const Bbox_2 one = a.bbox();
       const double extent = (std::max)(one.xmax() - one.xmin(), one.ymax() - one.ymin());
-      if(area >
-         (std::max)(1e-9 * (std::min)(m_pieces[i].area, m_pieces[j].area), rounding * extent))
+      if(area > (std::max)(tolerance::overlap * (std::min)(m_pieces[i].area, m_pieces[j].area),
+                           rounding * extent))
         result.push_back({i, j, area});
     });
     std::sort(result.begin(), result.end(), [](const Overlap& a, const Overlap& b) {

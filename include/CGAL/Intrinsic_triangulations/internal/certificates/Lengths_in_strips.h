@@ -111,7 +111,8 @@ private:
       const double perimeter = a + b + c;
       const double bound =
         4 * input_length_error() * perimeter * perimeter / quadrupled_area(a, b, c);
-      error = bound < 1e-9 ? static_cast<float>(bound) : std::numeric_limits<float>::infinity();
+      error = bound < known_angle_error() ? static_cast<float>(bound)
+                                          : std::numeric_limits<float>::infinity();
     }
     return error;
   }

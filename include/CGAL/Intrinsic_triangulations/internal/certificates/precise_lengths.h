@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <optional>
 #include <string>
@@ -59,7 +60,7 @@ private:
       Development<Traits, Corners<N>>(m_pair, m_crossings, corners).uncrossed_strip(h);
     const Ball<N> length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
     const double high = to_double(length.x);
-    if(!(length.radius <= 0x1p-90 * high))
+    if(!(length.radius <= precise_length_error() * high))
       return std::nullopt;
     return Double_double::exact_sum(high, to_double(N(length.x - N(high))));
   }

@@ -209,7 +209,8 @@ private:
     const bool is_on_edge = from.inserted_vertex(v).along.is_valid();
     FT closeness(0);
     for(Halfedge_index h : sides(p.first, to.mesh()))
-      closeness = (std::max)(closeness, FT(is_on_edge ? 1e-6 : 0) * to.length(Edge_index(h)));
+      closeness = (std::max)(closeness, FT(is_on_edge ? inserted_edge_tolerance() : 0) *
+                                          to.length(Edge_index(h)));
     const Vertex_index result = inserter.insert(p, closeness);
     if(to.mesh().number_of_vertices() == before ||
        !are_in_one_element(place(result, to), place(v, from)))

@@ -116,7 +116,7 @@ public:
     if(is_limited())
       for(Edge_index e : m_mesh.edges())
         crossings += count(e);
-    return crossings > 1e6 + 100. * m_mesh.number_of_edges();
+    return crossings > greatest_number_of_crossings(m_mesh.number_of_edges());
   }
 
   // Computes the lengths that are unknown, and returns whether their edges are straight. If not,
@@ -166,11 +166,10 @@ public:
 private:
   typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay By_lengths;
 
-  // The greatest relative error of lengths that decide. More leaves more edges in doubt where
-  // coordinates have been rounded to few digits, less more to strips.
+  // The greatest relative error of lengths that decide.
   double tolerance() const
   {
-    return Is_exact<Traits>::value ? certified_length_error() : is_limited() ? 0x1p-30 : 0x1p-34;
+    return Is_exact<Traits>::value ? certified_length_error() : flipping_length_error(is_limited());
   }
 
   // that of lengths that are kept
@@ -254,7 +253,7 @@ private:
                                           points[m_mesh.target(m_mesh.next(m_mesh.opposite(h)))]);
     const double distance = std::sqrt(dot(u, u));
     const bool is_in_plane = !m_tri.coordinates().is_shared(m_mesh.edge(h)) ||
-                             (std::abs(distance - flipped_length) < 1e-6 * distance &&
+                             (std::abs(distance - flipped_length) < plane_tolerance() * distance &&
                               m_decisions.is_flat(m_tri.input_halfedge(h)));
     return is_in_plane && distance > 1e-100 ? distance : 0;
   }

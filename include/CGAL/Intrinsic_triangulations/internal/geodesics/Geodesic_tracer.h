@@ -9,10 +9,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 
 #include <CGAL/assertions.h>
@@ -84,16 +84,10 @@ private:
     while(m_remaining > 0 && m_status != Geodesic_status::stopped_at_boundary)
       m_status == Geodesic_status::slid_along_boundary ? slide() : cross_face();
     const Face_index f = m_mesh.face(m_h);
-    const std::size_t s = number_of(m_mesh.halfedge(f));
+    const std::size_t s = side_number(m_mesh.halfedge(f), m_h, m_mesh);
     turn_frame(s);
     return {
       m_status, {f, m_place}, m_direction, m_direction * std::conj(m_start), m_total - m_remaining};
-  }
-
-  // returns the side of the present face that `h` is, counted from `m_h`
-  std::size_t number_of(Halfedge_index h) const
-  {
-    return h == m_h ? 0 : h == m_mesh.next(m_h) ? 1 : 2;
   }
 
   // Takes side `s` of the face as the new x-axis.

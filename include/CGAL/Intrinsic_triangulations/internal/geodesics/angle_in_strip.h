@@ -10,9 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
+#include <CGAL/Intrinsic_triangulations/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Flat_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 
@@ -45,12 +45,6 @@ struct Start_in_input_face
     return {place[(s + 2) % 3], place[s], place[(s + 1) % 3]};
   }
 
-  // returns the number of a side of the face, counted from the axis
-  std::size_t number(Halfedge_index side, const Delta_complex& mesh) const
-  {
-    return side == axis ? 0 : side == mesh.next(axis) ? 1 : 2;
-  }
-
   Face_location<FT> location;
   Halfedge_index axis;
   Flat_face<FT> face;
@@ -70,8 +64,8 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
   if(n == 0)
     return std::arg(
       start.face.between(start.place, coordinates_from(start.axis, end.location, mesh)));
-  const std::size_t first = start.number(exit(0), mesh);
-  const std::size_t last = end.number(mesh.opposite(exit(n - 1)), mesh);
+  const std::size_t first = side_number(exit(0), start.axis, mesh);
+  const std::size_t last = side_number(mesh.opposite(exit(n - 1)), end.axis, mesh);
   lay_out_strip(strip, tri.input(), exit, n,
                 std::make_pair(start.place_beyond(first), end.place_beyond(last)));
   if(!tri.traits().is_length_object()(strip.length()))

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <boost/config.hpp>
 
@@ -90,11 +91,12 @@ public:
   // \throws Numerical_error if the face is so small that this does not help; nothing has changed
   BOOST_NOINLINE Vertex_index insert(const Face_location<double>& p, double closeness)
   {
-    for(double inwards : {0., 0x1p-30, 0x1p-15, 0x1p-8, 0x1p-4, 0x1p-2}) {
+    for(double inwards : inward_moves) {
       Face_location<double> moved = p;
       for(double& x : moved.second)
         x += inwards * (1. / 3 - x);
-      const Vertex_index m = try_to_insert(moved, inwards > 0x1p-15 ? 0 : closeness);
+      const Vertex_index m =
+        try_to_insert(moved, inwards > greatest_move_on_edge() ? 0 : closeness);
       if(m.is_valid())
         return m;
     }
@@ -146,7 +148,7 @@ private:
         const bool leads_to_mark =
           !next.is_vertex() && next.side == curve.mark.side && next.mark == curve.mark.mark;
         const Halfedge_index along = leads_to_mark ? out : input.opposite(out);
-        const std::size_t s = along == place.side ? 0 : along == input.next(place.side) ? 1 : 2;
+        const std::size_t s = side_number(along, place.side, input);
         if(place.distance[s] < result.distance)
           result = {curve, out, s, place.distance[s]};
       }

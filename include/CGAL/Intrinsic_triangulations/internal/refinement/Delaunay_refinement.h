@@ -121,10 +121,7 @@ private:
   {
     if constexpr(is_exact)
       return m_inserter.exact().decisions().rounded_circumradius(f);
-    const Halfedge_index h = m_mesh.halfedge(f);
-    const FT &a = m_tri.length(m_mesh.edge(h)), &b = m_tri.length(m_mesh.edge(m_mesh.next(h))),
-             &c = m_tri.length(m_mesh.edge(m_mesh.prev(h)));
-    return a * b * c / quadrupled_area(a, b, c);
+    return Face_metric<FT>(f, m_tri.intrinsic()).circumradius();
   }
 
   bool has_bad_shape(Face_index f) const
