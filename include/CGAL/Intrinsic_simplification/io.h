@@ -97,8 +97,7 @@ public:
   {
     m_reader.read_header(hierarchy_header);
     m_mesh = m_reader.read_input();
-    const auto length =
-      m_mesh.add_property_map<Edge_index, double>("e:length", 0.).first; // exists already
+    const auto length = Intrinsic_triangulations::stored_length_map<double>(m_mesh);
     m_mesh.set_recycle_garbage(false);
     if(!Intrinsic_triangulations::is_valid_Delta_complex(m_mesh))
       throw Intrinsic_triangulations::Invalid_input(

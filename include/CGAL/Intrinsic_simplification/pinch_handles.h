@@ -148,17 +148,16 @@ private:
   static void make_Delaunay_beside(const std::vector<Curve>& curves,
                                    Surface_surgery::Triangulation& tri)
   {
-    auto is_constrained = tri.add_property_map<Edge_index>("e:is_constrained", false);
     std::vector<Edge_index> added;
     for(const Curve& curve : curves)
       for(Halfedge_index h : curve)
-        if(!is_constrained[Edge_index(h)]) {
-          is_constrained[Edge_index(h)] = true;
+        if(!tri.is_constrained(Edge_index(h))) {
+          tri.set_constrained(Edge_index(h), true);
           added.emplace_back(h);
         }
     Intrinsic_triangulations::make_Delaunay(tri);
     for(Edge_index e : added)
-      is_constrained[e] = false;
+      tri.set_constrained(e, false);
   }
 
   // whether a curve passes no vertex twice and none that is used or on the boundary

@@ -160,10 +160,10 @@ public:
     });
   }
 
-  /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: `input` has the
-  /// property map "e:length", `mesh` has this map and "e:normal_coordinate", "h:roundabout",
-  /// "e:is_constrained", and `inserted` has the places of the vertices that only `mesh` has, in
-  /// their order. Lengths of `input` are exact unless `metric` is. Complexity: linear in the
+  /// creates the triangulation from \f$T_1\f$ and \f$T_2\f$ as a file has them: both have lengths,
+  /// see `stored_length_map()`, `mesh` has `Integer_coordinates`, and `inserted` has the places of
+  /// the vertices that only `mesh` has, in their order. Lengths of `input` are exact unless `metric`
+  /// is. Constraints of `mesh`, see `stored_constraint_map()`, are kept. Complexity: linear in the
   /// elements and crossings.
   /// \throws Invalid_input if they do not fit together.
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
@@ -191,6 +191,9 @@ public:
   /// @}
   /// \name Flipping
   /// @{
+
+  /// sets whether the edge `e` must not be flipped.
+  void set_constrained(Edge_index e, bool is_constrained) { m_is_constrained[e] = is_constrained; }
 
   /// returns whether the edge of `h` is not constrained, lies in two faces, and their union is
   /// strictly convex, so that `flip()` gives a triangulation of the surface again.

@@ -54,6 +54,23 @@ private:
   EdgeLengthMap m_length_map;
 };
 
+/// \ingroup PkgIntrinsicTriangulationsSurfaces
+/// returns the map of the edge lengths that are stored with `mesh`; it is added, with zeros, if there
+/// is none.
+template <typename FT>
+Delta_complex::Property_map<Edge_index, FT> stored_length_map(Delta_complex& mesh)
+{
+  return mesh.add_property_map<Edge_index, FT>("e:length", FT(0)).first;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsSurfaces
+/// returns the map that says of each edge of `mesh` whether it must not be flipped; it is added if
+/// there is none.
+inline Delta_complex::Property_map<Edge_index, bool> stored_constraint_map(Delta_complex& mesh)
+{
+  return mesh.add_property_map<Edge_index, bool>("e:is_constrained", false).first;
+}
+
 namespace internal {
 
 template <typename Surface>

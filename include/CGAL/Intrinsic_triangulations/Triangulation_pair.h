@@ -334,17 +334,10 @@ private:
   // (re)binds the property maps to the meshes
   void attach()
   {
-    m_input_length = add_edge_map<FT>(m_input, "e:length");
-    m_length = add_edge_map<FT>(m_mesh, "e:length");
+    m_input_length = stored_length_map<FT>(m_input);
+    m_length = stored_length_map<FT>(m_mesh);
     m_coordinates = Coordinates(m_mesh);
-    m_is_constrained = add_edge_map<bool>(m_mesh, "e:is_constrained");
-  }
-
-  template <typename Value>
-  static Delta_complex::Property_map<Edge_index, Value> add_edge_map(Delta_complex& mesh,
-                                                                     const char* name)
-  {
-    return mesh.template add_property_map<Edge_index, Value>(name, Value(0)).first;
+    m_is_constrained = stored_constraint_map(m_mesh);
   }
 
   // the coordinates of a point of the face of `side` in T1, that of the corner opposite to `side`

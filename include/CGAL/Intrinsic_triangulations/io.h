@@ -135,8 +135,7 @@ public:
     read_lines(true);
     Delta_complex mesh = assembled();
     Integer_coordinates<Integer> coordinates(mesh);
-    auto is_constrained =
-      mesh.template add_property_map<Edge_index, bool>("e:is_constrained", false).first;
+    auto is_constrained = stored_constraint_map(mesh);
     for(Edge_index e : mesh.edges()) {
       const Edge_line& line = m_edges[e];
       coordinates.set(e, line.normal_coordinate);
@@ -266,7 +265,7 @@ private:
     Delta_complex mesh;
     mesh.resize(static_cast<size_type>(m_vertices.size()), static_cast<size_type>(m_edges.size()),
                 static_cast<size_type>(m_faces.size()));
-    auto length = mesh.template add_property_map<Edge_index, FT>("e:length", FT(0)).first;
+    auto length = stored_length_map<FT>(mesh);
     for(Vertex_index v : mesh.vertices())
       mesh.set_halfedge(v, m_vertices[v]);
     for(Edge_index e : mesh.edges()) {

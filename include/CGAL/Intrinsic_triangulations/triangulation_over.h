@@ -24,23 +24,23 @@ Intrinsic_triangulation<Traits> flipped_over(const Intrinsic_triangulation<Trait
 {
   typedef typename Traits::FT FT;
   Delta_complex input = without_maps(base.mesh());
-  auto input_length = input.add_property_map<Edge_index, FT>("e:length", FT(0)).first;
+  auto input_length = stored_length_map<FT>(input);
   for(Edge_index e : input.edges())
     input_length[e] = base.length(e);
 
   Delta_complex mesh = coordinates_over<Traits>(base, tri);
-  auto length = mesh.add_property_map<Edge_index, FT>("e:length", FT(0)).first;
-  auto is_constrained = mesh.add_property_map<Edge_index, bool>("e:is_constrained", false).first;
+  auto length = stored_length_map<FT>(mesh);
   const Integer_coordinates<typename Traits::Integer> coordinates(mesh);
   const Vertex_spokes spokes(input, boost::dummy_property_map());
-  for(Edge_index e : mesh.edges()) {
+  for(Edge_index e : mesh.edges())
     length[e] =
       coordinates.is_shared(e)
         ? base.length(Edge_index(coordinates.shared_halfedge(mesh.halfedge(e), mesh, spokes)))
         : tri.length(e);
-    is_constrained[e] = tri.is_constrained(e) && coordinates.is_shared(e);
-  }
-  return {std::move(input), std::move(mesh), {}, base.traits()};
+  Intrinsic_triangulation<Traits> result(std::move(input), std::move(mesh), {}, base.traits());
+  for(Edge_index e : result.mesh().edges())
+    result.set_constrained(e, tri.is_constrained(e) && result.coordinates().is_shared(e));
+  return result;
 }
 
 } // namespace internal

@@ -78,9 +78,8 @@ private:
 
   static Triangulation unconstrained(Triangulation tri)
   {
-    auto is_constrained = tri.template add_property_map<Edge_index>("e:is_constrained", false);
     for(Edge_index e : tri.mesh().edges())
-      is_constrained[e] = false;
+      tri.set_constrained(e, false);
     return tri;
   }
 

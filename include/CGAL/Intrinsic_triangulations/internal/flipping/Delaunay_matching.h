@@ -204,10 +204,9 @@ Intrinsic_triangulation<Traits> inserted_over(const Intrinsic_triangulation<Trai
   Intrinsic_triangulation<Traits> result(std::move(common.over()));
   matching.flip_to_tri([&](Halfedge_index h) { result.flip(h); });
   result.recompute_lengths();
-  auto is_constrained = result.template add_property_map<Edge_index>("e:is_constrained", false);
   for(Halfedge_index h : constrained)
     if(const Edge_index e(matching.image(h)); result.coordinates().is_shared(e))
-      is_constrained[e] = true;
+      result.set_constrained(e, true);
   return result;
 }
 
