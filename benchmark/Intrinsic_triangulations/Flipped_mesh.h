@@ -40,11 +40,11 @@ public:
   template <typename After_flip>
   std::size_t make_Delaunay(const After_flip& after_flip)
   {
-    IT::internal::Edge_stack stack(m_mesh.num_edges());
+    IT::Edge_stack stack(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges())
       stack.push(e);
     std::size_t flips = 0;
-    const std::size_t limit = IT::internal::default_flip_limit(m_mesh.num_edges());
+    const std::size_t limit = IT::default_flip_limit(m_mesh.num_edges());
     while(!stack.empty()) {
       const Halfedge_index h = m_mesh.halfedge(stack.pop());
       if(is_Delaunay(h))

@@ -258,9 +258,9 @@ TEST(Ptolemy_surface, flips_can_be_replayed)
 
 TEST(Ptolemy_surface, flips_have_a_limit)
 {
-  const std::size_t limit = IT::internal::default_flip_limit(30);
-  EXPECT_NO_THROW(IT::internal::check_flip_limit(limit - 1, 30));
-  EXPECT_THROW(IT::internal::check_flip_limit(limit, 30), IT::Flip_limit_exceeded);
+  const std::size_t limit = IT::default_flip_limit(30);
+  EXPECT_NO_THROW(IT::check_flip_limit(limit - 1, 30));
+  EXPECT_THROW(IT::check_flip_limit(limit, 30), IT::Flip_limit_exceeded);
 }
 
 TEST(Spherical_energy, does_not_depend_on_the_triangulation)

@@ -38,7 +38,7 @@ using Q_of_root_2 = CGAL::Sqrt_extension<Exact_rational, Exact_rational>;
 
 // ---- Numbers ----
 
-using IT::internal::Double_double;
+using IT::Double_double;
 
 Exact_rational exact_number(double x) { return Exact_rational(x); }
 Exact_rational exact_number(Double_double x)

@@ -4,7 +4,7 @@
 
 // Sparse Cholesky factorizations of both libraries, against dense products.
 
-#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Simplicial_Cholesky.h>
 #ifdef TEST_SUPERNODAL_CHOLESKY
 #include <CGAL/Intrinsic_triangulations/internal/operators/Supernodal_Cholesky.h>
@@ -171,7 +171,7 @@ void expect_solution_in_any_order()
   CGAL::Random random(4);
   const auto matrix = definite_matrix<Scalar>(300, random);
   const Vector<Scalar> b = random_vector<Scalar>(300, random);
-  const internal::Factorization<Scalar> ordered(matrix, "matrix"),
+  const Factorization<Scalar> ordered(matrix, "matrix"),
     backwards(matrix, ordered.order().reverse(), "matrix");
   EXPECT_LE((matrix * ordered.solve(b) - b).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LE((matrix * backwards.solve(b) - b).cwiseAbs().maxCoeff(), 1e-12);
@@ -190,16 +190,15 @@ TEST(Factorization, names_a_matrix_without_one)
   for(const double wrong : {-1., 0., std::numeric_limits<double>::quiet_NaN(),
                             std::numeric_limits<double>::infinity()}) {
     matrix.coeffRef(10, 10) = wrong;
-    EXPECT_THROW(internal::Factorization<double>(matrix, "matrix"), Numerical_error) << wrong;
+    EXPECT_THROW(Factorization<double>(matrix, "matrix"), Numerical_error) << wrong;
   }
 }
 
 TEST(Factorization, of_nothing)
 {
-  const internal::Factorization<double> empty(Eigen::SparseMatrix<double>(0, 0), "matrix");
+  const Factorization<double> empty(Eigen::SparseMatrix<double>(0, 0), "matrix");
   EXPECT_EQ(empty.solve(Eigen::VectorXd()).size(), 0);
-  EXPECT_THROW(internal::Factorization<double>(Eigen::SparseMatrix<double>(3, 3), "matrix"),
-               Numerical_error);
+  EXPECT_THROW(Factorization<double>(Eigen::SparseMatrix<double>(3, 3), "matrix"), Numerical_error);
 }
 
 } // namespace Test_factorization

@@ -8,8 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/certify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/function_transfer.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
 
@@ -35,19 +35,19 @@ TEST(Parallel, loops)
     for(std::size_t threads : {1u, 2u, 3u, 7u}) {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
       std::vector<int> visits(n, 0);
-      IT::internal::for_each_chunk(IT::internal::Concurrency(CGAL::Parallel_tag()), n,
-                                   [&](std::size_t begin, std::size_t end) {
-                                     EXPECT_EQ(begin % IT::internal::chunk_size, 0u);
-                                     for(std::size_t i = begin; i < end; ++i)
-                                       ++visits[i];
-                                   });
+      IT::for_each_chunk(IT::Concurrency(CGAL::Parallel_tag()), n,
+                         [&](std::size_t begin, std::size_t end) {
+                           EXPECT_EQ(begin % IT::chunk_size, 0u);
+                           for(std::size_t i = begin; i < end; ++i)
+                             ++visits[i];
+                         });
       EXPECT_EQ(visits, std::vector<int>(n, 1));
     }
 }
 
 TEST(Parallel, the_first_exception_comes_out)
 {
-  const std::size_t n = 300 * IT::internal::chunk_size;
+  const std::size_t n = 300 * IT::chunk_size;
   for(std::size_t threads : {1u, 2u, 3u, 7u})
     for(unsigned int seed = 0; seed < 20; ++seed) {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
@@ -59,13 +59,13 @@ TEST(Parallel, the_first_exception_comes_out)
         static_cast<std::size_t>(std::find(fails.begin(), fails.end(), 1) - fails.begin());
       std::atomic<std::size_t> before(0);
       const auto f = [&](std::size_t begin, std::size_t) {
-        const std::size_t chunk = begin / IT::internal::chunk_size;
+        const std::size_t chunk = begin / IT::chunk_size;
         if(fails[chunk])
           throw std::runtime_error(std::to_string(chunk));
         before += chunk < first;
       };
       try {
-        IT::internal::for_each_chunk(IT::internal::Concurrency(CGAL::Parallel_tag()), n, f);
+        IT::for_each_chunk(IT::Concurrency(CGAL::Parallel_tag()), n, f);
         ADD_FAILURE() << "no exception";
       } catch(const std::runtime_error& e) {
         EXPECT_EQ(e.what(), std::to_string(first));

@@ -10,9 +10,9 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/scaled_length.h>
+#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 
 #include <cstddef>
 #include <string>
@@ -126,11 +126,10 @@ private:
   template <typename Is_good>
   void flip_waiting(const Is_good& is_good)
   {
-    Intrinsic_triangulations::internal::flip_waiting(mesh(), m_stack, is_good,
-                                                     [this](Halfedge_index h) {
-                                                       m_surface.flip(h);
-                                                       set_scaled_length(Edge_index(h));
-                                                     });
+    Intrinsic_triangulations::flip_waiting(mesh(), m_stack, is_good, [this](Halfedge_index h) {
+      m_surface.flip(h);
+      set_scaled_length(Edge_index(h));
+    });
   }
 
   void set_scaled_length(Edge_index e)
@@ -149,7 +148,7 @@ private:
   Surface m_surface;
   std::vector<FT> m_scaled_length;
   std::vector<FT> m_factor; // of each vertex, for lengths
-  Intrinsic_triangulations::internal::Edge_stack m_stack;
+  Intrinsic_triangulations::Edge_stack m_stack;
 };
 
 } // namespace CGAL::Discrete_conformal_maps

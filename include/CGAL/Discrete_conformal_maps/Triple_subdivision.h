@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 
 #include <array>
 #include <cstddef>
@@ -105,8 +105,7 @@ public:
     CGAL_precondition(internal::is_same_complex(ab.mesh(Side::intrinsic), bc.mesh(Side::input)));
     check_number_of_edges(std::uint64_t(ab.mesh(Side::intrinsic).number_of_edges()) +
                           ab.number_of_crossings() + bc.number_of_crossings());
-    Builder(internal::Marked_edges<FT>(ab, bc),
-            Intrinsic_triangulations::internal::concurrency_of(np), *this)
+    Builder(internal::Marked_edges<FT>(ab, bc), Intrinsic_triangulations::concurrency_of(np), *this)
       .build();
   }
 

@@ -345,7 +345,7 @@ Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation
     std::move(input), conditions,
     choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
     choose_parameter(get_parameter(np, internal_np::exact_decisions), false));
-  problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
+  problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
   Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
     problem, problem.surface().num_faces(), visitor);
   flattening.start_from(log_scale);

@@ -338,7 +338,7 @@ map_to_sphere(const Graph& g, const NamedParameters& np = CGAL::parameters::defa
   Intrinsic_triangulations::Intrinsic_triangulation<> input(g, np);
   const std::vector<Vertex_condition> conditions(input.mesh().num_vertices());
   internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay);
-  problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
+  problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
   internal::Sphere_mapping<std::remove_reference_t<decltype(visitor)>> mapping(
     problem, problem.surface().num_faces(), visitor);
   return mapping.run();

@@ -8,8 +8,8 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Intrinsic_triangulations/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -121,7 +121,7 @@ void for_each_corner(const Planar_conformal_map& map, const Graph& g, const Func
                                  "face; common_subdivision() makes "
                                  "a mesh on whose faces it is");
   const Whole_faces whole(map);
-  Intrinsic_triangulations::internal::with_numbering(g, [&](const auto& numbering) {
+  Intrinsic_triangulations::with_numbering(g, [&](const auto& numbering) {
     for(auto h : halfedges(g))
       if(face(h, g) != boost::graph_traits<Graph>::null_face())
         write(h, whole.homogeneous_coordinates(numbering.halfedge_of(h)));

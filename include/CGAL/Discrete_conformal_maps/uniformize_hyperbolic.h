@@ -420,7 +420,7 @@ uniformize_hyperbolic(const Graph& g,
     internal::vertex_conditions(g, input.mesh(), np, Vertex_condition::curvature(0));
   internal::Doubled_problem problem(std::move(input), conditions, Flipping::to_Delaunay);
   problem.check_hyperbolic();
-  problem.set_concurrency(Intrinsic_triangulations::internal::concurrency_of(np));
+  problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
   internal::Hyperbolic_uniformization<std::remove_reference_t<decltype(visitor)>> uniformization(
     problem, problem.surface().num_faces(), visitor);
   uniformization.find_scale_factors(

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_simplification/Evolving_surface.h>
 #include <CGAL/Intrinsic_simplification/Surface_history.h>
-#include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
+#include <CGAL/Intrinsic_triangulations/copy_input.h>
 
 #include <CGAL/assertions.h>
 
@@ -44,7 +44,7 @@ public:
     namespace IT = Intrinsic_triangulations;
     const Delta_complex& mesh = surface.mesh();
     m_mesh.resize(mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces());
-    IT::internal::with_numbering(mesh, [&](const auto& numbering) {
+    IT::with_numbering(mesh, [&](const auto& numbering) {
       IT::internal::copy_connectivity(mesh, numbering, m_mesh);
     });
     m_surface_vertex.assign(mesh.vertices().begin(), mesh.vertices().end());

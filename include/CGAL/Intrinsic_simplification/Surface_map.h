@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_simplification/internal/maps/Route.h>
 #include <CGAL/Intrinsic_simplification/internal/maps/carry_point.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 
 #include <CGAL/assertions.h>
 
@@ -132,12 +132,12 @@ private:
                                       const NamedParameters& np, const Map& map)
   {
     std::vector<Location> result(points.size());
-    Intrinsic_triangulations::internal::for_each_chunk(
-      Intrinsic_triangulations::internal::concurrency_of(np), points.size(),
-      [&](std::size_t begin, std::size_t end) {
-        for(std::size_t i = begin; i < end; ++i)
-          result[i] = map(points[i]);
-      });
+    Intrinsic_triangulations::for_each_chunk(Intrinsic_triangulations::concurrency_of(np),
+                                             points.size(),
+                                             [&](std::size_t begin, std::size_t end) {
+                                               for(std::size_t i = begin; i < end; ++i)
+                                                 result[i] = map(points[i]);
+                                             });
     return result;
   }
 

@@ -69,7 +69,7 @@ prolongation_matrix(const Map& map, const NamedParameters& np = CGAL::parameters
     internal::for_each_weight(image_of_vertex(v, map), coarse, add);
   };
   Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows;
-  Intrinsic_triangulations::assemble(Intrinsic_triangulations::internal::concurrency_of(np),
+  Intrinsic_triangulations::assemble(Intrinsic_triangulations::concurrency_of(np),
                                      fine.num_vertices(), coarse.num_vertices(), collect, by_rows);
   return by_rows;
 }

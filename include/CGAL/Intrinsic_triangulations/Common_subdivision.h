@@ -10,9 +10,9 @@
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/set_halfedges_of_vertices.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
+#include <CGAL/Intrinsic_triangulations/set_halfedges_of_vertices.h>
 
 #include <array>
 #include <utility>
@@ -67,7 +67,7 @@ public:
     : Base({&correspondence.mesh(Side::input), &correspondence.mesh(Side::intrinsic)}),
       m_tri(&correspondence.triangulation())
   {
-    Builder(correspondence, internal::concurrency_of(np), *this).build();
+    Builder(correspondence, concurrency_of(np), *this).build();
   }
 
   /// returns the place of `v` on `side`. That of an isolated vertex has no face. Complexity:
@@ -97,7 +97,7 @@ template <typename Traits, typename Point>
 class Common_subdivision<Traits, Point>::Builder
 {
 public:
-  Builder(const Correspondence<Traits>& correspondence, internal::Concurrency concurrency,
+  Builder(const Correspondence<Traits>& correspondence, Concurrency concurrency,
           Common_subdivision& result)
     : m_concurrency(concurrency),
       m_correspondence(correspondence),
@@ -116,7 +116,7 @@ public:
     const size_type faces = number_regions();
     m_result.reserve_parents(edges, faces);
     m_result.m_place.reserve(vertices);
-    internal::run_together(
+    run_together(
       m_concurrency,
       [&] {
         m_result.resize_parents(edges, faces);
@@ -127,7 +127,7 @@ public:
       [&] { m_result.resize_mesh(vertices, edges, faces); });
     for_each<Face_index>(m_intrinsic, [this](Face_index f) { add_regions(f); });
     for_each<Halfedge_index>(m_intrinsic, [this](Halfedge_index h) { link_border(h); });
-    internal::set_halfedges_of_vertices(m_mesh, m_concurrency);
+    set_halfedges_of_vertices(m_mesh, m_concurrency);
   }
 
 private:
@@ -136,7 +136,7 @@ private:
   template <typename Index, typename Function>
   void for_each(const Delta_complex& mesh, const Function& f) const
   {
-    internal::for_each_in_chunks<Index>(m_concurrency, mesh, f);
+    for_each_in_chunks<Index>(m_concurrency, mesh, f);
   }
 
   // piece `p` of the halfedge `h` of T2, counted from its source
@@ -202,12 +202,11 @@ private:
       const Halfedge_index spoke = first_spoke(v, m_intrinsic);
       m_result.m_place[v] = {tri.start_on_spoke(spoke), {spoke, FT(0)}};
     });
-    internal::for_each_chunk(m_concurrency, m_correspondence.number_of_crossings(),
-                             [&](std::size_t begin, std::size_t end) {
-                               for(auto c = static_cast<size_type>(begin); c < end; ++c)
-                                 m_result.m_place[crossing_vertex(c)] =
-                                   m_correspondence.crossing(c);
-                             });
+    for_each_chunk(m_concurrency, m_correspondence.number_of_crossings(),
+                   [&](std::size_t begin, std::size_t end) {
+                     for(auto c = static_cast<size_type>(begin); c < end; ++c)
+                       m_result.m_place[crossing_vertex(c)] = m_correspondence.crossing(c);
+                   });
   }
 
   Vertex_index crossing_vertex(size_type id) const
@@ -292,7 +291,7 @@ private:
     m_mesh.set_target(x, m_intrinsic.target(h));
   }
 
-  internal::Concurrency m_concurrency;
+  Concurrency m_concurrency;
   const Correspondence<Traits>& m_correspondence;
   const Delta_complex& m_intrinsic;
   const Delta_complex& m_input;

@@ -103,7 +103,7 @@ public:
   template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Correspondence(const Triangulation& tri,
                           const NamedParameters& np = CGAL::parameters::default_values())
-    : Correspondence(tri, internal::concurrency_of(np))
+    : Correspondence(tri, concurrency_of(np))
   {}
 
   Correspondence(Triangulation&&) = delete; // it would refer to what is gone
@@ -221,8 +221,6 @@ public:
   }
 
 private:
-  typedef internal::Concurrency Concurrency;
-
   Correspondence(const Triangulation& tri, Concurrency concurrency) : m_tri(tri)
   {
     CGAL_precondition(!tri.mesh().has_garbage());
@@ -238,7 +236,7 @@ private:
   {
     const size_type crossings = m_on_intrinsic.size();
     m_spoke_before.reserve(m_tri.input_mesh().num_halfedges());
-    internal::run_together(
+    run_together(
       concurrency,
       [&] {
         starts.resize();
@@ -317,15 +315,14 @@ private:
   void trace_all(const internal::Part_starts<Traits>& starts, Concurrency concurrency)
   {
     const std::size_t edges = m_tri.input_mesh().num_edges();
-    std::vector<Chunk> chunks(internal::number_of_chunks(edges));
+    std::vector<Chunk> chunks(number_of_chunks(edges));
     if constexpr(can_be_doubtful())
       if(m_on_intrinsic.size() > 0)
         note_heights(concurrency);
-    internal::for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
+    for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
       internal::Edge_tracer<Traits> tracer(m_tri);
       for(std::size_t e = begin; e < end; ++e)
-        trace(Edge_index(static_cast<size_type>(e)), starts, tracer,
-              chunks[begin / internal::chunk_size]);
+        trace(Edge_index(static_cast<size_type>(e)), starts, tracer, chunks[begin / chunk_size]);
     });
     number_along_input(chunks, concurrency);
     settle_places(concurrency);
@@ -389,7 +386,7 @@ private:
     if(m_doubt.is_doubtful.empty())
       return;
     const std::size_t edges = m_tri.mesh().num_edges();
-    internal::for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
+    for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
       internal::Crossing_encloser<Traits> enclosed(m_tri, internal::crossings_of(*this));
       for(std::size_t i = begin; i < end; ++i)
         if(const Edge_index e(static_cast<size_type>(i)); has_doubtful(e))
@@ -468,22 +465,22 @@ private:
       first.push_back(first.back() + static_cast<size_type>(chunk.crossings.size()));
       first_piece.push_back(first_piece.back() + chunk.pieces);
     }
-    internal::for_each_chunk(
-      concurrency, m_tri.input_mesh().num_edges(), [&](std::size_t begin, std::size_t end) {
-        const std::size_t c = begin / internal::chunk_size;
-        size_type order = first[c];
-        for(size_type id : chunks[c].crossings) {
-          m_records[id].order = order;
-          m_order_on_input[order++] = id;
-        }
-        const auto parts_before = [this](std::size_t e) {
-          return m_part_numbers.before(Edge_index(static_cast<size_type>(e)));
-        };
-        for(size_type i = parts_before(begin); i < parts_before(end); ++i) {
-          m_parts[i].first += first[c];
-          m_parts[i].first_piece += first_piece[c];
-        }
-      });
+    for_each_chunk(concurrency, m_tri.input_mesh().num_edges(),
+                   [&](std::size_t begin, std::size_t end) {
+                     const std::size_t c = begin / chunk_size;
+                     size_type order = first[c];
+                     for(size_type id : chunks[c].crossings) {
+                       m_records[id].order = order;
+                       m_order_on_input[order++] = id;
+                     }
+                     const auto parts_before = [this](std::size_t e) {
+                       return m_part_numbers.before(Edge_index(static_cast<size_type>(e)));
+                     };
+                     for(size_type i = parts_before(begin); i < parts_before(end); ++i) {
+                       m_parts[i].first += first[c];
+                       m_parts[i].first_piece += first_piece[c];
+                     }
+                   });
   }
 
   // ---- Order ----
@@ -510,7 +507,7 @@ private:
         !order_along_input(rounds > 0 ? rounding_unit<FT>() : FT(1), concurrency); --rounds)
       if constexpr(has_distance)
         for_each_disorder(concurrency, [this](Edge_index e) { move_along_intrinsic(e); });
-    internal::for_each_in_chunks<Edge_index>(concurrency, m_tri.mesh(), [this](Edge_index e) {
+    for_each_in_chunks<Edge_index>(concurrency, m_tri.mesh(), [this](Edge_index e) {
       FT t(0);
       for(size_type p = 0; p < m_on_intrinsic.size(e); ++p)
         on_intrinsic(e, p).t = t = (std::max)(on_intrinsic(e, p).t, t);
@@ -522,7 +519,7 @@ private:
   template <typename Function>
   void for_each_disorder(Concurrency concurrency, const Function& mend)
   {
-    internal::for_each_in_chunks<Edge_index>(concurrency, m_tri.mesh(), [&](Edge_index e) {
+    for_each_in_chunks<Edge_index>(concurrency, m_tri.mesh(), [&](Edge_index e) {
       FT t(0);
       for(size_type p = 0; p < m_on_intrinsic.size(e); ++p) {
         const FT& place = on_intrinsic(e, p).t;
@@ -538,7 +535,7 @@ private:
   bool order_along_input(const FT& tolerance, Concurrency concurrency)
   {
     std::atomic<bool> result(true);
-    internal::for_each_in_chunks<Edge_index>(concurrency, m_tri.input_mesh(), [&](Edge_index e) {
+    for_each_in_chunks<Edge_index>(concurrency, m_tri.input_mesh(), [&](Edge_index e) {
       FT s(0);
       const size_type first = part(e, 0).first;
       for(size_type p = 0; p < number_of_crossings(Side::input, e); ++p) {

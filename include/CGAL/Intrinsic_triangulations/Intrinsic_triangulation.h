@@ -13,11 +13,11 @@
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_spokes.h>
+#include <CGAL/Intrinsic_triangulations/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_decisions_of.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_triangles.h>
-#include <CGAL/Intrinsic_triangulations/internal/input/copy_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/copy_properties.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/inserted_spokes.h>
 #include <CGAL/Intrinsic_triangulations/internal/validity/triangulation_defect.h>
@@ -140,7 +140,7 @@ public:
   {
     m_input.resize(internal::size_of(vertices(g)), internal::size_of(edges(g)),
                    internal::size_of(faces(g)));
-    internal::with_numbering(g, [&](const auto& numbering) {
+    with_numbering(g, [&](const auto& numbering) {
       internal::copy_connectivity(g, numbering, m_input);
       internal::copy_lengths(g, np, numbering, input());
       internal::copy_metric(g, np, numbering, m_input, m_input_metric);
@@ -154,7 +154,7 @@ public:
     m_mesh = m_input;
     attach();
     m_spokes = Vertex_spokes(m_input, m_coordinates.roundabout_map());
-    internal::with_numbering(g, [&](const auto& numbering) {
+    with_numbering(g, [&](const auto& numbering) {
       internal::copy_constraints(
         g, np, numbering, [&](Halfedge_index h) { m_is_constrained[m_mesh.edge(h)] = true; });
     });
@@ -168,8 +168,7 @@ public:
   /// \throws Invalid_input if they do not fit together.
   Intrinsic_triangulation(Delta_complex input, Delta_complex mesh,
                           std::vector<Inserted_vertex<FT>> inserted = {},
-                          const Traits& traits = Traits(),
-                          internal::Input_metric_of<Traits> metric = {})
+                          const Traits& traits = Traits(), typename Base::Metric metric = {})
     : Base(traits, std::move(input), std::move(mesh), std::move(inserted), std::move(metric))
   {
     for(const Delta_complex* complex : {&m_input, &m_mesh})

@@ -66,6 +66,9 @@ public:
   typedef Delta_complex::size_type size_type;
   /// the type of the maps of edge lengths.
   typedef Delta_complex::Property_map<Edge_index, FT> Edge_length_map;
+  /// the type of the metric of \f$T_1\f$ as exact decisions see it: `Input_metric`, or an empty class
+  /// if the geometry is not Euclidean, or numbers are exact themselves.
+  typedef internal::Input_metric_of<Traits> Metric;
 
   /// \name The Two Surfaces
   /// @{
@@ -117,7 +120,7 @@ public:
   const Traits& traits() const { return m_traits; }
 
   /// returns the metric of \f$T_1\f$ as exact decisions see it.
-  const internal::Input_metric_of<Traits>& input_metric() const { return m_input_metric; }
+  const Metric& input_metric() const { return m_input_metric; }
 
   /// @}
   /// \name Inserted Vertices
@@ -305,8 +308,7 @@ private:
 
   explicit Triangulation_pair(const Traits& traits = Traits(), Delta_complex input = {},
                               Delta_complex mesh = {},
-                              std::vector<Inserted_vertex<FT>> inserted = {},
-                              internal::Input_metric_of<Traits> metric = {})
+                              std::vector<Inserted_vertex<FT>> inserted = {}, Metric metric = {})
     : m_traits(traits),
       m_input(std::move(input)),
       m_input_metric(std::move(metric)),
@@ -350,7 +352,7 @@ private:
   Traits m_traits;
   Delta_complex m_input; // T1
   Edge_length_map m_input_length;
-  internal::Input_metric_of<Traits> m_input_metric;
+  Metric m_input_metric;
   Vertex_spokes m_spokes;
   Delta_complex m_mesh; // T2
   Edge_length_map m_length;

@@ -55,7 +55,7 @@ certify_Delaunay(const Intrinsic_triangulation<Traits>& tri,
   static_assert(internal::has_metric<Traits>(),
                 "a certificate needs Exact_Euclidean_geometry_traits, Euclidean_geometry_traits<"
                 "double>, or traits derived from them with the same geometry");
-  return internal::Certifier<Traits>(tri, internal::concurrency_of(np)).run();
+  return internal::Certifier<Traits>(tri, concurrency_of(np)).run();
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -8,9 +8,9 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Delaunay_matching.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/coordinates_over.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
 
 #include <CGAL/assertions.h>
 

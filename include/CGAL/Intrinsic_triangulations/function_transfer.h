@@ -57,7 +57,7 @@ interpolation_matrix(typename Subdivision::Side side, const Subdivision& subdivi
       entries.emplace_back(static_cast<int>(w.vertex[c].idx()), w.weight[c]);
   };
   Eigen::SparseMatrix<typename Subdivision::FT, Eigen::RowMajor> by_rows;
-  assemble(internal::concurrency_of(np), subdivision.mesh().number_of_vertices(),
+  assemble(concurrency_of(np), subdivision.mesh().number_of_vertices(),
            subdivision.mesh(side).number_of_vertices(), collect, by_rows);
   return by_rows;
 }
@@ -173,7 +173,7 @@ Eigen::SparseMatrix<typename Traits::FT>
 mixed_mass_matrix(const Correspondence<Traits>& correspondence,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  return internal::mixed_mass_matrix(Side::intrinsic, correspondence, internal::concurrency_of(np));
+  return internal::mixed_mass_matrix(Side::intrinsic, correspondence, concurrency_of(np));
 }
 
 namespace internal {
@@ -215,8 +215,7 @@ transfer_function(const Correspondence<Traits>& correspondence, Side from,
   const auto& tri = correspondence.triangulation();
   const Side to = internal::other(from);
   Matrix mass = mass_matrix(tri.surface(to));
-  Vector moments =
-    internal::mixed_mass_matrix(to, correspondence, internal::Concurrency()) * values;
+  Vector moments = internal::mixed_mass_matrix(to, correspondence, Concurrency()) * values;
   const Vector is_massless =
     mass.diagonal().unaryExpr([](const FT& m) { return FT(m == 0 ? 1 : 0); });
   mass += Matrix(is_massless.asDiagonal());

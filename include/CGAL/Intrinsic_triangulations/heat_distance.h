@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
@@ -147,7 +147,7 @@ auto heat_distance(const Surface& surface, const Sources& sources,
   const internal::Heat_method<FT> method(surface);
   const auto values = method.values_of(all);
   const auto moments = method.moments(flow->spread_everywhere(values.moments));
-  const internal::Elimination_order order = flow->order();
+  const Elimination_order order = flow->order();
   flow.reset(); // the other factor comes in its place
   const auto poisson =
     internal::Heat_method<FT>::poisson_solver(surface, order, values.prescribed());

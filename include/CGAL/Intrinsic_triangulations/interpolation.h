@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Subdivision_base.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -67,8 +67,7 @@ void interpolate(typename Subdivision::Side side, const Subdivision& subdivision
     const auto w = subdivision.weights(side, v);
     put(result, v, internal::linear_value(value, w.vertex, w.weight, w.size));
   };
-  internal::for_each_in_chunks<Vertex_index>(internal::concurrency_of(np), subdivision.mesh(),
-                                             interpolate_at);
+  for_each_in_chunks<Vertex_index>(concurrency_of(np), subdivision.mesh(), interpolate_at);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer

@@ -7,10 +7,10 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Exact_flipping.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/reinsert_vertices.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
@@ -384,8 +384,8 @@ std::size_t make_Delaunay(Intrinsic_triangulation<Traits>& tri,
   const Delta_complex& mesh = tri.mesh();
   const auto limit = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                     internal::default_flip_limit(mesh.number_of_edges())));
-  const internal::Concurrency concurrency = internal::concurrency_of(np);
+                     default_flip_limit(mesh.number_of_edges())));
+  const Concurrency concurrency = concurrency_of(np);
   Default_flip_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);

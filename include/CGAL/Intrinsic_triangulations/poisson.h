@@ -8,9 +8,9 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
@@ -99,14 +99,14 @@ private:
 
   // in an order of elimination for all vertices
   template <typename Surface, typename VertexIsFixedMap>
-  Poisson_solver(const Surface& surface, const internal::Elimination_order& order,
+  Poisson_solver(const Surface& surface, const Elimination_order& order,
                  const VertexIsFixedMap& is_fixed)
     : Poisson_solver(surface, cotan_laplacian(surface), order, is_fixed)
   {}
 
   template <typename Surface, typename VertexIsFixedMap>
-  Poisson_solver(const Surface& surface, const Matrix& laplacian,
-                 const internal::Elimination_order& order, const VertexIsFixedMap& is_fixed)
+  Poisson_solver(const Surface& surface, const Matrix& laplacian, const Elimination_order& order,
+                 const VertexIsFixedMap& is_fixed)
     : Poisson_solver(Mesh_components(surface.mesh()), laplacian,
                      lumped_mass_matrix(surface).diagonal(),
                      fixed_vertices(surface.mesh().num_vertices(), is_fixed), order)
@@ -114,11 +114,11 @@ private:
 
   template <typename Surface, typename VertexIsFixedMap>
   Poisson_solver(const Surface& surface, const Matrix& laplacian, const VertexIsFixedMap& is_fixed)
-    : Poisson_solver(surface, laplacian, internal::fill_reducing_order(laplacian), is_fixed)
+    : Poisson_solver(surface, laplacian, fill_reducing_order(laplacian), is_fixed)
   {}
 
   Poisson_solver(const Mesh_components& components, const Matrix& laplacian, const Vector& area,
-                 const std::vector<char>& is_fixed, const internal::Elimination_order& order)
+                 const std::vector<char>& is_fixed, const Elimination_order& order)
     : m_components(components),
       m_laplacian(laplacian),
       m_area(area),
@@ -166,12 +166,12 @@ private:
   }
 
   // A part of an order is good for the part of the matrix.
-  internal::Elimination_order order_of_unknowns() const
+  Elimination_order order_of_unknowns() const
   {
     std::vector<int> number(m_is_fixed.size(), -1);
     for(Eigen::Index i = 0; i < m_unknowns.cols(); ++i)
       number[index(typename Matrix::InnerIterator(m_unknowns, i).row())] = static_cast<int>(i);
-    internal::Elimination_order result(m_unknowns.cols());
+    Elimination_order result(m_unknowns.cols());
     Eigen::Index k = 0;
     for(const int v : m_order)
       if(const int i = number[static_cast<std::size_t>(v)]; i >= 0)
@@ -202,10 +202,10 @@ private:
   Matrix m_laplacian;
   Vector m_area; // a third of the area around each vertex
   std::vector<char> m_is_fixed;
-  internal::Elimination_order m_order; // of all vertices
-  std::vector<char> m_is_anchored;     // components where a value is prescribed
+  Elimination_order m_order;       // of all vertices
+  std::vector<char> m_is_anchored; // components where a value is prescribed
   Matrix m_unknowns;
-  internal::Factorization<FT> m_factorization;
+  Factorization<FT> m_factorization;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators

@@ -388,7 +388,7 @@ Refinement_result refine(Intrinsic_triangulation<Traits>& tri,
                                                           degrees, circumradius)));
   const auto flips = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations),
-                     internal::default_flip_limit(tri.mesh().number_of_edges())));
+                     default_flip_limit(tri.mesh().number_of_edges())));
   Default_refinement_visitor silent;
   auto&& visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);

@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 
 #include <Eigen/SparseCore>
 
@@ -48,16 +48,16 @@ void combine(Indexed_entries<Scalar>& entries)
 /// the entries that `collect(i, entries)` adds, in any order, to `Indexed_entries`. Rows are
 /// collected in chunks, at the same time if `concurrency` is parallel.
 template <typename Matrix, typename Collect>
-void assemble(internal::Concurrency concurrency, std::size_t rows, std::size_t columns,
+void assemble(Concurrency concurrency, std::size_t rows, std::size_t columns,
               const Collect& collect, Matrix& matrix)
 {
   typedef Indexed_entries<typename Matrix::Scalar> Entries;
   matrix.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   const auto n = static_cast<std::size_t>(matrix.outerSize());
   int* const first = matrix.outerIndexPtr();
-  std::vector<Entries> chunks(internal::number_of_chunks(n));
-  internal::for_each_chunk(concurrency, n, [&](std::size_t begin, std::size_t end) {
-    Entries& all = chunks[begin / internal::chunk_size];
+  std::vector<Entries> chunks(number_of_chunks(n));
+  for_each_chunk(concurrency, n, [&](std::size_t begin, std::size_t end) {
+    Entries& all = chunks[begin / chunk_size];
     all.reserve(4 * (end - begin));
     Entries entries;
     for(std::size_t i = begin; i < end; ++i) {
@@ -71,9 +71,9 @@ void assemble(internal::Concurrency concurrency, std::size_t rows, std::size_t c
   for(std::size_t i = 0; i < n; ++i)
     first[i + 1] += first[i];
   matrix.resizeNonZeros(first[n]);
-  internal::for_each_chunk(concurrency, n, [&](std::size_t begin, std::size_t) {
+  for_each_chunk(concurrency, n, [&](std::size_t begin, std::size_t) {
     int k = first[begin];
-    for(const auto& [index, value] : chunks[begin / internal::chunk_size]) {
+    for(const auto& [index, value] : chunks[begin / chunk_size]) {
       matrix.innerIndexPtr()[k] = index;
       matrix.valuePtr()[k++] = value;
     }
@@ -86,7 +86,7 @@ template <typename Matrix, typename Collect>
 Matrix assembled(std::size_t rows, std::size_t columns, const Collect& collect)
 {
   Matrix result;
-  assemble(internal::Concurrency(), rows, columns, collect, result);
+  assemble(Concurrency(), rows, columns, collect, result);
   return result;
 }
 

@@ -8,8 +8,8 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/connection_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
 #include <CGAL/Intrinsic_triangulations/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
@@ -128,7 +128,7 @@ private:
 
   Tangent_frames<FT> m_frames;
   internal::Heat_flow<FT> m_flow;
-  internal::Factorization<std::complex<FT>> m_vector_flow;
+  Factorization<std::complex<FT>> m_vector_flow;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

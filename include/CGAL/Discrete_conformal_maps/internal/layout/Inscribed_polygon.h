@@ -17,7 +17,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Doubled_problem.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
 
 #include <algorithm>
 #include <array>
@@ -119,8 +119,8 @@ private:
     };
     Delta_complex mesh = tri.mesh();
     Doubled_problem::Triangulation::Coordinates coordinates(mesh);
-    m_surface.replay(Intrinsic_triangulations::internal::flip_to_share(coordinates, mesh,
-                                                                       tri.spokes(), is_boundary));
+    m_surface.replay(
+      Intrinsic_triangulations::flip_to_share(coordinates, mesh, tri.spokes(), is_boundary));
     m_is_on_boundary.assign(mesh.num_edges(), 0);
     for(Halfedge_index h : mesh.halfedges())
       if(coordinates.is_shared(Edge_index(h)))

@@ -11,7 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_predicates.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 
 #include <algorithm>
 #include <array>
@@ -55,10 +55,10 @@ public:
   std::vector<Halfedge_index> make_convex()
   {
     std::vector<Halfedge_index> flips;
-    Intrinsic_triangulations::internal::Edge_stack stack(m_mesh.num_edges());
+    Intrinsic_triangulations::Edge_stack stack(m_mesh.num_edges());
     for(Edge_index e : m_mesh.edges())
       stack.push(e);
-    Intrinsic_triangulations::internal::flip_waiting(
+    Intrinsic_triangulations::flip_waiting(
       m_mesh, stack, [this](Halfedge_index h) { return !is_concave(h); },
       [&](Halfedge_index h) {
         flip_edge(h, m_mesh);

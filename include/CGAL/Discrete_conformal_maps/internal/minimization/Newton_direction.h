@@ -10,7 +10,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Free_variables.h>
 #include <CGAL/Discrete_conformal_maps/internal/minimization/Hessian_solver.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/Cholesky.h>
 
 #include <Eigen/SparseCore>
 
@@ -40,7 +40,7 @@ class Newton_direction
 {
 public:
   typedef Eigen::SparseMatrix<double> Matrix;
-  typedef Hessian_solver<Intrinsic_triangulations::internal::Cholesky<double>> Solver;
+  typedef Hessian_solver<Intrinsic_triangulations::Cholesky<double>> Solver;
 
   explicit Newton_direction(const Free_variables& variables,
                             std::shared_ptr<Shared_order> order = std::make_shared<Shared_order>())

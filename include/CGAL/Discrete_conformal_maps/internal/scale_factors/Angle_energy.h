@@ -11,7 +11,7 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Angle_difference.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Corner.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/SparseCore>
@@ -42,7 +42,7 @@ public:
   template <typename ConcurrencyTag>
   void set_concurrency(const ConcurrencyTag& tag)
   {
-    m_concurrency = Intrinsic_triangulations::internal::Concurrency(tag);
+    m_concurrency = Intrinsic_triangulations::Concurrency(tag);
   }
 
   // Where a scaled length is not a length, the gradient is NaN.
@@ -147,7 +147,7 @@ private:
 
   void measure_faces()
   {
-    Intrinsic_triangulations::internal::for_each_in_chunks<Face_index>(
+    Intrinsic_triangulations::for_each_in_chunks<Face_index>(
       m_concurrency, mesh(), [this](Face_index f) {
         const auto side = Intrinsic_triangulations::sides(f, mesh());
         m_error[f.idx()] = 0;
@@ -195,7 +195,7 @@ private:
   }
 
   bool m_is_fixed;
-  Intrinsic_triangulations::internal::Concurrency m_concurrency;
+  Intrinsic_triangulations::Concurrency m_concurrency;
   Surface m_surface;
   std::vector<FT> m_scale_factor, m_origin;
   std::vector<Corner<FT>> m_corner; // at the source of each halfedge

@@ -13,8 +13,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Extended.h>
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Prescribed_curvatures.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/precise_lengths.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/Precise_lengths.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -76,8 +76,8 @@ public:
   Flipping flipping() const { return m_flipping; }
 
   // whether several threads are used, by those that solve the problem
-  Intrinsic_triangulations::internal::Concurrency concurrency() const { return m_concurrency; }
-  void set_concurrency(Intrinsic_triangulations::internal::Concurrency c) { m_concurrency = c; }
+  Intrinsic_triangulations::Concurrency concurrency() const { return m_concurrency; }
+  void set_concurrency(Intrinsic_triangulations::Concurrency c) { m_concurrency = c; }
 
   // T^A and T^B
   const Triangulation& triangulation() const { return m_triangulation; }
@@ -346,15 +346,14 @@ private:
 
   void find_precise_lengths()
   {
-    Intrinsic_triangulations::internal::Precise_lengths<Triangulation::Traits> length(
-      m_triangulation);
+    Intrinsic_triangulations::Precise_lengths<Triangulation::Traits> length(m_triangulation);
     m_precise_length.clear();
     for(Edge_index e : m_triangulation.mesh().edges())
       m_precise_length.push_back(length(m_triangulation.mesh().halfedge(e)));
   }
 
   Flipping m_flipping;
-  Intrinsic_triangulations::internal::Concurrency m_concurrency;
+  Intrinsic_triangulations::Concurrency m_concurrency;
   bool m_has_exact_flips;
   Delta_complex m_half;
   std::vector<std::array<double, 3>> m_point; // of the vertices of the surface, if there are any

@@ -8,7 +8,7 @@
 #include <CGAL/license/Discrete_conformal_maps.h>
 
 #include <CGAL/Discrete_conformal_maps/internal/layout/Plane_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/Double_double.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ inline Double_double atan2(Double_double y, Double_double x)
 namespace CGAL::Discrete_conformal_maps::internal {
 
 // takes over where double has too few digits
-typedef Intrinsic_triangulations::internal::Double_double Extended;
+typedef Intrinsic_triangulations::Double_double Extended;
 
 } // namespace CGAL::Discrete_conformal_maps::internal
 

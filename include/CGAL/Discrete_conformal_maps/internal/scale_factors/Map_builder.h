@@ -191,7 +191,7 @@ private:
         stays[e.idx()] = 1;
       for(Edge_index e : certify_ideal_Delaunay(m_data.bc, factor).non_Delaunay_edges) {
         const Halfedge_index h = mesh().halfedge(e);
-        const auto around = Intrinsic_triangulations::internal::edges_around(h, mesh());
+        const auto around = Intrinsic_triangulations::edges_around(h, mesh());
         if(stays[e.idx()])
           continue;
         m_data.bc.flip(h);

@@ -9,7 +9,7 @@
 
 #include <CGAL/Discrete_conformal_maps/internal/scale_factors/Ptolemy_surface.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
+#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,10 +102,10 @@ private:
     if(flip_status(h, mesh()) != Intrinsic_triangulations::Operation_status::possible)
       return;
     m_scale = m_end[Edge_index(h).idx()];
-    Intrinsic_triangulations::internal::check_flip_limit(number_of_flips(), mesh().num_edges());
+    Intrinsic_triangulations::check_flip_limit(number_of_flips(), mesh().num_edges());
     m_surface.flip(h);
     m_end[Edge_index(h).idx()] = std::numeric_limits<FT>::infinity(); // it does not come back
-    for(Edge_index e : Intrinsic_triangulations::internal::edges_around(h, mesh()))
+    for(Edge_index e : Intrinsic_triangulations::edges_around(h, mesh()))
       enqueue(e);
   }
 

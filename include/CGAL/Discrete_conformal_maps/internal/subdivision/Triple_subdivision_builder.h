@@ -11,8 +11,8 @@
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Face_chords.h>
 #include <CGAL/Discrete_conformal_maps/internal/subdivision/Marked_edges.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/set_halfedges_of_vertices.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/set_halfedges_of_vertices.h>
 
 #include <array>
 #include <cstddef>
@@ -39,7 +39,7 @@ class Triple_subdivision<FT, Point>::Builder
 
 public:
   Builder(const internal::Marked_edges<FT>& edges,
-          Intrinsic_triangulations::internal::Concurrency concurrency, Triple_subdivision& result)
+          Intrinsic_triangulations::Concurrency concurrency, Triple_subdivision& result)
     : m_concurrency(concurrency),
       m_marks(edges),
       m_numbers(edges.numbers()),
@@ -56,7 +56,7 @@ public:
     for_each<Halfedge_index>([this](Halfedge_index h) { set_pieces(h); });
     for_each_face([](Face_builder& builder, Face_index f) { builder.add_face(f); });
     for_each<Halfedge_index>([this](Halfedge_index h) { link_border(h); });
-    Intrinsic_triangulations::internal::set_halfedges_of_vertices(m_mesh, m_concurrency);
+    Intrinsic_triangulations::set_halfedges_of_vertices(m_mesh, m_concurrency);
   }
 
 private:
@@ -65,19 +65,19 @@ private:
   template <typename Index, typename Function>
   void for_each(const Function& f) const
   {
-    Intrinsic_triangulations::internal::for_each_in_chunks<Index>(m_concurrency, m_b, f);
+    Intrinsic_triangulations::for_each_in_chunks<Index>(m_concurrency, m_b, f);
   }
 
   // with a builder that serves for the faces of a chunk
   template <typename Function>
   void for_each_face(const Function& f)
   {
-    Intrinsic_triangulations::internal::for_each_chunk(
-      m_concurrency, m_b.num_faces(), [&](std::size_t begin, std::size_t end) {
-        Face_builder builder(*this);
-        for(std::size_t i = begin; i < end; ++i)
-          f(builder, Face_index(static_cast<size_type>(i)));
-      });
+    Intrinsic_triangulations::for_each_chunk(m_concurrency, m_b.num_faces(),
+                                             [&](std::size_t begin, std::size_t end) {
+                                               Face_builder builder(*this);
+                                               for(std::size_t i = begin; i < end; ++i)
+                                                 f(builder, Face_index(static_cast<size_type>(i)));
+                                             });
   }
 
   // Numbers what is inside faces, face by face, and returns the numbers of all elements.
@@ -105,7 +105,7 @@ private:
     for(auto& places : m_result.m_place)
       places.reserve(vertices);
     m_result.m_on_C.reserve(2 * edges);
-    Intrinsic_triangulations::internal::run_together(
+    Intrinsic_triangulations::run_together(
       m_concurrency,
       [&] {
         m_result.resize_parents(edges, faces);
@@ -167,7 +167,7 @@ private:
     return m_result.m_place[Base::index(layer)][v.idx()];
   }
 
-  Intrinsic_triangulations::internal::Concurrency m_concurrency;
+  Intrinsic_triangulations::Concurrency m_concurrency;
   const internal::Marked_edges<FT>& m_marks;
   const Intrinsic_triangulations::Edge_marks& m_numbers;
   const Delta_complex& m_b;

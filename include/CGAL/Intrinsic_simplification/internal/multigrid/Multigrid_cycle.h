@@ -8,7 +8,7 @@
 #include <CGAL/license/Intrinsic_simplification.h>
 
 #include <CGAL/Intrinsic_simplification/internal/multigrid/Matrix_components.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
+#include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/sparse_assembly.h>
 
 #include <Eigen/Dense>
@@ -98,7 +98,7 @@ private:
   }
 
   Matrix m_unknowns;
-  Intrinsic_triangulations::internal::Factorization<double> m_factorization;
+  Intrinsic_triangulations::Factorization<double> m_factorization;
 };
 
 // One V-cycle, an approximate inverse that is symmetric and positive definite where the matrix is.

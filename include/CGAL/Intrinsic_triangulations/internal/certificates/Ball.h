@@ -7,7 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Long_float.h>
 #include <CGAL/Intrinsic_triangulations/internal/input/number_kinds.h>
 

@@ -20,18 +20,20 @@ namespace CGAL::Intrinsic_triangulations {
 template <typename FT, typename Integer>
 class Euclidean_geometry_traits;
 
-namespace internal {
-
-// The exact metric of T1: positions of its vertices, or squared lengths in a field `K` with exact
-// signs (or of type `double`), or neither of them; then its lengths count as exact.
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// the exact metric of \f$T_1\f$: positions of its vertices, or squared lengths in a field `K` with
+/// exact signs (or of type `double`), or neither of them; then its lengths count as exact.
 template <typename K>
 struct Input_metric
 {
+  /// the type of squared lengths.
   typedef K Number;
 
-  std::vector<std::array<double, 3>> points;
-  std::vector<K> squared_lengths;
+  std::vector<std::array<double, 3>> points; ///< of the vertices, or empty
+  std::vector<K> squared_lengths;            ///< of the edges, or empty
 };
+
+namespace internal {
 
 // nothing, where the geometry is not Euclidean or the numbers of the traits are exact themselves
 struct No_metric

@@ -8,8 +8,8 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/internal/certificates/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_metric.h>
 
 #include <CGAL/Uncertain.h>

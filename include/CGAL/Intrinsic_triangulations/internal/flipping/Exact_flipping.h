@@ -7,13 +7,13 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certifier.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossings_on_demand.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
 
 #include <algorithm>
 #include <vector>

@@ -9,8 +9,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Distance_sources.h>
+#include <CGAL/Intrinsic_triangulations/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Factorization.h>
 #include <CGAL/Intrinsic_triangulations/internal/operators/Heat_flow.h>
 #include <CGAL/Intrinsic_triangulations/operators.h>
 #include <CGAL/Intrinsic_triangulations/poisson.h>

@@ -8,10 +8,10 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
+#include <CGAL/Intrinsic_triangulations/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/Edge_stack.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Circumcenter_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Narrow_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Refinement_queue.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/flipping/flip_to_shared.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_shared.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
 #include <CGAL/number_utils.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DOUBLE_DOUBLE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DOUBLE_DOUBLE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOUBLE_DOUBLE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DOUBLE_DOUBLE_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -128,13 +128,22 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// a number with twice the digits of `double`, and its exponents: the sum of two `double`. Relative
+/// errors of operations are at most \f$2^{-102}\f$.
+typedef Double_double Double_double;
+
+} // namespace CGAL::Intrinsic_triangulations
+
 // The digits for which every sum and product has a relative error of at most `epsilon()`, and the
 // range in which products of two roots lose none.
 template <>
-class std::numeric_limits<CGAL::Intrinsic_triangulations::internal::Double_double>
+class std::numeric_limits<CGAL::Intrinsic_triangulations::Double_double>
   : public std::numeric_limits<double>
 {
-  typedef CGAL::Intrinsic_triangulations::internal::Double_double Number;
+  typedef CGAL::Intrinsic_triangulations::Double_double Number;
 
 public:
   static constexpr bool is_iec559 = false;
@@ -147,4 +156,4 @@ public:
   static constexpr Number quiet_NaN() { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_DOUBLE_DOUBLE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOUBLE_DOUBLE_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_PRECISE_LENGTHS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_PRECISE_LENGTHS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_PRECISE_LENGTHS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_PRECISE_LENGTHS_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -19,31 +19,34 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
-// The lengths of straight edges of T2 on the exact surface of T1, in twice the digits of `double`.
+/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// computes the lengths of straight edges of \f$T_2\f$ on the exact surface of \f$T_1\f$, in twice
+/// the digits of `double`.
 template <typename Traits>
 class Precise_lengths
 {
   typedef Triangulation_pair<Traits> Pair;
   template <typename N>
   using Corners =
-    Rounded_corners<N, Input_metric_of<Traits>, decltype(std::declval<Pair>().input())>;
+    internal::Rounded_corners<N, typename Pair::Metric, decltype(std::declval<Pair>().input())>;
 
 public:
+  /// prepares for the lengths of `pair`, which is referred to.
   explicit Precise_lengths(const Pair& pair)
     : m_pair(pair),
       m_crossings(pair.coordinates(), pair.mesh(), pair.spokes()),
       m_corners(pair.input_metric(), pair.input())
   {}
 
-  // Returns the length of the edge of `h` with a relative error of at most 2^-90.
-  // \throws Numerical_error if `most_digits` do not suffice
+  /// returns the length of the edge of `h` with a relative error of at most \f$2^{-90}\f$.
+  /// \throws Numerical_error if 1024 bits do not suffice
   Double_double operator()(Halfedge_index h)
   {
     std::optional<Double_double> result = length(h, m_corners);
     if(!result) {
-      Corners<Long_float> corners(m_pair.input_metric(), m_pair.input());
+      Corners<internal::Long_float> corners(m_pair.input_metric(), m_pair.input());
       result = length(h, corners);
     }
     if(!result)
@@ -57,19 +60,21 @@ private:
   std::optional<Double_double> length(Halfedge_index h, Corners<N>& corners) const
   {
     const auto strip =
-      Development<Traits, Corners<N>>(m_pair, m_crossings, corners).uncrossed_strip(h);
-    const Ball<N> length = root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
+      internal::Development<Traits, Corners<N>>(m_pair, m_crossings, corners)
+        .uncrossed_strip(h);
+    const internal::Ball<N> length =
+      root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
     const double high = to_double(length.x);
-    if(!(length.radius <= precise_length_error() * high))
+    if(!(length.radius <= internal::precise_length_error() * high))
       return std::nullopt;
     return Double_double::exact_sum(high, to_double(N(length.x - N(high))));
   }
 
   const Pair& m_pair;
-  Input_crossings m_crossings;
+  internal::Input_crossings m_crossings;
   Corners<Double_double> m_corners;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CERTIFICATES_PRECISE_LENGTHS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_PRECISE_LENGTHS_H

@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_FACTORIZATION_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_FACTORIZATION_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FACTORIZATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FACTORIZATION_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/operators/Cholesky.h>
 
 #include <CGAL/number_utils.h>
 
@@ -17,12 +17,14 @@
 #include <memory>
 #include <string>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
-// An order of elimination: its k-th entry is the k-th row to go.
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// an order of elimination: its k-th entry is the k-th row to go.
 typedef Eigen::VectorXi Elimination_order;
 
-// Returns an order for all Hermitian matrices with this pattern that keeps their factors sparse.
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// returns an order for all Hermitian matrices with this pattern that keeps their factors sparse.
 template <typename Scalar>
 Elimination_order fill_reducing_order(const Eigen::SparseMatrix<Scalar>& matrix)
 {
@@ -31,19 +33,24 @@ Elimination_order fill_reducing_order(const Eigen::SparseMatrix<Scalar>& matrix)
   return Cholesky<Scalar>::fill_reducing_order(matrix);
 }
 
-// The factorization of a Hermitian positive definite matrix; real if `Scalar` is.
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// the factorization of a Hermitian positive definite matrix; real if `Scalar` is.
 template <typename Scalar>
 class Factorization
 {
 public:
+  /// the type of the matrix.
   typedef Eigen::SparseMatrix<Scalar> Matrix;
+  /// the type of right sides and solutions.
   typedef Eigen::Matrix<Scalar, Eigen::Dynamic, 1> Vector;
 
-  // `name` is what the error calls the matrix
+  /// factorizes `matrix`; `name` is what the error calls it.
+  /// \throws Numerical_error if it is not positive definite
   Factorization(const Matrix& matrix, const std::string& name)
     : Factorization(matrix, fill_reducing_order(matrix), name)
   {}
 
+  /// factorizes `matrix` in this order.
   Factorization(const Matrix& matrix, const Elimination_order& order, const std::string& name)
     : m_order(order)
   {
@@ -56,8 +63,10 @@ public:
       throw Numerical_error("the " + name + " has no factorization as a positive definite matrix");
   }
 
+  /// returns the order of elimination.
   const Elimination_order& order() const { return m_order.indices(); }
 
+  /// returns the solution. It may be called by several threads at once.
   Vector solve(const Vector& right_side) const
   {
     return m_cholesky ? Vector(m_order * m_cholesky->solve(m_order.inverse() * right_side))
@@ -78,6 +87,6 @@ private:
   std::unique_ptr<Cholesky<Scalar>> m_cholesky; // cannot be moved itself
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OPERATORS_FACTORIZATION_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FACTORIZATION_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_TO_SHARED_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_TO_SHARED_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_SHARED_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_SHARED_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -14,7 +14,9 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
 
 // Flips every edge that curve `k` in the corner of `spoke` crosses, so that the curve becomes an
 // edge. The halfedges that are turned are added to `flips`.
@@ -48,9 +50,13 @@ first_curve(Halfedge_index spoke, const Integer_coordinates<Integer>& coordinate
   return std::nullopt;
 }
 
-// Flips until the edges of T1 are shared for whose halfedges `is_wanted` holds (Algorithm 4). Flips
-// of one curve can bring another into a corner that has been dealt with; hence the repetition. That
-// it ends is proven by Mosher (1988). Returns the halfedges that have been turned, in order.
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// flips until the edges of \f$T_1\f$ are shared for whose halfedges `is_wanted` holds (Algorithm
+/// 4). Flips of one curve can bring another into a corner that has been dealt with; hence the
+/// repetition. That it ends is proven by Mosher (1988). Returns the halfedges that have been turned,
+/// in order.
 template <typename Integer, typename Is_wanted>
 std::vector<Halfedge_index> flip_to_share(Integer_coordinates<Integer>& coordinates,
                                           Delta_complex& mesh, const Vertex_spokes& spokes,
@@ -60,11 +66,13 @@ std::vector<Halfedge_index> flip_to_share(Integer_coordinates<Integer>& coordina
   for(std::size_t before = 1; before != flips.size();) {
     before = flips.size();
     for(Halfedge_index h : mesh.halfedges())
-      while(const auto k = first_curve(h, coordinates, mesh, spokes, is_wanted))
-        flip_along_curve(h, *k, coordinates, mesh, spokes, flips);
+      while(const auto k = internal::first_curve(h, coordinates, mesh, spokes, is_wanted))
+        internal::flip_along_curve(h, *k, coordinates, mesh, spokes, flips);
   }
   return flips;
 }
+
+namespace internal {
 
 // Flips until all edges are shared.
 template <typename Integer>
@@ -108,6 +116,8 @@ std::string curve_defect(const Integer_coordinates<Integer>& coordinates, const 
   return {};
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_FLIP_TO_SHARED_H
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_SHARED_H

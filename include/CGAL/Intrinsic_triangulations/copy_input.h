@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_COPY_INPUT_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_COPY_INPUT_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COPY_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_COPY_INPUT_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -18,7 +18,9 @@
 #include <iterator>
 #include <string>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
 
 // The numbers that the elements of a graph get in the Delta-complex: those of their order in the
 // ranges vertices(g), edges(g), faces(g); halfedge(e, g) is the first halfedge of its edge.
@@ -140,15 +142,23 @@ template <typename P>
 struct Is_surface_mesh<Surface_mesh<P>> : std::true_type
 {};
 
-// Calls `copy` with the numbering of `g`, after `mesh` has been given its size.
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// calls `copy(numbering)` with the indices that the elements of `g` have in an
+/// `Intrinsic_triangulation`: `numbering.vertex(v)`, `numbering.halfedge_of(h)` and
+/// `numbering.face(f)`.
+/// \tparam Graph a model of `FaceListGraph` and `HalfedgeListGraph`
 template <typename Graph, typename Copy>
 void with_numbering(const Graph& g, const Copy& copy)
 {
-  if constexpr(Is_surface_mesh<Graph>::value)
+  if constexpr(internal::Is_surface_mesh<Graph>::value)
     if(!g.has_garbage())
-      return copy(Surface_mesh_numbering());
-  copy(Input_numbering<Graph>(g));
+      return copy(internal::Surface_mesh_numbering());
+  copy(internal::Input_numbering<Graph>(g));
 }
+
+namespace internal {
 
 template <typename Range>
 Delta_complex::size_type size_of(const Range& range)
@@ -156,6 +166,8 @@ Delta_complex::size_type size_of(const Range& range)
   return static_cast<Delta_complex::size_type>(std::distance(range.begin(), range.end()));
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INPUT_COPY_INPUT_H
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_COPY_INPUT_H

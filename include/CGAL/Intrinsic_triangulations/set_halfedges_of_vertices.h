@@ -2,20 +2,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_SET_HALFEDGES_OF_VERTICES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_SET_HALFEDGES_OF_VERTICES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SET_HALFEDGES_OF_VERTICES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SET_HALFEDGES_OF_VERTICES_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/concurrency/for_each_in_chunks.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
 
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
-// Gives each vertex its halfedge, as set_halfedges_of_vertices(mesh) does: from either half of the
-// halfedges, the first one to a vertex or one at the border is noted.
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// gives each vertex its halfedge, as `set_halfedges_of_vertices(mesh)` does: from either half of the
+/// halfedges, the first one to a vertex or one at the border is noted.
 template <typename P>
 void set_halfedges_of_vertices(Surface_mesh<P>& mesh, Concurrency concurrency)
 {
@@ -41,6 +42,6 @@ void set_halfedges_of_vertices(Surface_mesh<P>& mesh, Concurrency concurrency)
   });
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_SET_HALFEDGES_OF_VERTICES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SET_HALFEDGES_OF_VERTICES_H

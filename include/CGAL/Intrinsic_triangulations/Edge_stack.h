@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_EDGE_STACK_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_EDGE_STACK_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EDGE_STACK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_STACK_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -16,18 +16,22 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
-// Edges that wait to be looked at, each at most once.
+/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// edges that wait to be looked at, each at most once.
 class Edge_stack
 {
 public:
+  /// prepares for edges with indices less than `number_of_edges`.
   explicit Edge_stack(std::size_t number_of_edges)
     : m_edges(number_of_edges + 1, boost::container::default_init), m_waits(number_of_edges, 0)
   {}
 
+  /// returns whether no edge waits.
   bool empty() const { return m_size == 0; }
 
+  /// adds `e` unless it waits already.
   void push(Edge_index e)
   {
     if(e.idx() >= m_waits.size()) {
@@ -37,8 +41,8 @@ public:
     push_if(true, e);
   }
 
-  // Branch-free: `is_wanted` is unpredictable, and mispredictions would dominate.
-  // \pre `e` is one of the edges that there were at first
+  /// adds `e` if `is_wanted`. Branch-free: it is unpredictable, and mispredictions would dominate.
+  /// \pre `e` is one of the edges that there were at first
   void push_if(bool is_wanted, Edge_index e)
   {
     const bool is_pushed = is_wanted & !m_waits[e.idx()];
@@ -47,6 +51,7 @@ public:
     m_waits[e.idx()] |= is_pushed;
   }
 
+  /// removes the edge that was added last, and returns it.
   Edge_index pop()
   {
     const Edge_index e(m_edges[--m_size]);
@@ -60,7 +65,8 @@ private:
   std::size_t m_size = 0;
 };
 
-// returns the four other edges of the two faces at `h`
+/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// returns the four other edges of the two faces at `h`.
 inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_complex& mesh)
 {
   const Halfedge_index o = opposite(h);
@@ -68,23 +74,28 @@ inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_comp
           mesh.edge(mesh.prev(o))};
 }
 
-// More flips than real data need: each edge is allowed a thousand, and a hundred million are for
-// small triangulations that are sheared far (a ring of n vertices takes n^2 flips for each turn).
+/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// returns more flips than real data need: each edge is allowed a thousand, and a hundred million are
+/// for small triangulations that are sheared far (a ring of \f$n\f$ vertices takes \f$n^2\f$ flips
+/// for each turn).
 inline std::size_t default_flip_limit(std::size_t number_of_edges)
 {
   return 100000000 + 1000 * number_of_edges;
 }
 
-// \throws Flip_limit_exceeded if no further flip is allowed
+/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// checks a number of flips.
+/// \throws Flip_limit_exceeded if no further flip is allowed
 inline void check_flip_limit(std::size_t flips, std::size_t number_of_edges)
 {
   if(flips >= default_flip_limit(number_of_edges))
     throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
 }
 
-// Flips edges, first those that wait in `stack`, then those around flipped ones, until `is_good(h)`
-// for all that can be flipped. `flip(h)` is to turn the edge of `h`. \throws Flip_limit_exceeded
-// if more flips are needed than `default_flip_limit()`
+/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// flips edges, first those that wait in `stack`, then those around flipped ones, until `is_good(h)`
+/// for all that can be flipped. `flip(h)` is to turn the edge of `h`.
+/// \throws Flip_limit_exceeded if more flips are needed than `default_flip_limit()`
 template <typename Is_good, typename Flip>
 void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& is_good,
                   const Flip& flip)
@@ -100,6 +111,6 @@ void flip_waiting(const Delta_complex& mesh, Edge_stack& stack, const Is_good& i
   }
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPPING_EDGE_STACK_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_STACK_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_FOR_EACH_IN_CHUNKS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_FOR_EACH_IN_CHUNKS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_FOR_EACH_IN_CHUNKS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_FOR_EACH_IN_CHUNKS_H
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
@@ -25,14 +25,17 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
-// Whether loops may use several threads.
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// says whether loops may use several threads.
 class Concurrency
 {
 public:
+  /// one thread.
   Concurrency() = default;
 
+  /// several threads if `Tag` is `CGAL::Parallel_tag`.
   template <typename Tag>
   explicit Concurrency(const Tag&) : m_is_parallel(std::is_convertible_v<Tag, Parallel_tag>)
   {
@@ -42,12 +45,15 @@ public:
 #endif
   }
 
+  /// returns whether several threads are used.
   bool is_parallel() const { return m_is_parallel; }
 
 private:
   bool m_is_parallel = false;
 };
 
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// returns what the named parameter `concurrency_tag` asks for.
 template <typename NamedParameters>
 Concurrency concurrency_of(const NamedParameters& np)
 {
@@ -57,12 +63,18 @@ Concurrency concurrency_of(const NamedParameters& np)
     choose_parameter(get_parameter(np, internal_np::concurrency_tag), Sequential_tag()));
 }
 
-// Chunks do not depend on the number of threads, and what is computed for one depends on no other.
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// the number of elements that a thread takes at once. Chunks do not depend on the number of threads,
+/// and what is computed for one depends on no other.
 constexpr std::size_t chunk_size = 1024;
 
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// returns the number of chunks of `n` elements.
 inline std::size_t number_of_chunks(std::size_t n) { return (n + chunk_size - 1) / chunk_size; }
 
 #ifdef CGAL_LINKED_WITH_TBB
+namespace internal {
+
 // The exception of the first chunk that throws one. Those before it have all been run.
 class First_exception
 {
@@ -96,11 +108,14 @@ private:
   std::mutex m_mutex;
   std::exception_ptr m_exception;
 };
+
+} // namespace internal
 #endif
 
-// Calls `f(begin, end)` for the chunks of 0, ..., n - 1, in any order and at the same time if
-// `concurrency` is parallel; otherwise one after the other. If calls throw, then the exception of
-// the first chunk comes out.
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// calls `f(begin, end)` for the chunks of 0, ..., n - 1, in any order and at the same time if
+/// `concurrency` is parallel; otherwise one after the other. If calls throw, then the exception of
+/// the first chunk comes out.
 template <typename Function>
 void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
 {
@@ -110,7 +125,7 @@ void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
   const std::size_t chunks = number_of_chunks(n);
 #ifdef CGAL_LINKED_WITH_TBB
   if(concurrency.is_parallel()) {
-    First_exception exception(chunks);
+    internal::First_exception exception(chunks);
     tbb::parallel_for(std::size_t(0), chunks,
                       [&](std::size_t chunk) { exception.run(chunk, [&] { run(chunk); }); });
     exception.rethrow();
@@ -122,15 +137,16 @@ void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
     run(chunk);
 }
 
-// Calls `f()` and `g()`, at the same time if `concurrency` is parallel; `g()` on the thread of the
-// caller. Large vectors should be allocated by that one: other threads get new pages from the
-// system.
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// calls `f()` and `g()`, at the same time if `concurrency` is parallel; `g()` on the thread of the
+/// caller. Large vectors should be allocated by that one: other threads get new pages from the
+/// system.
 template <typename F, typename G>
 void run_together(Concurrency concurrency, const F& f, const G& g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(concurrency.is_parallel()) {
-    First_exception exception(2);
+    internal::First_exception exception(2);
     tbb::task_group group;
     group.run([&] { exception.run(0, f); });
     exception.run(1, g);
@@ -143,6 +159,8 @@ void run_together(Concurrency concurrency, const F& f, const G& g)
   f();
   g();
 }
+
+namespace internal {
 
 template <typename Index, typename Mesh>
 std::size_t number_of_indices(const Mesh& mesh)
@@ -157,7 +175,10 @@ std::size_t number_of_indices(const Mesh& mesh)
     return mesh.num_faces();
 }
 
-// Calls `f(x)` for the elements x of a type of a mesh, chunk by chunk.
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// calls `f(x)` for the elements x of a type of a mesh, chunk by chunk.
 template <typename Index, typename Mesh, typename Function>
 void for_each_in_chunks(Concurrency concurrency, const Mesh& mesh, const Function& f)
 {
@@ -169,9 +190,9 @@ void for_each_in_chunks(Concurrency concurrency, const Mesh& mesh, const Functio
         f(x);
     }
   };
-  for_each_chunk(concurrency, number_of_indices<Index>(mesh), run);
+  for_each_chunk(concurrency, internal::number_of_indices<Index>(mesh), run);
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONCURRENCY_FOR_EACH_IN_CHUNKS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_FOR_EACH_IN_CHUNKS_H
