@@ -537,9 +537,8 @@ TEST(Flatten, bounded_surfaces_are_subdivided_before_the_layout)
   using Stage = DCM::Flattening_stage;
   Recording_visitor visitor;
   DCM::flatten(rough_disk(6), CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ(visitor.stages,
-            (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace, Stage::subdivide,
-                                Stage::layout}));
+  EXPECT_EQ(visitor.stages, (std::vector<Stage>{Stage::cones, Stage::optimize, Stage::trace,
+                                                Stage::subdivide, Stage::layout}));
 }
 
 // All stages share an order: there is one factorization for the cones, one for each step, and one

@@ -133,7 +133,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// a number with twice the digits of `double`, and its exponents: the sum of two `double`. Relative
 /// errors of operations are at most \f$2^{-102}\f$.
-typedef Double_double Double_double;
+typedef internal::Double_double Double_double;
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -10,8 +10,8 @@
 #include <CGAL/Discrete_conformal_maps/Delta_complex.h>
 #include <CGAL/Discrete_conformal_maps/Vertex_condition.h>
 #include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
-#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/topological_type.h>
 
 #include <Eigen/Core>
