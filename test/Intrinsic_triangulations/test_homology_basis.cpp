@@ -4,11 +4,15 @@
 
 #include "generators.h"
 
+#include <CGAL/Intrinsic_triangulations/Dijkstra_search.h>
 #include <CGAL/Intrinsic_triangulations/Edge_paths.h>
+#include <CGAL/Intrinsic_triangulations/Mesh_components.h>
+#include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
 #include <CGAL/Intrinsic_triangulations/homology_basis.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -129,6 +133,167 @@ void expect_basis(const std::vector<Halfedges>& loops, const Delta_complex& mesh
     EXPECT_TRUE(space.add(chain(loop)));
   }
 }
+
+// ---- Searches and trees ----
+
+// Shortest paths by Bellman and Ford add the same lengths in the same order.
+TEST(Dijkstra_search, against_relaxation)
+{
+  for(const Named_complex& c : complexes()) {
+    SCOPED_TRACE(c.name);
+    const auto lengths = random_lengths(c.mesh, 1);
+    const auto t = triangulation(c.mesh, lengths);
+    const Delta_complex& mesh = t.mesh();
+    IT::Dijkstra_search<Vertex_index, double> search(mesh.num_vertices());
+    for(Vertex_index root : {Vertex_index(0), Vertex_index(mesh.num_vertices() - 1)}) {
+      std::vector<double> distance(mesh.num_vertices(), 1e300);
+      distance[root.idx()] = 0;
+      for(std::size_t round = 0; round < mesh.num_vertices(); ++round)
+        for(Halfedge_index h : mesh.halfedges())
+          distance[mesh.target(h).idx()] =
+            (std::min)(distance[mesh.target(h).idx()],
+                       distance[mesh.source(h).idx()] + t.length(mesh.edge(h)));
+      search.restart();
+      search.reach(root, 0);
+      double last = 0;
+      std::size_t count = 0;
+      for(Vertex_index v = search.next(); v.is_valid(); v = search.next(), ++count) {
+        EXPECT_EQ(search.distance(v), distance[v.idx()]);
+        EXPECT_GE(search.distance(v), last);
+        EXPECT_TRUE(search.is_final(v));
+        last = search.distance(v);
+        if(v != root) {
+          const Halfedge_index h = search.entry(v);
+          EXPECT_EQ(mesh.target(h), v);
+          EXPECT_EQ(distance[mesh.source(h).idx()] + t.length(mesh.edge(h)), last);
+        }
+        IT::for_each_spoke(v, mesh, [&](Halfedge_index h) {
+          search.reach(mesh.target(h), distance[v.idx()] + t.length(mesh.edge(h)), h);
+        });
+      }
+      EXPECT_EQ(count, mesh.number_of_vertices());
+    }
+  }
+}
+
+TEST(Mesh_components, against_relaxation)
+{
+  Mesh m = embedded_torus(6, 5);
+  m.add_vertex(Point(9, 9, 9));
+  m += random_sphere(20, 3);
+  m.add_vertex(Point(8, 8, 8));
+  m += punctured(embedded_torus(5, 4), {7, 20});
+  const IT::Intrinsic_triangulation<> t(m);
+  const Delta_complex& mesh = t.mesh();
+  std::vector<std::size_t> first(mesh.num_vertices()); // the first vertex of each component
+  for(std::size_t v = 0; v < first.size(); ++v)
+    first[v] = v;
+  for(std::size_t round = 0; round < first.size(); ++round)
+    for(Halfedge_index h : mesh.halfedges())
+      first[mesh.target(h).idx()] =
+        (std::min)(first[mesh.target(h).idx()], first[mesh.source(h).idx()]);
+  const IT::Mesh_components components(mesh);
+  EXPECT_EQ(components.size(), 5u);
+  std::size_t next = 0;
+  for(std::size_t v = 0; v < first.size(); ++v)
+    EXPECT_EQ(components[v], first[v] == v ? next++ : components[first[v]]);
+}
+
+// Both trees have as many edges as they need and no cycle, and the other edges are twice the genus.
+void expect_trees(const IT::Tree_cotree& trees, const Delta_complex& mesh, std::size_t faces,
+                  std::size_t generators)
+{
+  EXPECT_EQ(trees.number_of_components(), 1u);
+  EXPECT_EQ(trees.steps().size(), faces);
+  EXPECT_EQ(trees.generators(0).size(), generators);
+  std::set<std::size_t> reached, joined;
+  for(const auto& step : trees.steps()) {
+    EXPECT_EQ(step.entry.is_valid(), !reached.empty());
+    if(step.entry.is_valid()) {
+      EXPECT_EQ(trees.face(step.entry), step.face);
+      EXPECT_EQ(reached.count(trees.face(mesh.opposite(step.entry)).idx()), 1u);
+      EXPECT_FALSE(trees.is_open(mesh.edge(step.entry)));
+      joined.insert(Edge_index(step.entry).idx());
+    }
+    EXPECT_TRUE(reached.insert(step.face.idx()).second);
+  }
+  std::size_t tree = 0, closed = 0;
+  std::vector<char> is_connected(mesh.num_vertices(), 0);
+  is_connected[mesh
+                 .target(mesh.halfedge(trees.generators(0).empty() ? *mesh.edges().begin()
+                                                                   : trees.generators(0).front()))
+                 .idx()] = 1;
+  for(Edge_index e : mesh.edges()) {
+    tree += trees.is_in_tree(e);
+    closed += !trees.is_open(e);
+    EXPECT_FALSE(trees.is_in_tree(e) && !trees.is_open(e));
+  }
+  EXPECT_EQ(closed, joined.size());
+  EXPECT_EQ(tree, mesh.number_of_vertices() - 1);
+  for(std::size_t round = 0; round < mesh.num_vertices(); ++round)
+    for(Halfedge_index h : mesh.halfedges())
+      if(trees.is_in_tree(mesh.edge(h)) && is_connected[mesh.source(h).idx()])
+        is_connected[mesh.target(h).idx()] = 1;
+  EXPECT_EQ(std::count(is_connected.begin(), is_connected.end(), 1),
+            std::ptrdiff_t(mesh.number_of_vertices()));
+}
+
+TEST(Tree_cotree, all_surfaces)
+{
+  for(const Named_complex& c : complexes()) {
+    SCOPED_TRACE(c.name);
+    const std::size_t borders = number_of_borders(c.mesh), faces = c.mesh.number_of_faces();
+    const std::size_t twice_genus = rank(c.mesh) + 1 - (std::max)(borders, std::size_t(1));
+    expect_trees(IT::Tree_cotree(c.mesh), c.mesh, faces + borders, twice_genus);
+    expect_trees(IT::Tree_cotree(c.mesh, IT::Boundary_loops::open), c.mesh,
+                 faces + (std::min)(borders, std::size_t(1)), rank(c.mesh));
+    if(borders > 0)
+      continue;
+    for(unsigned int seed = 0; seed < 3; ++seed) {
+      const auto t = triangulation(c.mesh, random_lengths(c.mesh, seed));
+      std::vector<double> lengths(c.mesh.num_edges());
+      for(Edge_index e : c.mesh.edges())
+        lengths[e.idx()] = t.length(e);
+      const IT::Tree_cotree trees(c.mesh, lengths);
+      expect_trees(trees, c.mesh, faces, twice_genus);
+      // each generator is crossed once in either direction
+      const Halfedges relation = trees.relation(0);
+      EXPECT_EQ(relation.size(), 2 * twice_genus);
+      EXPECT_EQ(std::set<Halfedge_index>(relation.begin(), relation.end()).size(), relation.size());
+    }
+  }
+}
+
+// Edges are closed until no vertex but a terminal has only one that is open.
+TEST(Cut_graph, ends_are_closed)
+{
+  for(const Named_complex& c : complexes()) {
+    SCOPED_TRACE(c.name);
+    std::vector<char> is_terminal(c.mesh.num_vertices(), 0);
+    is_terminal.front() = is_terminal.back() = 1;
+    IT::Tree_cotree trees(c.mesh);
+    trees.close_ends(is_terminal);
+    std::vector<int> count(c.mesh.num_vertices(), 0);
+    std::size_t seams = 0, open = 0;
+    for(Edge_index e : c.mesh.edges()) {
+      EXPECT_TRUE(trees.is_open(e) || !trees.is_seam(e));
+      seams += trees.is_seam(e);
+      open += trees.is_open(e);
+      for(unsigned int i : {0u, 1u})
+        count[c.mesh.vertex(e, i).idx()] += trees.is_seam(e);
+    }
+    std::size_t isolated = 0;
+    for(Vertex_index v : c.mesh.vertices()) {
+      EXPECT_FALSE(count[v.idx()] == 1 && !is_terminal[v.idx()]);
+      EXPECT_TRUE(count[v.idx()] > 0 || !is_terminal[v.idx()] || c.mesh.number_of_vertices() == 1);
+      isolated += count[v.idx()] == 0;
+    }
+    // what remains is connected and has the same cycles
+    EXPECT_EQ(open - seams, isolated - (isolated == c.mesh.number_of_vertices() ? 1 : 0));
+  }
+}
+
+// ---- Bases ----
 
 TEST(Homology_basis, all_surfaces)
 {

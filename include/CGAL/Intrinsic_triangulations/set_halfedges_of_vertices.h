@@ -15,13 +15,13 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// gives each vertex its halfedge, as `set_halfedges_of_vertices(mesh)` does: from either half of the
-/// halfedges, the first one to a vertex or one at the border is noted.
+/// gives each vertex its halfedge, as for one thread: from either half of the halfedges, the
+/// first one to a vertex or one at the border is noted.
 template <typename P>
 void set_halfedges_of_vertices(Surface_mesh<P>& mesh, Concurrency concurrency)
 {
   if(!concurrency.is_parallel())
-    return set_halfedges_of_vertices(mesh);
+    return internal::set_halfedges_of_vertices(mesh);
   typedef typename Surface_mesh<P>::size_type size_type;
   const size_type all = mesh.num_halfedges(), half = all / 2;
   const auto note = [&mesh](size_type begin, size_type end, std::vector<Halfedge_index>& noted) {
