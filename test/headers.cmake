@@ -9,7 +9,7 @@ file(GLOB_RECURSE headers CONFIGURE_DEPENDS
 list(FILTER headers EXCLUDE REGEX "/internal/")
 if(NOT Eigen_FOUND)
   list(FILTER headers EXCLUDE REGEX
-    "operators|Tufted_surface|laplacian|poisson|heat|Heat|geodesic_distances|function_transfer|Factorization|Sparse_assembly|Discrete|prolongation|Prolonged|Multigrid")
+    "operators|Tufted_surface|laplacian|poisson|heat|Heat|geodesic_distances|function_transfer|Factorization|Cholesky|sparse_assembly|Discrete|prolongation|Prolonged|Multigrid")
 endif()
 if(NOT Ceres_FOUND)
   list(FILTER headers EXCLUDE REGEX "Ceres")

@@ -28,14 +28,14 @@ constexpr bool is_for_CHOLMOD =
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// the factorization that all packages use for numbers of this type.
 template <typename Scalar>
 using Cholesky =
   std::conditional_t<internal::is_for_CHOLMOD<Scalar>, internal::Supernodal_Cholesky<Scalar>,
                      internal::Simplicial_Cholesky<Scalar>>;
 #else
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// the factorization that all packages use for numbers of this type.
 template <typename Scalar>
 using Cholesky = internal::Simplicial_Cholesky<Scalar>;

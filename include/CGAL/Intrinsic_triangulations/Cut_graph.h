@@ -13,7 +13,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsPaths
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// cuts a surface into disks: faces that are joined one after the other across edges, a tree for
 /// each disk. The edges that are not crossed are open.
 class Cut_graph

@@ -17,7 +17,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsPaths
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// runs Dijkstra's algorithm on the vertices of a surface along edges, or on its faces across edges,
 /// step by step: the caller says where each step leads, and when the search ends. A search costs no
 /// more than what it reaches. Of equally close vertices (faces), the one with the least index comes

@@ -137,6 +137,7 @@ typedef internal::Double_double Double_double;
 
 } // namespace CGAL::Intrinsic_triangulations
 
+/// \cond
 // The digits for which every sum and product has a relative error of at most `epsilon()`, and the
 // range in which products of two roots lose none.
 template <>
@@ -155,5 +156,6 @@ public:
   static constexpr Number infinity() { return std::numeric_limits<double>::infinity(); }
   static constexpr Number quiet_NaN() { return std::numeric_limits<double>::quiet_NaN(); }
 };
+/// \endcond
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DOUBLE_DOUBLE_H

@@ -18,7 +18,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// edges that wait to be looked at, each at most once.
 class Edge_stack
 {
@@ -65,7 +65,7 @@ private:
   std::size_t m_size = 0;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns the four other edges of the two faces at `h`.
 inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_complex& mesh)
 {
@@ -74,7 +74,7 @@ inline std::array<Edge_index, 4> edges_around(Halfedge_index h, const Delta_comp
           mesh.edge(mesh.prev(o))};
 }
 
-/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns more flips than real data need: each edge is allowed a thousand, and a hundred million are
 /// for small triangulations that are sheared far (a ring of \f$n\f$ vertices takes \f$n^2\f$ flips
 /// for each turn).
@@ -83,7 +83,7 @@ inline std::size_t default_flip_limit(std::size_t number_of_edges)
   return 100000000 + 1000 * number_of_edges;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// checks a number of flips.
 /// \throws Flip_limit_exceeded if no further flip is allowed
 inline void check_flip_limit(std::size_t flips, std::size_t number_of_edges)
@@ -92,7 +92,7 @@ inline void check_flip_limit(std::size_t flips, std::size_t number_of_edges)
     throw Flip_limit_exceeded("not Delaunay after as many flips as are allowed");
 }
 
-/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// flips edges, first those that wait in `stack`, then those around flipped ones, until `is_good(h)`
 /// for all that can be flipped. `flip(h)` is to turn the edge of `h`.
 /// \throws Flip_limit_exceeded if more flips are needed than `default_flip_limit()`

@@ -19,11 +19,11 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// an order of elimination: its k-th entry is the k-th row to go.
 typedef Eigen::VectorXi Elimination_order;
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns an order for all Hermitian matrices with this pattern that keeps their factors sparse.
 template <typename Scalar>
 Elimination_order fill_reducing_order(const Eigen::SparseMatrix<Scalar>& matrix)
@@ -33,7 +33,7 @@ Elimination_order fill_reducing_order(const Eigen::SparseMatrix<Scalar>& matrix)
   return Cholesky<Scalar>::fill_reducing_order(matrix);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// the factorization of a Hermitian positive definite matrix; real if `Scalar` is.
 template <typename Scalar>
 class Factorization

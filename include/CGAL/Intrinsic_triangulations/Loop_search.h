@@ -12,13 +12,12 @@
 #include <CGAL/Intrinsic_triangulations/Loop_signatures.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
 #include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
-#include <CGAL/Intrinsic_triangulations/internal/topology/tree_loop.h>
 
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsPaths
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// searches from one vertex after the other for loops along edges that do not bound.
 ///
 /// A loop that does not bound has an edge whose number, see `Loop_signatures`, is not zero. Searches

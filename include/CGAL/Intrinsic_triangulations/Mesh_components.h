@@ -17,7 +17,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsSurfaces
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// numbers the connected components of a surface in the order of their first vertices. An isolated
 /// (or removed) vertex is a component of its own.
 class Mesh_components

@@ -21,7 +21,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsCertificates
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// computes the lengths of straight edges of \f$T_2\f$ on the exact surface of \f$T_1\f$, in twice
 /// the digits of `double`.
 template <typename Traits>

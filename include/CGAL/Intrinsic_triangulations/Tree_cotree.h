@@ -22,7 +22,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsPaths
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// says whether loops around boundary components bound.
 enum class Boundary_loops
 {
@@ -30,7 +30,7 @@ enum class Boundary_loops
   open    ///< the boundary components of one component of the surface are one face together
 };
 
-/// \ingroup PkgIntrinsicTriangulationsPaths
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// cuts each component of a surface into one disk: the faces are joined along shortest ways from a
 /// first face. Among the edges that are open then is a tree with all vertices; the others are the
 /// generators, two for each handle. Those with the shortest loops through the first face are chosen

@@ -144,7 +144,7 @@ struct Is_surface_mesh<Surface_mesh<P>> : std::true_type
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// calls `copy(numbering)` with the indices that the elements of `g` have in an
 /// `Intrinsic_triangulation`: `numbering.vertex(v)`, `numbering.halfedge_of(h)` and
 /// `numbering.face(f)`.

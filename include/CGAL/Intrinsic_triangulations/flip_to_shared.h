@@ -52,7 +52,7 @@ first_curve(Halfedge_index spoke, const Integer_coordinates<Integer>& coordinate
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsDelaunay
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// flips until the edges of \f$T_1\f$ are shared for whose halfedges `is_wanted` holds (Algorithm
 /// 4). Flips of one curve can bring another into a corner that has been dealt with; hence the
 /// repetition. That it ends is proven by Mosher (1988). Returns the halfedges that have been turned,

@@ -27,7 +27,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// says whether loops may use several threads.
 class Concurrency
 {
@@ -52,7 +52,7 @@ private:
   bool m_is_parallel = false;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns what the named parameter `concurrency_tag` asks for.
 template <typename NamedParameters>
 Concurrency concurrency_of(const NamedParameters& np)
@@ -63,12 +63,12 @@ Concurrency concurrency_of(const NamedParameters& np)
     choose_parameter(get_parameter(np, internal_np::concurrency_tag), Sequential_tag()));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// the number of elements that a thread takes at once. Chunks do not depend on the number of threads,
 /// and what is computed for one depends on no other.
 constexpr std::size_t chunk_size = 1024;
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns the number of chunks of `n` elements.
 inline std::size_t number_of_chunks(std::size_t n) { return (n + chunk_size - 1) / chunk_size; }
 
@@ -112,7 +112,7 @@ private:
 } // namespace internal
 #endif
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// calls `f(begin, end)` for the chunks of 0, ..., n - 1, in any order and at the same time if
 /// `concurrency` is parallel; otherwise one after the other. If calls throw, then the exception of
 /// the first chunk comes out.
@@ -137,7 +137,7 @@ void for_each_chunk(Concurrency concurrency, std::size_t n, const Function& f)
     run(chunk);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// calls `f()` and `g()`, at the same time if `concurrency` is parallel; `g()` on the thread of the
 /// caller. Large vectors should be allocated by that one: other threads get new pages from the
 /// system.
@@ -177,7 +177,7 @@ std::size_t number_of_indices(const Mesh& mesh)
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// calls `f(x)` for the elements x of a type of a mesh, chunk by chunk.
 template <typename Index, typename Mesh, typename Function>
 void for_each_in_chunks(Concurrency concurrency, const Mesh& mesh, const Function& f)

@@ -14,7 +14,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsRef
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// gives each vertex its halfedge, as for one thread: from either half of the halfedges, the
 /// first one to a vertex or one at the border is noted.
 template <typename P>

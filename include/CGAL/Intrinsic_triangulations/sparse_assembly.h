@@ -18,7 +18,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// the entries of a row or a column of a sparse matrix: indices and values. Values at one index add
 /// up.
 template <typename Scalar>
@@ -43,7 +43,7 @@ void combine(Indexed_entries<Scalar>& entries)
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// makes `matrix` the one whose row, or whose column if it is stored by columns, with index i has
 /// the entries that `collect(i, entries)` adds, in any order, to `Indexed_entries`. Rows are
 /// collected in chunks, at the same time if `concurrency` is parallel.
@@ -80,7 +80,7 @@ void assemble(Concurrency concurrency, std::size_t rows, std::size_t columns,
   });
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns the matrix of type `Matrix` whose rows or columns are collected so, one after the other.
 template <typename Matrix, typename Collect>
 Matrix assembled(std::size_t rows, std::size_t columns, const Collect& collect)
@@ -90,7 +90,7 @@ Matrix assembled(std::size_t rows, std::size_t columns, const Collect& collect)
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns the matrix that places values at the indices `selected` among `size` values.
 template <typename Scalar>
 Eigen::SparseMatrix<Scalar> selection_matrix(std::size_t size,
@@ -102,7 +102,7 @@ Eigen::SparseMatrix<Scalar> selection_matrix(std::size_t size,
     });
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \ingroup PkgIntrinsicTriangulationsBlocks
 /// returns the matrix with these entries, in any order; entries at one place add up.
 template <typename Scalar>
 Eigen::SparseMatrix<Scalar> matrix_of(const std::vector<Eigen::Triplet<Scalar>>& entries,
