@@ -10,17 +10,17 @@ include(CheckCXXSourceCompiles)
 include(CMakePushCheckState)
 
 # Eigen includes <cholmod.h>
-find_path(SuiteSparse_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
-mark_as_advanced(SuiteSparse_INCLUDE_DIR CHOLMOD_LIBRARY)
-if(SuiteSparse_INCLUDE_DIR AND CHOLMOD_LIBRARY)
+mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY)
+if(CHOLMOD_INCLUDE_DIR AND CHOLMOD_LIBRARY)
   set(SuiteSparse_FOUND TRUE)
   if(NOT TARGET CGAL_intrinsic_triangulations::CHOLMOD)
     add_library(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE IMPORTED GLOBAL)
     target_link_libraries(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE
       CGAL_intrinsic_triangulations::Intrinsic_triangulations ${CHOLMOD_LIBRARY})
     target_include_directories(CGAL_intrinsic_triangulations::CHOLMOD SYSTEM INTERFACE
-      ${SuiteSparse_INCLUDE_DIR})
+      ${CHOLMOD_INCLUDE_DIR})
     target_compile_definitions(CGAL_intrinsic_triangulations::CHOLMOD INTERFACE
       CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD)
     # the threads of CHOLMOD, which are held back, are those of the OpenMP of g++

@@ -17,7 +17,7 @@ target_compile_options(unit_test_dependencies INTERFACE -UNDEBUG $<$<CONFIG:Rele
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # ccache can only cache precompiled headers with it
 if(SuiteSparse_FOUND)
   # Both factorizations are tested, but only one can be that of the algorithms.
-  target_include_directories(unit_test_dependencies SYSTEM INTERFACE ${SuiteSparse_INCLUDE_DIR})
+  target_include_directories(unit_test_dependencies SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
   target_link_libraries(unit_test_dependencies INTERFACE ${CHOLMOD_LIBRARY})
   target_compile_definitions(unit_test_dependencies INTERFACE TEST_SUPERNODAL_CHOLESKY)
 endif()
