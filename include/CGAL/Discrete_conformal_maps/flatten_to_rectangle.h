@@ -7,7 +7,8 @@
 
 #include <CGAL/license/Discrete_conformal_maps.h>
 
-#include <CGAL/Discrete_conformal_maps/flatten.h>
+#include <CGAL/Discrete_conformal_maps/internal/maps/Flattening.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/vertex_conditions.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Boundary_loop.h>
 #include <CGAL/Discrete_conformal_maps/internal/shapes/Corner_choice.h>
 #include <CGAL/Discrete_conformal_maps/internal/verification/Boundary_image.h>

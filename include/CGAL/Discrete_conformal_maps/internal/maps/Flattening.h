@@ -1,0 +1,363 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_FLATTENING_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_FLATTENING_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Layout.h>
+#include <CGAL/Discrete_conformal_maps/Newton_minimizer.h>
+#include <CGAL/Discrete_conformal_maps/Planar_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Chart_packing.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Flat_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Flat_scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/shapes/flat_boundary_lengths.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/planar_errors.h>
+#include <CGAL/Discrete_conformal_maps/named_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+// The steps from a doubled problem to a map.
+template <typename Visitor>
+class Flattening
+{
+public:
+  Flattening(Doubled_problem& problem, std::size_t number_of_front_faces, Visitor& visitor)
+    : m_problem(problem),
+      m_visitor(visitor),
+      m_scale(problem),
+      m_builder(problem, number_of_front_faces, m_map)
+  {}
+
+  // by the vertices of the input
+  void start_from(const std::vector<double>& log_scale) { m_scale.start_from(log_scale); }
+
+  // Cones are placed for a finite `bound` of scale factors, at the first call before the others.
+  template <typename Minimizer>
+  void find_scale_factors(const Minimizer& minimizer, double bound)
+  {
+    m_visitor.start(Flattening_stage::cones);
+    const bool is_bounded = bound < std::numeric_limits<double>::infinity();
+    if(is_bounded && !std::exchange(m_has_placed_cones, true))
+      m_scale.place_cones(bound);
+    m_problem.check();
+    m_visitor.start(Flattening_stage::optimize);
+    do
+      m_scale.minimize(m_scale.ending_beyond(bound, minimizer), tolerance::curvature, m_visitor);
+    while(is_bounded && m_scale.status() != Map_status::not_converged &&
+          m_scale.add_cone_if_beyond(bound));
+    m_map.m_cones = m_scale.cones();
+  }
+
+  // whether there are scale factors
+  bool has_succeeded() const { return m_scale.status() == Map_status::success; }
+
+  // Notes that no more scale factors can be found.
+  void stop(const Intrinsic_triangulations::Numerical_error& error)
+  {
+    m_scale.stop();
+    m_builder.set_cause(error.what());
+  }
+
+  // the lengths in the plane of the edges on the boundary of the surface
+  std::vector<double> boundary_lengths()
+  {
+    return flat_boundary_lengths(m_problem, m_scale.values());
+  }
+
+  // `shape` has what else is promised about the image of the boundary
+  template <typename Shape>
+  Planar_conformal_map finish(Layout layout, const Shape& shape)
+  {
+    m_layout = layout;
+    m_map.m_has_layout = m_builder.flip_if_in_range(m_scale) && m_scale.has_layout();
+    if(m_map.m_has_layout)
+      find_cut_edges();
+    lay_out();
+    std::vector<Map_promise> promises = m_errors.promises(m_map.m_has_layout);
+    if(m_problem.has_precise_lengths())
+      promises.push_back({"rounded_curvature", m_rounded_error, tolerance::promised_rounded_angle,
+                          Map_status::wrong_curvature});
+    m_problem.drop_surface();
+    m_builder.subdivide(m_visitor);
+    if(m_map.m_has_layout) {
+      arrange_charts();
+      for(const auto& part : {planar_promises(m_map), shape.promises(m_map, whole_charts())})
+        promises.insert(promises.end(), part.begin(), part.end());
+    }
+    m_builder.judge(greater_error(m_errors.greatest(), m_rounded_error), std::move(promises));
+    return std::move(m_map);
+  }
+
+private:
+  const Delta_complex& mesh() const { return m_builder.mesh(); }
+
+  void lay_out()
+  {
+    m_visitor.start(Flattening_stage::layout);
+    if(m_map.m_has_layout)
+      try {
+        lay_out_in_plane();
+      } catch(const Intrinsic_triangulations::Numerical_error& e) {
+        m_builder.set_cause(e.what());
+        m_map.m_has_layout = false;
+      }
+    const auto is_finite = [](const std::complex<double>& z) {
+      return std::isfinite(z.real()) && std::isfinite(z.imag());
+    };
+    if(!m_map.m_has_layout ||
+       !std::all_of(m_map.m_position.begin(), m_map.m_position.end(), is_finite))
+      leave_out();
+  }
+
+  // On a doubled surface, only edges of T^C with a part inside the input are passed, which the
+  // subdivision tells.
+  void find_cut_edges()
+  {
+    m_is_cut_edge.assign(mesh().num_edges(), m_problem.has_no_copies() ? 0 : 1);
+    m_map.m_is_laid_out.assign(mesh().num_faces(), m_problem.has_no_copies() ? 1 : 0);
+    if(m_problem.has_no_copies())
+      return;
+    m_builder.subdivide(m_visitor);
+    const auto& subdivision = m_map.subdivision();
+    for(Edge_index e : subdivision.mesh().edges())
+      if(const Edge_index c = subdivision.parent_edge(Layer::C, e); c.is_valid())
+        if(m_map.is_front(subdivision.mesh().halfedge(e)) &&
+           m_map.is_front(subdivision.mesh().opposite(subdivision.mesh().halfedge(e))))
+          m_is_cut_edge[c.idx()] = 0;
+    for(Face_index f : subdivision.mesh().faces())
+      if(m_map.is_front(subdivision.parent_face(Layer::A, f)))
+        m_map.m_is_laid_out[subdivision.parent_face(Layer::C, f).idx()] = 1;
+  }
+
+  // the vertices around which faces do not close up: those with prescribed values, and ends of
+  // cut edges
+  std::vector<char> terminals() const
+  {
+    std::vector<char> result = m_problem.expanded(m_problem.is_fixed());
+    const auto target = m_problem.expanded(m_problem.target_defect());
+    for(Vertex_index v : mesh().vertices())
+      result[v.idx()] =
+        !mesh().is_isolated(v) && (result[v.idx()] || target[Eigen::Index(v.idx())] != 0);
+    for(Edge_index e : mesh().edges())
+      if(m_is_cut_edge[e.idx()])
+        result[mesh().vertex(e, 0).idx()] = result[mesh().vertex(e, 1).idx()] = 1;
+    return result;
+  }
+
+  std::size_t component(Face_index f) const
+  {
+    return m_problem.component(mesh().target(mesh().halfedge(f)));
+  }
+
+  // What is to be added to the scale factors of the surface: nothing, or where none are prescribed,
+  // what keeps the area of the component.
+  std::vector<double> area_correction() const
+  {
+    const std::vector<double> flat =
+      m_problem.areas(mesh(), [&](Halfedge_index h) { return m_builder.scaled_length(h); });
+    const std::vector<double> curved =
+      m_problem.areas(m_map.Delaunay().mesh(),
+                      [&](Halfedge_index h) { return m_map.Delaunay().length(Edge_index(h)); });
+    const std::vector<std::size_t> fixed = m_problem.number_of_fixed();
+    std::vector<double> result(m_problem.size(), 0);
+    for(std::size_t v = 0; v < result.size(); ++v)
+      if(const std::size_t c = m_problem.components()[v]; fixed[c] == 0)
+        result[v] = std::log(curved[c] / flat[c]) / 2;
+    return result;
+  }
+
+  // for each component, whether its chart is not cut, as it is by cones and handles
+  std::vector<char> whole_charts() const
+  {
+    std::vector<char> result(m_problem.components().size(), 1);
+    for(Edge_index e : mesh().edges()) {
+      const Halfedge_index h = mesh().halfedge(e);
+      if(m_map.is_seam(e) && !m_is_cut_edge[e.idx()] && m_map.is_laid_out(mesh().face(h)) &&
+         m_map.is_laid_out(mesh().face(mesh().opposite(h))))
+        result[component(mesh().face(h))] = 0;
+    }
+    return result;
+  }
+
+  void leave_out()
+  {
+    m_map.m_has_layout = false;
+    m_map.m_is_laid_out.assign(mesh().num_faces(), 0);
+    m_map.m_position.assign(mesh().num_halfedges(), 0);
+    m_map.m_is_seam.assign(mesh().num_edges(), 1);
+  }
+
+  // In more digits, if those of `double` do not give the curvatures that are promised.
+  void lay_out_in_plane()
+  {
+    const std::vector<double> correction = area_correction();
+    m_builder.add_to_scale_factors(correction);
+    if(m_scale.is_extended())
+      return lay_out(measured(m_scale.extended_values(), correction));
+    const std::vector<double> u(m_scale.values().begin(), m_scale.values().end());
+    const std::vector<double> length = measured(u, correction);
+    if(m_errors.greatest() <= tolerance::promised_angle)
+      return lay_out(length);
+    lay_out(measured(std::vector<Extended>(u.begin(), u.end()), correction));
+  }
+
+  // Returns the lengths of the edges of T^C, after their angles have been measured.
+  template <typename FT>
+  std::vector<FT> measured(std::vector<FT> u, const std::vector<double>& correction)
+  {
+    for(std::size_t v = 0; v < u.size(); ++v)
+      u[v] += FT(correction[v]);
+    std::vector<FT> result = m_builder.scaled_lengths(u);
+    m_errors = defect_errors<Flat_triangle<FT>>(m_problem, mesh(), result);
+    if(m_problem.has_precise_lengths())
+      m_rounded_error = rounded_curvature_error();
+    return result;
+  }
+
+  template <typename FT>
+  void lay_out(const std::vector<FT>& exact)
+  {
+    std::vector<double> length(mesh().num_edges());
+    for(Edge_index e : mesh().edges())
+      length[e.idx()] = m_builder.scaled_length(Halfedge_index(2 * e.idx()));
+    const Cut_graph cut =
+      cut_to_pieces(mesh(), length, m_is_cut_edge, m_map.m_is_laid_out, terminals());
+    const Flat_layout<FT> layout(mesh(), exact, cut, *m_problem.expanded_order(), m_layout);
+    m_map.m_position.reserve(mesh().num_halfedges());
+    for(Halfedge_index h : mesh().halfedges())
+      m_map.m_position.push_back(layout.position(h));
+    m_map.m_is_seam.reserve(mesh().num_edges());
+    for(Edge_index e : mesh().edges())
+      m_map.m_is_seam.push_back(cut.is_seam(e));
+  }
+
+  // Returns the greatest error of a curvature on the exact surface, with the scale factors as the
+  // map has them, in `double`.
+  double rounded_curvature_error() const
+  {
+    const auto& u = m_builder.log_scale();
+    return defect_errors<Flat_triangle<Extended>>(
+             m_problem, mesh(),
+             m_builder.scaled_lengths(
+               std::vector<Extended>(u.begin(), u.begin() + std::ptrdiff_t(m_problem.size()))))
+      .greatest();
+  }
+
+  // The charts of different components side by side. What lies beyond the boundary does not count.
+  void arrange_charts()
+  {
+    const auto& subdivision = m_map.subdivision();
+    std::vector<Hull_points> points(m_problem.components().size());
+    for(Halfedge_index h : subdivision.mesh().halfedges()) {
+      if(!m_map.is_front(h))
+        continue;
+      const Face_index f = subdivision.mesh().face(h);
+      const auto z = m_map.homogeneous_coordinates(subdivision.location(Layer::C, h));
+      points[component(subdivision.parent_face(Layer::C, f))].add({z[0] / z[2], z[1] / z[2]});
+    }
+    const Chart_packing packing(points);
+    for(Halfedge_index h : mesh().halfedges())
+      if(!mesh().is_border(h))
+        m_map.m_position[h.idx()] =
+          packing.motion(component(mesh().face(h)))(m_map.m_position[h.idx()]);
+  }
+
+  Doubled_problem& m_problem;
+  Visitor& m_visitor;
+  Flat_scale_factors m_scale;
+  Planar_conformal_map m_map;
+  Map_builder m_builder;
+  bool m_has_placed_cones = false;
+  std::vector<char> m_is_cut_edge;                  // edges of T^C that are not passed
+  Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
+  double m_rounded_error = 0;                       // on the exact surface, if it is measured
+  Layout m_layout = Layout::least_squares;
+};
+
+// those to start from
+template <typename Graph, typename NamedParameters>
+std::vector<double> initial_log_scales(const Graph& g, const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  std::vector<double> result;
+  for([[maybe_unused]] auto v : vertices(g))
+    if constexpr(CGAL::parameters::is_default_parameter<
+                   NamedParameters, internal_np::initial_log_scale_map_t>::value)
+      result.push_back(0);
+    else
+      result.push_back(get(get_parameter(np, internal_np::initial_log_scale_map), v));
+  return result;
+}
+
+// The boundary of a surface that has no prescribed shape.
+struct Free_shape
+{
+  // Calls `find()`, which finds the scale factors, until the problem is what it should be.
+  template <typename Flattening, typename Find>
+  void solve(Doubled_problem& /* problem */, Flattening& /* flattening */, const Find& find)
+  {
+    find();
+  }
+
+  // What else is promised about a map, by components whose charts are whole.
+  std::vector<Map_promise> promises(const Planar_conformal_map& /* map */,
+                                    const std::vector<char>& /* is_whole */) const
+  {
+    return {};
+  }
+};
+
+// Does what `flatten()` documents, for conditions and scale factors to start from by vertices.
+// Cones are placed if the bound of scale factors, `default_bound` if `np` has none, is finite.
+template <typename NamedParameters, typename Shape>
+Planar_conformal_map flattened(Intrinsic_triangulations::Intrinsic_triangulation<> input,
+                               const std::vector<Vertex_condition>& conditions,
+                               const std::vector<double>& log_scale, double default_bound,
+                               const NamedParameters& np, Shape shape)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  Default_flattening_visitor silent;
+  auto&& visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), silent);
+  Doubled_problem problem(
+    std::move(input), conditions,
+    choose_parameter(get_parameter(np, internal_np::flipping), Flipping::to_Delaunay),
+    choose_parameter(get_parameter(np, internal_np::exact_decisions), false));
+  problem.set_concurrency(Intrinsic_triangulations::concurrency_of(np));
+  Flattening<std::remove_reference_t<decltype(visitor)>> flattening(
+    problem, problem.surface().num_faces(), visitor);
+  flattening.start_from(log_scale);
+  try {
+    shape.solve(problem, flattening, [&] {
+      flattening.find_scale_factors(
+        choose_parameter(get_parameter(np, internal_np::minimizer), Newton_minimizer()),
+        double(choose_parameter(get_parameter(np, internal_np::maximum_log_scale), default_bound)));
+    });
+  } catch(const Intrinsic_triangulations::Numerical_error& e) {
+    flattening.stop(e);
+  }
+  return flattening.finish(
+    choose_parameter(get_parameter(np, internal_np::layout), Layout::least_squares), shape);
+}
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_FLATTENING_H

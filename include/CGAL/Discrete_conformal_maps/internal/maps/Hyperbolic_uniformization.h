@@ -1,0 +1,350 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_HYPERBOLIC_UNIFORMIZATION_H
+#define CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_HYPERBOLIC_UNIFORMIZATION_H
+
+#include <CGAL/license/Discrete_conformal_maps.h>
+
+#include <CGAL/Discrete_conformal_maps/Flattening_visitor.h>
+#include <CGAL/Discrete_conformal_maps/Hyperbolic_conformal_map.h>
+#include <CGAL/Discrete_conformal_maps/internal/layout/Hyperbolic_layout.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Hyperbolic_triangle.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Map_builder.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/More_extended.h>
+#include <CGAL/Discrete_conformal_maps/internal/scale_factors/Scale_factors.h>
+#include <CGAL/Discrete_conformal_maps/internal/tolerances.h>
+#include <CGAL/Discrete_conformal_maps/internal/verification/defect_errors.h>
+#include <CGAL/Intrinsic_triangulations/Tree_cotree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Discrete_conformal_maps::internal {
+
+using Intrinsic_triangulations::Tree_cotree;
+
+// Scale factors, the same for all vertices of a component, with which small hyperbolic triangles
+// would have the area that a component must have by Gauss and Bonnet.
+inline Eigen::VectorXd hyperbolic_start(const Doubled_problem& problem)
+{
+  const auto& t = problem.triangulation();
+  const std::vector<double> target = problem.curvature_excess(),
+                            area = problem.areas(
+                              t.mesh(), [&](Halfedge_index h) { return t.length(Edge_index(h)); });
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(problem.size()));
+  for(std::size_t v = 0; v < problem.size(); ++v)
+    // a length l = sinh(x/2) is half of x
+    if(const std::size_t c = problem.components()[v]; target[c] > 0 && area[c] > 0)
+      result[Eigen::Index(v)] = std::log(target[c] / (4 * area[c])) / 2;
+  return result;
+}
+
+// The steps from a doubled problem to a map, whose group is that of the whole double.
+template <typename Visitor>
+class Hyperbolic_uniformization
+{
+public:
+  Hyperbolic_uniformization(Doubled_problem& problem, std::size_t number_of_front_faces,
+                            Visitor& visitor)
+    : m_problem(problem),
+      m_visitor(visitor),
+      m_scale(problem, hyperbolic_start(problem)),
+      m_builder(problem, number_of_front_faces, m_map)
+  {}
+
+  template <typename Minimizer>
+  void find_scale_factors(const Minimizer& minimizer)
+  {
+    m_visitor.start(Flattening_stage::optimize);
+    try {
+      m_scale.minimize(minimizer, tolerance::curvature, m_visitor);
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_scale.stop();
+      m_builder.set_cause(e.what());
+    }
+  }
+
+  Hyperbolic_conformal_map finish()
+  {
+    m_problem.complete();
+    m_map.m_is_laid_out = m_builder.flip_if_in_range(m_scale);
+    m_visitor.start(Flattening_stage::layout);
+    if(m_map.m_is_laid_out)
+      m_map.m_is_laid_out = lay_out_or_fail();
+    if(!m_map.m_is_laid_out)
+      leave_out();
+    m_builder.subdivide(m_visitor);
+    m_builder.judge(m_errors.greatest(), promises());
+    return std::move(m_map);
+  }
+
+private:
+  const Delta_complex& mesh() const { return m_builder.mesh(); }
+
+  bool lay_out_or_fail()
+  {
+    try {
+      lay_out();
+      return true;
+    } catch(const Intrinsic_triangulations::Numerical_error& e) {
+      m_builder.set_cause(e.what());
+      return false;
+    }
+  }
+
+  void leave_out()
+  {
+    m_map.m_component.assign(mesh().num_faces(), 0);
+    m_map.m_groups.clear();
+    m_map.m_position.assign(mesh().num_halfedges(), {0, 0, 1});
+    m_map.m_seam.assign(mesh().num_edges(), Hyperbolic_conformal_map::no_seam);
+  }
+
+  // what was measured in the precision of the layout
+  std::vector<Map_promise> promises() const
+  {
+    std::vector<Map_promise> result = m_errors.promises(m_map.m_is_laid_out);
+    if(!m_map.m_is_laid_out)
+      return result;
+    double relation = 0;
+    for(const Fuchsian_group& group : m_map.m_groups)
+      relation =
+        greater_error(relation, group.precise_generators.empty() ? group.relation_error
+                                                                 : group.precise_relation_error);
+    result.push_back(
+      {"closing", m_map.max_gluing_error(), tolerance::gluing, Map_status::not_glued});
+    result.push_back({"generators", relation, tolerance::gluing, Map_status::not_glued});
+    return result;
+  }
+
+  // Errors grow exponentially with the distance from the origin, but shrink with the rounding unit.
+  void lay_out()
+  {
+    note_cones();
+    double error = 1;
+    if(!m_scale.is_extended())
+      error = lay_out(m_builder.scaled_lengths(
+        std::vector<double>(m_scale.values().begin(), m_scale.values().end())));
+    if(error > tolerance::gluing && tolerance::extended_gain * error <= tolerance::gluing)
+      error = lay_out_with_more_digits<Extended>();
+    if(!(error <= tolerance::gluing))
+      lay_out_with_more_digits<More_extended>();
+  }
+
+  void note_cones()
+  {
+    m_is_cone = m_problem.expanded(m_problem.is_fixed());
+    const auto target = m_problem.expanded(m_problem.target_defect());
+    for(std::size_t v = 0; v < m_is_cone.size(); ++v)
+      m_is_cone[v] |= target[Eigen::Index(v)] != 0;
+  }
+
+  // What is Delaunay with rounded scale factors has another metric with precise ones.
+  template <typename FT>
+  double lay_out_with_more_digits()
+  {
+    const std::vector<FT> u = m_scale.template refine<FT>(m_map.Delaunay(), m_visitor);
+    m_builder.set_scale_factors(m_scale);
+    return lay_out(m_builder.flip_again(u));
+  }
+
+  void set_components(const Tree_cotree& cut)
+  {
+    m_map.m_component.clear();
+    for(Face_index f : mesh().faces())
+      m_map.m_component.push_back(cut.component(f));
+    m_map.m_groups.assign(cut.number_of_components(), Fuchsian_group());
+    for(std::size_t c = 0; c < m_map.m_groups.size(); ++c)
+      m_map.m_groups[c].genus = cut.generators(c).size() / 2;
+    const auto topology = m_problem.topology();
+    m_map.m_topology.resize(m_map.m_groups.size());
+    for(Face_index f : mesh().faces())
+      m_map.m_topology[m_map.component(f)] =
+        topology[m_problem.component(mesh().target(mesh().halfedge(f)))];
+    m_has_cone.assign(m_map.m_groups.size(), 0);
+    for(Halfedge_index h : mesh().halfedges())
+      m_has_cone[m_map.component(mesh().face(h))] |= m_is_cone[mesh().source(h).idx()];
+  }
+
+  // Returns the error of what must be the identity. `length` has sinh(x/2) for all edges with
+  // lengths x.
+  template <typename FT>
+  double lay_out(const std::vector<FT>& length)
+  {
+    std::vector<double> rounded_length;
+    for(const FT& l : length)
+      rounded_length.push_back(static_cast<double>(l));
+    Tree_cotree cut(mesh(), crossing_lengths(mesh(), rounded_length));
+    cut.close_ends(m_is_cone);
+    set_components(cut);
+    const Hyperbolic_layout<FT> layout(mesh(), length, cut);
+    set_positions(layout, cut);
+    set_gluings(layout, cut);
+    set_areas(length);
+    m_errors = defect_errors<Hyperbolic_triangle<FT>>(m_problem, mesh(), length);
+    double error = m_map.m_max_gluing_error = gluing_error(layout, cut);
+    for(std::size_t c = 0; c < m_map.m_groups.size(); ++c)
+      if(const double relation = set_group(layout, cut, c); !(relation <= error)) // keeps NaN
+        error = relation;
+    return error;
+  }
+
+  // Corners between which there is no seam are one point, up to rounding.
+  template <typename FT>
+  void set_positions(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut)
+  {
+    m_map.m_position.resize(mesh().num_halfedges());
+    for(Vertex_index v : mesh().vertices()) {
+      if(mesh().is_isolated(v))
+        continue;
+      const Halfedge_index first = first_corner(v, cut);
+      Halfedge_index h = first, corner = first;
+      do {
+        if(cut.is_seam(Edge_index(h)))
+          corner = h;
+        const auto p = layout.frame(corner).image_of_origin();
+        for(std::size_t i = 0; i < 3; ++i)
+          m_map.m_position[h.idx()][i] = static_cast<double>(p[i]);
+        h = Intrinsic_triangulations::next_spoke(h, mesh());
+      } while(h != first);
+    }
+  }
+
+  // one that starts at a seam, if there is any
+  Halfedge_index first_corner(Vertex_index v, const Tree_cotree& cut) const
+  {
+    Halfedge_index result = Intrinsic_triangulations::first_spoke(v, mesh());
+    Intrinsic_triangulations::for_each_spoke(v, mesh(), [&](Halfedge_index h) {
+      if(cut.is_seam(Edge_index(h)))
+        result = h;
+    });
+    return result;
+  }
+
+  template <typename FT>
+  static Disk_motion<> rounded(const Disk_motion<FT>& motion)
+  {
+    const auto& e = motion.entries();
+    return {static_cast<double>(e[0]), static_cast<double>(e[1]), static_cast<double>(e[2]),
+            static_cast<double>(e[3])};
+  }
+
+  template <typename FT>
+  void set_gluings(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut)
+  {
+    m_map.m_seam.assign(mesh().num_edges(), Hyperbolic_conformal_map::no_seam);
+    m_map.m_gluing.clear();
+    for(Edge_index e : mesh().edges())
+      if(cut.is_seam(e)) {
+        m_map.m_seam[e.idx()] = m_map.m_gluing.size();
+        m_map.m_gluing.push_back(rounded(layout.gluing(mesh().halfedge(e))));
+      }
+  }
+
+  template <typename FT>
+  double gluing_error(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut) const
+  {
+    std::vector<char> is_open(mesh().num_vertices(), 0);
+    for(Edge_index e : mesh().edges())
+      if(cut.is_open(e))
+        is_open[mesh().vertex(e, 0).idx()] = is_open[mesh().vertex(e, 1).idx()] = 1;
+    double result = 0;
+    for(Vertex_index v : mesh().vertices())
+      if(is_open[v.idx()] && !m_is_cone[v.idx()]) {
+        const double error = layout.gluing_error(v);
+        result = error <= result ? result : error; // keeps NaN
+      }
+    return result;
+  }
+
+  template <typename FT>
+  void set_areas(const std::vector<FT>& length)
+  {
+    for(Face_index f : mesh().faces()) {
+      const auto side = Intrinsic_triangulations::sides(f, mesh());
+      const auto of = [&](std::size_t s) {
+        return static_cast<double>(length[Edge_index(side[s]).idx()]);
+      };
+      m_map.m_groups[m_map.component(f)].area +=
+        2 * Hyperbolic_triangle<double>({of(0), of(1), of(2)}).half_defect();
+    }
+  }
+
+  // Returns the error of the relation in the precision of the layout.
+  template <typename FT>
+  double set_group(const Hyperbolic_layout<FT>& layout, const Tree_cotree& cut, std::size_t c)
+  {
+    Fuchsian_group& group = m_map.m_groups[c];
+    const std::vector<Edge_index>& edges = cut.generators(c);
+    std::vector<Disk_motion<FT>> motion;
+    for(Edge_index e : edges)
+      motion.push_back(layout.gluing(mesh().halfedge(e)));
+    for(const Disk_motion<FT>& m : motion)
+      group.generators.push_back(rounded(m));
+    if(m_has_cone[c])
+      return 0;
+    for(Halfedge_index h : cut.relation(c)) {
+      const auto i = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), Edge_index(h)) -
+                                              edges.begin());
+      group.relation.push_back({i, !Intrinsic_triangulations::is_first_halfedge(h)});
+    }
+    group.relation_error = relation_error(group, rounded_to_digits(group.generators, 0));
+    if constexpr(std::is_same_v<FT, double>)
+      return group.relation_error;
+    else {
+      const double error = relation_error(group, motion);
+      set_precise_generators(motion, error, group);
+      return error;
+    }
+  }
+
+  // Rounds motions to the digits that matter for the error of the relation: more are noise.
+  template <typename FT>
+  static void set_precise_generators(const std::vector<Disk_motion<FT>>& motion, double error,
+                                     Fuchsian_group& group)
+  {
+    group.known_digits = std::numeric_limits<double>::digits10;
+    do {
+      group.precise_generators = rounded_to_digits(motion, ++group.known_digits);
+      group.precise_relation_error = relation_error(group, group.precise_generators);
+    } while(!(group.precise_relation_error <= 2 * error) &&
+            group.known_digits < std::numeric_limits<FT>::digits10);
+  }
+
+  // zero stands for all digits
+  template <typename FT>
+  static std::vector<Disk_motion<More_extended>>
+  rounded_to_digits(const std::vector<Disk_motion<FT>>& motions, int digits)
+  {
+    const auto number = [&](const FT& x) {
+      const More_extended exact = to_more_extended(x);
+      return digits == 0 ? exact : More_extended(exact.str(digits));
+    };
+    std::vector<Disk_motion<More_extended>> result;
+    for(const Disk_motion<FT>& motion : motions) {
+      const auto& e = motion.entries();
+      result.emplace_back(number(e[0]), number(e[1]), number(e[2]), number(e[3]));
+    }
+    return result;
+  }
+
+  Doubled_problem& m_problem;
+  Visitor& m_visitor;
+  Scale_factors<Hyperbolic_triangle> m_scale;
+  Hyperbolic_conformal_map m_map;
+  Map_builder m_builder;
+  std::vector<char> m_is_cone;                      // for each vertex
+  std::vector<char> m_has_cone;                     // for each component
+  Defect_errors m_errors = unknown_defect_errors(); // of the scaled surface
+};
+
+} // namespace CGAL::Discrete_conformal_maps::internal
+
+#endif // CGAL_DISCRETE_CONFORMAL_MAPS_INTERNAL_MAPS_HYPERBOLIC_UNIFORMIZATION_H
