@@ -8,159 +8,221 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
+#include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_segment.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_segment.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Path_pieces.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The part of a segment in a region of a face, and the map from there to a face of the other
-// triangulation.
-template <typename FT>
-struct Segment_part
+// Returns where a segment of a face of `side` starts on the other triangulation, where it leaves
+// faces there, and where it ends. An end on an edge that is in both has its halfedge on the left of
+// which the segment lies.
+template <typename Traits>
+std::vector<Surface_place<typename Traits::FT>>
+segment_across(const Correspondence<Traits>& correspondence, Side side,
+               const Curve_segment<typename Traits::FT>& segment)
 {
-  std::size_t segment;
-  FT begin, end; // parameters along the segment
-  Face_index face;
-  Polygon_map<FT> map;
-
-  // in the order along each segment; where parts overlap, the longest first
-  friend bool operator<(const Segment_part& a, const Segment_part& b)
-  {
-    return std::tie(a.segment, a.begin, b.end) < std::tie(b.segment, b.begin, a.end);
-  }
-};
-
-// The parameters between which a segment is in a convex polygon. Points on its sides up to rounding
-// are inside.
-template <typename FT>
-std::pair<FT, FT> clipped(const Curve_segment<FT>& segment, const Polygon_map<FT>& polygon)
-{
-  std::pair<FT, FT> range(0, 1);
-  for(std::size_t c = 0; c < polygon.size(); ++c) {
-    const auto &a = polygon.corner(c), &b = polygon.corner((c + 1) % polygon.size());
-    const auto inside = [&](const std::array<FT, 3>& p) {
-      const FT area = orientation(a, b, p);
-      return CGAL::abs(area) <= rounding_unit<FT>() ? FT(0) : area;
-    };
-    const FT p = inside(segment.source), q = inside(segment.target);
-    if(p < 0 && q <= 0)
-      return {1, 0};
-    if(p < 0)
-      range.first = (std::max)(range.first, FT(p / (p - q)));
-    else if(q < 0)
-      range.second = (std::min)(range.second, FT(p / (p - q)));
-  }
-  return range;
+  const Face_index f = segment.face;
+  const auto from = segment_end(correspondence, side, f, segment.source),
+             to = segment_end(correspondence, side, f, segment.target);
+  if(side == Side::input && correspondence.contains_inserted(f))
+    return Input_face_segment<Traits>(correspondence, f)(from, to);
+  return Face_segment<Traits>(correspondence, side, f)(from, to);
 }
 
-// Cuts the segments of a curve at the edges of the other triangulation.
-template <typename Traits>
-class Curve_cutter
+// Adds the segments between consecutive places, apart from those whose length is rounding.
+template <typename FT>
+void add_segments(const std::vector<Surface_place<FT>>& places, const Delta_complex& mesh,
+                  Surface_curve<FT>& curve)
 {
-  typedef typename Traits::FT FT;
-  typedef Correspondence_marks<Traits> Marks;
+  const auto is_short = [](const Curve_segment<FT>& s) {
+    for(std::size_t c = 0; c < 3; ++c)
+      if(CGAL::abs(s.source[c] - s.target[c]) > rounding_unit<FT>())
+        return false;
+    return true;
+  };
+  Face_location<FT> from = places.front().location;
+  for(std::size_t i = 1; i < places.size(); ++i) {
+    const Face_location<FT>& to = places[i].location;
+    CGAL_assertion(from.first == to.first);
+    const Curve_segment<FT> segment{to.first, from.second, to.second};
+    if(places.size() == 2 || !is_short(segment))
+      curve.push_back(segment);
+    if(i + 1 < places.size())
+      from = face_location(reversed(edge_point(places[i].along, to, mesh), mesh), mesh);
+  }
+}
+
+// The places of a path whose pieces are added in order. Between a vertex and the next place, it
+// crosses no edge at this vertex, whatever rounding says.
+template <typename FT>
+class Joined_path
+{
+  typedef Surface_place<FT> Place;
 
 public:
-  Curve_cutter(const Correspondence<Traits>& correspondence, Side side,
-               const Surface_curve<FT>& curve)
-    : m_correspondence(correspondence),
-      m_side(side),
-      m_curve(curve),
-      m_segments(correspondence.mesh(side).num_faces())
+  explicit Joined_path(const Delta_complex& mesh) : m_mesh(mesh) {}
+
+  bool is_empty() const { return m_places.empty(); }
+
+  // Adds a piece. If the path goes on straight from the piece before and both are in one face,
+  // their common end is no place.
+  void add(const std::vector<Place>& piece, bool goes_on_straight)
   {
-    for(std::size_t i = 0; i < curve.size(); ++i)
-      m_segments[curve[i].face.idx()].push_back(i);
+    const Place& start = piece.front();
+    if(is_empty())
+      add_place(start);
+    else if(!goes_on_straight || is_at_vertex(start))
+      add_joint(start);
+    else if(start.along.is_valid())
+      add_crossing(seen_from_before(start));
+    for(std::size_t i = 1; i + 1 < piece.size(); ++i)
+      add_crossing(piece[i]);
+    m_end = piece.back();
   }
 
-  Surface_curve<FT> operator()()
+  // Adds the end of the last piece, and returns all places.
+  std::vector<Place> finish()
   {
-    for(Face_index f : m_correspondence.mesh(Side::intrinsic).faces())
-      if(m_side == Side::input || !m_segments[f.idx()].empty())
-        cut_at(f);
-    std::sort(m_parts.begin(), m_parts.end());
-    Surface_curve<FT> result;
-    FT end(0); // of the parts of a segment so far
-    for(std::size_t i = 0; i < m_parts.size(); ++i) {
-      if(i == 0 || m_parts[i].segment != m_parts[i - 1].segment)
-        end = FT(0);
-      add(m_parts[i], end, result);
-    }
-    return result;
+    come_to_end();
+    m_places.push_back(m_end);
+    return std::move(m_places);
   }
 
 private:
-  // The regions of a face of T2 are the regions of all faces of T1.
-  void cut_at(Face_index f)
+  void add_place(const Place& p)
   {
-    const Marks marks(Side::intrinsic, f, m_correspondence);
-    const Face_map<FT, Marks> face_map(marks, m_correspondence.mesh(Side::input));
-    for(std::size_t m = 0; m < face_map.regions().size(); ++m) {
-      const auto region = face_map.region_map(m);
-      if(m_side == Side::intrinsic)
-        cut_at(f, region.first, region.second);
-      else if(!m_segments[region.first.idx()].empty())
-        cut_at(region.first, f, region.second.inverse());
-    }
+    m_places.push_back(p);
+    m_crossings = 0;
   }
 
-  void cut_at(Face_index from, Face_index to, const Polygon_map<FT>& map)
+  void add_joint(const Place& start)
   {
-    for(const std::size_t i : m_segments[from.idx()])
-      if(const auto [begin, end] = clipped(m_curve[i], map); begin <= end)
-        m_parts.push_back({i, begin, end, to, map});
+    come_to_end();
+    const bool is_on_edge = start.along.is_valid() && !is_at_vertex(start);
+    const bool is_inside = is_on_edge && !m_mesh.is_border(m_mesh.opposite(start.along));
+    add_place(is_inside ? seen_from_before(start) : start);
   }
 
-  // Adds what is not there yet: sides of regions belong to two of them.
-  void add(const Segment_part<FT>& part, FT& end, Surface_curve<FT>& result) const
+  // Returns a place on an edge with the halfedge through which the path leaves a face.
+  Place seen_from_before(const Place& p) const
   {
-    const FT begin = (std::max)(part.begin, end);
-    if(!(part.end > begin + rounding_unit<FT>()))
+    return place_on(reversed(edge_point(p.along, p.location, m_mesh), m_mesh), m_mesh);
+  }
+
+  void add_crossing(const Place& x)
+  {
+    const Halfedge_index h = x.along, o = m_mesh.opposite(h), from = m_places.back().along;
+    if(is_at_vertex(m_places.back()) && (from == h || from == m_mesh.next(h)))
+      return leave_along(from == h ? m_mesh.next(o) : o);
+    m_places.push_back(x);
+    ++m_crossings;
+  }
+
+  // Comes to a vertex with the path on the left of the halfedge `back`. A path through a face from
+  // vertex to vertex follows an edge.
+  void come_to_end()
+  {
+    if(!is_at_vertex(m_end))
       return;
-    const auto &p = m_curve[part.segment].source, &q = m_curve[part.segment].target;
-    const auto at = [&](const FT& t) {
-      return part.map(
-        {(1 - t) * p[0] + t * q[0], (1 - t) * p[1] + t * q[1], (1 - t) * p[2] + t * q[2]});
-    };
-    result.push_back({part.face, at(begin), at(part.end)});
-    end = part.end;
+    Halfedge_index back = m_end.along;
+    for(; m_crossings > 0; --m_crossings) {
+      const Halfedge_index h = m_places.back().along, o = m_mesh.opposite(h);
+      if(back != o && back != m_mesh.next(o))
+        return;
+      back = back == o ? m_mesh.next(h) : h;
+      m_places.pop_back();
+    }
+    if(is_at_vertex(m_places.back()) && m_mesh.next(back) == m_places.back().along)
+      leave_along(m_mesh.opposite(back));
   }
 
-  const Correspondence<Traits>& m_correspondence;
-  Side m_side;
-  const Surface_curve<FT>& m_curve;
-  std::vector<std::vector<std::size_t>> m_segments; // of the curve in each face
-  std::vector<Segment_part<FT>> m_parts;
+  // Makes the path leave its last vertex along `h`, or beside it on the left.
+  void leave_along(Halfedge_index h)
+  {
+    m_places.back() = place_on(Edge_point<FT>{h, FT(0)}, m_mesh);
+  }
+
+  const Delta_complex& m_mesh;
+  std::vector<Place> m_places;
+  std::size_t m_crossings = 0; // the last places that are crossings
+  Place m_end{};               // of the last piece
 };
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCorrespondence
 /// finds a curve of one triangulation on the other: its segments are cut at the edges of that.
-/// Their order and directions stay. Parts of a length within rounding are left out.
+///
+/// Their order and directions stay. Parts whose length is rounding error are left out. The sequence
+/// of faces that a segment passes is connected, however flat they are, and so are the sequences of
+/// segments with a common end: the order of the ends and of the crossings along edges determines
+/// which edges are crossed. In a face of \f$T_1\f$ with inserted vertices it also depends on which
+/// pieces of edges of \f$T_2\f$ the segment meets. Rounding can only choose between curves that are
+/// equal up to rounding, such as the sides of an edge along which a curve runs; apart from that,
+/// there and back is the identity.
 /// \param correspondence the crossings of both
 /// \param side the triangulation whose faces `curve` refers to
 /// \param curve segments with barycentric coordinates that are not negative and sum up to one
+///
+/// Complexity: linear in the edges crossed, with a logarithm of the crossings on each edge. In a
+/// face of \f$T_1\f$ with inserted vertices: for each edge crossed with a logarithm of these, and
+/// for an end inside the face as `point_across()`.
 template <typename Traits>
 Surface_curve<typename Traits::FT> curve_across(const Correspondence<Traits>& correspondence,
                                                 Side side,
                                                 const Surface_curve<typename Traits::FT>& curve)
 {
-  return internal::Curve_cutter<Traits>(correspondence, side, curve)();
+  Surface_curve<typename Traits::FT> result;
+  for(const auto& segment : curve)
+    internal::add_segments(internal::segment_across(correspondence, side, segment),
+                           correspondence.mesh(internal::other(side)), result);
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// finds a path over one triangulation on the other.
+/// \param correspondence the crossings of both
+/// \param side the triangulation that `path` runs over
+/// \param path a path with places as `Shortest_paths::path()` returns them: between two vertices it
+///        follows an edge, and everywhere else a straight line in a face. It may bend at inserted
+///        vertices and at places inside faces, too.
+/// \returns the path with its length, which stays, and its places on the other triangulation, in
+///   the form of `Shortest_paths::path()`. Where it passes a vertex of \f$T_2\f$ that has been
+///   inserted, there is a place in its face or on its edge of \f$T_1\f$; and where a place on
+///   \f$T_1\f$ is the position of an inserted vertex, the path passes this vertex of \f$T_2\f$.
+///
+/// Connectivity, rounding and complexity are those of `curve_across()` for curves.
+/// \throws Invalid_input if two consecutive places that are not both vertices share no face
+template <typename Traits>
+Surface_path<typename Traits::FT> curve_across(const Correspondence<Traits>& correspondence,
+                                               Side side,
+                                               const Surface_path<typename Traits::FT>& path)
+{
+  typedef typename Traits::FT FT;
+  if(path.places.empty())
+    return path;
+  internal::Joined_path<FT> result(correspondence.mesh(internal::other(side)));
+  const internal::Path_pieces<Traits> pieces(correspondence, side, path);
+  for(std::size_t k = 0; k < pieces.size(); ++k)
+    if(const Curve_segment<FT> s = pieces[k]; s.source != s.target)
+      result.add(internal::segment_across(correspondence, side, s), pieces.starts_on_edge(k));
+  if(!result.is_empty())
+    return {path.length, result.finish()};
+  const auto& [f, p] = path.places.front().location;
+  return {path.length, {internal::segment_across(correspondence, side, {f, p, p}).front()}};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

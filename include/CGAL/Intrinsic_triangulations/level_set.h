@@ -104,8 +104,7 @@ private:
 /// comparisons alone. They are simple and disjoint, except at edges without length.
 ///
 /// \param surface a model of `IntrinsicSurface` with floating point lengths, \f$T_1\f$ or
-///        \f$T_2\f$; `curve_through()` and `curve_across()` take each curve to the other
-///        triangulation
+///        \f$T_2\f$; `curve_across()` finds each curve on the other triangulation
 /// \param values the finite values at the vertices, by their indices: a vector of Eigen or of the
 ///        standard library, such as distances
 /// \param level the value

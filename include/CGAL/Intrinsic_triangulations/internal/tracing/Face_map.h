@@ -62,6 +62,15 @@ Barycentric_coordinates<FT> point_between(const Barycentric_coordinates<FT>& a,
   return result;
 }
 
+// Returns the squared distance of `p` from the segment from `a` to `b`.
+template <typename FT>
+FT squared_distance(const Barycentric_coordinates<FT>& a, const Barycentric_coordinates<FT>& b,
+                    const Barycentric_coordinates<FT>& p)
+{
+  const auto foot = point_between(a, b, closest_between(a, b, p));
+  return dot(foot, p, foot, p);
+}
+
 // A projective map, given by the corners of a convex polygon and their images. As vectors, corners
 // are multiples of their images, and the map is linear; if they are all the same multiples,
 // barycentric coordinates are mapped linearly too. Sums to be computed are convex combinations of

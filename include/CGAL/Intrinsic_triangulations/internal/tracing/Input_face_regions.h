@@ -87,17 +87,6 @@ public:
               piece.number};
   }
 
-  // returns the index of the corner of a region after which `piece` comes
-  std::size_t corner_before(const Piece& piece, const Region& region) const
-  {
-    const std::size_t s = side_number(piece.halfedge, m_mesh);
-    std::size_t c = 0;
-    while(region[c].arc_follows || region[c].side != s ||
-          number_of_piece(region[c]) != piece.number)
-      ++c;
-    return c;
-  }
-
   // returns the region beyond the piece of a side after `corner`; none beyond the face of T1
   std::optional<Place> beyond(const Region_corner& corner, const Place& place) const
   {
@@ -144,6 +133,16 @@ public:
     const Halfedge_index x = is_after ? leaving : m_mesh.opposite(leaving);
     const std::size_t mark = m_correspondence.crossings_on_intrinsic().position(x, crossing.id);
     return place_at({x, is_after ? mark : mark + 1});
+  }
+
+  // returns the region in the face of the halfedge `h` of T1 at its source, next to `h`
+  Place place_at_source(Halfedge_index h) const
+  {
+    const Halfedge_index spoke = m_correspondence.spoke_before(Side::input, h);
+    if(m_correspondence.spoke_before(Side::intrinsic, spoke) == h &&
+       m_correspondence.is_shared(Side::intrinsic, Edge_index(spoke)))
+      return place_at({spoke, 0});
+    return place_at_crossing(h, 0, false);
   }
 
 private:

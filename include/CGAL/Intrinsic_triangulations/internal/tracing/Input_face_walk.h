@@ -51,7 +51,7 @@ public:
   // returns the region that has the point `p` of a face of T1, up to rounding
   Place place_of(const Face_location<FT>& p) const
   {
-    Place place = first_place(p.first);
+    Place place = this->place_at_source(m_correspondence.mesh(Side::input).halfedge(p.first));
     const Place start = place;
     for(std::size_t steps = 0; steps <= m_mesh.number_of_faces(); ++steps) {
       const std::optional<Place> next = next_place(place, p.second);
@@ -65,17 +65,6 @@ public:
   }
 
 private:
-  // returns the region at the source of the first side of a face of T1
-  Place first_place(Face_index f) const
-  {
-    const Halfedge_index input = m_correspondence.mesh(Side::input).halfedge(f);
-    const Halfedge_index spoke = m_correspondence.spoke_before(Side::input, input);
-    if(m_correspondence.spoke_before(Side::intrinsic, spoke) == input &&
-       m_correspondence.is_shared(Side::intrinsic, Edge_index(spoke)))
-      return this->place_at({spoke, 0});
-    return this->place_at_crossing(input, 0, false);
-  }
-
   // Returns the region beyond the piece through which the line from the first corner of the face of
   // T1 to `p` leaves the region; none if `p` is not beyond it.
   std::optional<Place> next_place(const Place& place, const Coordinates& p) const
@@ -117,20 +106,13 @@ private:
     FT least = std::numeric_limits<FT>::infinity();
     for(std::size_t c = 0; c < face.region.size(); ++c) {
       const Coordinates &a = face.corner(c), &b = face.corner(c + 1);
-      least = (std::min)(least, squared_distance(a, b, p));
+      least = (std::min)(least, internal::squared_distance(a, b, p));
       if(dot(a, b, a, b) > CGAL::square(region_tolerance<FT>())) {
         ++long_pieces;
         is_outside = is_outside || orientation(a, b, p) < 0;
       }
     }
     return long_pieces > 1 && !is_outside ? FT(0) : least;
-  }
-
-  // returns the squared distance of `p` from the piece from `a` to `b`
-  static FT squared_distance(const Coordinates& a, const Coordinates& b, const Coordinates& p)
-  {
-    const Coordinates foot = point_between(a, b, closest_between(a, b, p));
-    return dot(foot, p, foot, p);
   }
 };
 

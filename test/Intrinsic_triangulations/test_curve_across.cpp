@@ -8,8 +8,8 @@
 #include "random_changes.h"
 
 #include <CGAL/Intrinsic_triangulations/Shortest_paths.h>
+#include <CGAL/Intrinsic_triangulations/curve_across.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/path_across.h>
 #include <CGAL/Intrinsic_triangulations/path_on_input.h>
 #include <CGAL/Intrinsic_triangulations/point_across.h>
 #include <CGAL/Intrinsic_triangulations/refine.h>
@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace Test_path_across {
+namespace Test_curve_across {
 
 using namespace Test_surfaces;
 using Test_flat_changes::for_each_flat;
@@ -66,7 +66,7 @@ Path check_image(const Triangulation& t, Side side, const Path& path, const Corr
 {
   const Flat_faces here(side, t), there(other(side), t);
   const double tolerance = 1e-9 * static_cast<double>(there.longest_edge());
-  const Path image = IT::path_across(c, side, path);
+  const Path image = IT::curve_across(c, side, path);
   pieces += image.places.size();
   EXPECT_EQ(image.length, path.length);
   EXPECT_FALSE(image.places.empty());
@@ -209,7 +209,7 @@ void check_flat(const Flat_insertion::Result& r, const Flat_surface& surface)
   }
 }
 
-TEST(Path_across, in_the_plane)
+TEST(Curve_across, in_the_plane)
 {
   for_each_flat(100, [](const Flat_insertion& flat) { check_flat(flat.result(), flat.surface()); });
   EXPECT_GT(pieces, 30000u);
@@ -217,7 +217,7 @@ TEST(Path_across, in_the_plane)
 
 // ---- On all surfaces ----
 
-TEST(Path_across, without_inserted_vertices)
+TEST(Curve_across, without_inserted_vertices)
 {
   for(const Named_mesh& m : meshes()) {
     SCOPED_TRACE(m.name);
@@ -230,7 +230,7 @@ TEST(Path_across, without_inserted_vertices)
   }
 }
 
-TEST(Path_across, after_random_insertions)
+TEST(Curve_across, after_random_insertions)
 {
   for_each_triangulation(
     [](const Triangulation& t, unsigned int seed) { check_paths(changed(t, seed, 60), seed); });
@@ -238,7 +238,7 @@ TEST(Path_across, after_random_insertions)
 }
 
 // Far from Delaunay, where edges of T2 are long.
-TEST(Path_across, after_random_insertions_and_flips)
+TEST(Curve_across, after_random_insertions_and_flips)
 {
   for_each_triangulation([](const Triangulation& t, unsigned int seed) {
     Triangulation x = changed(t, seed, 100);
@@ -248,7 +248,7 @@ TEST(Path_across, after_random_insertions_and_flips)
   });
 }
 
-TEST(Path_across, after_refinement)
+TEST(Curve_across, after_refinement)
 {
   for(const Named_mesh& m : meshes()) {
     SCOPED_TRACE(m.name);
@@ -266,7 +266,7 @@ bool has_areas(const Triangulation& t)
                      [&](Face_index f) { return faces.area(f) > 1e-9 * faces.area(); });
 }
 
-TEST(Path_across, on_data_meshes)
+TEST(Curve_across, on_data_meshes)
 {
   for(const std::string& file : data_meshes(60000)) {
     SCOPED_TRACE(file);
@@ -288,7 +288,7 @@ TEST(Path_across, on_data_meshes)
 // ---- Places ----
 
 // Where a path passes inserted vertices, it passes them on both triangulations, and back.
-TEST(Path_across, through_inserted_vertices)
+TEST(Curve_across, through_inserted_vertices)
 {
   std::size_t passed = 0;
   for(const Named_mesh& m : meshes()) {
@@ -299,12 +299,12 @@ TEST(Path_across, through_inserted_vertices)
     for(Halfedge_index h : t.mesh().halfedges())
       if(t.is_inserted(t.mesh().source(h)) && t.is_inserted(t.mesh().target(h))) {
         const Path along = IT::path_on_input(t, {h});
-        const Path path = IT::path_across(c, Side::input, along);
+        const Path path = IT::curve_across(c, Side::input, along);
         expect_valid(path, Flat_faces(Side::intrinsic, t), 1e-9);
         ASSERT_TRUE(is_vertex(path.places.front()) && is_vertex(path.places.back()));
         EXPECT_EQ(t.mesh().source(path.places.front().along), t.mesh().source(h));
         EXPECT_EQ(t.mesh().source(path.places.back().along), t.mesh().target(h));
-        const Path back = IT::path_across(c, Side::intrinsic, path);
+        const Path back = IT::curve_across(c, Side::intrinsic, path);
         EXPECT_EQ(back.places.front().location, along.places.front().location);
         EXPECT_EQ(back.places.back().location, along.places.back().location);
         ++passed;
@@ -314,7 +314,7 @@ TEST(Path_across, through_inserted_vertices)
 }
 
 // A path of one point, and one along an edge of T1 that consists of several edges of T2.
-TEST(Path_across, points_and_parts_of_edges)
+TEST(Curve_across, points_and_parts_of_edges)
 {
   for_each_triangulation([](const Triangulation& input, unsigned int seed) {
     const Triangulation t = changed(input, seed, 60);
@@ -337,14 +337,14 @@ TEST(Path_across, points_and_parts_of_edges)
   });
 }
 
-TEST(Path_across, gap_in_a_path)
+TEST(Curve_across, gap_in_a_path)
 {
   Triangulation t(octahedron());
   const Correspondence c(t);
   const std::array<double, 3> center{0.25, 0.25, 0.5};
   const Path path{1, {{{}, {Face_index(0), center}}, {{}, {Face_index(1), center}}}};
   for(const Side side : both_sides)
-    EXPECT_THROW(IT::path_across(c, side, path), IT::Invalid_input);
+    EXPECT_THROW(IT::curve_across(c, side, path), IT::Invalid_input);
 }
 
-} // namespace Test_path_across
+} // namespace Test_curve_across

@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_PATH_PIECES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_PATH_PIECES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Surface_curve.h>
+#include <CGAL/Intrinsic_triangulations/Surface_path.h>
+#include <CGAL/Intrinsic_triangulations/exceptions.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The straight pieces of a path, each in the face in which it runs.
+template <typename Traits>
+class Path_pieces
+{
+  typedef typename Traits::FT FT;
+  typedef Surface_place<FT> Place;
+  typedef Curve_segment<FT> Segment;
+  typedef boost::container::static_vector<Barycentric_coordinates<FT>, 3> Points;
+
+public:
+  Path_pieces(const Correspondence<Traits>& correspondence, Side side, const Surface_path<FT>& path)
+    : m_correspondence(correspondence),
+      m_side(side),
+      m_mesh(correspondence.mesh(side)),
+      m_path(path)
+  {}
+
+  std::size_t size() const { return m_path.places.empty() ? 0 : m_path.places.size() - 1; }
+
+  // Returns piece `k`: along an edge between two vertices, otherwise through a face.
+  Segment operator[](std::size_t k) const
+  {
+    const Place &p = m_path.places[k], &q = m_path.places[k + 1];
+    const auto& surface = m_correspondence.triangulation().surface(m_side);
+    if(is_at_vertex(p) && is_at_vertex(q))
+      return curve_along_edges(surface, std::array<Halfedge_index, 1>{p.along}).front();
+    const Face_index f = face(k);
+    const Halfedge_index entry = crosses(k) ? m_mesh.opposite(p.along) : Halfedge_index();
+    const Points from = is_at_vertex(p) ? Points{p.location.second} : points(p, f, entry),
+                 to = points(q, f, crosses(k + 1) ? q.along : Halfedge_index());
+    if(from.empty() || to.empty())
+      throw Invalid_input("two consecutive places of the path share no face");
+    return is_at_vertex(q) ? to_vertex(surface, f, from, to, entry)
+                           : shortest(surface, f, from, to);
+  }
+
+  // Returns whether piece `k` starts between the ends of an edge.
+  bool starts_on_edge(std::size_t k) const { return is_on_edge(m_path.places[k]); }
+
+private:
+  // Returns whether the path crosses an edge at place `k`.
+  bool crosses(std::size_t k) const
+  {
+    const Place& p = m_path.places[k];
+    return k > 0 && k + 1 < m_path.places.size() && is_on_edge(p) && !is_inserted(p);
+  }
+
+  static bool is_on_edge(const Place& p) { return p.along.is_valid() && !is_at_vertex(p); }
+
+  bool is_inserted(const Place& p) const
+  {
+    return segment_end(m_correspondence, m_side, p.location.first, p.location.second)
+      .rank.is_inserted;
+  }
+
+  // Returns the face of piece `k`. A path leaves a face through `along`, or through the opposite if
+  // rounding has moved it.
+  Face_index face(std::size_t k) const
+  {
+    const Place &p = m_path.places[k], &q = m_path.places[k + 1];
+    if(!is_on_edge(p))
+      return p.location.first;
+    const Halfedge_index h = k > 0 ? m_mesh.opposite(p.along) : p.along;
+    const Face_index f = k > 0 ? m_mesh.face(h) : p.location.first;
+    if(f.is_valid() && !points(q, f, Halfedge_index()).empty())
+      return f;
+    const Face_index beyond = m_mesh.face(m_mesh.opposite(h));
+    return beyond.is_valid() && beyond != f ? beyond : m_mesh.face(h);
+  }
+
+  // Returns the points of a face at which a place is: several if the face meets itself there. If
+  // the path crosses a side of the face, only this side counts.
+  Points points(const Place& p, Face_index f, Halfedge_index crossed) const
+  {
+    if(!p.along.is_valid())
+      return p.location.first == f ? Points{p.location.second} : Points();
+    Points result;
+    for(const Halfedge_index h : sides(f, m_mesh))
+      if(is_at_vertex(p) ? m_mesh.source(h) == m_mesh.source(p.along)
+                         : Edge_index(h) == Edge_index(p.along) && is_possible(h, crossed))
+        result.push_back(face_location(on_halfedge(p, h), m_mesh).second);
+    return result;
+  }
+
+  // An edge that a path crosses may have been moved by rounding to the other side of its face.
+  bool is_possible(Halfedge_index h, Halfedge_index crossed) const
+  {
+    return !crossed.is_valid() || h == crossed || m_mesh.face(h) != m_mesh.face(m_mesh.opposite(h));
+  }
+
+  Edge_point<FT> on_halfedge(const Place& p, Halfedge_index h) const
+  {
+    if(is_at_vertex(p))
+      return {h, FT(0)};
+    const Halfedge_index along = m_mesh.is_border(p.along) ? m_mesh.opposite(p.along) : p.along;
+    const Edge_point<FT> point = edge_point(along, p.location, m_mesh);
+    return along == h ? point : reversed(point, m_mesh);
+  }
+
+  // A path that has crossed a side ends at the corner opposite to it if it can.
+  template <typename Surface>
+  Segment to_vertex(const Surface& surface, Face_index f, const Points& from, const Points& to,
+                    Halfedge_index entry) const
+  {
+    if(entry.is_valid() && m_mesh.face(entry) == f) {
+      const auto opposite_corner =
+        barycentric_coordinates(side_number(m_mesh.prev(entry), m_mesh), FT(0));
+      if(std::find(to.begin(), to.end(), opposite_corner) != to.end())
+        return {f, from.front(), opposite_corner};
+    }
+    return shortest(surface, f, from, to);
+  }
+
+  template <typename Surface>
+  static Segment shortest(const Surface& surface, Face_index f, const Points& from,
+                          const Points& to)
+  {
+    Segment best{f, from.front(), to.front()};
+    if(from.size() * to.size() > 1)
+      for(const auto& p : from)
+        for(const auto& q : to)
+          if(segment_length(surface, Segment{f, p, q}) < segment_length(surface, best))
+            best = {f, p, q};
+    return best;
+  }
+
+  const Correspondence<Traits>& m_correspondence;
+  Side m_side;
+  const Delta_complex& m_mesh;
+  const Surface_path<FT>& m_path;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_PATH_PIECES_H
