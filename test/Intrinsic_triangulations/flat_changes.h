@@ -81,7 +81,7 @@ inline void operate_at_random(Flat_insertion& flat, int tries, unsigned int seed
     counts[operation] += operate(operation, flat, random);
     if(i % 10 == 0) {
       EXPECT_TRUE(flat.triangulation().is_valid(true));
-      flat.check_lists();
+      flat.check_courses();
       flat.recompute_lengths();
     }
   }

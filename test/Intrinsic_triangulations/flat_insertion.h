@@ -246,14 +246,15 @@ public:
     }
   }
 
-  // The lists of crossings are as they would be if they were made afresh.
-  void check_lists() const
+  // The courses of edges are as they would be if they were stored afresh.
+  void check_courses() const
   {
-    const IT::internal::Crossing_lists<Triangulation::Traits> fresh(m_tri);
+    const IT::internal::Edge_courses fresh(m_tri, IT::Concurrency());
     for(Halfedge_index h : m_tri.mesh().halfedges()) {
-      ASSERT_EQ(m_inserter.crossing_lists().count(h), fresh.count(h)) << h;
-      for(std::size_t m = 0; m < fresh.count(h); ++m)
-        ASSERT_EQ(m_inserter.crossing_lists()(h, m), fresh(h, m)) << h << ' ' << m;
+      const IT::Edge_course course = m_inserter.courses()(h), expected = fresh(h);
+      ASSERT_EQ(course.size(), expected.size()) << h;
+      for(std::size_t m = 0; m < course.size(); ++m)
+        ASSERT_EQ(course[m], expected[m]) << h << ' ' << m;
     }
   }
 

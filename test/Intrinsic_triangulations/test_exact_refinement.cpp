@@ -230,7 +230,7 @@ TEST(Exact_refinement, lengths_without_doubt_are_right)
     Triangulation tri(mesh);
     IT::refine(tri, IT::parameters::maximum_number_of_insertions(std::size_t(300)));
     const auto decisions = IT::internal::exact_decisions(tri);
-    auto exact = decisions;
+    auto exact = IT::internal::exact_decisions(tri);
     IT::internal::Lengths_in_strips<Triangulation::Traits> lengths(tri);
     for(Edge_index e : tri.mesh().edges()) {
       const Halfedge_index h = tri.mesh().halfedge(e);
@@ -391,7 +391,7 @@ std::vector<Halfedge_index> crossed_edges(const Inserter& inserter)
   const Delta_complex& mesh = inserter.triangulation().mesh();
   std::vector<Halfedge_index> result;
   for(Halfedge_index h : mesh.halfedges())
-    if(inserter.crossing_lists().count(h) > 0 && inserter.can_be_split(h))
+    if(inserter.courses().count(h) > 0 && inserter.can_be_split(h))
       result.push_back(h);
   return result;
 }

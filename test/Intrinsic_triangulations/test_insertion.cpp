@@ -38,16 +38,17 @@ typedef IT::Correspondence<> Correspondence;
 typedef IT::Common_subdivision<> Subdivision;
 typedef Delta_complex::size_type size_type;
 
-// The lists are the crossings that tracing every curve gives.
-void check_lists(const Vertex_inserter& inserter)
+// The courses are those that tracing every curve gives.
+void check_courses(const Vertex_inserter& inserter)
 {
   const Triangulation& t = inserter.triangulation();
   Triangulation compact(t);
-  const IT::internal::Crossing_lists<IT::Euclidean_geometry_traits<>> fresh(compact);
+  const IT::internal::Edge_courses fresh(compact, IT::Concurrency());
   for(Halfedge_index h : t.mesh().halfedges()) {
-    ASSERT_EQ(inserter.crossing_lists().count(h), fresh.count(h));
-    for(std::size_t m = 0; m < fresh.count(h); ++m)
-      ASSERT_EQ(inserter.crossing_lists()(h, m), fresh(h, m)) << h << ' ' << m;
+    const IT::Edge_course course = inserter.courses()(h), expected = fresh(h);
+    ASSERT_EQ(course.size(), expected.size()) << h;
+    for(std::size_t m = 0; m < course.size(); ++m)
+      ASSERT_EQ(course[m], expected[m]) << h << ' ' << m;
   }
 }
 
@@ -60,7 +61,7 @@ TEST(Insertion, valid_after_every_step)
       changes.step();
       ASSERT_TRUE(t.is_valid(true)) << step;
     }
-    check_lists(changes.inserter());
+    check_courses(changes.inserter());
     inserted += changes.inserted();
   });
   EXPECT_GT(inserted, 1000u);

@@ -35,7 +35,7 @@ TEST(Insertion_exact, random_operations_against_brute_force)
 {
   const Counts counts = for_each_flat(1000, [](Flat_insertion& flat) {
     flat.check_all();
-    flat.check_lists();
+    flat.check_courses();
   });
   for(std::size_t count : counts) {
     std::cout << count << ' ';

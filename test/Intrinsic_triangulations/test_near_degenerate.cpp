@@ -105,20 +105,18 @@ void check_recomputed_lengths(const Mesh& mesh)
   Triangulation t(mesh);
   IT::make_Delaunay(t);
   t.recompute_lengths();
-  const IT::internal::Input_crossings crossings(t.coordinates(), t.mesh(), t.spokes());
+  const IT::internal::Edge_courses courses(t, IT::Concurrency());
   Delta_complex input(t.input_mesh());
   const auto length = input.add_property_map<Edge_index, Real>("e:long_length").first;
   for(Edge_index e : input.edges())
     length[e] = t.input_length(e);
   IT::Euclidean_strip<Real> strip;
   for(Edge_index e : t.mesh().edges()) {
-    const std::size_t n = crossings.count(e);
-    const Halfedge_index h = IT::first_halfedge(e);
-    if(n == 0)
+    const IT::Edge_course course = courses(IT::first_halfedge(e));
+    if(course.empty())
       continue;
-    const auto exit = [&](std::size_t m) { return IT::opposite(crossings(h, m)); };
-    IT::internal::lay_out_strip(strip, IT::Surface_view(input, length), exit, n);
-    EXPECT_NEAR(double(t.length(e) / strip.length()), 1, 4e-15 * double(n + 1)) << n;
+    IT::internal::lay_out_strip(strip, IT::Surface_view(input, length), course);
+    EXPECT_NEAR(double(t.length(e) / strip.length()), 1, 4e-15 * double(course.size() + 1));
   }
 }
 

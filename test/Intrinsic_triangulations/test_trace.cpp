@@ -6,8 +6,7 @@
 #include "measuring.h"
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossings_on_demand.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Traced_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/trace.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
 #include <gtest/gtest.h>
@@ -338,22 +337,22 @@ TEST(Trace, correspondence_of_the_empty_surface)
 
 // ---- Crossings, without geometry ----
 
-// They are traced at first, and listed in the end, while edges are flipped.
-TEST(Crossings_on_demand, are_those_that_are_traced)
+// Courses are computed at first, and stored in the end, while edges are flipped.
+TEST(Edge_courses, are_those_that_are_traced)
 {
   Triangulation t(random_sphere(60, 7));
   flip_at_random(t, 400, 1);
-  IT::internal::Crossings_on_demand crossings(t);
-  const IT::internal::Traced_crossings traced(t);
+  IT::internal::Edge_courses courses(t);
   std::size_t asked = 0;
   const auto check = [&](Halfedge_index h) {
-    ASSERT_EQ(crossings.count(h), traced.count(h));
-    for(std::size_t m = 0; m < traced.count(h); ++m, ++asked)
-      ASSERT_EQ(crossings(h, m), traced(h, m)) << h << ' ' << m;
+    const IT::Edge_course course = courses(h), traced = IT::internal::Edge_courses(t)(h);
+    ASSERT_EQ(course.size(), traced.size());
+    for(std::size_t m = 0; m < traced.size(); ++m, ++asked)
+      ASSERT_EQ(course[m], traced[m]) << h << ' ' << m;
   };
   for(unsigned int seed = 2; seed < 20; ++seed) {
     flip_at_random(t, 40, seed, [&](Halfedge_index h) {
-      crossings.after_flip(h);
+      courses.after_flip(h);
       check(h);
     });
     if(seed > 10)
@@ -361,6 +360,26 @@ TEST(Crossings_on_demand, are_those_that_are_traced)
         check(h);
   }
   EXPECT_GT(asked, 1000u);
+}
+
+// A correspondence stores the courses that follow from the ends of the curves, in both directions.
+TEST(Edge_courses, of_a_correspondence)
+{
+  std::size_t crossed = 0;
+  Triangulation t(random_sphere(60, 7));
+  flip_at_random(t, 400, 1);
+  const Correspondence c(t);
+  for(Halfedge_index h : t.mesh().halfedges()) {
+    const IT::Edge_course course = c.course(h), back = c.course(t.mesh().opposite(h)),
+                          followed = IT::internal::Edge_courses(t)(h);
+    ASSERT_EQ(course.size(), followed.size());
+    ASSERT_EQ(course.size(), back.size());
+    for(std::size_t m = 0; m < course.size(); ++m, ++crossed) {
+      ASSERT_EQ(course[m], followed[m]) << h << ' ' << m;
+      ASSERT_EQ(course[m], IT::opposite(back[course.size() - 1 - m])) << h << ' ' << m;
+    }
+  }
+  EXPECT_GT(crossed, 1000u);
 }
 
 // The places of a crossing on its two edges are one point, up to the height of faces whose area is

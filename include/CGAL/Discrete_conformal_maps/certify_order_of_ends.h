@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 
 #include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/enum.h>
@@ -60,7 +59,6 @@ class Order_certifier
   typedef Delta_complex::size_type size_type;
   typedef Correspondence<Ideal_traits> Ideal_correspondence;
   typedef typename Ideal_correspondence::Triangulation Ideal_triangulation;
-  typedef Intrinsic_triangulations::internal::Input_crossings Input_crossings;
 
 public:
   Order_certifier(const Subdivision& subdivision, const Correspondence<>& ab,
@@ -68,12 +66,8 @@ public:
     : m_subdivision(subdivision),
       m_ab(ab),
       m_bc(bc),
-      m_crossings_of_C(bc.triangulation().coordinates(), bc.triangulation().mesh(),
-                       bc.triangulation().spokes()),
-      m_crossings_of_A(ab.triangulation().coordinates(), ab.triangulation().mesh(),
-                       ab.triangulation().spokes()),
-      m_development(bc.triangulation(), m_crossings_of_C),
-      m_decisions(ab.triangulation(), m_crossings_of_A)
+      m_development(bc.triangulation(), bc.courses()),
+      m_decisions(ab.triangulation(), ab.courses())
   {}
 
   Order_certificate operator()()
@@ -132,9 +126,7 @@ private:
   auto place_of_C(const Strip& strip, Edge_index e, size_type m) const
   {
     const Halfedge_index h = Intrinsic_triangulations::first_halfedge(e);
-    return Intrinsic_triangulations::edge_point(
-             Intrinsic_triangulations::opposite(m_crossings_of_C(h, m)),
-             strip.crossing(m).along_edge)
+    return Intrinsic_triangulations::edge_point(m_bc.courses()(h)[m], strip.crossing(m).along_edge)
       .t;
   }
 
@@ -158,7 +150,6 @@ private:
   const Subdivision& m_subdivision;
   const Correspondence<>& m_ab;
   const Ideal_correspondence& m_bc;
-  Input_crossings m_crossings_of_C, m_crossings_of_A;
   Intrinsic_triangulations::internal::Ideal_development<
     Lazy_exact_nt<Intrinsic_triangulations::internal::Exact_field>, Ideal_triangulation>
     m_development;

@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/angle_in_strip.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tangent_frames.h>
 
 #include <cmath>
@@ -97,13 +97,10 @@ public:
   void recompute()
   {
     const Delta_complex& mesh = m_tri.mesh();
-    const internal::Input_crossings crossings(m_tri.coordinates(), mesh, m_tri.spokes());
+    const internal::Edge_courses<Traits> courses(m_tri, Concurrency());
     m_angle.resize(mesh.num_halfedges());
-    for(Halfedge_index h : mesh.halfedges()) {
-      const std::size_t n = crossings.count(mesh.edge(h));
-      m_angle[h.idx()] =
-        angle_in_strip(h, n, [&](std::size_t m) { return opposite(crossings(h, m)); });
-    }
+    for(Halfedge_index h : mesh.halfedges())
+      m_angle[h.idx()] = angle_in_strip(h, courses(h));
   }
 
   /// computes the angles of the edge of `h`, which has just been flipped, from its two faces; those
@@ -129,10 +126,7 @@ public:
     const Delta_complex& mesh = m_tri.mesh();
     m_angle.resize(mesh.num_halfedges());
     const Halfedge_index start = spoke_to_start_with(v);
-    const auto n = static_cast<std::size_t>(m_tri.coordinates().crossings(start));
-    set_angles_around(v, start, angle_in_strip(start, n, [&](std::size_t m) {
-                        return m_tri.input_mesh().opposite(inserter.crossing_lists()(start, m));
-                      }));
+    set_angles_around(v, start, angle_in_strip(start, inserter.courses()(start)));
     for_each_spoke(v, mesh, [&](Halfedge_index h) { set_angle(mesh.opposite(h)); });
   }
 
@@ -175,11 +169,10 @@ private:
                                  : m_frames.angle(m_tri.input_spoke_before(h));
   }
 
-  template <typename Exit>
-  FT angle_in_strip(Halfedge_index h, std::size_t n, const Exit& exit)
+  FT angle_in_strip(Halfedge_index h, const Edge_course& course)
   {
     return angle_of_spoke_before(h) +
-           scale_at(h) * internal::angle_from_spoke(h, exit, n, m_tri, m_strip);
+           scale_at(h) * internal::angle_from_spoke(h, course, m_tri, m_strip);
   }
 
   void set_angle(Halfedge_index h)

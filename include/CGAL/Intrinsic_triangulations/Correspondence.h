@@ -8,14 +8,14 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_course.h>
 #include <CGAL/Intrinsic_triangulations/Edge_marks.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Corresponding_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_encloser.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Part_starts.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/face_heights.h>
@@ -45,7 +45,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// between them. A part is an edge of \f$T_2\f$, or a curve that crosses such edges.
 ///
 /// The object refers to the triangulation and is valid until that changes.
-/// Memory: about 36 bytes for each edge and 40 for each crossing (with `double`), 48 in a geometry
+/// Memory: about 40 bytes for each edge and 32 for each crossing (with `double`), 40 in a geometry
 /// where crossings have scales, and up to twice as many where vertices have been inserted.
 ///
 /// \tparam Traits_ a model of `IntrinsicGeometryTraits`
@@ -178,7 +178,7 @@ public:
   Trace_point<FT> crossing(size_type id) const
   {
     const Record& record = m_records[id];
-    return {{first_halfedge(Edge_index(record.input)), record.s},
+    return {{first_halfedge(input_edge(id)), record.s},
             {first_halfedge(record.intrinsic), record.t}};
   }
 
@@ -196,12 +196,17 @@ public:
   /// \f$T_1\f$.
   size_type rank_on_input(size_type id) const
   {
-    const Record& record = m_records[id];
-    return record.order - part(Edge_index(record.input), 0).first;
+    return m_records[id].order - part(input_edge(id), 0).first;
   }
 
   /// returns the indices of the crossings on the edges of \f$T_2\f$.
   const Edge_marks& crossings_on_intrinsic() const { return m_on_intrinsic; }
+
+  /// returns the course of the halfedge `h` of \f$T_2\f$ over \f$T_1\f$. Complexity: constant.
+  Edge_course course(Halfedge_index h) const { return m_courses(h); }
+
+  /// returns the courses of all halfedges of \f$T_2\f$.
+  const internal::Edge_courses<Traits>& courses() const { return m_courses; }
 
   /// returns whether the face `f` of \f$T_1\f$ contains inserted vertices, inside it or inside its
   /// edges.
@@ -221,7 +226,7 @@ public:
   }
 
 private:
-  Correspondence(const Triangulation& tri, Concurrency concurrency) : m_tri(tri)
+  Correspondence(const Triangulation& tri, Concurrency concurrency) : m_tri(tri), m_courses(tri)
   {
     CGAL_precondition(!tri.mesh().has_garbage());
     internal::Part_starts<Traits> starts(tri, m_part_numbers);
@@ -245,6 +250,7 @@ private:
       [&] {
         m_parts.resize(m_part_numbers.size());
         m_records.resize(crossings);
+        m_courses = internal::Edge_courses<Traits>(m_tri, m_on_intrinsic);
         m_order_on_input.resize(crossings);
         m_scale.resize(internal::Has_scale<Traits>::value ? crossings : 0);
       });
@@ -252,16 +258,17 @@ private:
 
   struct Record
   {
-    Halfedge_index input; // leaves the face of the first halfedge of the intrinsic edge
     Edge_index intrinsic;
     size_type order; // among all crossings, along the first halfedges of the input edges
     FT s, t;         // along the first halfedges of the input edge and the intrinsic edge
   };
 
+  Edge_index input_edge(size_type id) const { return Edge_index(m_courses.exit(id)); }
+
   Crossing seen_from_intrinsic(Halfedge_index h, size_type id) const
   {
     const Record& r = m_records[id];
-    return {id, edge_point(h, r.t), edge_point(directed_as(h, r.input), r.s)};
+    return {id, edge_point(h, r.t), edge_point(opposite(directed_as(h, m_courses.exit(id))), r.s)};
   }
 
   // the index of the piece that ends at crossing `id` in the direction of the first halfedge of
@@ -269,8 +276,8 @@ private:
   size_type piece_before(size_type id) const
   {
     const Record& r = m_records[id];
-    const auto begin = m_parts.begin() + m_part_numbers.before(Edge_index(r.input));
-    const auto end = begin + number_of_parts(Edge_index(r.input));
+    const auto begin = m_parts.begin() + m_part_numbers.before(input_edge(id));
+    const auto end = begin + number_of_parts(input_edge(id));
     const auto part =
       std::upper_bound(begin, end, r.order,
                        [](size_type order, const Part& p) { return order < p.first; }) -
@@ -278,13 +285,13 @@ private:
     return part->first_piece + r.order - part->first;
   }
 
-  // The intrinsic edge leaves the face of `r.input` from its left to its right, against its first
-  // halfedge.
+  // The intrinsic edge leaves the face of its exit along its first halfedge.
   Crossing seen_from_input(Halfedge_index h, size_type id) const
   {
     const Record& r = m_records[id];
     const Halfedge_index first = first_halfedge(r.intrinsic);
-    return {id, edge_point(h, r.s), edge_point(h == r.input ? opposite(first) : first, r.t)};
+    return {id, edge_point(h, r.s),
+            edge_point(h == m_courses.exit(id) ? first : opposite(first), r.t)};
   }
 
   void note_inserted()
@@ -387,7 +394,7 @@ private:
       return;
     const std::size_t edges = m_tri.mesh().num_edges();
     for_each_chunk(concurrency, edges, [&](std::size_t begin, std::size_t end) {
-      internal::Crossing_encloser<Traits> enclosed(m_tri, internal::crossings_of(*this));
+      internal::Crossing_encloser<Traits> enclosed(m_tri, m_courses);
       for(std::size_t i = begin; i < end; ++i)
         if(const Edge_index e(static_cast<size_type>(i)); has_doubtful(e))
           set_places(e,
@@ -445,8 +452,8 @@ private:
       const auto& c = tracer.crossing(m);
       const auto& position = tracer.position(m);
       const size_type id = m_on_intrinsic(c.halfedge, static_cast<size_type>(c.number));
-      Record& r = m_records[id] = {directed_as(c.halfedge, input), Edge_index(c.halfedge), 0,
-                                   unknown(), unknown()};
+      Record& r = m_records[id] = {Edge_index(c.halfedge), 0, unknown(), unknown()};
+      m_courses.set(id, c.halfedge, opposite(input));
       if(is_certain) {
         r.s = part(position.along_line);
         r.t = edge_point(c.halfedge, position.along_edge).t;
@@ -555,10 +562,10 @@ private:
   void place_along_intrinsic(Edge_index e)
   {
     FT t(0);
-    for_each_in_strip(e, [&](const auto& strip, std::size_t m, Record& r) {
+    for_each_in_strip(e, [&](const auto& strip, std::size_t m, Halfedge_index exit, Record& r) {
       const auto position = strip.crossing(m, t);
       r.t = t = position.along_line;
-      r.s = edge_point(opposite(r.input), position.along_edge).t;
+      r.s = edge_point(exit, position.along_edge).t;
     });
   }
 
@@ -566,8 +573,7 @@ private:
   void move_along_intrinsic(Edge_index e)
   {
     FT t(0);
-    for_each_in_strip(e, [&](const auto& strip, std::size_t m, Record& r) {
-      const Halfedge_index exit = opposite(r.input);
+    for_each_in_strip(e, [&](const auto& strip, std::size_t m, Halfedge_index exit, Record& r) {
       if(r.t < 0)
         r.t = strip.along_line(m, edge_point(exit, r.s).t);
       if(r.t < t) {
@@ -581,16 +587,13 @@ private:
   template <typename Function>
   void for_each_in_strip(Edge_index e, const Function& f)
   {
-    const size_type n = m_on_intrinsic.size(e);
+    const Edge_course course = this->course(first_halfedge(e));
     typename Traits::Geodesic_strip strip;
-    const auto exit = [&](std::size_t m) {
-      return opposite(on_intrinsic(e, static_cast<size_type>(m)).input);
-    };
-    if(!CGAL::is_finite(m_tri.lay_out(strip, first_halfedge(e), exit, n)))
+    if(!CGAL::is_finite(m_tri.lay_out(strip, first_halfedge(e), course)))
       throw Numerical_error("the strip of edge " + std::to_string(e.idx()) +
                             " has no finite length");
-    for(size_type m = 0; m < n; ++m)
-      f(strip, m, on_intrinsic(e, m));
+    for(size_type m = 0; m < course.size(); ++m)
+      f(strip, m, course[m], on_intrinsic(e, m));
   }
 
   const Triangulation& m_tri;
@@ -602,6 +605,7 @@ private:
   std::vector<char> m_contains_inserted; // for each face of T1; empty if there are none
   Edge_marks m_on_intrinsic; // the indices of crossings: they are ordered along the edges of T2
   std::vector<Record> m_records;
+  internal::Edge_courses<Traits> m_courses;
   std::vector<FT> m_scale; // of the crossings; empty where all are 1
 };
 

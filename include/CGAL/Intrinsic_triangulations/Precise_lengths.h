@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <optional>
@@ -35,9 +35,7 @@ class Precise_lengths
 public:
   /// prepares for the lengths of `pair`, which is referred to.
   explicit Precise_lengths(const Pair& pair)
-    : m_pair(pair),
-      m_crossings(pair.coordinates(), pair.mesh(), pair.spokes()),
-      m_corners(pair.input_metric(), pair.input())
+    : m_pair(pair), m_courses(pair, Concurrency()), m_corners(pair.input_metric(), pair.input())
   {}
 
   /// returns the length of the edge of `h` with a relative error of at most \f$2^{-90}\f$.
@@ -60,7 +58,7 @@ private:
   std::optional<Double_double> length(Halfedge_index h, Corners<N>& corners) const
   {
     const auto strip =
-      internal::Development<Traits, Corners<N>>(m_pair, m_crossings, corners)
+      internal::Development<Traits, Corners<N>>(m_pair, m_courses, corners)
         .uncrossed_strip(h);
     const internal::Ball<N> length =
       root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
@@ -71,7 +69,7 @@ private:
   }
 
   const Pair& m_pair;
-  internal::Input_crossings m_crossings;
+  internal::Edge_courses<Traits> m_courses;
   Corners<Double_double> m_corners;
 };
 

@@ -228,22 +228,20 @@ public:
   /// lays out the triangles of \f$T_1\f$ through which the halfedge `h` of \f$T_2\f$ runs.
   /// \param strip the strip to be laid out
   /// \param h the halfedge
-  /// \param exit a function: exit(m) is the halfedge of \f$T_1\f$ through which `h` leaves a face
-  ///        as crossing m
-  /// \param n the number of crossings, positive
+  /// \param exits the halfedges of \f$T_1\f$ through which `h` leaves faces, at least one: an
+  ///        `Edge_course`, or another random access range
   /// \returns the length of `h`
-  template <typename Exit>
-  FT lay_out(typename Traits::Geodesic_strip& strip, Halfedge_index h, const Exit& exit,
-             std::size_t n) const
+  template <typename Exits>
+  FT lay_out(typename Traits::Geodesic_strip& strip, Halfedge_index h, const Exits& exits) const
   {
     if constexpr(internal::Has_distance<Traits>::value)
       internal::lay_out_strip(
-        strip, input(), exit, n,
-        std::make_pair(
-          coordinates_beyond(exit(0), input_location(h)),
-          coordinates_beyond(m_input.opposite(exit(n - 1)), input_location(m_mesh.opposite(h)))));
+        strip, input(), exits,
+        std::make_pair(coordinates_beyond(exits[0], input_location(h)),
+                       coordinates_beyond(m_input.opposite(exits[exits.size() - 1]),
+                                          input_location(m_mesh.opposite(h)))));
     else
-      internal::lay_out_strip(strip, input(), exit, n);
+      internal::lay_out_strip(strip, input(), exits);
     return strip.length();
   }
 

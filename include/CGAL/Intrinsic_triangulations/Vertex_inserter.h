@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Exact_insertion.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
 #include <CGAL/Intrinsic_triangulations/internal/refinement/Local_marks.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -58,7 +58,11 @@ public:
   ///   those that `make_Delaunay()` computes with exact decisions.
   explicit Vertex_inserter(Triangulation& tri,
                            bool exact_decisions = internal::Is_exact<Traits>::value)
-    : m_tri(tri), m_lists(tri), m_marks(tri), m_exact(tri, m_lists), m_is_exact(exact_decisions)
+    : m_tri(tri),
+      m_courses(tri, Concurrency()),
+      m_marks(tri),
+      m_exact(tri, m_courses),
+      m_is_exact(exact_decisions)
   {}
 
   Vertex_inserter(const Vertex_inserter&) = delete;
@@ -67,8 +71,8 @@ public:
   /// returns the triangulation.
   const Triangulation& triangulation() const { return m_tri; }
 
-  /// returns the edges of \f$T_1\f$ that cross each edge of \f$T_2\f$.
-  const internal::Crossing_lists<Traits>& crossing_lists() const { return m_lists; }
+  /// returns the courses of the halfedges of \f$T_2\f$ over \f$T_1\f$.
+  const internal::Edge_courses<Traits>& courses() const { return m_courses; }
 
   /// returns whether decisions are exact.
   bool is_exact() const { return internal::has_exact_decisions<Traits>() && m_is_exact; }
@@ -141,7 +145,7 @@ public:
       if(is_exact())
         return m_exact.flip(h);
     m_tri.flip(h);
-    m_lists.after_flip(h);
+    m_courses.after_flip(h);
   }
 
   /// returns whether the edge `e` is Delaunay, see `Intrinsic_triangulation::is_Delaunay()`. With
@@ -193,7 +197,7 @@ private:
     if constexpr(can_be_exact)
       if(is_exact())
         return m_exact.insert(p, closeness);
-    m_marks.set_face(p.first, m_lists);
+    m_marks.set_face(p.first, m_courses);
     const Face_map face_map(m_marks, m_tri.input_mesh());
     const std::size_t number = face_map.region_of(p.second);
     const Curve_near_by near = nearest_curve(face_map, number, p);
@@ -201,7 +205,7 @@ private:
                                                      : split_face_in_region(p, number, face_map);
     const Halfedge_index a = first_spoke(m, m_tri.mesh());
     const Halfedge_index b = next_spoke(a, m_tri.mesh());
-    m_lists.after_cut({a, b, next_spoke(b, m_tri.mesh())});
+    m_courses.after_cut({a, b, next_spoke(b, m_tri.mesh())});
     return m;
   }
 
@@ -293,7 +297,7 @@ private:
   {
     const Delta_complex& mesh = m_tri.mesh();
     return internal::Face_regions(
-      {m_lists.count(h), m_lists.count(mesh.next(h)), m_lists.count(mesh.prev(h))});
+      {m_courses.count(h), m_courses.count(mesh.next(h)), m_courses.count(mesh.prev(h))});
   }
 
   // returns the number of crossings from a point on `h` after `p` of its crossings to the opposite
@@ -322,8 +326,8 @@ private:
 
   Vertex_index split_crossed_edge(Halfedge_index h, const FT& t, const FT& closeness)
   {
-    m_marks.set_face(m_tri.mesh().face(h), m_lists);
-    const std::size_t s = side_number(h, m_tri.mesh()), n = m_lists.count(h);
+    m_marks.set_face(m_tri.mesh().face(h), m_courses);
+    const std::size_t s = side_number(h, m_tri.mesh()), n = m_courses.count(h);
     const FT distance = closeness / m_tri.length(m_tri.mesh().edge(h));
     std::size_t p = 0; // crossings before the point
     while(p < n && m_marks.here(s, p) < t)
@@ -337,7 +341,7 @@ private:
   Vertex_index split_edge_between_crossings(Halfedge_index h, const FT& t, std::size_t s,
                                             std::size_t p)
   {
-    const std::size_t n = m_lists.count(h);
+    const std::size_t n = m_courses.count(h);
     const Face_map face_map(m_marks, m_tri.input_mesh());
     const auto [input_face, map] = face_map.region_map(face_map.regions().region_at_side(s, p));
     return m_tri.split_edge(h, t,
@@ -364,7 +368,7 @@ private:
   // Inserts a vertex on the edge of T1 that crosses `h` at its crossing `p`, from left to right.
   Vertex_index split_edge_at_crossing(Halfedge_index h, std::size_t s, std::size_t p)
   {
-    const std::size_t n = m_lists.count(h);
+    const std::size_t n = m_courses.count(h);
     const Edge_point<FT> across = m_marks.across(s, p);
     const auto forward = m_tri.number_of_inserted_spoke(across.halfedge), back = 1 - forward;
     const Side_of_crossing left(p, regions_at(h));
@@ -381,11 +385,11 @@ private:
   {
     const Delta_complex& mesh = m_tri.mesh();
     const Halfedge_index o = mesh.opposite(h), im = first_part(h, mesh);
-    m_lists.after_split(im, h);
+    m_courses.after_split(im, h);
     if(!mesh.is_border(im) && !mesh.is_border(o))
-      m_lists.after_cut({mesh.next(im), mesh.next(o)});
+      m_courses.after_cut({mesh.next(im), mesh.next(o)});
     else
-      m_lists.after_cut({mesh.next(mesh.is_border(o) ? im : o)});
+      m_courses.after_cut({mesh.next(mesh.is_border(o) ? im : o)});
   }
 
   // ---- Removal ----
@@ -411,7 +415,7 @@ private:
   Halfedge_index best_candidate(bool is_flat_allowed);
 
   Triangulation& m_tri;
-  internal::Crossing_lists<Traits> m_lists;
+  internal::Edge_courses<Traits> m_courses;
   Marks m_marks;
   internal::Exact_insertion_of<Traits> m_exact;
   bool m_is_exact;
@@ -476,12 +480,10 @@ Face_index Vertex_inserter<Traits>::remove(Vertex_index v, const After_flip& aft
     after_flip(h);
   }
   const Face_index f = m_tri.remove_degree_3_vertex(v);
-  for(Halfedge_index h : sides(f, mesh)) {
-    m_lists.set_if_shared(mesh.edge(h));
-    if constexpr(can_be_exact)
-      if(is_exact())
+  if constexpr(can_be_exact)
+    if(is_exact())
+      for(Halfedge_index h : sides(f, mesh))
         m_exact.measure_if_shared(h);
-  }
   return f;
 }
 

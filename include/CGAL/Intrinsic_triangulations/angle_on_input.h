@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Vertex_angles.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/angle_in_strip.h>
-#include <CGAL/Intrinsic_triangulations/trace.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
 #include <cstddef>
 
@@ -37,10 +37,9 @@ template <typename Traits>
 typename Traits::FT angle_on_input(const Intrinsic_triangulation<Traits>& tri, Halfedge_index h)
 {
   typedef typename Traits::FT FT;
-  const auto exits = internal::crossed_halfedges(h, tri);
   Euclidean_strip<FT> strip;
-  const FT angle = internal::angle_from_spoke(
-    h, [&](std::size_t m) { return exits[m]; }, exits.size(), tri, strip);
+  const FT angle =
+    internal::angle_from_spoke(h, internal::Edge_courses<Traits>(tri)(h), tri, strip);
   if(tri.is_inserted(tri.mesh().source(h)))
     return internal::angle_of_inserted_spoke(h, tri) + angle;
   return internal::Vertex_angles<FT>(tri.input_spoke_before(h), tri.input()).normalized(angle);

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Ideal_geometry_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Ideal_development.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
@@ -183,9 +183,10 @@ certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<doubl
   typedef Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>> Triangulation;
   CGAL_precondition(tri.number_of_inserted_vertices() == 0 && !tri.mesh().has_garbage());
   CGAL_precondition(factor.size() == tri.mesh().number_of_vertices());
-  const internal::Input_crossings crossings(tri.coordinates(), tri.mesh(), tri.spokes());
-  internal::Ideal_development<internal::Filter_interval, Triangulation> intervals(tri, crossings);
-  internal::Ideal_development<Exact_rational, Triangulation> exact(tri, crossings);
+  const internal::Edge_courses<typename Triangulation::Traits> courses(tri,
+                                                                       Concurrency());
+  internal::Ideal_development<internal::Filter_interval, Triangulation> intervals(tri, courses);
+  internal::Ideal_development<Exact_rational, Triangulation> exact(tri, courses);
   return internal::certify_ideal_Delaunay(
     tri.mesh(), factor, [&](Edge_index e) { return intervals.length(e); },
     [&](Edge_index e) { return exact.length(e); },

@@ -20,6 +20,7 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {

@@ -8,7 +8,6 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Correspondence.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Corresponding_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_encloser.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
@@ -43,9 +42,8 @@ enclose_crossings(const Correspondence<Traits>& correspondence, Edge_index e,
                   double width = internal::crossing_width())
 {
   static_assert(internal::has_metric<Traits>(), "places need the metric of a Euclidean geometry");
-  return internal::Crossing_encloser<Traits>(
-    correspondence.triangulation(), internal::crossings_of(correspondence))(first_halfedge(e),
-                                                                            width);
+  return internal::Crossing_encloser<Traits>(correspondence.triangulation(),
+                                             correspondence.courses())(first_halfedge(e), width);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCertificates
@@ -92,7 +90,7 @@ template <typename Traits>
 Place_certificate certify_places(const Correspondence<Traits>& correspondence)
 {
   const auto& tri = correspondence.triangulation();
-  internal::Crossing_encloser<Traits> enclosed(tri, internal::crossings_of(correspondence));
+  internal::Crossing_encloser<Traits> enclosed(tri, correspondence.courses());
   double longest = 0;
   for(Edge_index e : tri.input_mesh().edges())
     longest = (std::max)(longest, tri.input_length(e));

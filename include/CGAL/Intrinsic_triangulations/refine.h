@@ -123,8 +123,11 @@ std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits
                                             const Bounds& bounds, const Refinement_result& result)
 {
   const Narrow_vertices<Traits> narrow(tri, bounds.narrow_angle(), result.is_exact);
-  std::optional<Crossing_lists<Traits>> made;
-  const auto lists = [&]() -> const auto& { return made ? *made : made.emplace(tri); };
+  std::optional<Edge_courses<Traits>> made;
+  const auto courses = [&]() -> const auto&
+  {
+    return made ? *made : made.emplace(tri, Concurrency());
+  };
   std::vector<Remaining_face> remaining;
   const auto unexcused = [&](Face_index f) {
     return Remaining_face{f, reason_left(tri, f, result), tri.mesh().null_vertex()};
@@ -133,7 +136,7 @@ std::vector<Remaining_face> remaining_faces(const Intrinsic_triangulation<Traits
     if(bounds.is_too_large(f) || bounds.is_not_simplicial(f))
       remaining.push_back(unexcused(f));
     else if(bounds.is_too_thin(f)) {
-      const auto excuse = narrow.excuse(f, lists);
+      const auto excuse = narrow.excuse(f, courses);
       remaining.push_back(excuse ? *excuse : unexcused(f));
     }
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/crossing_scale.h>
 #include <CGAL/Intrinsic_triangulations/trace_edge.h>
@@ -158,25 +159,6 @@ trace_input_edge(const Intrinsic_triangulation<Traits>& tri, Halfedge_index h)
 
 namespace internal {
 
-// Returns the halfedges of T1 through which the halfedge `h` of T2 leaves faces, in order: the
-// curves that cross it are followed to their ends, which determine their edges.
-template <typename Traits>
-std::vector<Halfedge_index> crossed_halfedges(Halfedge_index h,
-                                              const Intrinsic_triangulation<Traits>& tri)
-{
-  typedef typename Traits::Integer Integer;
-  typedef typename Intrinsic_triangulation<Traits>::Coordinates Coordinates;
-  const Coordinates& coordinates = tri.coordinates();
-  std::vector<Halfedge_index> result;
-  for(Integer number(0); number < coordinates.crossings(h); ++number) {
-    typename Coordinates::Crossing c{h, number};
-    while(coordinates.advance(c, tri.mesh()) != Coordinates::Turn::ends) {
-    }
-    result.push_back(coordinates.spoke_at_end(c, tri.mesh(), tri.spokes()));
-  }
-  return result;
-}
-
 template <typename Traits>
 Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
                                             const Intrinsic_triangulation<Traits>& tri)
@@ -185,14 +167,13 @@ Scaled_trace<Traits> scaled_intrinsic_trace(Halfedge_index h,
   const Halfedge_index o = tri.mesh().opposite(h);
   Scaled_trace<Traits> trace;
   trace.add({tri.start_on_spoke(h), {h, FT(0)}});
-  const std::vector<Halfedge_index> exits = crossed_halfedges(h, tri);
+  const Edge_course course = Edge_courses<Traits>(tri)(h);
   typename Traits::Geodesic_strip strip;
-  if(!exits.empty())
-    tri.lay_out(
-      strip, h, [&](std::size_t m) { return exits[m]; }, exits.size());
-  for(std::size_t m = 0; m < exits.size(); ++m) {
+  if(!course.empty())
+    tri.lay_out(strip, h, course);
+  for(std::size_t m = 0; m < course.size(); ++m) {
     const auto position = crossing_not_before<Traits>(trace.points.back().on_intrinsic.t, m, strip);
-    trace.add({{exits[m], position.along_edge}, {h, position.along_line}},
+    trace.add({{course[m], position.along_edge}, {h, position.along_line}},
               1 / scale_of<Traits>(position));
   }
   trace.add({reversed_if_valid(tri.start_on_spoke(o), tri.input_mesh()), {h, FT(1)}});

@@ -53,10 +53,11 @@ public:
     const auto trace = trace_input_edge(m_triangulation, h);
     if(trace.size() == 2)
       return m_length[Edge_index(trace.front().on_intrinsic.halfedge).idx()];
+    std::vector<Halfedge_index> exits;
+    for(std::size_t m = 1; m + 1 < trace.size(); ++m)
+      exits.push_back(trace[m].on_intrinsic.halfedge);
     Intrinsic_triangulations::Euclidean_strip<double> strip;
-    Intrinsic_triangulations::internal::lay_out_strip(
-      strip, *this, [&](std::size_t m) { return trace[m + 1].on_intrinsic.halfedge; },
-      trace.size() - 2);
+    Intrinsic_triangulations::internal::lay_out_strip(strip, *this, exits);
     return strip.length();
   }
 

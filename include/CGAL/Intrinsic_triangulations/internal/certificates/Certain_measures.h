@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Certain_strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -54,7 +53,7 @@ public:
     if(is_input_edge(h))
       return {true, m_pair.input_length(m_pair.input_mesh().edge(input_edge_as_long(h)))};
     if(has_certain_strip(h))
-      return m_strip(h, m_crossings, certified_length_error());
+      return m_strip(m_courses(h), certified_length_error());
     const auto strip = development(m_double).strip(h);
     return {certainly(straightness(strip) == POSITIVE), rounded_length(strip, m_double)};
   }
@@ -65,7 +64,7 @@ public:
   {
     if(m_pair.coordinates().is_shared(m_mesh.edge(h)))
       return shared_length(h);
-    double length = has_certain_strip(h) ? m_strip(h, m_crossings, error).length
+    double length = has_certain_strip(h) ? m_strip(m_courses(h), error).length
                                          : std::numeric_limits<double>::quiet_NaN();
     if(std::isnan(length))
       try_with_more_digits([&](auto& corners) {
@@ -137,11 +136,11 @@ public:
   Rounded<Double_double>& extended_corners() const { return m_extended; }
 
 protected:
-  Certain_measures(const Pair& pair, Referenced_crossings crossings)
+  Certain_measures(const Pair& pair, const Edge_courses<Traits>& courses)
     : m_pair(pair),
       m_mesh(pair.mesh()),
       m_metric(pair.input_metric()),
-      m_crossings(crossings),
+      m_courses(courses),
       m_strip(pair),
       m_double(m_metric, pair.input()),
       m_extended(m_metric, pair.input()),
@@ -157,7 +156,7 @@ protected:
   template <typename Corners>
   auto development(Corners& corners) const
   {
-    return Development<Traits, Corners>(m_pair, m_crossings, corners);
+    return Development<Traits, Corners>(m_pair, m_courses, corners);
   }
 
   // Calls `attempt(corners)` with corners of more and more digits until it returns true.
@@ -188,7 +187,7 @@ protected:
   const Pair& m_pair;
   const Delta_complex& m_mesh;
   const Metric& m_metric;
-  Referenced_crossings m_crossings;
+  const Edge_courses<Traits>& m_courses;
 
 private:
   // Returns a halfedge of T1 as long as the edge of `h`, which is an edge of T1. With positions,
@@ -206,8 +205,7 @@ private:
   // whether an edge without inserted ends crosses triangles whose sides are known in `double`
   bool has_certain_strip(Halfedge_index h) const
   {
-    return m_pair.number_of_crossings(h) > 0 && !has_inserted_end(h) &&
-           m_metric.squared_lengths.empty();
+    return m_courses.count(h) > 0 && !has_inserted_end(h) && m_metric.squared_lengths.empty();
   }
 
   // Returns a corner and its error, which is at most `error` times `size(corner)` if more digits

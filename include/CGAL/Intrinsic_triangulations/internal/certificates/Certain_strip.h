@@ -7,6 +7,7 @@
 
 #include <CGAL/license/Intrinsic_triangulations.h>
 
+#include <CGAL/Intrinsic_triangulations/Edge_course.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
@@ -78,15 +79,15 @@ class Certain_strip
 public:
   explicit Certain_strip(const Pair& pair) : m_pair(pair), m_input(pair.input_mesh()) {}
 
-  // Returns the length of the edge of `h`, unless it may have a relative error of more than
-  // `error`, and whether it certainly passes between the ends of the edges of T1 that it crosses.
-  // \pre the edge of `h` crosses some and has no inserted ends, and T1 has positions or lengths
-  template <typename Crossings>
-  Straight_edge operator()(Halfedge_index h, const Crossings& crossings, double error)
+  // Returns the length of an edge with this course, unless it may have a relative error of more
+  // than `error`, and whether it certainly passes between the ends of the edges of T1 that it
+  // crosses.
+  // \pre the edge crosses some and has no inserted ends, and T1 has positions or lengths
+  Straight_edge operator()(const Edge_course& course, double error)
   {
-    if(m_pair.number_of_crossings(h) == 1)
-      return across(crossings(h, 0), error);
-    lay_out(h, crossings);
+    if(course.size() == 1)
+      return across(opposite(course[0]), error);
+    lay_out(course);
     const double triangles = static_cast<double>(m_left.size() + m_right.size());
     const double displacement = 32 * Rounding<double>::unit() * triangles * m_longest_way;
     const double length = std::sqrt(m_end.x * m_end.x + m_end.y * m_end.y);
@@ -118,18 +119,16 @@ private:
                            : std::numeric_limits<double>::quiet_NaN()};
   }
 
-  template <typename Crossings>
-  void lay_out(Halfedge_index h, const Crossings& crossings)
+  void lay_out(const Edge_course& course)
   {
-    const std::size_t n = m_pair.number_of_crossings(h);
-    const Halfedge_index exit = opposite(crossings(h, 0)), first = m_input.prev(exit);
+    const Halfedge_index exit = course[0], first = m_input.prev(exit);
     const double length = side_length(first);
     m_left.clear();
     m_right.assign(1, {length, 0});
     m_longest_way = length;
     Side side = passed({first, {length, 0}, {{0, 0}, 0}, {{length, 0}, length}}, exit);
-    for(std::size_t m = 1; m < n; ++m)
-      side = passed(side, opposite(crossings(h, m)));
+    for(std::size_t m = 1; m < course.size(); ++m)
+      side = passed(side, course[m]);
     m_end = apex(side).corner.position;
   }
 

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Delaunay_by_lengths.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_triangles.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/enum.h>
@@ -38,15 +38,14 @@ public:
   typedef Exact_decisions<Traits> Decisions;
 
   Certifier(const Pair& pair, Concurrency concurrency)
-    : Certifier(pair, concurrency,
-                Input_crossings(pair.coordinates(), pair.mesh(), pair.spokes(), concurrency))
+    : Certifier(pair, concurrency, Edge_courses<Traits>(pair, concurrency))
   {}
 
-  Certifier(const Pair& pair, Concurrency concurrency, Input_crossings&& crossings)
+  Certifier(const Pair& pair, Concurrency concurrency, Edge_courses<Traits>&& courses)
     : m_pair(pair),
       m_mesh(pair.mesh()),
       m_concurrency(concurrency),
-      m_crossings(std::move(crossings)),
+      m_courses(std::move(courses)),
       m_length(m_mesh.num_edges(), std::numeric_limits<double>::quiet_NaN()),
       m_is_checked(m_mesh.num_vertices(), false)
   {}
@@ -65,7 +64,7 @@ public:
   }
 
   // for several calls of `straight_length()`
-  Decisions decisions() const { return Decisions(m_pair, m_crossings); }
+  Decisions decisions() const { return Decisions(m_pair, m_courses); }
 
   // Returns the length of the edge `e`; zero if it cannot be shown that it is straight, and that
   // the faces at inserted ends turn around once.
@@ -196,7 +195,7 @@ private:
   const Pair& m_pair;
   const Delta_complex& m_mesh;
   Concurrency m_concurrency;
-  Input_crossings m_crossings;
+  Edge_courses<Traits> m_courses;
   std::vector<double> m_length;   // NaN if it is not known well enough
   std::vector<char> m_is_checked; // vertices, by `straight_length()`
   Delaunay_by_lengths m_by_lengths;

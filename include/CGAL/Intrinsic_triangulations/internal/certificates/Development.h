@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -42,9 +42,9 @@ public:
     Complex source, target, vector;
   };
 
-  Development(const Triangulation_pair<Traits>& pair, Referenced_crossings crossings,
+  Development(const Triangulation_pair<Traits>& pair, const Edge_courses<Traits>& courses,
               Corners& corners)
-    : m_pair(pair), m_input(pair.input_mesh()), m_crossings(crossings), m_corners(corners)
+    : m_pair(pair), m_input(pair.input_mesh()), m_courses(courses), m_corners(corners)
   {}
 
   template <typename Lazy_number>
@@ -184,11 +184,11 @@ private:
     const Delta_complex& mesh = m_pair.mesh();
     if(m_pair.coordinates().is_shared(mesh.edge(h)))
       return end_along(side, mesh.target(h));
-    const std::size_t n = m_pair.number_of_crossings(h);
+    const Edge_course course = m_courses(h);
     const bool ends_inside = m_pair.is_inserted(mesh.target(h));
-    for(std::size_t m = 0; m < n; ++m) {
-      const Halfedge_index exit = m_input.opposite(m_crossings(h, m));
-      const bool stays = m_corners.is_flat(exit) && !(ends_inside && m + 1 == n);
+    for(std::size_t m = 0; m < course.size(); ++m) {
+      const Halfedge_index exit = course[m];
+      const bool stays = m_corners.is_flat(exit) && !(ends_inside && m + 1 == course.size());
       if(stays && crossed == nullptr)
         continue;
       Placed_side passed = other_side(side, exit);
@@ -304,7 +304,7 @@ private:
 
   const Triangulation_pair<Traits>& m_pair;
   const Delta_complex& m_input;
-  Referenced_crossings m_crossings;
+  const Edge_courses<Traits>& m_courses;
   Corners& m_corners;
 };
 

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/exact_squares.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Correspondence_marks.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Corresponding_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_map.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_walk.h>
@@ -39,7 +38,7 @@ public:
   explicit Element_locator(const Correspondence<Traits>& correspondence)
     : m_correspondence(correspondence),
       m_tri(correspondence.triangulation()),
-      m_decisions(m_tri, crossings_of(correspondence))
+      m_decisions(m_tri, correspondence.courses())
   {}
 
   Surface_element operator()(Side side, const Face_location<double>& p)
@@ -139,7 +138,7 @@ private:
   {
     const std::size_t s = mark.side, t = (s + 1) % 3, u = (s + 2) % 3;
     const Halfedge_index back = opposite(halfedge[s]);
-    const std::size_t from_target = m_tri.number_of_crossings(back) - 1 - mark.mark;
+    const std::size_t from_target = m_correspondence.courses().count(back) - 1 - mark.mark;
     return m_decisions.decide([&](const auto& development) {
       const auto w = development.weights(b);
       const auto near = development.strip(halfedge[s]).crossed[mark.mark];

@@ -61,7 +61,7 @@ class Exact_decisions : public Certain_measures<Traits>
   using Rounded = typename Base::template Rounded<N>;
   using Base::development;
   using Base::has_inserted_end;
-  using Base::m_crossings;
+  using Base::m_courses;
   using Base::m_mesh;
   using Base::m_metric;
   using Base::m_pair;
@@ -76,8 +76,8 @@ public:
   using Base::is_input_edge;
   using Base::rounded_angle;
 
-  Exact_decisions(const Pair& pair, Referenced_crossings crossings)
-    : Base(pair, crossings), m_is_flat(m_metric, pair.input_mesh())
+  Exact_decisions(const Pair& pair, const Edge_courses<Traits>& courses)
+    : Base(pair, courses), m_is_flat(m_metric, pair.input_mesh())
   {}
 
   // Returns whether the edge of `h`, which could be flipped, is locally Delaunay: by the stored
@@ -210,7 +210,7 @@ public:
     const Lazy_number rest = 1 - t;
     return decide<Exact_field>([&](const auto& development) {
       const auto from_source = development.strip(h).crossed[m];
-      const auto from_target = development.strip(o).crossed[m_pair.number_of_crossings(h) - 1 - m];
+      const auto from_target = development.strip(o).crossed[m_courses.count(h) - 1 - m];
       return sign_of_imaginary(
         development.number(rest) * height(from_source) * squared_length(from_target) -
         development.number(t) * height(from_target) * squared_length(from_source));
@@ -265,10 +265,13 @@ private:
   {
     if(is_input_edge(h))
       return true;
-    for(std::size_t m = 0; m < m_pair.number_of_crossings(h); ++m)
-      if(!m_is_flat(m_crossings(h, m)))
+    if(m_metric.points.empty())
+      return false;
+    const Edge_course course = m_courses(h);
+    for(std::size_t m = 0; m < course.size(); ++m)
+      if(!m_is_flat(course[m]))
         return false;
-    return !m_metric.points.empty();
+    return true;
   }
 
   // whether a vertex of the diamond of `h` is inserted
@@ -399,8 +402,9 @@ private:
                 ? spoke
                 : input.halfedge(m_pair.inserted_vertex(m_mesh.source(h)).location.first)))
       return true;
-    for(std::size_t m = 0; m < m_pair.number_of_crossings(h); ++m)
-      if(is_one(m_crossings(h, m)))
+    const Edge_course course = m_courses(h);
+    for(std::size_t m = 0; m < course.size(); ++m)
+      if(is_one(opposite(course[m])))
         return true;
     return false;
   }

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Ideal_strip.h>
 #include <CGAL/Intrinsic_triangulations/Surface_view.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/lay_out_strip.h>
 
 #include <CGAL/Interval_nt.h>
@@ -28,8 +28,10 @@ template <typename FT, typename Triangulation>
 class Ideal_development
 {
 public:
-  Ideal_development(const Triangulation& tri, const Input_crossings& crossings)
-    : m_tri(tri), m_crossings(crossings)
+  typedef Edge_courses<typename Triangulation::Traits> Courses;
+
+  Ideal_development(const Triangulation& tri, const Courses& courses)
+    : m_tri(tri), m_courses(courses)
   {}
 
   FT length(Edge_index e)
@@ -43,16 +45,13 @@ public:
   {
     const auto length = boost::make_function_property_map<Edge_index>(
       [this](Edge_index x) { return FT(m_tri.input_length(x)); });
-    lay_out_strip(
-      m_strip, Surface_view(m_tri.input_mesh(), length),
-      [&](std::size_t m) { return opposite(m_crossings(first_halfedge(e), m)); },
-      m_crossings.count(e));
+    lay_out_strip(m_strip, Surface_view(m_tri.input_mesh(), length), m_courses(first_halfedge(e)));
     return m_strip;
   }
 
 private:
   const Triangulation& m_tri;
-  const Input_crossings& m_crossings;
+  const Courses& m_courses;
   Ideal_strip<FT> m_strip;
 };
 

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 #include <CGAL/Intrinsic_triangulations/triangle_formulas.h>
 
@@ -31,9 +31,7 @@ class Lengths_in_strips
   typedef typename Traits::FT FT;
 
 public:
-  explicit Lengths_in_strips(const Pair& pair)
-    : m_pair(pair), m_crossings(pair.coordinates(), pair.mesh(), pair.spokes())
-  {}
+  explicit Lengths_in_strips(const Pair& pair) : m_pair(pair), m_courses(pair, Concurrency()) {}
 
   // \throws Numerical_error if it is not positive and finite
   FT operator()(Halfedge_index h)
@@ -66,26 +64,26 @@ public:
                                      rounding_unit<double>();
     if(!is_inside(mesh.source(h)) || !is_inside(mesh.target(h)))
       return false;
-    const std::size_t n = m_crossings.count(h);
-    if(n == 0) {
+    const Edge_course course = m_courses(h);
+    if(course.empty()) {
       const auto [a, b, c] = side_lengths(input.halfedge(m_face), m_pair.input());
       return (a + b + c) * angle_error(m_face) <= tolerance * length;
     }
-    double error = angle_error(input.face(opposite(m_crossings(h, 0))));
-    for(std::size_t m = 0; m < n; ++m)
-      error += angle_error(input.face(m_crossings(h, m)));
+    double error = angle_error(input.face(course[0]));
+    for(std::size_t m = 0; m < course.size(); ++m)
+      error += angle_error(input.face(opposite(course[m])));
     return m_strip.is_certain(error, tolerance);
   }
 
-  // returns the crossings of which the lengths have been computed
-  Input_crossings crossings() && { return std::move(m_crossings); }
+  // returns the courses of the edges of which the lengths have been computed
+  Edge_courses<Traits> courses() && { return std::move(m_courses); }
 
 private:
   FT rounded_length(Halfedge_index h)
   {
     return m_pair.coordinates().is_shared(m_pair.mesh().edge(h)) ? m_pair.shared_length(h)
-           : m_crossings.count(h) == 0                           ? length_in_face(h)
-                                                                 : length_in_strip(h);
+           : m_courses.count(h) == 0                             ? length_in_face(h)
+                                     : m_pair.lay_out(m_strip, h, m_courses(h));
   }
 
   // whether the vertex `v` of T2 is not on the boundary of a triangle of T1 that it is to lie in
@@ -128,14 +126,8 @@ private:
       return FT(0);
   }
 
-  FT length_in_strip(Halfedge_index h)
-  {
-    const auto exit = [&](std::size_t m) { return opposite(m_crossings(h, m)); };
-    return m_pair.lay_out(m_strip, h, exit, m_crossings.count(h));
-  }
-
   const Pair& m_pair;
-  Input_crossings m_crossings;
+  Edge_courses<Traits> m_courses;
   typename Traits::Geodesic_strip m_strip;
   Face_index m_face;                // in which the last edge without crossings lies
   std::vector<float> m_angle_error; // of faces of T1; 0 if it has not been computed
@@ -146,8 +138,8 @@ template <typename Traits, typename Use>
 void with_lengths_in_strips(const Triangulation_pair<Traits>& pair, const Use& use)
 {
   if constexpr(Is_exact<Traits>::value) {
-    const Input_crossings crossings(pair.coordinates(), pair.mesh(), pair.spokes());
-    const Exact_decisions<Traits> decisions(pair, crossings);
+    const Edge_courses<Traits> courses(pair, Concurrency());
+    const Exact_decisions<Traits> decisions(pair, courses);
     use([&](Halfedge_index h) { return decisions.length(h); });
   } else
     use(Lengths_in_strips<Traits>(pair));

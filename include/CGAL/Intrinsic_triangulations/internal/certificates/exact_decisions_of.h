@@ -8,17 +8,32 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Traced_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
+
+#include <boost/utility/base_from_member.hpp>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// decisions about single edges of T2
+// Decisions about a triangulation pair, with courses that are computed when they are read.
+template <typename Traits>
+class Decisions_on_demand : private boost::base_from_member<Edge_courses<Traits>>,
+                            public Exact_decisions<Traits>
+{
+  typedef boost::base_from_member<Edge_courses<Traits>> Courses;
+
+public:
+  explicit Decisions_on_demand(const Triangulation_pair<Traits>& pair)
+    : Courses(pair), Exact_decisions<Traits>(pair, Courses::member)
+  {}
+
+  Decisions_on_demand(const Decisions_on_demand&) = delete;
+  Decisions_on_demand& operator=(const Decisions_on_demand&) = delete;
+};
+
 template <typename Traits>
 auto exact_decisions(const Triangulation_pair<Traits>& pair)
 {
-  return Exact_decisions<Traits>(pair,
-                                 Referenced_crossings::found_in<Traced_crossings<Traits>>(pair));
+  return Decisions_on_demand<Traits>(pair);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
 #include <CGAL/Intrinsic_triangulations/internal/flipping/Common_vertices.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
 
 #include <cstddef>
@@ -97,8 +97,8 @@ private:
   typedef std::vector<std::size_t> Key;
 
   template <typename Number>
-  static Key key(Halfedge_index h, const Triangulation& tri, const Input_crossings& crossings,
-                 const Number& number)
+  static Key key(Halfedge_index h, const Triangulation& tri,
+                 const Edge_courses<typename Triangulation::Traits>& courses, const Number& number)
   {
     const Delta_complex& mesh = tri.mesh();
     const auto end = [&](Halfedge_index x) {
@@ -108,16 +108,17 @@ private:
     const auto [source, source_spoke] = end(h);
     const auto [target, target_spoke] = end(mesh.opposite(h));
     Key result{source, source_spoke, target, target_spoke};
-    for(std::size_t m = 0; m < crossings.count(h); ++m)
-      result.push_back(crossings(h, m).idx());
+    const Edge_course course = courses(h);
+    for(std::size_t m = 0; m < course.size(); ++m)
+      result.push_back(course[m].idx());
     return result;
   }
 
   void match_edges()
   {
     const Triangulation &base = m_common.base(), &tri = m_common.tri();
-    const Input_crossings on_base(base.coordinates(), base.mesh(), base.spokes()),
-      on_tri(tri.coordinates(), tri.mesh(), tri.spokes());
+    const Edge_courses<typename Triangulation::Traits> on_base(base, Concurrency()),
+      on_tri(tri, Concurrency());
     std::map<Key, Halfedge_index> there;
     for(Halfedge_index h : base.mesh().halfedges())
       there.emplace(key(h, base, on_base, [](Vertex_index v) { return v; }), h);

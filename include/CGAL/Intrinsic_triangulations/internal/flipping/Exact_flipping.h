@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Lengths_in_strips.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/flipped_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossings_on_demand.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/Uncertain.h>
@@ -40,7 +40,6 @@ template <typename Traits>
 class Exact_flipping
 {
   typedef Intrinsic_triangulation<Traits> Triangulation;
-  typedef Crossings_on_demand<Traits> Crossings;
   typedef Exact_decisions<Traits> Decisions;
 
 public:
@@ -50,8 +49,8 @@ public:
                           double effort = std::numeric_limits<double>::infinity())
     : m_tri(tri),
       m_mesh(tri.mesh()),
-      m_crossings(tri),
-      m_decisions(tri, m_crossings),
+      m_courses(tri),
+      m_decisions(tri, m_courses),
       m_error(m_mesh.num_edges(), input_error),
       m_effort(effort)
   {
@@ -97,8 +96,7 @@ public:
         flipped = {in_plane, double(input_error)};
     if(error == unknown_error && !m_tri.traits().is_length_object()(flipped.length))
       return false;
-    m_tri.turn(h, [&] {
-      m_crossings.after_flip(h);
+    turn(h, [&] {
       if(m_tri.coordinates().is_shared(m_mesh.edge(h)))
         flipped = shared_length(h);
       else if(!(flipped.error <= kept_error()))
@@ -164,6 +162,21 @@ public:
   }
 
 private:
+  // Flips the edge of `h` and updates its course before `length()` is called, also if that throws.
+  template <typename Length>
+  void turn(Halfedge_index h, const Length& length)
+  {
+    try {
+      m_tri.turn(h, [&] {
+        m_courses.after_flip(h);
+        return length();
+      });
+    } catch(...) {
+      m_courses.after_flip(h);
+      throw;
+    }
+  }
+
   typedef typename Euclidean_geometry_traits<double>::Is_locally_Delaunay By_lengths;
 
   // The greatest relative error of lengths that decide.
@@ -215,7 +228,8 @@ private:
     return static_cast<double>(m_tri.coordinates().crossings(m_mesh.halfedge(e)));
   }
 
-  // As long as crossings are not listed, each is found by following an edge of T1 over others.
+  // As long as courses are not stored, each crossing is found by following an edge of T1 over
+  // others.
   bool can_afford(Edge_index e)
   {
     m_effort -= count(e) * count(e);
@@ -272,7 +286,7 @@ private:
         doubtful.push_back(i);
     if(doubtful.empty())
       return true;
-    Certifier<Traits> certifier(m_tri, Concurrency(), std::move(lengths).crossings());
+    Certifier<Traits> certifier(m_tri, Concurrency(), std::move(lengths).courses());
     auto decisions = certifier.decisions();
     return std::all_of(doubtful.begin(), doubtful.end(), [&](std::size_t i) {
       edges[i].second = certifier.straight_length(edges[i].first, decisions);
@@ -291,7 +305,7 @@ private:
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
-  Crossings m_crossings;
+  Edge_courses<Traits> m_courses;
   Decisions m_decisions;
   std::vector<float> m_error; // relative error bounds of the lengths
   double m_effort;

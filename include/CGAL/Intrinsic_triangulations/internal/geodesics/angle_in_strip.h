@@ -8,6 +8,7 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_course.h>
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Euclidean_strip.h>
 #include <CGAL/Intrinsic_triangulations/Flat_face.h>
@@ -51,22 +52,21 @@ struct Start_in_input_face
   typename Flat_face<FT>::Place place; // the coordinate of the source of the axis first
 };
 
-// Returns the angle between the x-axis of `start` and the halfedge `h` of T2, in (-pi, 2 pi). It
-// leaves faces of T1 through exit(0), ..., exit(n - 1).
-template <typename Traits, typename Exit>
+// Returns the angle between the x-axis of `start` and the halfedge `h` of T2, in (-pi, 2 pi).
+template <typename Traits>
 typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Halfedge_index h,
-                                   const Exit& exit, std::size_t n,
+                                   const Edge_course& course,
                                    const Intrinsic_triangulation<Traits>& tri,
                                    Euclidean_strip<typename Traits::FT>& strip)
 {
   const Delta_complex& mesh = tri.input_mesh();
   const Start_in_input_face<Traits> end(tri.mesh().opposite(h), tri);
-  if(n == 0)
+  if(course.empty())
     return std::arg(
       start.face.between(start.place, coordinates_from(start.axis, end.location, mesh)));
-  const std::size_t first = side_number(exit(0), start.axis, mesh);
-  const std::size_t last = side_number(mesh.opposite(exit(n - 1)), end.axis, mesh);
-  lay_out_strip(strip, tri.input(), exit, n,
+  const std::size_t first = side_number(course[0], start.axis, mesh);
+  const std::size_t last = side_number(opposite(course[course.size() - 1]), end.axis, mesh);
+  lay_out_strip(strip, tri.input(), course,
                 std::make_pair(start.place_beyond(first), end.place_beyond(last)));
   if(!tri.traits().is_length_object()(strip.length()))
     throw Numerical_error("the strip of edge " + std::to_string(tri.mesh().edge(h).idx()) +
@@ -75,17 +75,16 @@ typename Traits::FT angle_in_strip(const Start_in_input_face<Traits>& start, Hal
 }
 
 // Returns the angle on the surface from the spoke of T1 before the halfedge `h` of T2, or from
-// halfedge(f) if the source lies inside the face f of T1, counterclockwise to `h`; it leaves faces
-// of T1 through exit(0), ..., exit(n - 1).
-template <typename Traits, typename Exit>
-typename Traits::FT angle_from_spoke(Halfedge_index h, const Exit& exit, std::size_t n,
+// halfedge(f) if the source lies inside the face f of T1, counterclockwise to `h`.
+template <typename Traits>
+typename Traits::FT angle_from_spoke(Halfedge_index h, const Edge_course& course,
                                      const Intrinsic_triangulation<Traits>& tri,
                                      Euclidean_strip<typename Traits::FT>& strip)
 {
   typedef typename Traits::FT FT;
   if(tri.coordinates().is_shared(tri.mesh().edge(h)))
     return FT(0);
-  const FT angle = angle_in_strip(Start_in_input_face<Traits>(h, tri), h, exit, n, tri, strip);
+  const FT angle = angle_in_strip(Start_in_input_face<Traits>(h, tri), h, course, tri, strip);
   const bool is_in_face = !tri.input_spoke_before(h).is_valid();
   return is_in_face && angle < 0 ? angle + 2 * pi<FT>() : angle;
 }

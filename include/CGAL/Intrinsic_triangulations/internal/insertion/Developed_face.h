@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Development.h>
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Input_corners.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Face_regions.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Referenced_crossings.h>
 
 #include <array>
 #include <cmath>
@@ -44,14 +43,14 @@ public:
   };
 
   // `h` leads from i to j
-  Developed_face(const Pair& pair, Referenced_crossings crossings, Corners& corners,
+  Developed_face(const Pair& pair, const Edge_courses<Traits>& courses, Corners& corners,
                  Halfedge_index h)
     : m_pair(pair),
       m_input(pair.input_mesh()),
-      m_layout(pair, crossings, corners),
+      m_layout(pair, courses, corners),
       m_is_inserted(pair.is_inserted(pair.mesh().source(h))),
-      m_regions({pair.number_of_crossings(h), pair.number_of_crossings(pair.mesh().next(h)),
-                 pair.number_of_crossings(pair.mesh().prev(h))}),
+      m_regions(
+        {courses.count(h), courses.count(pair.mesh().next(h)), courses.count(pair.mesh().prev(h))}),
       m_ij(m_layout.strip(h)),
       m_ik(m_layout.strip(opposite(pair.mesh().prev(h)), m_layout.following_side(h, m_ij.first))),
       m_unit(to_double(corners.length(m_ij.first.halfedge).x))

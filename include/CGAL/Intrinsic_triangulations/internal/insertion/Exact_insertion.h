@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/certificates/Exact_decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Developed_face.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/split_on_curve.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <boost/config.hpp>
@@ -27,7 +27,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Changes of T2 with exact decisions, and with lengths that stay within `certified_length_error()`.
-// All of them read the crossings from lists. None is inlined where decisions are rarely exact.
+// All of them read stored courses. None is inlined where decisions are rarely exact.
 template <typename Traits>
 class Exact_insertion
 {
@@ -38,8 +38,8 @@ class Exact_insertion
 public:
   typedef Exact_decisions<Traits> Decisions;
 
-  Exact_insertion(Triangulation& tri, Crossing_lists<Traits>& lists)
-    : m_tri(tri), m_mesh(tri.mesh()), m_lists(lists), m_decisions(tri, lists)
+  Exact_insertion(Triangulation& tri, Edge_courses<Traits>& courses)
+    : m_tri(tri), m_mesh(tri.mesh()), m_courses(courses), m_decisions(tri, courses)
   {}
 
   Decisions& decisions() { return m_decisions; }
@@ -61,10 +61,15 @@ public:
 
   BOOST_NOINLINE void flip(Halfedge_index h)
   {
-    m_tri.turn(h, [&] {
-      m_lists.after_flip(h);
-      return m_decisions.length(h);
-    });
+    try {
+      m_tri.turn(h, [&] {
+        m_courses.after_flip(h);
+        return m_decisions.length(h);
+      });
+    } catch(...) { // the edge has been flipped back
+      m_courses.after_flip(h);
+      throw;
+    }
   }
 
   // Inserts a vertex at the part `t` of the shared edge of `h`, without the lengths of its edges.
@@ -123,7 +128,7 @@ private:
     const std::size_t s = static_cast<std::size_t>(
       std::max_element(p.second.begin(), p.second.end()) - p.second.begin());
     const Halfedge_index h = sides(p.first, m_mesh)[s];
-    const Face face(m_tri, m_lists, m_decisions.extended_corners(), h);
+    const Face face(m_tri, m_courses, m_decisions.extended_corners(), h);
     const auto point = face.point(p.second[(s + 1) % 3], p.second[(s + 2) % 3]);
     const std::size_t region = face.region_of(point);
     const typename Face::Place place = face.place(point, region);
@@ -144,7 +149,7 @@ private:
       if(region[c].arc_follows) {
         const Region_corner& next = region.next(c);
         const Curve curve = regions.curve(region[c], next);
-        const Halfedge_index out = m_lists(side[curve.mark.side], curve.mark.mark);
+        const Halfedge_index out = opposite(m_courses(side[curve.mark.side])[curve.mark.mark]);
         const bool leads_to_mark =
           !next.is_vertex() && next.side == curve.mark.side && next.mark == curve.mark.mark;
         const Halfedge_index along = leads_to_mark ? out : input.opposite(out);
@@ -210,7 +215,7 @@ private:
     }
     const Vertex_index m = m_tri.split_face(f, turned, q, {});
     const Halfedge_index a = first_spoke(m, m_mesh), b = next_spoke(a, m_mesh);
-    m_lists.after_cut({a, b, next_spoke(b, m_mesh)});
+    m_courses.after_cut({a, b, next_spoke(b, m_mesh)});
     if(is_geodesic(m))
       return m_tri.measured(m, m_decisions);
     // so that `f` is the face that stays, with its first halfedge
@@ -237,15 +242,15 @@ private:
 
   Triangulation& m_tri;
   const Delta_complex& m_mesh;
-  Crossing_lists<Traits>& m_lists;
+  Edge_courses<Traits>& m_courses;
   Decisions m_decisions;
 };
 
 // Nothing, where decisions cannot be exact.
 struct No_exact_insertion
 {
-  template <typename Triangulation, typename Lists>
-  No_exact_insertion(const Triangulation&, const Lists&)
+  template <typename Triangulation, typename Courses>
+  No_exact_insertion(const Triangulation&, const Courses&)
   {}
 };
 

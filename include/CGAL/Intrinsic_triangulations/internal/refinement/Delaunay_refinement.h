@@ -126,8 +126,8 @@ private:
 
   bool has_bad_shape(Face_index f) const
   {
-    const auto lists = [this]() -> const auto& { return m_inserter.crossing_lists(); };
-    return m_bounds.is_too_large(f) || (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, lists));
+    const auto courses = [this]() -> const auto& { return m_inserter.courses(); };
+    return m_bounds.is_too_large(f) || (m_bounds.is_too_thin(f) && !m_narrow.excuse(f, courses));
   }
 
   void push_if_bad(Face_index f)

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exceptions.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
 #include <algorithm>
 #include <array>
@@ -36,11 +36,11 @@ class Local_marks
 public:
   explicit Local_marks(const Triangulation& tri) : m_tri(tri) {}
 
-  void set_face(Face_index f, const Crossing_lists<Traits>& lists)
+  void set_face(Face_index f, const Edge_courses<Traits>& courses)
   {
     m_side = sides(f, m_tri.mesh());
     for(std::size_t s = 0; s < 3; ++s)
-      set_side(s, lists);
+      set_side(s, courses(m_side[s]));
   }
 
   Halfedge_index side(std::size_t s) const { return m_side[s]; }
@@ -57,22 +57,20 @@ public:
   }
 
 private:
-  void set_side(std::size_t s, const Crossing_lists<Traits>& lists)
+  void set_side(std::size_t s, const Edge_course& course)
   {
     const Halfedge_index h = m_side[s];
-    const std::size_t n = lists.count(h);
-    m_mark[s].resize(n);
-    if(n == 0)
+    m_mark[s].resize(course.size());
+    if(course.empty())
       return;
-    const auto exit = [&](std::size_t m) { return m_tri.input_mesh().opposite(lists(h, m)); };
-    if(!m_tri.traits().is_length_object()(m_tri.lay_out(m_strip, h, exit, n)))
+    if(!m_tri.traits().is_length_object()(m_tri.lay_out(m_strip, h, course)))
       throw Numerical_error("the strip of edge " + std::to_string(h.idx() / 2) +
                             " has no positive finite length");
     FT here(0); // rounding may move a crossing, but never past another
-    for(std::size_t m = 0; m < n; ++m) {
+    for(std::size_t m = 0; m < course.size(); ++m) {
       const auto position = m_strip.crossing(m, here);
       here = (std::max)(here, position.along_line);
-      m_mark[s][m] = {here, {lists(h, m), 1 - position.along_edge}};
+      m_mark[s][m] = {here, {opposite(course[m]), 1 - position.along_edge}};
     }
   }
 

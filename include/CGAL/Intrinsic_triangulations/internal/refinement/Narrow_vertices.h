@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/corner_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Crossing_lists.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Edge_courses.h>
 
 #include <CGAL/number_utils.h>
 
@@ -45,10 +45,10 @@ public:
 
   // Returns why a face that violates the bound on angles is excused, and by which narrow vertex: if
   // exactly one of its corners is narrow, or else if it lies in faces of T1 at a narrow vertex and
-  // is crossed by no other edges than those at this vertex. `lists()` has the crossings on all
+  // is crossed by no other edges than those at this vertex. `courses()` has the courses of all
   // edges and is called only if they are needed.
-  template <typename Lists>
-  std::optional<Remaining_face> excuse(Face_index f, const Lists& lists) const
+  template <typename Courses>
+  std::optional<Remaining_face> excuse(Face_index f, const Courses& courses) const
   {
     Vertex_index narrow;
     int count = 0;
@@ -59,7 +59,7 @@ public:
       }
     if(count == 1)
       return Remaining_face{f, Remaining_reason::at_narrow_vertex, narrow};
-    return excuse_by_input_faces(f, lists());
+    return excuse_by_input_faces(f, courses());
   }
 
 private:
@@ -96,10 +96,10 @@ private:
   // lie in one of them, the wedge at a narrow vertex would be filled with ever smaller faces where
   // several faces of T1 share it.
   std::optional<Remaining_face> excuse_by_input_faces(Face_index f,
-                                                      const Crossing_lists<Traits>& lists) const
+                                                      const Edge_courses<Traits>& courses) const
   {
-    for(Vertex_index v : first_candidates(f, lists))
-      if(is_narrow(v) && is_crossed_by_edges_at(v, f, lists))
+    for(Vertex_index v : first_candidates(f, courses))
+      if(is_narrow(v) && is_crossed_by_edges_at(v, f, courses))
         return Remaining_face{f, Remaining_reason::beside_narrow_vertex, v};
     return {};
   }
@@ -107,25 +107,28 @@ private:
   // Returns the ends of an edge of T1 that crosses `f`, or if there is none, the corners of the
   // face that contains it.
   std::array<Vertex_index, 3> first_candidates(Face_index f,
-                                               const Crossing_lists<Traits>& lists) const
+                                               const Edge_courses<Traits>& courses) const
   {
     const Delta_complex& input = m_tri.input_mesh();
     const auto side = sides(f, m_tri.mesh());
     for(Halfedge_index h : side)
-      if(lists.count(h) > 0)
-        return {input.source(lists(h, 0)), input.target(lists(h, 0)), input.target(lists(h, 0))};
+      if(courses.count(h) > 0) {
+        const Halfedge_index first = opposite(courses(h)[0]);
+        return {input.source(first), input.target(first), input.target(first)};
+      }
     const auto corner = sides(m_tri.input_location(side[0]).first, input);
     return {input.source(corner[0]), input.source(corner[1]), input.source(corner[2])};
   }
 
   bool is_crossed_by_edges_at(Vertex_index v, Face_index f,
-                              const Crossing_lists<Traits>& lists) const
+                              const Edge_courses<Traits>& courses) const
   {
-    for(Halfedge_index h : sides(f, m_tri.mesh()))
-      for(std::size_t m = 0; m < lists.count(h); ++m)
-        if(m_tri.input_mesh().source(lists(h, m)) != v &&
-           m_tri.input_mesh().target(lists(h, m)) != v)
+    for(Halfedge_index h : sides(f, m_tri.mesh())) {
+      const Edge_course course = courses(h);
+      for(std::size_t m = 0; m < course.size(); ++m)
+        if(m_tri.input_mesh().source(course[m]) != v && m_tri.input_mesh().target(course[m]) != v)
           return false;
+    }
     return true;
   }
 

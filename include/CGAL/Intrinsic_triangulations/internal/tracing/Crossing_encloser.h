@@ -35,10 +35,8 @@ class Crossing_enclosure
   typedef Trace_point<Interval_nt<>> Place;
 
 public:
-  Crossing_enclosure(const Pair& pair, Referenced_crossings crossings)
-    : m_crossings(crossings),
-      m_corners(pair.input_metric(), pair.input()),
-      m_development(pair, m_crossings, m_corners)
+  Crossing_enclosure(const Pair& pair, const Edge_courses<Traits>& courses)
+    : m_corners(pair.input_metric(), pair.input()), m_development(pair, courses, m_corners)
   {}
 
   // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge.
@@ -96,7 +94,6 @@ private:
   static N least(const Ball<N>& a) { return (std::max)(N(a.y - N(a.radius)), N(0)); }
   static N greatest(const Ball<N>& a) { return (std::max)(N(a.y + N(a.radius)), N(0)); }
 
-  Referenced_crossings m_crossings;
   Corners m_corners;
   Development<Traits, Corners> m_development;
 };
@@ -121,11 +118,8 @@ class Crossing_encloser
   typedef std::vector<Trace_point<Interval_nt<>>> Places;
 
 public:
-  Crossing_encloser(const Pair& pair, Referenced_crossings crossings)
-    : m_pair(pair),
-      m_crossings(crossings),
-      m_in_double(pair, crossings),
-      m_extended(pair, crossings)
+  Crossing_encloser(const Pair& pair, const Edge_courses<Traits>& courses)
+    : m_pair(pair), m_courses(courses), m_in_double(pair, courses), m_extended(pair, courses)
   {}
 
   // Returns the places of the crossings on the halfedge `h` of T2, the first of its edge, in
@@ -135,7 +129,7 @@ public:
     const Places result = with_few_digits(h, width);
     return are_narrow(result, width)
              ? result
-             : Crossing_enclosure<Traits, Long_float>(m_pair, m_crossings)(h);
+             : Crossing_enclosure<Traits, Long_float>(m_pair, m_courses)(h);
   }
 
   // Returns the same, but takes no more than 106 bits if `h` passes a face without area: where it
@@ -155,7 +149,7 @@ private:
 
   Places with_few_digits(Halfedge_index h, double width)
   {
-    if(m_pair.number_of_crossings(h) == 0)
+    if(m_courses.count(h) == 0)
       return {};
     Places result = m_in_double(h);
     return are_narrow(result, width) ? result : m_extended(h);
@@ -164,15 +158,16 @@ private:
   bool passes_flat_face(Halfedge_index h) const
   {
     const Delta_complex& input = m_pair.input_mesh();
-    for(std::size_t m = 0; m < m_pair.number_of_crossings(h); ++m)
-      for(const Halfedge_index side : {m_crossings(h, m), input.opposite(m_crossings(h, m))})
+    const Edge_course course = m_courses(h);
+    for(std::size_t m = 0; m < course.size(); ++m)
+      for(const Halfedge_index side : {course[m], opposite(course[m])})
         if(!input.is_border(side) && area_sign(side, m_pair.input_metric(), m_pair.input()) == ZERO)
           return true;
     return false;
   }
 
   const Pair& m_pair;
-  Referenced_crossings m_crossings;
+  const Edge_courses<Traits>& m_courses;
   Crossing_enclosure<Traits, double> m_in_double;
   Crossing_enclosure<Traits, Double_double> m_extended;
 };

@@ -93,8 +93,7 @@ public:
     do
       m_crossings.push_back(c);
     while(m_tri.coordinates().advance(c, m_mesh) != Coordinates::Turn::ends);
-    lay_out_strip(
-      m_strip, m_tri, [this](std::size_t m) { return m_crossings[m].halfedge; }, size());
+    lay_out_strip(m_strip, m_tri, Exits{m_crossings});
     recover_positions();
   }
 
@@ -127,6 +126,15 @@ public:
   }
 
 private:
+  // the halfedges of T2 through which the curve leaves faces
+  struct Exits
+  {
+    const std::vector<Crossing>& crossings;
+
+    std::size_t size() const { return crossings.size(); }
+    Halfedge_index operator[](std::size_t m) const { return crossings[m].halfedge; }
+  };
+
   void recover_positions()
   {
     if(!m_tri.traits().is_length_object()(m_strip.length()))

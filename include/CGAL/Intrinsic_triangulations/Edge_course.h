@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EDGE_COURSE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_COURSE_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsCorrespondence
+/// what a halfedge of \f$T_2\f$ crosses on \f$T_1\f$: the halfedges of \f$T_1\f$ through which it
+/// leaves faces, in order. They are stored elsewhere, or belong to this object: the reader cannot
+/// tell.
+///
+/// A course is valid until the triangulation changes. It cannot be copied, since it may refer to
+/// itself; functions return it by value.
+class Edge_course
+{
+public:
+  /// the type of the halfedges if they belong to the course.
+  typedef boost::container::small_vector<Halfedge_index, 8> Exits;
+
+  /// refers to the `n` exits from `first` on, which are stored for the first halfedge of an edge;
+  /// the course is that of this halfedge, or of the opposite one if `is_reversed`.
+  Edge_course(const Halfedge_index* first, std::size_t n, bool is_reversed)
+    : m_first(is_reversed ? first + n - 1 : first), m_step(is_reversed ? -1 : 1), m_size(n)
+  {}
+
+  /// takes the exits of a halfedge.
+  explicit Edge_course(Exits&& exits)
+    : m_exits(std::move(exits)), m_first(m_exits.data()), m_step(1), m_size(m_exits.size())
+  {}
+
+  Edge_course(const Edge_course&) = delete;
+  Edge_course& operator=(const Edge_course&) = delete;
+
+  /// returns the number of crossings.
+  std::size_t size() const { return m_size; }
+
+  /// returns whether there are no crossings.
+  bool empty() const { return m_size == 0; }
+
+  /// returns the halfedge of \f$T_1\f$ through which the halfedge leaves a face as crossing `m`,
+  /// counted from its source.
+  Halfedge_index operator[](std::size_t m) const
+  {
+    const Halfedge_index exit = m_first[m_step * static_cast<std::ptrdiff_t>(m)];
+    return m_step > 0 ? exit : opposite(exit);
+  }
+
+private:
+  Exits m_exits;
+  const Halfedge_index* m_first; // the first exit in the direction of the course
+  std::ptrdiff_t m_step;
+  std::size_t m_size;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_COURSE_H

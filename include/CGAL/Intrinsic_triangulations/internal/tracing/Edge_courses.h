@@ -1,0 +1,288 @@
+// Copyright (c) 2026 The Intrinsic_triangulations authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_EDGE_COURSES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_EDGE_COURSES_H
+
+#include <CGAL/license/Intrinsic_triangulations.h>
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Edge_course.h>
+#include <CGAL/Intrinsic_triangulations/Edge_marks.h>
+#include <CGAL/Intrinsic_triangulations/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Triangulation_pair.h>
+#include <CGAL/Intrinsic_triangulations/for_each_in_chunks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The indices of the crossings on all edges of T2.
+template <typename Integer>
+Edge_marks number_crossings(const Integer_coordinates<Integer>& coordinates,
+                            const Delta_complex& mesh, Concurrency concurrency)
+{
+  std::vector<Delta_complex::size_type> count(mesh.num_edges(), 0);
+  for_each_in_chunks<Edge_index>(concurrency, mesh, [&](Edge_index e) {
+    count[e.idx()] = countable(coordinates.crossings(first_halfedge(e)));
+  });
+  return Edge_marks(std::move(count));
+}
+
+// The courses of all halfedges of T2, from the integer coordinates alone. They are stored, or
+// computed when they are read: then each crossing is followed to an end of its edge of T1, until
+// that has taken more steps than there are crossings. From then on all are stored, since following
+// takes quadratic time where edges of T1 cross a large part of T2.
+//
+// Objects that compute courses must not be read by several threads at once.
+template <typename Traits>
+class Edge_courses
+{
+  typedef Triangulation_pair<Traits> Pair;
+  typedef typename Pair::Coordinates Coordinates;
+  typedef typename Pair::Integer Integer;
+  typedef Delta_complex::size_type size_type;
+
+public:
+  // Courses are computed.
+  explicit Edge_courses(const Pair& pair)
+    : m_pair(&pair), m_most_steps(static_cast<double>(pair.mesh().num_edges()))
+  {}
+
+  // Courses are stored. Complexity: linear in the edges and crossings.
+  Edge_courses(const Pair& pair, Concurrency concurrency) : m_pair(&pair) { store(concurrency); }
+
+  // Courses are to be set before they are read. They are stored by the indices `marks`.
+  Edge_courses(const Pair& pair, const Edge_marks& marks) : m_pair(&pair) { allocate(marks); }
+
+  // Returns the number of crossings on the edge of `h`.
+  size_type count(Halfedge_index h) const { return m_pair->number_of_crossings(h); }
+
+  Edge_course operator()(Halfedge_index h) const
+  {
+    const std::size_t n = count(h);
+    if(!m_is_stored && static_cast<double>(m_steps) > m_most_steps)
+      store_if_faster();
+    return m_is_stored ? stored(h, n) : Edge_course(computed(h, n));
+  }
+
+  // Returns the exit with this index, of the first halfedge of its edge.
+  Halfedge_index exit(size_type mark) const { return m_exits[mark]; }
+
+  // Sets the exit with this index, which is one of `h`.
+  void set(size_type mark, Halfedge_index h, Halfedge_index exit)
+  {
+    m_exits[mark] = directed_as(h, exit);
+  }
+
+  // ---- Changes of T2 ----
+
+  // To be called after the edge of `h` has been flipped.
+  void after_flip(Halfedge_index h)
+  {
+    if(m_is_stored)
+      update(Edge_index(h));
+  }
+
+  // To be called after edges have been made, in a face that others have left or beside one that was
+  // split.
+  void after_cut(std::initializer_list<Halfedge_index> cuts)
+  {
+    m_first.resize(m_pair->mesh().num_edges(), unknown);
+    for(Halfedge_index h : cuts)
+      m_first[Edge_index(h)] = unknown;
+    for(Halfedge_index h : cuts)
+      update(Edge_index(h));
+  }
+
+  // To be called after an edge has been split into `im` and `mj`; the second has the index of the
+  // whole. If the new vertex lies on an edge of T1, one crossing is gone.
+  void after_split(Halfedge_index im, Halfedge_index mj)
+  {
+    m_first.resize(m_pair->mesh().num_edges(), unknown);
+    const std::size_t first = count(im), second = count(mj);
+    if(first + second == 0)
+      return;
+    const bool is_at_crossing = m_pair->inserted_vertex(m_pair->mesh().source(mj)).along.is_valid();
+    const std::size_t n = first + second + is_at_crossing;
+    const Edge_course whole = stored(mj, n);
+    Edge_course::Exits of_im(first), of_mj(second);
+    for(std::size_t m = 0; m < first; ++m)
+      set(of_im, im, m, whole[m]);
+    for(std::size_t m = 0; m < second; ++m)
+      set(of_mj, mj, m, whole[n - second + m]);
+    append(Edge_index(im), of_im);
+    append(Edge_index(mj), of_mj);
+  }
+
+private:
+  static constexpr size_type unknown = (std::numeric_limits<size_type>::max)();
+
+  const Coordinates& coordinates() const { return m_pair->coordinates(); }
+
+  Edge_course stored(Halfedge_index h, std::size_t n) const
+  {
+    const Halfedge_index* first = n == 0 ? nullptr : m_exits.data() + m_first[Edge_index(h)];
+    return Edge_course(first, n, n > 0 && !is_first_halfedge(h));
+  }
+
+  Edge_course::Exits computed(Halfedge_index h, std::size_t n) const
+  {
+    Edge_course::Exits exits(n);
+    for(std::size_t m = 0; m < n; ++m) {
+      typename Coordinates::Crossing c{h, Integer(m)};
+      do
+        ++m_steps;
+      while(coordinates().advance(c, m_pair->mesh()) != Coordinates::Turn::ends);
+      exits[m] = coordinates().spoke_at_end(c, m_pair->mesh(), m_pair->spokes());
+    }
+    return exits;
+  }
+
+  // ---- Storage ----
+
+  void allocate(const Edge_marks& marks) const
+  {
+    const std::size_t edges = m_pair->mesh().num_edges();
+    m_first.resize(edges);
+    for(std::size_t e = 0; e < edges; ++e)
+      m_first[e] = marks.before(Edge_index(static_cast<size_type>(e)));
+    m_exits.resize(marks.size());
+    m_most_exits = 2 * m_exits.size() + 16 * edges;
+    m_is_stored = true;
+  }
+
+  void store(Concurrency concurrency) const
+  {
+    const Delta_complex& mesh = m_pair->mesh();
+    allocate(number_crossings(coordinates(), mesh, concurrency));
+    for_each_in_chunks<Edge_index>(concurrency, mesh, [&](Edge_index e) {
+      const Halfedge_index h = first_halfedge(e), o = opposite(h);
+      const size_type n = count(h);
+      if(n == 1 && coordinates().curves_leaving(h, mesh) == 1 &&
+         coordinates().curves_leaving(o, mesh) == 1) {
+        // its curve crosses nothing else: either end will do
+        m_exits[m_first[e]] =
+          opposite(coordinates().spoke_in_corner(mesh.prev(h), Integer(0), mesh, m_pair->spokes()));
+      } else if(n > 0)
+        for(Halfedge_index side : {h, o})
+          store_curves(mesh.prev(side));
+    });
+  }
+
+  // Looks at all edges; so the next time comes after twice as many steps.
+  void store_if_faster() const
+  {
+    double crossings = 0;
+    for(Edge_index e : m_pair->mesh().edges())
+      crossings += static_cast<double>(coordinates().crossings(first_halfedge(e)));
+    const double steps = static_cast<double>(m_steps);
+    if(steps > crossings)
+      store(Concurrency());
+    m_most_steps = (std::max)(crossings, 2 * steps);
+  }
+
+  // Stores the crossings of curves that start inside the corner at the source of `spoke`, each from
+  // one end.
+  void store_curves(Halfedge_index spoke) const
+  {
+    const Delta_complex& mesh = m_pair->mesh();
+    coordinates().for_each_curve_end(
+      spoke, mesh, m_pair->spokes(), [&](const Integer& k, Halfedge_index start) {
+        if(!is_first_halfedge(start))
+          return;
+        auto c = coordinates().first_crossing(spoke, k, mesh);
+        do {
+          const Halfedge_index h = c.halfedge;
+          const auto m = along_first_halfedge(h, static_cast<size_type>(c.number), count(h));
+          m_exits[m_first[Edge_index(h)] + m] = directed_as(h, opposite(start));
+        } while(coordinates().advance(c, mesh) != Coordinates::Turn::ends);
+      });
+  }
+
+  // ---- Updates ----
+
+  // Sets item `m` of the course of `h` among the exits of the first halfedge.
+  static void set(Edge_course::Exits& exits, Halfedge_index h, std::size_t m, Halfedge_index exit)
+  {
+    const auto n = static_cast<size_type>(exits.size());
+    exits[along_first_halfedge(h, static_cast<size_type>(m), n)] = directed_as(h, exit);
+  }
+
+  // Stores the course of an edge again, from the courses around it.
+  void update(Edge_index e)
+  {
+    const Halfedge_index h = first_halfedge(e);
+    Edge_course::Exits exits(count(h));
+    if(exits.empty())
+      return;
+    copy_from_beyond(h, exits);
+    copy_from_beyond(opposite(h), exits);
+    append(e, exits);
+  }
+
+  // The curves that cross `h` and then cut off the corner at its source or target cross the other
+  // side there; the rest ends. A side whose course is not known yet is left out: its curves cross
+  // the face of `h`, too.
+  void copy_from_beyond(Halfedge_index h, Edge_course::Exits& exits) const
+  {
+    const Delta_complex& mesh = m_pair->mesh();
+    const Halfedge_index ji = mesh.opposite(h), il = mesh.next(ji), lj = mesh.prev(ji);
+    const auto at_source = static_cast<std::size_t>(coordinates().curves_around(lj, mesh)),
+               at_target = static_cast<std::size_t>(coordinates().curves_around(il, mesh));
+    const std::size_t n = exits.size();
+    const auto copy = [&](Halfedge_index from, std::size_t first, std::size_t to, std::size_t k) {
+      if(k == 0 || m_first[Edge_index(from)] == unknown)
+        return;
+      const Edge_course course = stored(from, count(from));
+      for(std::size_t m = 0; m < k; ++m)
+        set(exits, h, to + m, course[first + m]);
+    };
+    copy(il, 0, 0, at_source);
+    copy(lj, count(lj) - at_target, n - at_target, at_target);
+    for(std::size_t m = at_source; m < n - at_target; ++m)
+      set(exits, h, m, coordinates().spoke_at_end({h, Integer(m)}, mesh, m_pair->spokes()));
+  }
+
+  void append(Edge_index e, const Edge_course::Exits& exits)
+  {
+    m_first[e] = unknown;
+    if(m_exits.size() + exits.size() > m_most_exits)
+      compact();
+    m_first[e] = countable(m_exits.size());
+    m_exits.insert(m_exits.end(), exits.begin(), exits.end());
+  }
+
+  // Removes the exits of which no edge is left.
+  void compact()
+  {
+    std::vector<Halfedge_index> exits;
+    for(Edge_index e : m_pair->mesh().edges()) {
+      const size_type n = count(first_halfedge(e)), old = std::exchange(m_first[e], unknown);
+      if(n == 0 || old == unknown)
+        continue;
+      m_first[e] = countable(exits.size());
+      exits.insert(exits.end(), m_exits.begin() + old, m_exits.begin() + old + n);
+    }
+    m_exits = std::move(exits);
+    m_most_exits = 2 * m_exits.size() + 16 * m_first.size();
+  }
+
+  const Pair* m_pair;
+  mutable bool m_is_stored = false;
+  mutable std::size_t m_steps = 0; // in which crossings have been followed
+  mutable double m_most_steps = 0; // after which storing may be faster
+  mutable std::size_t m_most_exits = 0;
+  mutable std::vector<size_type> m_first;      // the exits of each edge, or unknown
+  mutable std::vector<Halfedge_index> m_exits; // of first halfedges
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TRACING_EDGE_COURSES_H
