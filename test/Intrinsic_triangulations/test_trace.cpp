@@ -379,7 +379,7 @@ TEST(Edge_courses, of_a_correspondence)
       ASSERT_EQ(course[m], IT::opposite(back[course.size() - 1 - m])) << h << ' ' << m;
     }
   }
-  EXPECT_GT(crossed, 1000u);
+  EXPECT_GT(crossed, 300u);
 }
 
 // The places of a crossing on its two edges are one point, up to the height of faces whose area is

@@ -58,8 +58,7 @@ private:
   std::optional<Double_double> length(Halfedge_index h, Corners<N>& corners) const
   {
     const auto strip =
-      internal::Development<Traits, Corners<N>>(m_pair, m_courses, corners)
-        .uncrossed_strip(h);
+      internal::Development<Traits, Corners<N>>(m_pair, m_courses, corners).uncrossed_strip(h);
     const internal::Ball<N> length =
       root(strip.end * conj(strip.end)) * corners.length(strip.first.halfedge);
     const double high = to_double(length.x);

@@ -183,8 +183,7 @@ certify_ideal_Delaunay(const Intrinsic_triangulation<Ideal_geometry_traits<doubl
   typedef Intrinsic_triangulation<Ideal_geometry_traits<double, Integer>> Triangulation;
   CGAL_precondition(tri.number_of_inserted_vertices() == 0 && !tri.mesh().has_garbage());
   CGAL_precondition(factor.size() == tri.mesh().number_of_vertices());
-  const internal::Edge_courses<typename Triangulation::Traits> courses(tri,
-                                                                       Concurrency());
+  const internal::Edge_courses<typename Triangulation::Traits> courses(tri, Concurrency());
   internal::Ideal_development<internal::Filter_interval, Triangulation> intervals(tri, courses);
   internal::Ideal_development<Exact_rational, Triangulation> exact(tri, courses);
   return internal::certify_ideal_Delaunay(

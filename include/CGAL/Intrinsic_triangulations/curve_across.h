@@ -11,10 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Edge_point.h>
 #include <CGAL/Intrinsic_triangulations/Surface_curve.h>
 #include <CGAL/Intrinsic_triangulations/Surface_path.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Face_segment.h>
-#include <CGAL/Intrinsic_triangulations/internal/tracing/Input_face_segment.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Path_pieces.h>
 #include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_end.h>
+#include <CGAL/Intrinsic_triangulations/internal/tracing/Segment_search.h>
 #include <CGAL/Intrinsic_triangulations/tolerances.h>
 
 #include <CGAL/number_utils.h>
@@ -36,11 +35,9 @@ segment_across(const Correspondence<Traits>& correspondence, Side side,
                const Curve_segment<typename Traits::FT>& segment)
 {
   const Face_index f = segment.face;
-  const auto from = segment_end(correspondence, side, f, segment.source),
-             to = segment_end(correspondence, side, f, segment.target);
-  if(side == Side::input && correspondence.contains_inserted(f))
-    return Input_face_segment<Traits>(correspondence, f)(from, to);
-  return Face_segment<Traits>(correspondence, side, f)(from, to);
+  return Segment_search<Traits>(correspondence, side,
+                                f)(segment_end(correspondence, side, f, segment.source),
+                                   segment_end(correspondence, side, f, segment.target));
 }
 
 // Adds the segments between consecutive places, apart from those whose length is rounding.
@@ -171,16 +168,17 @@ private:
 /// of faces that a segment passes is connected, however flat they are, and so are the sequences of
 /// segments with a common end: the order of the ends and of the crossings along edges determines
 /// which edges are crossed. In a face of \f$T_1\f$ with inserted vertices it also depends on which
-/// pieces of edges of \f$T_2\f$ the segment meets. Rounding can only choose between curves that are
-/// equal up to rounding, such as the sides of an edge along which a curve runs; apart from that,
-/// there and back is the identity.
+/// pieces of edges of \f$T_2\f$ the segment meets up to rounding. Rounding can only choose between
+/// curves that are equal up to rounding, such as the sides of an edge along which a curve runs;
+/// apart from that, there and back is the identity.
 /// \param correspondence the crossings of both
 /// \param side the triangulation whose faces `curve` refers to
 /// \param curve segments with barycentric coordinates that are not negative and sum up to one
 ///
-/// Complexity: linear in the edges crossed, with a logarithm of the crossings on each edge. In a
-/// face of \f$T_1\f$ with inserted vertices: for each edge crossed with a logarithm of these, and
-/// for an end inside the face as `point_across()`.
+/// Complexity: linear in the edges that a segment meets up to rounding, with a logarithm of these.
+/// An end on an edge takes a logarithm of its crossings. An end inside a face takes a logarithm of
+/// the crossings of a face of \f$T_2\f$; in a face of \f$T_1\f$ it is linear in the regions of the
+/// subdivision on the way from a corner.
 template <typename Traits>
 Surface_curve<typename Traits::FT> curve_across(const Correspondence<Traits>& correspondence,
                                                 Side side,

@@ -127,9 +127,8 @@ public:
   Places operator()(Halfedge_index h, double width)
   {
     const Places result = with_few_digits(h, width);
-    return are_narrow(result, width)
-             ? result
-             : Crossing_enclosure<Traits, Long_float>(m_pair, m_courses)(h);
+    return are_narrow(result, width) ? result
+                                     : Crossing_enclosure<Traits, Long_float>(m_pair, m_courses)(h);
   }
 
   // Returns the same, but takes no more than 106 bits if `h` passes a face without area: where it

@@ -134,30 +134,6 @@ public:
     return {near, m_around[near] + j, true};
   }
 
-  // numbers of curves around each corner, and of curves from the apex
-  struct Curve_counts
-  {
-    std::array<std::size_t, 3> around;
-    std::size_t fan;
-  };
-
-  // Returns how many curves come before region `number`: around each corner as seen from there, and
-  // from the apex as seen from the side after it.
-  Curve_counts curves_before(std::size_t number) const
-  {
-    Curve_counts result{m_around, 0};
-    for(std::size_t s = 0; s < 3; ++s) {
-      if(number < m_around[s]) {
-        result.around[s] = number;
-        result.fan = s == (m_apex + 2) % 3 ? m_leaving : 0;
-        return result;
-      }
-      number -= m_around[s];
-    }
-    result.fan = number;
-    return result;
-  }
-
   // Returns the number of curves between region `number` and each corner of the face.
   std::array<std::size_t, 3> crossings_to_corners(std::size_t number) const
   {

@@ -14,12 +14,14 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The regions into which edges of T2 cut the faces of T1, and the ways between them.
+// The regions into which the faces of T1 and T2 cut each other, and the ways between them in a face
+// of either.
 template <typename Traits>
 class Input_face_regions
 {
@@ -39,22 +41,36 @@ public:
     std::size_t number;
   };
 
-  // a region with its corners on T2 and T1
+  // a region with its corners on both triangulations
   struct Face_of_place
   {
     Face_of_place(const Place& place, const Input_face_regions& regions)
-      : marks(Side::intrinsic, place.first, regions.m_correspondence)
+      : intrinsic_face(place.first), region(regions.region(place))
     {
+      const Marks marks(Side::intrinsic, place.first, regions.m_correspondence);
       const Face_map<FT, Marks> face_map(marks, regions.m_correspondence.mesh(Side::input));
-      region = face_map.regions()[place.second];
-      map = face_map.region_map(place.second).second;
+      std::tie(input_face, map) = face_map.region_map(place.second);
     }
 
-    const Coordinates& corner(std::size_t c) const { return map.image(c == map.size() ? 0 : c); }
+    Face_index face(Side side) const { return side == Side::input ? input_face : intrinsic_face; }
 
-    Marks marks;
+    const Coordinates& corner(Side side, std::size_t c) const
+    {
+      c = c == map.size() ? 0 : c;
+      return side == Side::input ? map.image(c) : map.corner(c);
+    }
+
+    // Returns how many times the vector of a corner on the other side its vector on `side` is.
+    FT scale(Side side, std::size_t c) const
+    {
+      return side == Side::input ? FT(1 / map.scale(c)) : map.scale(c);
+    }
+
+    Polygon_map<FT> map_from(Side side) const { return side == Side::input ? map.inverse() : map; }
+
+    Face_index intrinsic_face, input_face;
     Region region;
-    Polygon_map<FT> map;
+    Polygon_map<FT> map; // from T2 to T1
   };
 
   explicit Input_face_regions(const Correspondence<Traits>& correspondence)
@@ -94,15 +110,31 @@ public:
     return piece ? std::optional<Place>(place_at(reversed(*piece))) : std::nullopt;
   }
 
-  // Calls `visit(c, neighbor)` for the corners of a region with a neighbor beyond the piece after
-  // them.
+  // Calls `visit(c, neighbor)` for the corners of a region with a neighbor in the face of `side`
+  // beyond the piece of an edge of the other side after them.
   template <typename Visit>
-  void for_each_exit(const Place& place, const Visit& visit) const
+  void for_each_exit(Side side, const Place& place, const Visit& visit) const
   {
     const Region corners = region(place);
     for(std::size_t c = 0; c < corners.size(); ++c)
-      if(const std::optional<Place> neighbor = beyond(corners[c], place))
+      if(side == Side::intrinsic) {
+        if(corners[c].arc_follows)
+          visit(c, beyond_curve(corners[c].is_vertex() ? corners.next(c) : corners[c], place));
+      } else if(const std::optional<Place> neighbor = beyond(corners[c], place))
         visit(c, *neighbor);
+  }
+
+  // Returns the halfedge of the side other than `side` after corner `c` of a region, which lies on
+  // its left.
+  Halfedge_index halfedge_after(Side side, const Place& place, std::size_t c) const
+  {
+    const Region corners = region(place);
+    if(side == Side::input)
+      return sides(place.first, m_mesh)[corners[c].side];
+    const Marks marks(side, place.first, m_correspondence);
+    return corners[c].is_vertex()
+             ? marks.across(corners.next(c).side, corners.next(c).mark).halfedge
+             : opposite(marks.across(corners[c].side, corners[c].mark).halfedge);
   }
 
   // Calls `visit(place)` for the regions of the face of T1 in which `start` lies, once each, until
@@ -117,7 +149,7 @@ public:
       waiting.pop_back();
       if(visit(place))
         return;
-      for_each_exit(place, [&](std::size_t, const Place& neighbor) {
+      for_each_exit(Side::input, place, [&](std::size_t, const Place& neighbor) {
         if(seen.insert(neighbor).second)
           waiting.push_back(neighbor);
       });
@@ -135,6 +167,13 @@ public:
     return place_at({x, is_after ? mark : mark + 1});
   }
 
+  // returns the region of the face `f` of T2 in which `p` lies
+  Place place_in_face(Face_index f, const Coordinates& p) const
+  {
+    const Marks marks(Side::intrinsic, f, m_correspondence);
+    return {f, Face_map<FT, Marks>(marks, m_correspondence.mesh(Side::input)).region_of(p)};
+  }
+
   // returns the region in the face of the halfedge `h` of T1 at its source, next to `h`
   Place place_at_source(Halfedge_index h) const
   {
@@ -146,6 +185,15 @@ public:
   }
 
 private:
+  // Returns the region on the other side of the curve that leaves the face of T2 at `mark`.
+  Place beyond_curve(const Region_corner& mark, const Place& place) const
+  {
+    const Face_regions regions = regions_of(place.first);
+    const std::size_t before = regions.region_at_side(mark.side, mark.mark);
+    return {place.first,
+            before == place.second ? regions.region_at_side(mark.side, mark.mark + 1) : before};
+  }
+
   static std::size_t number_of_piece(const Region_corner& corner)
   {
     return corner.is_vertex() ? 0 : corner.mark + 1;

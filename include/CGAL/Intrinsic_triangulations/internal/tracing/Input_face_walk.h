@@ -45,7 +45,7 @@ public:
   Face_location<FT> operator()(const Face_location<FT>& p) const
   {
     const Place place = place_of(p);
-    return {place.first, Face_of_place(place, *this).map.inverse()(p.second)};
+    return {place.first, Face_of_place(place, *this).map_from(Side::input)(p.second)};
   }
 
   // returns the region that has the point `p` of a face of T1, up to rounding
@@ -74,10 +74,10 @@ private:
     std::optional<Place> result;
     FT best(0);
     for(std::size_t c = 0; c < face.region.size(); ++c) {
-      const FT right = -orientation(start, p, face.corner(c));
-      const FT left = orientation(start, p, face.corner(c + 1));
+      const FT right = -orientation(start, p, face.corner(Side::input, c));
+      const FT left = orientation(start, p, face.corner(Side::input, c + 1));
       if((std::min)(right, left) >= best && right + left > 0 &&
-         orientation(face.corner(c), face.corner(c + 1), p) < 0) {
+         orientation(face.corner(Side::input, c), face.corner(Side::input, c + 1), p) < 0) {
         best = (std::min)(right, left);
         result = beyond(face.region[c], place);
       }
@@ -105,7 +105,7 @@ private:
     bool is_outside = false;
     FT least = std::numeric_limits<FT>::infinity();
     for(std::size_t c = 0; c < face.region.size(); ++c) {
-      const Coordinates &a = face.corner(c), &b = face.corner(c + 1);
+      const Coordinates &a = face.corner(Side::input, c), &b = face.corner(Side::input, c + 1);
       least = (std::min)(least, internal::squared_distance(a, b, p));
       if(dot(a, b, a, b) > CGAL::square(region_tolerance<FT>())) {
         ++long_pieces;

@@ -76,6 +76,8 @@ Segment_end<typename Traits::FT> segment_end(const Correspondence<Traits>& corre
   for(std::size_t s = 0; s < 3; ++s)
     if(p[(s + 2) % 3] == 0 && p[s] != 0)
       end.side = s;
+  if(end.is_corner)
+    end.p = barycentric_coordinates(end.side, FT(0)); // exactly
   if(!end.is_on_side())
     return end;
   const Halfedge_index h = sides(f, correspondence.mesh(side))[end.side];
