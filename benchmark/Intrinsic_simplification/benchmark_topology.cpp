@@ -24,7 +24,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-void benchmark(const Mesh& mesh, double part, IS::Cutting_curves curves)
+void benchmark(const Mesh& mesh, double part)
 {
   const auto box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const double length = part * std::hypot(box.x_span(), std::hypot(box.y_span(), box.z_span()));
@@ -33,12 +33,11 @@ void benchmark(const Mesh& mesh, double part, IS::Cutting_curves curves)
   IS::Surface_surgery surface(input);
   Samples samples;
   samples.time([&] {
-    return IS::close_boundary_loops(surface, length) + IS::pinch_handles(surface, length, curves);
+    return IS::close_boundary_loops(surface, length) + IS::pinch_handles(surface, length);
   });
   const IT::Topological_type after = IT::topological_type(surface.mesh());
-  std::printf("| %.3f | %s | %zu | %zu | %zu | %zu | %.5f | %.2f |\n", part,
-              curves == IS::Cutting_curves::edges ? "edges" : "geodesics", before.genus,
-              after.genus, before.boundary_loops, after.boundary_loops,
+  std::printf("| %.3f | %zu | %zu | %zu | %zu | %.5f | %.2f |\n", part, before.genus, after.genus,
+              before.boundary_loops, after.boundary_loops,
               surface.filled_area() / CGAL::Polygon_mesh_processing::area(mesh),
               samples.median() / 1000);
   std::fflush(stdout);
@@ -53,8 +52,7 @@ int main(int argc, char* argv[])
   Mesh mesh;
   if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh))
     return 1;
-  std::printf("| part | curves | genus | after | loops | after | filled | s |\n");
+  std::printf("| part | genus | after | loops | after | filled | s |\n");
   for(int i = 2; i < argc; ++i)
-    for(IS::Cutting_curves curves : {IS::Cutting_curves::edges, IS::Cutting_curves::geodesics})
-      benchmark(mesh, std::atof(argv[i]), curves);
+    benchmark(mesh, std::atof(argv[i]));
 }

@@ -18,7 +18,7 @@ Mended_topology::Mended_topology(const Triangulation& start, double closed_lengt
   if(closed_length > 0)
     m_closed = IS::close_boundary_loops(m_surface, closed_length);
   if(pinched_length > 0)
-    m_pinched = IS::pinch_handles(m_surface, pinched_length, IS::Cutting_curves::edges);
+    m_pinched = IS::pinch_handles(m_surface, pinched_length);
 }
 
 void Mended_topology::describe(Statistics& statistics) const

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_simplification/internal/topology/Short_loops.h>
 #include <CGAL/Intrinsic_simplification/pinch_handles.h>
 #include <CGAL/Intrinsic_simplification/simplify.h>
-#include <CGAL/Intrinsic_triangulations/make_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/Edge_paths.h>
 #include <CGAL/Random.h>
 
 #include <algorithm>
@@ -28,7 +28,6 @@
 namespace Test_surgery {
 
 using namespace Test_surfaces;
-using IS::Cutting_curves;
 using IS::Surface_surgery;
 using Triangulation = IT::Intrinsic_triangulation<>;
 using Location = Surface_surgery::Location;
@@ -289,36 +288,32 @@ TEST(Short_loops, searches_overlap_little)
   }
 }
 
-std::size_t pinch_all(const Triangulation& input, Cutting_curves curves, double tolerance = 1e-9)
+std::size_t pinch_all(const Triangulation& input)
 {
   Surface_surgery s(input);
   const auto before = IT::topological_type(s.mesh());
   const double area_before = area(s);
-  const std::size_t pinched = IS::pinch_handles(s, no_bound, curves);
+  const std::size_t pinched = IS::pinch_handles(s, no_bound);
   const auto after = IT::topological_type(s.mesh());
   EXPECT_EQ(after.genus + pinched, before.genus);
   EXPECT_EQ(after.components, before.components);
   EXPECT_EQ(after.boundary_loops, before.boundary_loops);
   EXPECT_EQ(s.number_of_disks(), 2 * pinched);
-  expect_valid(s, area_before, tolerance);
-  expect_map(s, input, tolerance);
-  if(curves == Cutting_curves::edges)
-    expect_unchanged(s, input);
+  expect_valid(s, area_before);
+  expect_map(s, input);
+  expect_unchanged(s, input);
   return after.genus;
 }
 
 TEST(Pinch_handles, all_handles)
 {
-  for(Cutting_curves curves : {Cutting_curves::edges, Cutting_curves::geodesics}) {
-    for(int genus : {0, 1, 2, 5, 9}) {
-      SCOPED_TRACE(genus);
-      EXPECT_EQ(pinch_all(Triangulation(plate_with_holes(genus)), curves), 0u);
-      // Geodesics pass vertices within rounding there, and leave needles of that width.
-      EXPECT_EQ(pinch_all(Triangulation(straight_plate_with_holes(genus)), curves, 1e-6), 0u);
-    }
-    EXPECT_EQ(pinch_all(Triangulation(punctured(embedded_torus(9, 8), {7})), curves), 0u);
-    EXPECT_EQ(pinch_all(Triangulation(five_components()), curves), 0u);
+  for(int genus : {0, 1, 2, 5, 9}) {
+    SCOPED_TRACE(genus);
+    EXPECT_EQ(pinch_all(Triangulation(plate_with_holes(genus))), 0u);
+    EXPECT_EQ(pinch_all(Triangulation(straight_plate_with_holes(genus))), 0u);
   }
+  EXPECT_EQ(pinch_all(Triangulation(punctured(embedded_torus(9, 8), {7}))), 0u);
+  EXPECT_EQ(pinch_all(Triangulation(five_components())), 0u);
 }
 
 // A sphere from which pairs of triangles are taken, far from each other, with tubes between them.
@@ -359,17 +354,16 @@ Mesh sphere_with_handles(std::size_t n, std::size_t genus, unsigned seed)
 TEST(Pinch_handles, effort_at_high_genus)
 {
   const std::size_t genus = 200;
-  for(const Mesh& mesh : {plate_with_holes(int(genus)), sphere_with_handles(4000, genus, 6)})
-    for(Cutting_curves curves : {Cutting_curves::edges, Cutting_curves::geodesics}) {
-      Surface_surgery s{Triangulation(mesh)};
-      ASSERT_EQ(IT::topological_type(s.mesh()).genus, genus);
-      ASSERT_EQ(IT::topological_type(s.mesh()).boundary_loops, 0u);
-      IS::internal::Handle_pincher pincher(s, no_bound, curves);
-      EXPECT_EQ(pincher(), genus);
-      EXPECT_EQ(IT::topological_type(s.mesh()).genus, 0u);
-      EXPECT_LT(pincher.number_of_searches(), 40u);
-      EXPECT_LT(pincher.number_of_visits(), 60 * mesh.number_of_vertices());
-    }
+  for(const Mesh& mesh : {plate_with_holes(int(genus)), sphere_with_handles(4000, genus, 6)}) {
+    Surface_surgery s{Triangulation(mesh)};
+    ASSERT_EQ(IT::topological_type(s.mesh()).genus, genus);
+    ASSERT_EQ(IT::topological_type(s.mesh()).boundary_loops, 0u);
+    IS::internal::Handle_pincher pincher(s, no_bound);
+    EXPECT_EQ(pincher(), genus);
+    EXPECT_EQ(IT::topological_type(s.mesh()).genus, 0u);
+    EXPECT_LT(pincher.number_of_searches(), 40u);
+    EXPECT_LT(pincher.number_of_visits(), 60 * mesh.number_of_vertices());
+  }
 }
 
 // Some have a single vertex, or all vertices on the boundary.
@@ -378,12 +372,25 @@ TEST(Pinch_handles, all_complexes)
   for(unsigned seed = 0; seed < 5; ++seed)
     for(const Named_complex& c : complexes()) {
       SCOPED_TRACE(c.name);
-      for(Cutting_curves curves : {Cutting_curves::edges, Cutting_curves::geodesics}) {
-        const std::size_t left =
-          pinch_all(triangulation(c.mesh, random_lengths(c.mesh, seed)), curves);
-        EXPECT_TRUE(left == 0 || IT::topological_type(c.mesh).boundary_loops > 0);
-      }
+      const std::size_t left = pinch_all(triangulation(c.mesh, random_lengths(c.mesh, seed)));
+      EXPECT_TRUE(left == 0 || IT::topological_type(c.mesh).boundary_loops > 0);
     }
+}
+
+// The bound is compared with the shortest of all closed walks of edges.
+TEST(Pinch_handles, flat_tori_of_known_length)
+{
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const Triangulation input = triangulation(flat_torus(4 + int(seed % 3), 5, seed));
+    const double length = shortest_loop(Surface_surgery(input));
+    for(double bound : {length * (1 - 1e-9), length * (1 + 1e-9)}) {
+      Surface_surgery s(input);
+      EXPECT_EQ(IS::pinch_handles(s, bound), bound > length ? 1u : 0u);
+      expect_valid(s, area(Surface_surgery(input)));
+      expect_map(s, input);
+    }
+  }
 }
 
 double norm(double i, double j, const Vector& a, const Vector& b)
@@ -391,25 +398,49 @@ double norm(double i, double j, const Vector& a, const Vector& b)
   return std::hypot(i * double(a.x) + j * double(b.x), i * double(a.y) + j * double(b.y));
 }
 
-// The shortest closed geodesic of a flat torus is the shortest vector of its lattice.
-TEST(Pinch_handles, flat_tori_of_known_length)
+// how far a length is from the closest one of a vector of the lattice, relatively
+double deviation_from_lattice(double length, const Flat_surface& torus)
+{
+  double result = no_bound;
+  for(int i = -5; i <= 5; ++i)
+    for(int j = -5; j <= 5; ++j)
+      result = (std::min)(result, std::abs(norm(i, j, torus.a, torus.b) / length - 1));
+  return result;
+}
+
+// Makes a closed geodesic in the class of the shortest edge loop a curve of edges, and returns it.
+std::vector<Halfedge_index> make_geodesic(Surface_surgery& s)
+{
+  const auto loops = IS::internal::Short_loops(s).disjoint_loops(no_bound);
+  Triangulation tri = s.triangulation();
+  IT::Edge_paths<IS::Intrinsic_surface::Traits> paths(tri);
+  paths.add_loop(loops.at(0).halfedges);
+  paths.shorten();
+  const std::vector<Halfedge_index> result = paths.halfedges(0);
+  s.retriangulate(std::move(tri));
+  return result;
+}
+
+// A closed geodesic of a flat torus is as long as a vector of its lattice.
+TEST(Surface_surgery, cuts_along_geodesics)
 {
   for(unsigned seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
-    const Flat_surface surface = flat_torus(4 + int(seed % 3), 5 + int(seed % 4), seed);
-    double length = no_bound;
-    for(int i = -5; i <= 5; ++i)
-      for(int j = -5; j <= 5; ++j)
-        if(i != 0 || j != 0)
-          length = (std::min)(length, norm(i, j, surface.a, surface.b));
-    Triangulation input = triangulation(surface);
-    IT::make_Delaunay(input);
-    for(double bound : {length * (1 - 1e-9), length * (1 + 1e-9)}) {
-      Surface_surgery s(input);
-      EXPECT_EQ(IS::pinch_handles(s, bound), bound > length ? 1u : 0u);
-      expect_valid(s, area(Surface_surgery(input)));
-      expect_map(s, input);
-    }
+    const Flat_surface torus = flat_torus(4 + int(seed % 3), 5 + int(seed % 4), seed);
+    const Triangulation input = triangulation(torus);
+    Surface_surgery s(input);
+    const double area_before = area(s);
+    double length = 0;
+    const std::vector<Halfedge_index> geodesic = make_geodesic(s);
+    for(Halfedge_index h : geodesic)
+      length += get(s.length_map(), Edge_index(h));
+    EXPECT_LT(deviation_from_lattice(length, torus), 1e-9);
+    const auto [left, right] = s.cut(geodesic);
+    s.close(left);
+    s.close(right);
+    EXPECT_EQ(IT::topological_type(s.mesh()).genus, 0u);
+    expect_valid(s, area_before);
+    expect_map(s, input);
   }
 }
 
@@ -420,8 +451,8 @@ TEST(Pinch_handles, area_of_disks)
   const Triangulation input(embedded_torus(30, n));
   const double side = 2 * std::sin(pi / double(n));
   Surface_surgery s(input);
-  EXPECT_EQ(IS::pinch_handles(s, double(n) * side * (1 - 1e-9), Cutting_curves::edges), 0u);
-  EXPECT_EQ(IS::pinch_handles(s, double(n) * side * (1 + 1e-9), Cutting_curves::edges), 1u);
+  EXPECT_EQ(IS::pinch_handles(s, double(n) * side * (1 - 1e-9)), 0u);
+  EXPECT_EQ(IS::pinch_handles(s, double(n) * side * (1 + 1e-9)), 1u);
   EXPECT_NEAR(s.filled_area(), 2 * double(n) / 4 * side * side / std::tan(pi / double(n)), 1e-9);
 }
 
