@@ -32,9 +32,8 @@ void benchmark(const Mesh& mesh, double part)
   const IT::Topological_type before = IT::topological_type(input.mesh());
   IS::Surface_surgery surface(input);
   Samples samples;
-  samples.time([&] {
-    return IS::close_boundary_loops(surface, length) + IS::pinch_handles(surface, length);
-  });
+  samples.time(
+    [&] { return IS::close_boundary_loops(surface, length) + IS::pinch_handles(surface, length); });
   const IT::Topological_type after = IT::topological_type(surface.mesh());
   std::printf("| %.3f | %zu | %zu | %zu | %zu | %.5f | %.2f |\n", part, before.genus, after.genus,
               before.boundary_loops, after.boundary_loops,

@@ -46,8 +46,7 @@ TEST(Surface_history, keeps_the_faces_of_each_operation)
   history.add_scaling(Vertex_index(1), 1, false, mesh);
   history.add_flip(h, mesh, 0.25, 0.75);
   history.add_removal(h, mesh, 0.125, 0.5);
-  history.add_border_removal(h, mesh, 0.375);
-  ASSERT_EQ(history.size(), 5u);
+  ASSERT_EQ(history.size(), 4u);
 
   const auto scaling = operation<IS::Scaling>(history, 0);
   EXPECT_EQ(scaling.vertex, Vertex_index(1));
@@ -64,18 +63,45 @@ TEST(Surface_history, keeps_the_faces_of_each_operation)
   EXPECT_EQ(flip.crossing_before, 0.25);
   EXPECT_EQ(flip.crossing_after, 0.75);
 
-  const auto removal = operation<IS::Removal>(history, 3);
+  const auto removal = operation<IS::Vertex_change>(history, 3);
+  EXPECT_FALSE(removal.is_insertion);
+  EXPECT_FALSE(removal.is_border);
   Halfedge_index spoke = h;
   for(const IS::Face_corner& c : removal.corners) {
     expect_corner(c, spoke, mesh);
     spoke = IT::next_spoke(spoke, mesh);
   }
+  expect_corner(removal.whole, mesh.halfedge(mesh.face(h)), mesh);
   EXPECT_EQ(removal.weight, (std::array<double, 2>{0.125, 0.5}));
+}
 
-  const auto border_removal = operation<IS::Border_removal>(history, 4);
-  expect_corner(border_removal.corners[0], h, mesh);
-  expect_corner(border_removal.corners[1], IT::next_spoke(h, mesh), mesh);
-  EXPECT_EQ(border_removal.weight, 0.375);
+// the first corner of the whole face at the boundary is stored for a removal and an insertion
+TEST(Surface_history, keeps_the_faces_of_changes_at_the_boundary)
+{
+  const Mesh strip = grid(1, 1, [](double x, double y) { return Point(x, y, 0); });
+  const Evolving_surface s(strip);
+  const Delta_complex& mesh = s.mesh();
+  IS::Surface_history history;
+  for(Vertex_index v : mesh.vertices()) {
+    if(mesh.degree(v) != 3)
+      continue;
+    const Halfedge_index a = IT::first_spoke(v, mesh), b = IT::next_spoke(a, mesh);
+    const IS::Face_corner whole(mesh.face(b), 2);
+    history.add_removal(a, mesh, 0.375, 0);
+    history.add_insertion(a, mesh, whole, 0.25, 0);
+    for(IS::Surface_history::Time t = history.size() - 2; t < history.size(); ++t) {
+      const auto change = operation<IS::Vertex_change>(history, t);
+      EXPECT_EQ(change.is_insertion, t % 2 == 1);
+      EXPECT_TRUE(change.is_border);
+      ASSERT_EQ(history.corners(change).size(), 2u);
+      expect_corner(change.corners[0], a, mesh);
+      expect_corner(change.corners[1], b, mesh);
+      EXPECT_EQ(change.whole.face(), t % 2 == 1 ? mesh.face(b) : mesh.face(a));
+      EXPECT_EQ(change.whole.index(), t % 2 == 1 ? 2u : 1u);
+      EXPECT_EQ(change.weight, (std::array<double, 2>{t % 2 == 1 ? 0.25 : 0.375, 0}));
+    }
+  }
+  EXPECT_EQ(history.size(), 4u);
 }
 
 TEST(Surface_history, can_be_truncated)

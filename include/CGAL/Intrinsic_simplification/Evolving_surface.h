@@ -196,10 +196,7 @@ private:
       m_waiting.push_back(mesh().edge(mesh().next(star[n].halfedge)));
     apply_scaling(star);
     cut_ears();
-    if(star.is_border())
-      remove_border_center(star);
-    else
-      remove_interior_center(star.center());
+    remove_center(star);
     flip_waiting_edges(touch);
   }
 
@@ -218,19 +215,14 @@ private:
     }
   }
 
-  void remove_interior_center(Vertex_index v)
+  // On the boundary, the first border edge takes the place of both.
+  void remove_center(const Flattened_star& star)
   {
-    const Halfedge_index a = first_spoke(v, mesh()), b = next_spoke(a, mesh());
-    m_history.add_removal(a, mesh(), m_polygon.weight(a), m_polygon.weight(b));
-    Intrinsic_triangulations::remove_degree_3_vertex(v, m_surface.mesh());
-  }
-
-  // the first border edge takes the place of both
-  void remove_border_center(const Flattened_star& star)
-  {
-    const Halfedge_index a = star[0].halfedge;
-    m_history.add_border_removal(a, mesh(), m_polygon.weight(a));
+    const Halfedge_index a = first_spoke(star.center(), mesh());
+    m_history.add_removal(a, mesh(), m_polygon.weight(a), m_polygon.weight(next_spoke(a, mesh())));
     Intrinsic_triangulations::remove_degree_3_vertex(star.center(), m_surface.mesh());
+    if(!star.is_border())
+      return;
     m_surface.set_length(mesh().edge(a), star.flat_length(0) + star.flat_length(star.size() - 1));
     m_surface.set_direction(a, star[star.size() - 1].direction_back);
   }

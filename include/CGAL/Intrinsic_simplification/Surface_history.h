@@ -13,6 +13,7 @@
 
 #include <CGAL/Iterator_range.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -38,11 +39,13 @@ public:
   /// returns the operation with index `t`.
   const Surface_operation& operator[](Time t) const { return m_operations[t]; }
 
-  /// returns the corners of the faces that a flip, a removal or an insertion changes.
-  template <typename Operation>
-  static const auto& corners(const Operation& operation)
+  /// returns the corners of the faces that a flip changes.
+  static const auto& corners(const Flip& flip) { return flip.corners; }
+
+  /// returns the corners of the faces around a vertex that is removed or inserted.
+  static Iterator_range<const Face_corner*> corners(const Vertex_change& change)
   {
-    return operation.corners;
+    return {change.corners.data(), change.corners.data() + (change.is_border ? 2 : 3)};
   }
 
   /// returns the corners of a scaling of this history.
@@ -85,50 +88,28 @@ public:
       Flip{h, {Face_corner(h, mesh), Face_corner(opposite(h), mesh)}, s, t});
   }
 
-  /// appends the removal of an interior vertex of degree three, which is about to happen.
+  /// appends the removal of a vertex of degree three, which is about to happen.
   /// \param a its first spoke
   /// \param mesh the mesh
   /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and
-  ///   the next spoke
+  ///   the next spoke; the latter is zero on the boundary
   void add_removal(Halfedge_index a, const Delta_complex& mesh, double w_a, double w_b)
   {
-    const Halfedge_index b = next_spoke(a, mesh), c = next_spoke(b, mesh);
-    m_operations.emplace_back(
-      Removal{{Face_corner(a, mesh), Face_corner(b, mesh), Face_corner(c, mesh)}, {w_a, w_b}});
+    const std::size_t first = mesh.is_border(opposite(a)) ? 1 : 0;
+    add_vertex_change(false, a, mesh, Face_corner(mesh.face(a), first), w_a, w_b);
   }
 
-  /// appends the removal of a boundary vertex of degree three, which is about to happen.
-  /// \param a its first spoke
-  /// \param mesh the mesh
-  /// \param w_a the barycentric coordinate of the vertex that belongs to the target of `a`
-  void add_border_removal(Halfedge_index a, const Delta_complex& mesh, double w_a)
-  {
-    m_operations.emplace_back(
-      Border_removal{{Face_corner(a, mesh), Face_corner(next_spoke(a, mesh), mesh)}, w_a});
-  }
-
-  /// appends the insertion of a vertex into a face, which has just happened.
-  /// \param a the spoke to the first corner of the face as it was
-  /// \param mesh the mesh
-  /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and
-  ///   the next spoke
-  void add_insertion(Halfedge_index a, const Delta_complex& mesh, double w_a, double w_b)
-  {
-    const Halfedge_index b = next_spoke(a, mesh), c = next_spoke(b, mesh);
-    add_insertion(
-      Insertion{{Face_corner(a, mesh), Face_corner(b, mesh), Face_corner(c, mesh)}, {w_a, w_b}});
-  }
-
-  /// appends the insertion of a vertex into a boundary edge, which has just happened.
-  /// \param a the first spoke of the vertex
+  /// appends the insertion of a vertex of degree three, which has just happened.
+  /// \param a its first spoke; for an interior vertex, the spoke to the first corner of the face as
+  ///   it was
   /// \param mesh the mesh
   /// \param whole the corner of the face as it was that is the target of `a`
-  /// \param w_a the barycentric coordinate of the vertex that belongs to this corner
-  void add_border_insertion(Halfedge_index a, const Delta_complex& mesh, Face_corner whole,
-                            double w_a)
+  /// \param w_a,w_b the barycentric coordinates of the vertex that belong to the targets of `a` and
+  ///   the next spoke; the latter is zero on the boundary
+  void add_insertion(Halfedge_index a, const Delta_complex& mesh, Face_corner whole, double w_a,
+                     double w_b)
   {
-    add_insertion(
-      Border_insertion{{Face_corner(a, mesh), Face_corner(next_spoke(a, mesh), mesh)}, whole, w_a});
+    add_vertex_change(true, a, mesh, whole, w_a, w_b);
   }
 
   /// returns one more than the greatest index of a face that an insertion has made, or 0.
@@ -152,12 +133,21 @@ public:
   }
 
 private:
-  template <typename Operation>
-  void add_insertion(const Operation& operation)
+  void add_vertex_change(bool is_insertion, Halfedge_index a, const Delta_complex& mesh,
+                         Face_corner whole, double w_a, double w_b)
   {
-    m_operations.emplace_back(operation);
-    for(const Face_corner& c : operation.corners)
-      m_end_of_inserted_faces = (std::max)(m_end_of_inserted_faces, std::size_t(c.face()) + 1);
+    const bool is_border = mesh.is_border(opposite(a));
+    const Halfedge_index b = next_spoke(a, mesh);
+    const Face_corner third = is_border ? Face_corner() : Face_corner(next_spoke(b, mesh), mesh);
+    const Vertex_change change{is_insertion,
+                               is_border,
+                               {Face_corner(a, mesh), Face_corner(b, mesh), third},
+                               whole,
+                               {w_a, w_b}};
+    m_operations.emplace_back(change);
+    if(is_insertion)
+      for(const Face_corner& c : corners(change))
+        m_end_of_inserted_faces = (std::max)(m_end_of_inserted_faces, std::size_t(c.face()) + 1);
   }
 
   std::vector<Surface_operation> m_operations;

@@ -77,48 +77,25 @@ struct Flip
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
-/// the three faces around an interior vertex become one, the first of them. Its corners are the
-/// targets of the first, the second and the third spoke.
-struct Removal
+/// a vertex of degree three is removed or, as the inverse, inserted: the faces around it, three or,
+/// on the boundary, two, become one, or one face becomes these. The corners of the whole face are
+/// the targets of the first, the second and the third spoke of the vertex.
+struct Vertex_change
 {
-  static constexpr int code = 2;      ///< the index of the type in files
-  std::array<Face_corner, 3> corners; ///< the corners of the faces at the vertex
-  std::array<double, 2> weight;       ///< its first two barycentric coordinates in the new face
-};
-
-/// \ingroup PkgIntrinsicSimplificationRef
-/// the two faces at a boundary vertex become one, the first of them. Its corners are the targets of
-/// the third, the first and the second spoke.
-struct Border_removal
-{
-  static constexpr int code = 3;      ///< the index of the type in files
-  std::array<Face_corner, 2> corners; ///< the corners of the faces at the vertex
-  double weight; ///< the barycentric coordinate of the vertex that belongs to the first spoke
-};
-
-/// \ingroup PkgIntrinsicSimplificationRef
-/// the inverse of a `Removal`: a face becomes three around a new vertex. The corners of the face
-/// are the targets of the first, the second and the third spoke.
-struct Insertion
-{
-  static constexpr int code = 4;      ///< the index of the type in files
-  std::array<Face_corner, 3> corners; ///< the corners of the new faces at the vertex
-  std::array<double, 2> weight;       ///< its first two barycentric coordinates in the face
-};
-
-/// \ingroup PkgIntrinsicSimplificationRef
-/// the inverse of a `Border_removal`: a face becomes two at a new boundary vertex.
-struct Border_insertion
-{
-  static constexpr int code = 5;      ///< the index of the type in files
-  std::array<Face_corner, 2> corners; ///< the corners of the new faces at the vertex
-  Face_corner whole; ///< the corner of the face that is the target of the first spoke
-  double weight;     ///< the barycentric coordinate of the vertex that belongs to this corner
+  static constexpr int code = 2; ///< the index of the type in files, and the first of four
+  bool is_insertion;             ///< whether the vertex is inserted
+  bool is_border;                ///< whether the vertex is on the boundary
+  /// the corners of the faces around the vertex, at the vertex; on the boundary, the third is none
+  std::array<Face_corner, 3> corners;
+  Face_corner whole; ///< the corner of the whole face that is the target of the first spoke
+  /// the barycentric coordinates of the vertex in the whole face that belong to the first two
+  /// targets. The second is zero on the boundary.
+  std::array<double, 2> weight;
 };
 
 /// \ingroup PkgIntrinsicSimplificationRef
 /// a change of a surface, with all that is needed to carry points through it, in 32 bytes: a
-/// `Scaling`, a `Flip`, a `Removal`, a `Border_removal`, an `Insertion` or a `Border_insertion`.
+/// `Scaling`, a `Flip` or a `Vertex_change`.
 class Surface_operation
 {
 public:
@@ -132,47 +109,46 @@ public:
       m_id{f.halfedge, f.corners[0].m_code, f.corners[1].m_code},
       m_x{f.crossing_before, f.crossing_after}
   {}
-  /// makes a removal.
-  Surface_operation(const Removal& r)
-    : m_code(r.code),
-      m_id{r.corners[0].m_code, r.corners[1].m_code, r.corners[2].m_code},
-      m_x(r.weight)
-  {}
-  /// makes a removal at the boundary.
-  Surface_operation(const Border_removal& r)
-    : m_code(r.code), m_id{r.corners[0].m_code, r.corners[1].m_code, 0}, m_x{r.weight, 0}
+  /// makes a removal or an insertion.
+  Surface_operation(const Vertex_change& c)
+    : m_code(c.code + (c.is_border ? 1 : 0) + (c.is_insertion ? 2 : 0)),
+      m_id{c.corners[0].m_code, c.corners[1].m_code,
+           c.is_border ? c.whole.m_code : c.corners[2].m_code},
+      m_x(c.weight)
   {}
 
-  /// makes an insertion.
-  Surface_operation(const Insertion& i)
-    : m_code(i.code),
-      m_id{i.corners[0].m_code, i.corners[1].m_code, i.corners[2].m_code},
-      m_x(i.weight)
-  {}
-  /// makes an insertion at the boundary.
-  Surface_operation(const Border_insertion& i)
-    : m_code(i.code),
-      m_id{i.corners[0].m_code, i.corners[1].m_code, i.whole.m_code},
-      m_x{i.weight, 0}
-  {}
+  /// returns the code of the operation in files.
+  int code() const { return m_code; }
 
   /// calls `visitor` with the operation as what it is, and returns what that returns.
   template <typename Visitor>
   decltype(auto) visit(Visitor&& visitor) const
   {
-    const auto corner = [this](std::size_t n) { return Face_corner(m_id[n]); };
     switch(m_code) {
       case Scaling::code: return visitor(Scaling{Vertex_index(m_id[0]), m_id[1], m_id[2], m_x[0]});
       case Flip::code:
         return visitor(Flip{Halfedge_index(m_id[0]), {corner(1), corner(2)}, m_x[0], m_x[1]});
-      case Removal::code: return visitor(Removal{{corner(0), corner(1), corner(2)}, m_x});
-      case Border_removal::code: return visitor(Border_removal{{corner(0), corner(1)}, m_x[0]});
-      case Insertion::code: return visitor(Insertion{{corner(0), corner(1), corner(2)}, m_x});
-      default: return visitor(Border_insertion{{corner(0), corner(1)}, corner(2), m_x[0]});
+      default: return visitor(vertex_change());
     }
   }
 
 private:
+  Face_corner corner(std::size_t n) const { return Face_corner(m_id[n]); }
+
+  // A whole face without boundary begins at its first corner and is the first face.
+  Vertex_change vertex_change() const
+  {
+    const int kind = m_code - Vertex_change::code;
+    const bool is_insertion = kind >= 2, is_border = kind % 2 == 1;
+    if(is_border)
+      return {is_insertion, true, {corner(0), corner(1), Face_corner()}, corner(2), m_x};
+    return {is_insertion,
+            false,
+            {corner(0), corner(1), corner(2)},
+            Face_corner(m_id[0] - m_id[0] % 4),
+            m_x};
+  }
+
   int m_code;
   std::array<std::uint32_t, 3> m_id;
   std::array<double, 2> m_x;

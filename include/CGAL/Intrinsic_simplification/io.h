@@ -57,32 +57,17 @@ inline void write_operation(std::ostream& os, const Flip& f)
              hexadecimal_text(f.crossing_after));
 }
 
-inline void write_operation(std::ostream& os, const Insertion& i)
+// A removal is determined by the first spoke of the vertex, an insertion by the whole face.
+inline void write_operation(std::ostream& os, const Vertex_change& c)
 {
-  write_line(os, i.code, i.corners[0].face(), hexadecimal_text(i.weight[0]),
-             hexadecimal_text(i.weight[1]));
-}
-
-inline void write_operation(std::ostream& os, const Border_insertion& i)
-{
-  write_line(os, i.code, i.whole.face(), i.whole.index(), hexadecimal_text(i.weight));
-}
-
-template <typename Operation>
-void write_removal(std::ostream& os, const Operation& r, double x, double y)
-{
-  write_line(os, r.code, r.corners[0].face(), r.corners[0].index(), hexadecimal_text(x),
-             hexadecimal_text(y));
-}
-
-inline void write_operation(std::ostream& os, const Removal& r)
-{
-  write_removal(os, r, r.weight[0], r.weight[1]);
-}
-
-inline void write_operation(std::ostream& os, const Border_removal& r)
-{
-  write_removal(os, r, r.weight, 0);
+  const int code = Surface_operation(c).code();
+  const std::string x = hexadecimal_text(c.weight[0]), y = hexadecimal_text(c.weight[1]);
+  if(!c.is_insertion)
+    write_line(os, code, c.corners[0].face(), c.corners[0].index(), x, y);
+  else if(c.is_border)
+    write_line(os, code, c.whole.face(), c.whole.index(), x);
+  else
+    write_line(os, code, c.whole.face(), x, y);
 }
 
 // Reads a hierarchy and does the operations once more, as far as connectivity is concerned.
@@ -153,12 +138,12 @@ private:
 
   void read_operation()
   {
-    switch(const int code = m_lines.integer<int>(Scaling::code, Border_insertion::code); code) {
+    switch(const int code = m_lines.integer<int>(Scaling::code, Vertex_change::code + 3); code) {
       case Scaling::code: return read_scaling();
       case Flip::code: return read_flip();
-      case Insertion::code: return read_insertion();
-      case Border_insertion::code: return read_border_insertion();
-      default: return read_removal(code == Border_removal::code);
+      case Vertex_change::code:
+      case Vertex_change::code + 1: return read_removal(code != Vertex_change::code);
+      default: return read_insertion(code != Vertex_change::code + 2);
     }
   }
 
@@ -203,25 +188,21 @@ private:
     return f;
   }
 
-  void read_insertion()
+  void read_insertion(bool is_border)
   {
+    namespace IT = Intrinsic_triangulations;
     const Face_index f = read_face();
-    const double w_a = part(), w_b = part();
-    const Halfedge_index in = Intrinsic_triangulations::split_face(m_mesh.halfedge(f), m_mesh);
-    m_result.history.add_insertion(m_mesh.next(in), m_mesh, w_a, w_b);
-  }
-
-  void read_border_insertion()
-  {
-    const Face_index f = read_face();
-    const auto sides = Intrinsic_triangulations::sides(f, m_mesh);
-    const std::size_t c = m_lines.integer<std::size_t>(0, 2);
-    const Halfedge_index h = sides[(c + 2) % 3];
-    check(m_mesh.is_border(m_mesh.opposite(h)), "the edge is not on the boundary");
-    const double w = part();
-    const Face_corner whole(f, c);
-    Intrinsic_triangulations::split_edge(h, m_mesh);
-    m_result.history.add_border_insertion(h, m_mesh, whole, w);
+    const Face_corner whole(f, is_border ? m_lines.integer<std::size_t>(0, 2) : 0);
+    Halfedge_index a = IT::sides(f, m_mesh)[whole.index()];
+    if(is_border)
+      a = m_mesh.prev(a);
+    check(!is_border || m_mesh.is_border(m_mesh.opposite(a)), "the edge is not on the boundary");
+    const double w_a = part(), w_b = is_border ? 0 : part();
+    if(is_border)
+      IT::split_edge(a, m_mesh);
+    else
+      a = m_mesh.next(IT::split_face(a, m_mesh));
+    m_result.history.add_insertion(a, m_mesh, whole, w_a, w_b);
   }
 
   void read_removal(bool is_border)
@@ -235,10 +216,7 @@ private:
             m_mesh.is_border(v) == is_border &&
             (!is_border || m_mesh.is_border(m_mesh.opposite(a))),
           "the vertex cannot be removed");
-    if(is_border)
-      m_result.history.add_border_removal(a, m_mesh, w_a);
-    else
-      m_result.history.add_removal(a, m_mesh, w_a, w_b);
+    m_result.history.add_removal(a, m_mesh, w_a, is_border ? 0 : w_b);
     IT::remove_degree_3_vertex(v, m_mesh);
   }
 

@@ -24,12 +24,13 @@ class Vertex_sectors
 public:
   static constexpr std::size_t m = 3;
 
-  Vertex_sectors(const Removal& o) : Vertex_sectors(o, false) {}
-  Vertex_sectors(const Insertion& o) : Vertex_sectors(o, true) {}
-  Vertex_sectors(const Border_removal& o)
-    : Vertex_sectors(o, Face_corner(o.corners[0].face(), 1), false)
+  Vertex_sectors(const Vertex_change& o)
+    : m_is_border(o.is_border),
+      m_is_insertion(o.is_insertion),
+      m_vertex{o.weight[0], o.weight[1], (std::max)(1 - o.weight[0] - o.weight[1], 0.)},
+      m_whole(o.whole),
+      m_sector(o.corners)
   {}
-  Vertex_sectors(const Border_insertion& o) : Vertex_sectors(o, o.whole, true) {}
 
   bool is_insertion() const { return m_is_insertion; }
   bool is_border() const { return m_is_border; }
@@ -137,24 +138,6 @@ public:
 private:
   static constexpr Corner_set whole_face() { return bit(0) | bit(1) | bit(2); }
   static constexpr Corner_set border_side() { return bit(0) | bit(2); }
-
-  template <typename Operation>
-  Vertex_sectors(const Operation& o, bool is_insertion)
-    : m_is_border(false),
-      m_is_insertion(is_insertion),
-      m_vertex{o.weight[0], o.weight[1], (std::max)(1 - o.weight[0] - o.weight[1], 0.)},
-      m_whole(o.corners[0].face(), 0),
-      m_sector(o.corners)
-  {}
-
-  template <typename Operation>
-  Vertex_sectors(const Operation& o, Face_corner whole, bool is_insertion)
-    : m_is_border(true),
-      m_is_insertion(is_insertion),
-      m_vertex{o.weight, 0, (std::max)(1 - o.weight, 0.)},
-      m_whole(whole),
-      m_sector{o.corners[0], o.corners[1], Face_corner()}
-  {}
 
   // The corner of which a point has the least, compared with the vertex: the point and this corner
   // are on opposite sides of the vertex.

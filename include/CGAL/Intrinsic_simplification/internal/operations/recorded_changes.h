@@ -55,7 +55,7 @@ inline Halfedge_index insert(Face_index f, const std::array<double, 3>& weight,
                              Surface_history& history)
 {
   const Halfedge_index a = surface.split_face(surface.mesh().halfedge(f), length);
-  history.add_insertion(a, surface.mesh(), weight[0], weight[1]);
+  history.add_insertion(a, surface.mesh(), Face_corner(f, 0), weight[0], weight[1]);
   return a;
 }
 
@@ -66,7 +66,7 @@ inline void insert_on_border(Halfedge_index h, double t, const std::array<double
   const Delta_complex& mesh = surface.mesh();
   const Face_corner whole(mesh.next(h), mesh);
   surface.split_border_edge(h, length);
-  history.add_border_insertion(h, mesh, whole, t);
+  history.add_insertion(h, mesh, whole, t, 0);
 }
 
 // Flattens the center of a star and records it. Directions stay.
