@@ -15,6 +15,20 @@ if(NOT Ceres_FOUND)
   list(FILTER headers EXCLUDE REGEX "Ceres")
 endif()
 
+# Applications of simplification use its core, which does not use them.
+set(application
+  "topology/|multigrid/|Surface_surgery|pinch_handles|Correspondence_map|Composed_map|prolongation_hierarchy|Multigrid_|Prolonged_")
+file(GLOB_RECURSE core CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/include/CGAL/Intrinsic_simplification/*.h")
+list(FILTER core EXCLUDE REGEX "Intrinsic_simplification/(internal/)?(${application})")
+foreach(header IN LISTS core)
+  file(STRINGS "${header}" includes
+    REGEX "^#include <CGAL/Intrinsic_simplification/(internal/)?(${application})")
+  if(includes)
+    message(FATAL_ERROR "${header}: the core includes a header of an application")
+  endif()
+endforeach()
+
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE includes)
 list(JOIN includes "" includes)
 file(CONFIGURE OUTPUT headers/all_headers.h CONTENT "${includes}")

@@ -13,7 +13,7 @@
 
 namespace CGAL::Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// two maps, one after the other: from where the first starts to where the second ends. Each is a
 /// `Surface_map`, a `Correspondence_map` or composed of such. The object refers to both.
 ///

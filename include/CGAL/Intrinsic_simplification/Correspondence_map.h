@@ -13,7 +13,7 @@
 
 namespace CGAL::Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// the identity of a surface as a map between its triangulations: from \f$T_1\f$, called fine, to
 /// \f$T_2\f$, called coarse, whichever has more vertices. It has the names of `Surface_map`, so
 /// that `Composed_map` joins maps that integer coordinates give and maps that a history gives.

@@ -24,7 +24,7 @@
 
 namespace CGAL::Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// states how an iteration has ended.
 enum class Multigrid_status
 {
@@ -33,7 +33,7 @@ enum class Multigrid_status
   no_progress ///< it does not become smaller any more: by rounding, or as a number is not finite
 };
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// returns a short sentence for `status`.
 inline const char* to_string(Multigrid_status status)
 {
@@ -46,7 +46,7 @@ inline const char* to_string(Multigrid_status status)
   return "unknown";
 }
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// a solution, and how good it is.
 struct Multigrid_result
 {
@@ -58,7 +58,7 @@ struct Multigrid_result
   Multigrid_status status = Multigrid_status::no_progress; ///< how the iteration has ended
 };
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// solves equations \f$A x = b\f$ of Laplace and Poisson problems with many unknowns, by the
 /// conjugate gradient method with one V-cycle on a hierarchy of surfaces as preconditioner: a sweep
 /// of the method of Gauss and Seidel on each level on the way down, one in reverse on the way up, a

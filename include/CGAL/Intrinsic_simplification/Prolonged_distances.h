@@ -36,7 +36,7 @@ Eigen::VectorXd geodesic_distances(const Source& source, const Surface_level& le
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// approximates the geodesic distances from a vertex of the fine level to all of them: computes
 /// those from its image to the vertices of the coarse level, exactly, and prolongs them. Vertices
 /// out of reach get infinity. Complexity: that of exact geodesic distances on the coarse level,
@@ -55,7 +55,7 @@ prolonged_distances_from(Vertex_index source, const Surface_map& map,
   return prolongation * internal::geodesic_distances(image_of_vertex(source, map), map.coarse());
 }
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// approximates the geodesic distances between all pairs of vertices of a fine level by
 /// \f$P D P^T\f$ with the distances \f$D\f$ between those of a coarse level, which are exact. The
 /// value for a vertex and itself is not zero if it is not a vertex of the coarse level, and

@@ -25,7 +25,7 @@
 
 namespace CGAL::Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// a surface that is cut along closed curves, and on which boundary loops are closed by disks,
 /// with the map from the surface as it was.
 ///
@@ -274,7 +274,7 @@ private:
   double m_filled_area = 0;
 };
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// closes all boundary loops of a length of at most `maximum_length` by disks, see
 /// `Surface_surgery`. Complexity: linear.
 /// \returns the number of loops that have been closed

@@ -89,7 +89,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// takes away handles around which, or through which, a closed curve of edges of a length of at
 /// most `maximum_length` leads: cuts the surface along such curves, the shortest ones first, and
 /// closes both sides by disks, see `Surface_surgery`. No curve separates the surface: each cut

@@ -22,7 +22,7 @@
 
 namespace CGAL::Intrinsic_simplification {
 
-/// \ingroup PkgIntrinsicSimplificationRef
+/// \ingroup PkgIntrinsicSimplificationApplications
 /// simplifies a surface step by step, each time to a fourth of the vertices, and returns the
 /// prolongation from each level to the one before; the first leads to the surface as it was. The
 /// cost is `default_cost()`, carried on from level to level.
