@@ -128,18 +128,20 @@ public:
       case Scaling::code: return visitor(Scaling{Vertex_index(m_id[0]), m_id[1], m_id[2], m_x[0]});
       case Flip::code:
         return visitor(Flip{Halfedge_index(m_id[0]), {corner(1), corner(2)}, m_x[0], m_x[1]});
-      default: return visitor(vertex_change());
+      case Vertex_change::code: return visitor(vertex_change(false, false));
+      case Vertex_change::code + 1: return visitor(vertex_change(false, true));
+      case Vertex_change::code + 2: return visitor(vertex_change(true, false));
+      default: return visitor(vertex_change(true, true));
     }
   }
 
 private:
   Face_corner corner(std::size_t n) const { return Face_corner(m_id[n]); }
 
-  // A whole face without boundary begins at its first corner and is the first face.
-  Vertex_change vertex_change() const
+  // Constant arguments save a visitor from branches. For an interior vertex, the whole face is the
+  // first one, from its first corner.
+  Vertex_change vertex_change(bool is_insertion, bool is_border) const
   {
-    const int kind = m_code - Vertex_change::code;
-    const bool is_insertion = kind >= 2, is_border = kind % 2 == 1;
     if(is_border)
       return {is_insertion, true, {corner(0), corner(1), Face_corner()}, corner(2), m_x};
     return {is_insertion,
