@@ -28,29 +28,52 @@ inline Mesh unit_square(std::size_t n, unsigned int seed)
   });
 }
 
-// The octahedron with n edges in place of one, on the unit sphere.
-inline Mesh unit_sphere(std::size_t n)
+// A mesh with flat faces cut into smaller ones, and where its vertices are on the coarse mesh.
+struct Subdivided
 {
-  const double h = 1 / static_cast<double>(n);
-  const Mesh coarse = octahedron();
-  std::map<std::array<int, 3>, std::size_t> numbers;
+  Mesh mesh;
+  std::vector<IT::Face_location<double>> on_coarse;
+};
+
+// Cuts each face into n^2. Vertices move by up to `move` edges along sides and within faces. No two
+// edges of the coarse mesh have the same ends.
+inline Subdivided subdivided(const Mesh& coarse, std::size_t n, double move = 0,
+                             unsigned int seed = 1)
+{
+  CGAL::Random random(seed);
+  std::map<std::map<std::size_t, std::size_t>, std::size_t> numbers; // by weights of corners
   std::vector<Point> points;
+  Subdivided result;
   Triangles triangles;
   for(Face_index f : coarse.faces()) {
     const Halfedge_index side = coarse.halfedge(f);
-    const auto a = coarse.point(coarse.source(side)) - CGAL::ORIGIN;
-    const auto b = coarse.point(coarse.target(side)) - CGAL::ORIGIN;
-    const auto c = coarse.point(coarse.target(coarse.next(side))) - CGAL::ORIGIN;
+    const std::array corner{coarse.source(side), coarse.target(side),
+                            coarse.target(coarse.next(side))};
+    const auto add = [&](const std::array<std::size_t, 3>& weight) {
+      std::array<double, 3> w;
+      double sum = 0;
+      for(std::size_t k = 0; k < 3; ++k) {
+        const bool is_free = weight[k] > 0 && weight[k] < n;
+        w[k] = double(weight[k]) + (is_free ? random.get_double(-move, move) : 0.);
+        sum += w[k];
+      }
+      Kernel::Vector_3 p(0, 0, 0);
+      for(std::size_t k = 0; k < 3; ++k) {
+        w[k] /= sum;
+        p = p + w[k] * (coarse.point(corner[k]) - CGAL::ORIGIN);
+      }
+      points.push_back(CGAL::ORIGIN + p);
+      result.on_coarse.push_back({f, w});
+    };
     const auto number = [&](std::size_t i, std::size_t j) {
-      const auto p = h * (static_cast<double>(n - i - j) * a + static_cast<double>(i) * b +
-                          static_cast<double>(j) * c);
-      const auto on_grid = [&](double x) {
-        return static_cast<int>(std::lround(x * static_cast<double>(n)));
-      };
-      const auto [entry, is_new] =
-        numbers.emplace(std::array{on_grid(p.x()), on_grid(p.y()), on_grid(p.z())}, points.size());
+      const std::array weight{n - i - j, i, j};
+      std::map<std::size_t, std::size_t> key;
+      for(std::size_t k = 0; k < 3; ++k)
+        if(weight[k] > 0)
+          key[corner[k].idx()] = weight[k];
+      const auto [entry, is_new] = numbers.emplace(key, points.size());
       if(is_new)
-        points.push_back(CGAL::ORIGIN + p / std::sqrt(p.squared_length()));
+        add(weight);
       return entry->second;
     };
     for(std::size_t i = 0; i < n; ++i)
@@ -60,7 +83,19 @@ inline Mesh unit_sphere(std::size_t n)
           triangles.push_back({number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)});
       }
   }
-  return make_mesh(points, triangles);
+  result.mesh = make_mesh(points, triangles);
+  return result;
+}
+
+// The octahedron with n edges in place of one, on the unit sphere.
+inline Mesh unit_sphere(std::size_t n)
+{
+  Mesh mesh = subdivided(octahedron(), n).mesh;
+  for(Vertex_index v : mesh.vertices()) {
+    const Kernel::Vector_3 p = mesh.point(v) - CGAL::ORIGIN;
+    mesh.point(v) = CGAL::ORIGIN + p / std::sqrt(p.squared_length());
+  }
+  return mesh;
 }
 
 } // namespace Test_surfaces

@@ -224,7 +224,7 @@ TEST(Curve_distances, fine_circle_in_a_face)
 {
   const Mesh mesh = make_mesh({Point(0, 0, 0), Point(4, 0, 0), Point(0, 4, 0)}, {{0, 1, 2}});
   const Triangulation t(mesh);
-  const int n = 60000;
+  const int n = 200000;
   const auto at = [&](int k) {
     const double angle = 2 * pi * (k % n) / n;
     return locate(Point(1 + 0.5 * std::cos(angle), 1 + 0.5 * std::sin(angle), 0), t, mesh).second;
@@ -233,9 +233,9 @@ TEST(Curve_distances, fine_circle_in_a_face)
   for(int k = 0; k < n; ++k)
     circle.push_back({Face_index(0), at(k), at(k + 1)});
   const Paths paths = paths_from(t.input(), circle);
-  EXPECT_NEAR(paths.distance(Vertex_index(0)), std::sqrt(2.) - 0.5, 1e-9);
-  EXPECT_NEAR(paths.distance(Vertex_index(1)), std::sqrt(10.) - 0.5, 1e-9);
-  EXPECT_NEAR(paths.distance(locate(Point(1, 1, 0), t, mesh)), 0.5, 1e-9);
+  EXPECT_NEAR(paths.distance(Vertex_index(0)), std::sqrt(2.) - 0.5, 1e-10);
+  EXPECT_NEAR(paths.distance(Vertex_index(1)), std::sqrt(10.) - 0.5, 1e-10);
+  EXPECT_NEAR(paths.distance(locate(Point(1, 1, 0), t, mesh)), 0.5, 1e-10);
 }
 
 // All boundary edges of a square. On an even grid, many rays run along edges.
@@ -279,8 +279,8 @@ TEST(Curve_distances, geodesics_on_cylinders)
         for(int turn = -3; turn <= 3; ++turn)
           truth =
             (std::min)(truth, distance_from_segment(places.place(q) + turn * girth, start, end));
-        EXPECT_NEAR(paths.distance(q), truth, 1e-9);
-        expect_valid(paths.path(q), places.faces(), 1e-9);
+        EXPECT_NEAR(paths.distance(q), truth, 1e-14 * girth);
+        expect_valid(paths.path(q), places.faces(), 1e-14 * girth);
       }
     }
   }

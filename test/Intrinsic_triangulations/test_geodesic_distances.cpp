@@ -80,6 +80,103 @@ TEST(Geodesic_distances, are_those_of_shortest_paths)
   }
 }
 
+// ---- Ten thousand vertices ----
+
+double greatest(const std::vector<double>& distances)
+{
+  return *std::max_element(distances.begin(), distances.end());
+}
+
+// Subdividing flat faces does not change distances, which few large faces have by brute force.
+TEST(Geodesic_distances, on_fine_meshes_as_by_unfolding_coarse_ones)
+{
+  for(const Named_mesh& m : std::vector<Named_mesh>{
+        {"box", perturbed(cube(), 0.2, 1)},
+        {"spikes", perturbed(random_sphere(9, 4), 0.8, 1)},
+        {"rough torus", perturbed(embedded_torus(4, 3), 0.5, 3)},
+        {"holes", punctured(perturbed(embedded_torus(4, 3), 0.3, 6), {1, 16})}}) {
+    SCOPED_TRACE(m.name);
+    const auto n = static_cast<std::size_t>(std::sqrt(19900. / m.mesh.number_of_faces()));
+    const Subdivided fine = subdivided(m.mesh, n, 0.3);
+    CGAL::Random random(5);
+    std::vector<Vertex_index> sample;
+    std::vector<Location> on_coarse;
+    for(int i = 0; i < 12; ++i) {
+      sample.push_back(vertex(std::size_t(random.get_int(0, int(fine.on_coarse.size())))));
+      on_coarse.push_back(fine.on_coarse[sample.back().idx()]);
+    }
+    const Triangulation t(m.mesh);
+    const Unfolding truth(Flat_faces(Side::input, t), on_coarse);
+    const std::size_t first = m.mesh.number_of_vertices();
+    for(std::size_t number_of_sources : {1, 2, 4}) {
+      const std::vector<Vertex_index> sources(sample.begin(),
+                                              sample.begin() + std::ptrdiff_t(number_of_sources));
+      const auto result = IT::geodesic_distances(fine.mesh, sources);
+      EXPECT_EQ(result.method, Method::exact);
+      for(std::size_t j = 0; j < sample.size(); ++j) {
+        double least = infinity;
+        for(std::size_t i = 0; i < number_of_sources; ++i)
+          least = (std::min)(least, truth(first + i, first + j));
+        EXPECT_NEAR(result.distance[sample[j].idx()], least, 1e-14 * greatest(result.distance));
+      }
+    }
+  }
+}
+
+// In a convex domain, all distances are those of the plane, also from all vertices on its boundary.
+TEST(Geodesic_distances, in_a_square_with_ten_thousand_vertices)
+{
+  const Mesh mesh = unit_square(99, 7);
+  std::vector<Vertex_index> boundary;
+  for(Vertex_index v : mesh.vertices())
+    if(mesh.is_border(v))
+      boundary.push_back(v);
+  for(const auto& sources : {std::vector{vertex(5050)}, std::vector{vertex(0)}, boundary}) {
+    const auto result = IT::geodesic_distances(mesh, sources);
+    EXPECT_EQ(result.method, Method::exact);
+    for(Vertex_index v : mesh.vertices()) {
+      double least = infinity;
+      for(Vertex_index s : sources)
+        least = (std::min)(least, CGAL::squared_distance(mesh.point(s), mesh.point(v)));
+      EXPECT_NEAR(result.distance[v.idx()], std::sqrt(least), 1e-14);
+    }
+  }
+}
+
+// A tetrahedron whose opposite edges are equal is the plane modulo half turns around the points of
+// a lattice.
+TEST(Geodesic_distances, on_a_tetrahedron_with_ten_thousand_vertices)
+{
+  const Mesh coarse = make_mesh({{1, 2, 3}, {-1, -2, 3}, {-1, 2, -3}, {1, -2, -3}},
+                                {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  const Subdivided fine = subdivided(coarse, 70, 0.3);
+  const double side = std::sqrt(20.), x = (20. + 40 - 52) / (2 * side); // 01 and 02, against 12
+  const Complex a(side, 0), b(x, -std::sqrt(40 - x * x));
+  const std::array<std::array<Complex, 4>, 4> corner{// by faces and vertices
+                                                     std::array<Complex, 4>{0, a, b, 0},
+                                                     {0, a, 0, a - b},
+                                                     {0, 0, b, b - a},
+                                                     {0, a, b, a + b}};
+  const auto place = [&](std::size_t v) {
+    const auto& [f, w] = fine.on_coarse[v];
+    Complex result = 0;
+    Halfedge_index h = coarse.halfedge(f);
+    for(std::size_t k = 0; k < 3; ++k, h = coarse.next(h))
+      result += w[k] * corner[f.idx()][coarse.source(h).idx()];
+    return result;
+  };
+  const auto result = IT::geodesic_distances(fine.mesh, vertex(4321));
+  const Complex p = place(4321);
+  for(std::size_t v = 0; v < fine.on_coarse.size(); ++v) {
+    double least = infinity;
+    for(int i = -3; i <= 3; ++i)
+      for(int j = -3; j <= 3; ++j)
+        for(const Complex& q : {place(v), -place(v)})
+          least = (std::min)(least, std::abs(q + 2. * (double(i) * a + double(j) * b) - p));
+    EXPECT_NEAR(result.distance[v], least, 1e-13) << v;
+  }
+}
+
 TEST(Geodesic_distances, from_the_whole_boundary)
 {
   const std::size_t n = 20;

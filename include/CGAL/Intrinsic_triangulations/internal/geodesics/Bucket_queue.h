@@ -8,22 +8,19 @@
 #include <CGAL/license/Intrinsic_triangulations.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Numbers ordered by keys up to the width of a bucket, for searches that need the order for speed
-// alone.
-template <typename FT>
+// Values ordered by keys up to the width of a bucket, for searches that need the order for speed
+// alone. They lie in memory one after the other, as they are read.
+template <typename FT, typename Value>
 class Bucket_queue
 {
 public:
-  typedef std::uint32_t Value;
-
   explicit Bucket_queue(const FT& width) : m_per_key(1 / width) {}
 
-  void push(const FT& key, Value value)
+  void push(const FT& key, const Value& value)
   {
     const FT place = key * m_per_key;
     const std::size_t last = maximal_number_of_buckets - 1;

@@ -255,15 +255,13 @@ private:
     const auto& views = m_views.views();
     m_first.assign(3 * m_mesh.num_faces() + 1, 0);
     for(const View& view : views)
-      if(view.edge != Views::null)
-        ++m_first[view.edge + 1];
+      ++m_first[view.edge + 1];
     for(std::size_t c = 1; c < m_first.size(); ++c)
       m_first[c] += m_first[c - 1];
     m_sorted.resize(m_first.back());
     std::vector<Index> next(m_first.begin(), m_first.end() - 1);
     for(Index i = 0; i < views.size(); ++i)
-      if(views[i].edge != Views::null)
-        m_sorted[next[views[i].edge]++] = i;
+      m_sorted[next[views[i].edge]++] = i;
   }
 
   struct In_order_of_faces

@@ -31,8 +31,8 @@ struct View
 
   Vector position; // of the origin; the unit vector against the rays if they are parallel
   FT begin, end;
-  FT before;    // the length of the path to the origin, or by parallel rays to the start of `edge`
-  Index edge;   // null if the view has been given up
+  FT before; // the length of the path to the origin, or by parallel rays to the start of `edge`
+  Index edge;
   Index origin; // a vertex, or the number of vertices plus that of a source
   Index parent; // from which it was handed on; null if it was opened at the origin
   bool is_parallel = false;

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <deque>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -61,8 +62,8 @@ public:
     bool is_straight = true;
   };
 
-  // Views that have been looked through are kept only for paths; distances of vertices need the
-  // last one of each.
+  // Views that have been looked through are kept only for paths. Distances need the last one of
+  // each vertex.
   explicit View_propagation(const Surface_view<EdgeLengthMap>& surface, bool are_views_kept = true)
     : m_surface(surface),
       m_mesh(surface.mesh()),
@@ -134,7 +135,7 @@ public:
       if(steps == most_steps)
         return false;
       if(view <= bend)
-        follow(m_next.pop());
+        look_through(m_next.pop());
       else
         open_bend(m_bends.pop());
     }
@@ -147,7 +148,7 @@ public:
   const Charts& charts() const { return m_charts; }
   const FT& distance(Index v) const { return m_distance[v]; }
   const Arrival& arrival(Index v) const { return m_arrival[v]; }
-  const std::vector<View>& views() const { return m_views; }
+  const std::deque<View>& views() const { return m_views; }
   const Origin& origin(Index origin) const { return m_origins[origin - m_number_of_vertices]; }
   std::size_t number_of_origins() const { return m_number_of_vertices + m_origins.size(); }
   bool is_vertex(Index origin) const { return origin < m_number_of_vertices; }
@@ -236,21 +237,20 @@ private:
 
   // ---- Vertices ----
 
-  // Takes the path if it is better than that known so far: of two paths that are equal up to
-  // rounding the straight one is better.
-  void reach(Index v, const FT& length, const Arrival& arrival)
+  // Takes the path if it is better than that known so far, and returns whether it is: of two paths
+  // that are equal up to rounding the straight one is better.
+  bool reach(Index v, const FT& length, const Arrival& arrival)
   {
     const FT tolerance = rounding_unit<FT>() * length;
     const bool is_better = arrival.is_straight && !m_arrival[v].is_straight
                              ? length <= m_distance[v] + tolerance
                              : length < m_distance[v] - tolerance;
     if(!is_better)
-      return;
+      return false;
     m_distance[v] = length;
     m_arrival[v] = arrival;
-    if(!m_are_views_kept && arrival.view != null)
-      m_last_view[v] = m_views[arrival.view];
     m_bends.push(length, v);
+    return true;
   }
 
   // The directions in which paths can go on at a vertex: those that are at least half a turn away
@@ -401,29 +401,7 @@ private:
     view.position.imag((std::max)(view.position.imag(), FT(0)));
     if(m_charts.across(view.edge) == null || !cut_off(view))
       return;
-    m_next.push(view.least_length(), store(view));
-  }
-
-  Index store(const View& view)
-  {
-    if(!m_free.empty()) {
-      const Index number = m_free.back();
-      m_free.pop_back();
-      m_views[number] = view;
-      return number;
-    }
-    check_bound(m_views.size() + 1);
-    if(m_views.size() == m_views.capacity())
-      reserve_views();
-    m_views.push_back(view);
-    return static_cast<Index>(m_views.size() - 1);
-  }
-
-  // Twice as many as now, but not much memory near the bound: there all that may be needed at once.
-  void reserve_views()
-  {
-    const std::size_t bound = greatest_number_of_views(), doubled = 2 * m_views.size() + 64;
-    m_views.reserve(doubled < bound / 2 ? doubled : bound);
+    m_next.push(view.least_length(), view);
   }
 
   bool cut_off(View& view) const
@@ -432,29 +410,34 @@ private:
                         m_distance[m_charts.target(view.edge)], m_charts.length(view.edge));
   }
 
-  void follow(Index number)
+  void look_through(View view)
   {
-    look_through(number);
-    if(!m_are_views_kept)
-      m_free.push_back(number);
-  }
-
-  void look_through(Index number)
-  {
-    View& stored = m_views[number];
-    const bool is_outdated = is_vertex(stored.origin) && m_distance[stored.origin] < stored.before;
-    if(is_outdated || !cut_off(stored)) {
-      stored.edge = null;
+    const bool is_outdated = is_vertex(view.origin) && m_distance[view.origin] < view.before;
+    if(is_outdated || !cut_off(view))
       return;
-    }
-    const View view = stored;
-    const Index o = m_charts.across(view.edge);
+    const Index number = keep(view), o = m_charts.across(view.edge);
     const Vector apex = m_charts.apex_beyond(o);
     const FT closed = tolerance(view);
     if(view.sees(apex, closed))
-      reach(m_charts.source(Charts::previous(o)), view.length_to(apex),
-            {number, view.origin, Halfedge_index(), is_source(view.origin)});
+      reach(m_charts.source(Charts::previous(o)), view, apex, number);
     split(view, number, apex, closed);
+  }
+
+  // Returns the number of the view, zero if none is kept.
+  Index keep(const View& view)
+  {
+    const auto number = static_cast<Index>(m_views.size());
+    if(m_are_views_kept)
+      m_views.push_back(view);
+    return number;
+  }
+
+  void reach(Index v, const View& view, const Vector& apex, Index number)
+  {
+    if(reach(v, view.length_to(apex),
+             {number, view.origin, Halfedge_index(), is_source(view.origin)}) &&
+       !m_are_views_kept)
+      m_last_view[v] = view;
   }
 
   // Hands the view on to the two sides beyond the edge, left and right of the apex.
@@ -530,13 +513,13 @@ private:
   std::vector<FT> m_distance;     // of each vertex
   std::vector<Arrival> m_arrival; // at each vertex
   std::vector<FT> m_opened;       // the distance at which views were opened at each vertex
-  std::vector<View> m_views;
+  std::deque<View> m_views;       // that have been looked through, if they are kept
 
-  Bucket_queue<FT> m_next, m_bends; // views, and vertices, from which views have to be opened
+  Bucket_queue<FT, View> m_next;
+  Bucket_queue<FT, Index> m_bends; // vertices from which views have to be opened
   std::size_t m_steps = 0;
 
   bool m_are_views_kept;
-  std::vector<Index> m_free;     // views that are not needed any more
   std::vector<View> m_last_view; // through which the shortest path comes to each vertex
 };
 
